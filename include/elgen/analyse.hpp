@@ -1,11 +1,10 @@
-// Analysis: where a system can be at rest, whether it stays there, how it moves about that, and
-// what its symmetries keep.
+// Analysis: equilibria of a system, their stability, small motions about them, and symmetries.
 //
 //     equilibria    r(q) = bias(q, 0) - B(q) u = 0, u given
 //     stability     K = dr/dq,  W = V0 - T0
 //     modes         M x'' + K x = 0 about a point,  K x = w^2 M x
 //     poles         of d(dx)/dt = A dx + B du
-//     symmetries    dL = dF/dt under dq = A q + b + c t, dt constant
+//     symmetries    dL = dF/dt under dq = A q + b + c t,  dt constant (Noether)
 #pragma once
 
 #include <cln/real.h>
@@ -30,19 +29,21 @@ namespace elgen {
 /// The arguments of an analysis that starts from the Lagrangian.
 struct AnalysisInput {
   const CheckedModel& checked;
-  const Program& recursive;  ///< the functions of AnalysisRow::outputs
-  /// An [[equilibrium]] of the model, or with an empty name the start of the coordinates: the only
-  /// point that is analysed. None: all equilibria.
+  const Program& recursive;  ///< the functions that AnalysisRow::outputs requests
+  /// The name of an [[equilibrium]]: only this point is analysed. An empty name means the start of
+  /// the coordinates. None: find all equilibria.
   const std::optional<std::string>& about;
   const Limits& limits;
 };
 
-/// Where a coordinate is looked for.
+/// The range in which equilibria are searched along a coordinate.
 enum class SearchKind : std::uint8_t {
-  none,   ///< the equations at rest, at these parameters, do not hold it: it is any number
-  turn,   ///< only in e^(i k q), k integers: modulo 2 pi, in the range where that is less
+  none,   ///< no range: at these parameters no equation at rest contains the coordinate
+  turn,   ///< the coordinate occurs only in e^(i k q), k integer: one turn, or a narrower declared
+          ///< range
   range,  ///< the range that the model declares
-  start,  ///< a rotation, or a coordinate that one shares an equation with: about its start
+  start,  ///< no range, only the start: for rotations and coordinates that share an equation with
+          ///< one
 };
 
 struct CosineAndSine {
@@ -50,23 +51,25 @@ struct CosineAndSine {
   Fraction sine = {};
 };
 
-/// The value of a coordinate at an equilibrium: any, or a number of 64 digits, with its closed form
-/// where that is known to hold for all values of the parameters at which it is defined. One that is
-/// any has the value at which it stands.
+/// The value of a coordinate at an equilibrium, in 64 digits. Its closed form is present if it
+/// holds for all values of the parameters at which it is defined. If `is_any` is set, no equation
+/// at rest contains the coordinate, and `value` is its start.
 struct CoordinateAtRest {
   bool is_any = false;
   cln::cl_R value = 0;
   std::optional<Fraction> form = {};
-  /// The cosine or sine of an angle that exists where this is in [-1, 1], and both of them.
+  /// If `form` is an acos or asin: its argument, which has to be in [-1, 1], and the cosine and
+  /// sine.
   std::optional<Fraction> sinusoid = {};
   std::optional<CosineAndSine> sinusoids = {};
 };
 
 enum class Stability : std::uint8_t {
-  minimum,             ///< W has a strict minimum, nothing drives, D does not: stable
-  degenerate_minimum,  ///< the same, though K is 0 along one coordinate
+  minimum,  ///< stable: W has a strict minimum, L is free of t, the only forces are constant ones
+            ///< and D >= 0
+  degenerate_minimum,  ///< stable: the same, and K is 0 along one coordinate
   decaying,            ///< all poles have negative real parts: stable
-  unstable,            ///< a pole has a positive real part
+  unstable,            ///< unstable: a pole has a positive real part
   open,                ///< the linear part does not decide
 };
 
@@ -74,7 +77,7 @@ enum class Stability : std::uint8_t {
   return kind != Stability::unstable && kind != Stability::open;
 }
 
-/// The first term of W along the coordinate in which K is 0: coefficient (q - q0)^order.
+/// The leading term of W along the coordinate in which K is 0: coefficient (q - q0)^order.
 struct LeadingTerm {
   std::uint32_t coordinate = 0;
   std::uint32_t order = 0;
@@ -88,154 +91,165 @@ struct StabilityVerdict {
   std::optional<LeadingTerm> leading = {};
 };
 
-/// A point of rest with its linear equations M x'' + (G + D) x' + K x = B du; matrices row-major,
-/// n x n for n velocities, B n x inputs, in 64 digits.
+/// A point of rest with its linear equations M x'' + (G + D) x' + K x = B du. With n velocities M,
+/// G + D and K are n x n and B is n x inputs, all row-major in 64 digits.
 struct RestPoint {
-  State state = {};  ///< v = 0, a = 0, u as given
+  State state = {};  ///< v = 0, a = 0, u as in Equilibria::inputs
   std::vector<CoordinateAtRest> coordinates = {};
-  bool is_exact = true;  ///< r is 0 there for all values of the parameters, by closed forms
+  bool is_exact = true;  ///< closed forms prove r = 0 for all values of the parameters
   std::vector<cln::cl_R> mass = {};
   std::vector<cln::cl_R> stiffness = {};
-  std::vector<cln::cl_R> damping = {};  ///< d bias/dv at v = 0: gyroscopic terms among it
+  std::vector<cln::cl_R> damping = {};  ///< G + D = d bias/dv at v = 0
   std::vector<cln::cl_R> input_matrix = {};
   StabilityVerdict stability = {};
 };
 
-/// The value of a coordinate where r = 0 and M is singular.
+/// The value of a coordinate at a point with r = 0 at which M is singular.
 struct ChartBreak {
   std::uint32_t coordinate = 0;
   CoordinateAtRest at = {};
 };
 
-/// Values of coordinates that share equations, which may hold an equilibrium that is not listed.
+/// Intervals of coordinates that share equations. An equilibrium inside may be missing from the
+/// list.
 using UndecidedBox = std::map<std::uint32_t, Interval>;
 
-/// How far a list of equilibria is known to be complete, at the values of the parameters.
+/// Whether a list of equilibria is complete at the values of the parameters.
 enum class Completeness : std::uint8_t {
-  proved,     ///< there are no others
-  undecided,  ///< there are no others but in the undecided boxes
-  searched,   ///< some were found from starts; there may be others, in the undecided boxes if any
+  proved,     ///< no other equilibrium exists
+  undecided,  ///< no other equilibrium exists outside the undecided boxes
+  searched,   ///< Newton's method found some equilibria from starts; others may exist anywhere
 };
 
 struct Equilibria {
-  ClosedForms forms = {};  ///< of r, M and W at rest: their algebra holds all forms below
+  ClosedForms forms = {};  ///< of r, M and W at rest; all forms below refer to this algebra
   std::vector<SearchKind> kinds = {};    ///< by coordinate
   bool has_rest_kinetic_energy = false;  ///< T0 is not 0
   std::vector<RestPoint> points = {};
   std::vector<ChartBreak> breaks = {};  ///< inside and outside of ranges
   Completeness completeness = Completeness::proved;
   std::vector<UndecidedBox> undecided = {};
-  std::uint64_t boxes = 0;   ///< that were looked at
-  std::uint64_t starts = 0;  ///< of iterations
-  std::string limit = {};    ///< that ended the search: "enclosures=420000000"
+  std::uint64_t boxes = 0;   ///< boxes that the search examined
+  std::uint64_t starts = 0;  ///< starts of Newton's method
+  std::string limit = {};    ///< the limit that ended the search: "enclosures=420000000"
   std::vector<cln::cl_R> inputs = {};
-  bool is_given = false;  ///< the input named the only point; the others are not looked for
+  /// True: AnalysisInput::about gave the only point, and no other was searched.
+  bool is_given = false;
 };
 
-/// The requests of the functions that equilibria need of a model.
+/// The requests of the functions that find_equilibria() needs.
 [[nodiscard]] std::vector<OutputRequest> outputs_of_equilibria(const Model& model);
 
-/// All equilibria at the values of the parameters that the scene has and at which M is regular, or
-/// the given point; `recursive` has the functions of outputs_of_equilibria. Inputs are 0, or at
-/// their laws. E530, E531; of a given point E201, and E532: the forces do not balance there. Cost:
-/// at most limits.boxes boxes, and limits.enclosures.
+/// All equilibria with a regular M at the parameter values of the scene, or only the given point.
+/// `recursive` has the functions of outputs_of_equilibria(). Inputs are 0 or the values of their
+/// laws. Errors: E530, E531, E606 (a law that is no number at rest), E910 (more than 256
+/// equilibria). For a given point: E201, and E532 if the forces do not balance. Cost: at most
+/// limits.boxes boxes and limits.enclosures.
 [[nodiscard]] Result<Equilibria> find_equilibria(const AnalysisInput& input);
 
-/// A motion x = shape sin(w t + phase) about a point of rest, or for w^2 < 0 one that grows.
+/// A motion x = shape sin(w t + phase) about a point of rest. If w^2 < 0, it grows or decays
+/// instead.
 struct NormalMode {
-  cln::cl_R omega_squared = 0;     ///< 1/s^2
-  std::vector<double> shape = {};  ///< by velocity; the largest component is 1, the first of equals
-  std::size_t multiplicity = 1;    ///< modes with this w^2: their shapes span a space
+  cln::cl_R omega_squared = 0;  ///< 1/s^2
+  /// By velocity; the largest component is 1; of several largest ones the first.
+  std::vector<double> shape = {};
+  std::size_t multiplicity = 1;  ///< number of modes with this w^2; their shapes span a space
 };
 
-/// The linear motions about a point of rest: d(dx)/dt = A dx + B du with x = (q, v).
+/// The linear motions about a point of rest: d(dx)/dt = A dx + B du, x = (q, v).
 struct LinearMotions {
   RestPoint point = {};
-  std::vector<NormalMode> modes = {};  ///< w^2 ascending; none where damping or Q act on v
+  /// W^2 ascending; empty if G + D is not 0 or K is not symmetric.
+  std::vector<NormalMode> modes = {};
   std::vector<std::complex<double>> poles = {};  ///< 1/s, the fastest first
   std::vector<double> a = {};                    ///< 2n x 2n, row-major
   std::vector<double> b = {};                    ///< 2n x inputs
-  std::size_t controllable = 0;  ///< least rank of [A - pole 1, B]: 2n where u reaches all states
+  /// Least rank of [A - pole 1, B] over the poles; 2n: u reaches every state.
+  std::size_t controllable = 0;
 };
 
 /// The linear motions about some points of rest.
 struct Modes {
-  ClosedForms forms = {};                   ///< those of the equilibria
-  std::vector<cln::cl_R> inputs = {};       ///< at rest
-  std::vector<LinearMotions> motions = {};  ///< of each point
+  ClosedForms forms = {};                   ///< of the equilibria
+  std::vector<cln::cl_R> inputs = {};       ///< at the points of rest
+  std::vector<LinearMotions> motions = {};  ///< one for each point
 };
 
-/// Motions about the given point, or about the stable equilibria. E532: no equilibrium is known to
-/// be stable; E533: M has no inverse.
+/// The linear motions about the given point, or about every stable equilibrium. E532: no
+/// equilibrium is known to be stable. E533: M has no inverse.
 [[nodiscard]] Result<Modes> find_modes(const CheckedModel& checked, const Equilibria& equilibria);
 
-/// The sort of a symmetry.
+/// The kind of a symmetry, by the non-zero parts of its generator.
 enum class SymmetryKind : std::uint8_t {
-  coordinate,   ///< one coordinate moves alone
-  translation,  ///< several move by constants
-  boost,        ///< they move by constants times t
-  rotation,     ///< A is skew, the rest is 0
-  turn,         ///< rotations turn
-  other,
-  time,  ///< t alone moves
+  coordinate,   ///< b is one unit vector: one coordinate shifts
+  translation,  ///< b alone: several coordinates shift by constants
+  boost,        ///< c alone: coordinates shift by constants times t
+  rotation,     ///< A alone, skew
+  turn,         ///< s and b of rotations alone
+  other,        ///< any other combination
+  time,         ///< dt alone
 };
 
-/// A change dq = A q + b + c t with a constant dt, of a rotation a turn R^T s + b, for which
-/// dL = dF/dt. So dI/dt = (dq - v dt).(B u + Q - dD/dv) with I = dL/dv.dq - E dt - F (Noether). Of
-/// the kind `time` I has the other sign: it is E + F.
+/// A change dq = A q + b + c t with a constant dt and dL = dF/dt. A rotation turns by R^T s + b in
+/// its axes. Noether: I = dL/dv.dq - E dt - F has dI/dt = (dq - v dt).(B u + Q - dD/dv). For the
+/// kind `time` the sign is reversed: I = E + F.
 struct Symmetry {
   SymmetryKind kind = SymmetryKind::other;
   std::vector<Fraction> generator = {};     ///< A by rows, c, b, s and b of each rotation, dt
-  std::vector<Fraction> displacement = {};  ///< dq along every velocity
-  Fraction by_names = {};                   ///< I + F over the leaves momentum and energy
-  std::optional<Fraction> closed = {};      ///< the same in closed form
-  std::optional<Fraction> total = {};       ///< F, for `time` -F; none: it has no closed form
-  std::optional<Fraction> loss = {};        ///< dI/dt at u = 0, where known
-  std::optional<Fraction> rate = {};        ///< dI/dt
-  bool is_rounded = false;                  ///< the generator has six digits
-  bool is_special = false;                  ///< none at other values of the parameters
-  bool is_proved = false;                   ///< dL = dF/dt is, by closed forms
+  std::vector<Fraction> displacement = {};  ///< dq of every velocity
+  Fraction by_names = {};                   ///< I + F in terms of the leaves momentum and energy
+  std::optional<Fraction> closed = {};      ///< I + F in closed form
+  std::optional<Fraction> total = {};       ///< F (for `time` -F); none if it has no closed form
+  std::optional<Fraction> loss = {};        ///< dI/dt at u = 0; none if it has no closed form
+  std::optional<Fraction> rate = {};        ///< dI/dt; none if it has no closed form
+  bool is_rounded = false;  ///< some entry of the generator is rounded to six digits
+  bool is_special = false;  ///< a symmetry only at these values of the parameters
+  bool is_proved = false;   ///< closed forms prove dL = dF/dt
 };
 
 struct Symmetries {
-  ClosedForms forms = {};    ///< their algebra holds all forms below
-  std::size_t unknowns = 0;  ///< of the class
+  ClosedForms forms = {};    ///< all forms below refer to this algebra
+  std::size_t unknowns = 0;  ///< entries of a generator
   bool is_exact = false;     ///< found by closed forms, for generic parameters
-  bool is_complete = false;  ///< and no relation between functions was left out
-  std::size_t states = 0;    ///< at which was sampled
-  std::size_t sampled = 0;   ///< the number at the values of the parameters
-  std::optional<std::size_t> sampled_elsewhere = {};  ///< at random values, where it is needed
-  bool loses_energy = false;                          ///< E is conserved, T + V is not
+  /// Exact, and every relation between functions is known: the list is complete.
+  bool is_complete = false;
+  std::size_t states = 0;  ///< at which R was sampled
+  /// Number of symmetries found by samples at the parameter values of the scene.
+  std::size_t sampled = 0;
+  /// The least number at random parameter values; none if the list is complete.
+  std::optional<std::size_t> sampled_elsewhere = {};
+  bool loses_energy = false;  ///< E is conserved and T + V is not
   std::vector<Symmetry> all = {};
 };
 
-/// The functions that symmetries need of a model: their requests.
+/// The requests of the functions that find_symmetries() needs.
 [[nodiscard]] std::vector<OutputRequest> outputs_of_symmetries(const Model& model);
 
-/// A basis of the symmetries of L alone: forces, dissipation and inputs are taken off. `recursive`
-/// has the functions of outputs_of_symmetries. E910: the class has more than 500 unknowns.
-/// Cost: 3 n + 1 derivatives of R; closed forms within budgets of 4e6 term products, samples at up
-/// to four sets of parameters.
+/// A basis of the symmetries of L alone: forces, dissipation and inputs are subtracted first.
+/// `recursive` has the functions of outputs_of_symmetries(). E910: a generator has more than 500
+/// entries. Cost: 3 n + 1 derivatives of R; closed forms within budgets of 4e6 term products;
+/// samples at up to four sets of parameters.
 [[nodiscard]] Result<Symmetries> find_symmetries(const AnalysisInput& input);
 
 /// The evidence for a claim.
 enum class ClaimStatus : std::uint8_t {
   proved,   ///< by closed forms, for all values of the parameters
-  sampled,  ///< right at random values of the parameters
+  sampled,  ///< holds at random values of the parameters
   wrong,
-  open,  ///< no values of the parameters were found at which it can be judged
+  open,  ///< undecided: no values of the parameters were found at which it can be evaluated
 };
 
-/// An [[equilibrium]] of a model: bias(q, 0) = B u there, and det(x M - K)/det M is the product of
-/// x - w^2 over its frequencies.
+/// The verdict on an [[equilibrium]]: bias(q, 0) = B u at the point, and det(x M - K)/det M is the
+/// product of x - w^2 over its frequencies.
 struct JudgedEquilibrium {
   std::string name = {};
   ClaimStatus balance = ClaimStatus::open;
-  std::optional<ClaimStatus> frequencies = {};  ///< none: the model states none
-  std::string witness = {};                     ///< a state at which it is wrong
+  std::optional<ClaimStatus> frequencies = {};  ///< none: the model states no frequencies
+  std::string witness = {};                     ///< a state at which the claim is wrong
 };
 
-/// In the order of the model; empty where a scene expands the equations, or functions are open.
+/// One verdict per [[equilibrium]], in the order of the model. Empty if a scene expands the
+/// equations or a function is open.
 [[nodiscard]] std::vector<JudgedEquilibrium> judge_equilibria(const CheckedModel& checked,
                                                               const Program& recursive);
 

@@ -1,4 +1,4 @@
-// Pages of analyses: equilibria, small motions about them, and symmetries; and their JSON.
+// Pages of analyses (equilibria, small motions, symmetries, base parameters), and their JSON.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ namespace elgen {
 [[nodiscard]] Page modes_page(const CheckedModel& checked, const Modes& modes);
 [[nodiscard]] Page symmetries_page(const CheckedModel& checked, const Symmetries& symmetries);
 
-/// An equation for each base parameter, and their values.
+/// One equation for each base parameter, and its value.
 [[nodiscard]] Page base_parameters_page(const CheckedModel& checked, const BaseParameters& found);
 
-/// Numbers have all digits that distinguish doubles.
+/// In JSON a number has all digits that distinguish doubles.
 [[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
                                           const Equilibria& equilibria);
 [[nodiscard]] std::string modes_json(const CheckedModel& checked, const Modes& modes);
@@ -27,8 +27,7 @@ namespace elgen {
 [[nodiscard]] std::string base_parameters_json(const CheckedModel& checked,
                                                const BaseParameters& found);
 
-/// The shortest form in the symbols of a model; none if there is no closed form, or it is too long
-/// to be read.
+/// The shortest form in the symbols of a model; none if `form` is none or too long to read.
 [[nodiscard]] std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
                                                const std::optional<Fraction>& form);
 

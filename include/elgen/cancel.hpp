@@ -1,22 +1,22 @@
-// cancel: what is identically zero becomes exactly 0.
+// cancel: replaces values that are identically zero by the constant 0.
 //
-//     before    0 = parameter m   1 = parameter l   2 = multiply 0 1   3 = …, the same otherwise
+//     before    0 = parameter m   1 = parameter l   2 = multiply 0 1   3 = …, equal to 2
 //               4 = subtract 2 3   5 = velocity q   6 = multiply 4 5   7 = add 6 0     result = 7
 //     after     0 = parameter m                                                        result = 0
 //
 // A value that cancels on paper but not in the definitions of a recursion is computed as noise:
-// 1e-14 instead of 0. Such a value is found by numbers: at a random point it is below 1e-40 of its
-// error bound, in 60 digits. It is 0 where its closed form is the empty sum, or where it is
-// analytic and so at 64 points (program/network/analytic.hpp); the entries that rest on points
-// alone are kept in Function::sampled_zeros.
+// 1e-14 instead of 0. Candidates are found numerically: in 60 digits, at a random point, the value
+// is below 1e-40 of its error bound. A candidate is replaced if its closed form is the empty sum.
+// It is also replaced if it is analytic (program/network/analytic.hpp) and vanishes at 64 points;
+// Function::sampled_zeros lists the entries that depend on such a zero.
 #pragma once
 
 #include "elgen/program.hpp"
 
 namespace elgen {
 
-/// Cost: every function once in 60 digits; what vanishes and is not proved to, 63 times more; and
-/// functions that change are lowered again.
+/// Cost: one evaluation of every function in 60 digits, 63 more for candidates without a proof, and
+/// a second lowering of the functions that change.
 [[nodiscard]] Program cancel(Program program);
 
 }  // namespace elgen

@@ -1,13 +1,13 @@
-// ClosedForms: every entry of the wanted outputs as one canonical sum over one canonical
-// denominator, free of GiNaC and of the program's sharing.
+// ClosedForms: every entry of the outputs as one canonical sum over one canonical denominator,
+// without GiNaC and without the shared instructions of the program.
 //
 //     numerator / product of denominator factors, each a sum of   (x + i y) * atoms^exponents
 //
-// Atoms are the leaves, roots (atom^2 = radicand), opaque calls, and e^(i angle) for every angle
-// that sines and cosines are taken of: cos(x) = (e^ix + e^-ix)/2, sin(x) = (e^ix - e^-ix)/(2i). In
-// these exponentials sums of angles, products of sines and sin^2 + cos^2 = 1 need no rule of their
-// own, so that two forms of one function of leaves, sines and cosines are the same sum. A form is
-// given up, never approximated, where it outgrows its budget.
+// Atoms are the leaves, roots (atom^2 = radicand), opaque calls, and e^(i angle) for every angle of
+// a sine or cosine: cos(x) = (e^ix + e^-ix)/2, sin(x) = (e^ix - e^-ix)/(2i). In these exponentials
+// sums of angles, products of sines and sin^2 + cos^2 = 1 need no extra rule. Two forms of one
+// function of leaves, sines and cosines are therefore the same sum. A form over budget is dropped,
+// never approximated.
 #pragma once
 
 #include <cln/rational.h>
@@ -26,7 +26,8 @@
 
 namespace elgen {
 
-/// numerator / product of factors[i]^exponent, exponents positive; no factor divides the numerator.
+/// numerator / product of factors[i]^exponent; exponents are positive, and no factor divides the
+/// numerator.
 struct Fraction {
   Polynomial numerator = {};
   std::map<std::uint32_t, std::int32_t> denominator = {};
@@ -36,10 +37,10 @@ struct Fraction {
 enum class AtomKind : std::uint8_t {
   leaf,
   circular,  ///< e^(i angle), angle = argument / divisor
-  root,      ///< sqrt(argument), argument positive
+  root,      ///< sqrt(argument), argument >= 0
   call,      ///< function(arguments)
   pi,
-  sum,  ///< a typed sum that stays whole: its argument is its canonical form
+  sum,  ///< a typed sum that is not expanded; its argument is its canonical form
 };
 
 struct Atom {
@@ -52,20 +53,21 @@ struct Atom {
   friend bool operator==(const Atom&, const Atom&) = default;
 };
 
-/// The atoms and denominator factors that fractions refer to.
+/// The atoms and denominator factors to which fractions refer by number.
 struct Algebra {
   std::vector<Atom> atoms = {};
-  std::unordered_multimap<std::size_t, AtomId> known = {};  ///< of each atom, by its hash
-  /// As first met, and normalised: without common monomial, leading coefficient 1.
+  std::unordered_multimap<std::size_t, AtomId> known = {};  ///< atoms by their hash
+  /// `shown` as first found; `normal` without common monomial, with leading coefficient 1.
   struct Factor {
     Polynomial shown = {};
     Polynomial normal = {};
   };
   std::vector<Factor> factors = {};
-  /// Sums that stay whole, each as a function of one entry: as it is typed, since a canonical form
-  /// forgets a^2 sin^2 + b^2 cos^2. Null where there are none.
+  /// The typed sums that are not expanded, each a function of one entry, in their typed form: the
+  /// canonical form hides a^2 sin^2 + b^2 cos^2. Null if there are none.
   std::shared_ptr<const Program> sums = {};
-  /// stumpff(x, k > 0) is no atom but its quotient over powers of x, which has no value at 0.
+  /// stumpff(x, k) with k > 0 is written as its quotient over powers of x, which has no value at x
+  /// = 0.
   bool has_quotients = false;
   /// exp, sinh, cosh and tanh are written by atoms exp(u/12), u a monomial over a denominator.
   bool has_exponentials = false;
@@ -73,10 +75,10 @@ struct Algebra {
 
 struct ClosedField {
   std::string name = {};
-  std::vector<std::optional<Fraction>> entries = {};  ///< none: beyond the budget
+  std::vector<std::optional<Fraction>> entries = {};  ///< none: over budget
 };
 
-/// Parallel to Program::functions; `dynamics` has no fields, since it repeats the others.
+/// Parallel to Program::functions; `dynamics` has no fields, since it repeats other outputs.
 struct ClosedFunction {
   std::vector<ClosedField> fields = {};
 };
@@ -86,80 +88,84 @@ struct ClosedForms {
   std::vector<ClosedFunction> functions = {};
 };
 
-/// Terms multiplied with terms: what a form may cost before it is given up.
+/// Products of one term with another that may be computed before a form is dropped.
 struct PresentBudget {
   std::size_t products_per_function = 30'000;
   std::size_t products = 150'000;
-  std::size_t terms = 4'000;  ///< of any one sum on the way
+  std::size_t terms = 4'000;  ///< of any intermediate sum
 };
 
-/// The closed forms of a program's functions. Cost: at most `budget`, about 0.4 us a product.
+/// The closed forms of the functions of a program. Cost: at most `budget`, about 0.4 us per
+/// product.
 [[nodiscard]] ClosedForms present(const Program& program, const PresentBudget& budget = {});
 
-/// Closed forms in which stumpff(x, k) of k > 0 is the quotient that it is at x != 0, so that its
-/// relations to sines and cosines are seen: sin(x)/x, (1 - cos(x))/x^2, and so on.
+/// Closed forms that write stumpff(x, k), k > 0, as its quotient, valid for x != 0: sin(x)/x, (1 -
+/// cos(x))/x^2, and so on. They reveal its relations to sines and cosines.
 [[nodiscard]] ClosedForms present_quotients(const Program& program,
                                             const PresentBudget& budget = {});
 
-/// Closed forms for proofs alone: with these quotients, and with exp, sinh, cosh and tanh written
-/// by powers of few exponentials, so that these relations are seen:
+/// Closed forms for proofs only. They have these quotients, and write exp, sinh, cosh and tanh by
+/// powers of few exponentials. This reveals the relations
 ///
 ///     exp(a + b) = exp(a) exp(b),  1/exp(-a) = exp(a),  tanh(a) = (exp(2 a) - 1)/(exp(2 a) + 1)
 [[nodiscard]] ClosedForms present_for_proofs(const Program& program,
                                              const PresentBudget& budget = {});
 
-/// Whether forms for proofs take a function apart that present() has as an atom.
+/// True if present_for_proofs() rewrites a function that is an opaque atom for present().
 [[nodiscard]] bool is_taken_apart(FunctionId function);
 
-/// The sums of a program that may stay whole, each a function of one entry, none twice: the bases
-/// of powers and the arguments of roots, quotients and functions other than sines, cosines and
-/// tangents, and the factors of these, where they hold a coordinate or t.
+/// The sums of a program that may stay unexpanded, each a function of one entry, without
+/// duplicates: bases of powers; arguments of roots, of quotients and of functions other than sin,
+/// cos and tan; factors of these. Only sums with a coordinate or t count.
 ///
 ///     before    F*sqrt((x - 1)^2 + (y - 3/10)^2)
 ///     after     (x - 1)^2 + (y - 3/10)^2,   x - 1,   y - 3/10
 [[nodiscard]] Program typed_sums(const Program& program);
 
-/// Closed forms in which these sums stay whole: they are not multiplied out, wherever they stand. A
-/// sum of several that is shorter multiplied out is written so: (x + r) + (x - r) is 2 x.
+/// Closed forms in which these sums are not expanded wherever they occur. A combination of several
+/// sums is expanded if that is shorter: (x + r) + (x - r) becomes 2 x.
 [[nodiscard]] ClosedForms present(const Program& program, Program whole_sums,
                                   const PresentBudget& budget = {});
 
-/// Whether x = y is proved: x - y is the empty sum. False says nothing where roots or calls occur.
+/// True if x = y is proved: x - y is the empty sum. False proves nothing if roots or calls occur.
 [[nodiscard]] bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
 
-/// Whether no algebraic relation joins atoms of this sort: leaves, pi, and e^(i m/12) of monomials
-/// m of these. e^(i m/24), roots, and e^(ix) of fractions x have relations that forms do not know.
+/// True if no algebraic relation joins atoms of this kind: leaves, pi, and e^(i m/12) of their
+/// monomials m. Closed forms do not know the relations of e^(i m/24), roots, and e^(ix) of
+/// fractions x.
 [[nodiscard]] bool is_independent(const Algebra& algebra, AtomId id);
 
-/// The verdict of a closed form.
+/// The verdict of a proof that an entry is 0.
 enum class ZeroProof : std::uint8_t {
   open,
   zero,      ///< the empty sum
-  not_zero,  ///< another sum of leaves, numbers, pi, sines and cosines, which has one form
+  not_zero,  ///< another sum of leaves, numbers, pi, sines and cosines, whose form is unique
 };
 
-/// Proofs by the closed form of each entry, in the order of the fields, or else by its form for
-/// proofs. A form that is given up is no proof. Cost: that of the forms, within the budget.
+/// Proves entries to be 0 by their closed forms, or else by their forms for proofs, in the order of
+/// the fields. A form over budget proves nothing. Cost: one closed form per entry, at most two,
+/// within `budget`.
 [[nodiscard]] std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
                                                   const PresentBudget& budget = {});
 
-/// dq/dt of every coordinate; empty where nothing rotates, and dq/dt is v.
+/// dq/dt of every coordinate; empty if the model has no rotation, since dq/dt = v then.
 [[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);
 
-/// One term of the rate of an open value: its derivative by an argument times the argument's rate.
+/// One term of the rate of an open value: its derivative by an argument times the rate of the
+/// argument.
 struct OpenTerm {
-  std::uint32_t derivative = 0;  ///< the number of the leaf
+  std::uint32_t derivative = 0;  ///< number of the leaf
   Fraction argument = {};
 };
 
-/// df/dt = sum_i f_i dx_i/dt of every open value of a model; empty where it is not known, as that
-/// of second derivatives is not.
+/// df/dt = sum_i f_i dx_i/dt for every open value of a model. Empty if the rate is unknown, for
+/// example for second derivatives.
 using OpenTerms = std::vector<std::vector<OpenTerm>>;
 [[nodiscard]] OpenTerms open_terms(ClosedForms& forms, const Model& model,
                                    const FixedParameters& fixed);
 
-/// How fast the leaves of a form change; parameters stand still. The rate of a leaf beyond the end
-/// of its list, and of inputs, is not known.
+/// The rates of the leaves of a form. Parameters have rate 0. The rate of inputs, and of leaves
+/// beyond the end of a list, is unknown.
 struct LeafRates {
   std::vector<Fraction> coordinates = {};  ///< empty: they change at their velocities
   std::vector<Fraction> velocities = {};
@@ -168,26 +174,26 @@ struct LeafRates {
   Fraction time = {};
 };
 
-/// dx/ds where the leaves change at these rates: sum dx/dleaf dleaf/ds. None beyond the budget, and
-/// of functions with kinks.
+/// dx/ds if the leaves change at these rates: sum dx/dleaf dleaf/ds. None if it is over budget or x
+/// contains a function with kinks.
 [[nodiscard]] std::optional<Fraction> rate_along(ClosedForms& forms, const Fraction& x,
                                                  const LeafRates& rates);
 
-/// dx/dq_k, k the number of one of so many coordinates, of an x that holds no velocities.
+/// dx/dq_k, k = `coordinate` of `coordinates`, for an x without velocities.
 [[nodiscard]] std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
                                                          std::uint32_t coordinate,
                                                          std::size_t coordinates);
 
-/// dx/dt along the motion at u = 0; `accelerations` are those of the forward dynamics, one per
-/// velocity. The empty sum proves that x is conserved. None beyond the budget, and of functions
-/// with kinks.
+/// dx/dt along the motion at u = 0. `accelerations` are the forward dynamics, one per velocity. The
+/// empty sum proves that x is conserved. None if it is over budget or x contains a function with
+/// kinks.
 [[nodiscard]] std::optional<Fraction> free_rate(ClosedForms& forms, const Fraction& x,
                                                 const std::vector<Fraction>& accelerations,
                                                 const std::vector<Fraction>& coordinate_rates = {},
                                                 const OpenTerms& open_values = {});
 
-/// One expression of the model over the same atoms; `fixed` parameters are numbers. None where it
-/// outgrows the budget.
+/// One expression of the model over the same atoms. `fixed` parameters are numbers. None if it is
+/// over budget.
 [[nodiscard]] std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
                                                   const FixedParameters& fixed,
                                                   ExpressionId expression);

@@ -1,8 +1,8 @@
-// Constant: a number that depends on nothing, with how it is made of rational numbers and pi.
+// Constant: a number that depends on no leaf, with its exact form in rational numbers and pi.
 //
 //     form   1 - cos(3/10)      value   0.0446635108743939…
 //
-// Two constants are one where their forms are, never because values or texts are close.
+// Two constants are equal if their forms are, never because their values or texts are close.
 #pragma once
 
 #include <cln/real.h>
@@ -23,8 +23,7 @@ enum class ConstantKind : std::uint8_t { rational, pi, sum, product, square_root
 
 struct ConstantPart;
 
-/// A tree of numbers: terms with their signs, factors with their exponents, arguments with their
-/// signs.
+/// A tree of numbers: terms with signs, factors with exponents, arguments with signs.
 struct ConstantForm {
   ConstantKind kind = ConstantKind::rational;
   cln::cl_RA number = 0;                  ///< of a rational
@@ -32,7 +31,7 @@ struct ConstantForm {
   std::vector<ConstantPart> parts;        ///< no initializer: ConstantPart is incomplete here
 };
 
-/// weight: the exponent in a product (not 0), the sign (1 or -1) elsewhere.
+/// weight: the exponent in a product (not 0), otherwise the sign (1 or -1).
 struct ConstantPart {
   ConstantForm form = {};
   std::int32_t weight = 1;
@@ -43,15 +42,15 @@ struct ConstantPart {
 
 [[nodiscard]] ConstantForm rational_form(const cln::cl_RA& number);
 
-/// -x, its sign moved inside where a number, a sum or an odd factor takes it.
+/// -x. The sign moves into a number, a sum or an odd factor.
 [[nodiscard]] ConstantForm negated(ConstantForm x);
 
-/// The value with a bound of the error: a float of at least 220 digits unless exact, its error at
-/// most 1e-200 |value|, or 1e-200 where 1760 digits cancelled. None where the form has no real
-/// value, or where 1760 digits do not tell whether it has one.
+/// The value and a bound of its error. Unless exact it is a float of at least 220 digits with
+/// |error| <= 1e-200 |value|, or |error| <= 1e-200 if 1760 digits cancel. None if the form has no
+/// real value, or if 1760 digits do not decide this.
 [[nodiscard]] std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form);
 
-/// As a formula:
+/// The form as a Formula:
 ///
 ///     model language    1/2*cos(3/10)     sqrt(3)^(-1)
 ///     LaTeX             \frac{1}{2} \cos \frac{3}{10}    \frac{1}{\sqrt{3}}
@@ -61,19 +60,19 @@ struct ConstantPart {
 [[nodiscard]] std::string text_of(const ConstantForm& form);
 
 struct Constant {
-  /// Rational where the form is; else to 200 digits, and 0 where these do not tell it from 0.
+  /// Rational if the form is. Otherwise a float of 200 digits; 0 if the enclosure contains 0.
   cln::cl_R value = 0;
   ConstantForm form = {};
 };
 
 [[nodiscard]] Constant rational_constant(const cln::cl_RA& number);
 
-/// The constant of a form; none where it has no value.
+/// The constant with this form; none if it has no value.
 [[nodiscard]] std::optional<Constant> constant_of(ConstantForm form);
 
 [[nodiscard]] bool is_rational(const Constant& constant);
 
-/// The position of `wanted` in the list, where it is appended if it is new.
+/// The position of `wanted` in `constants`; appends it if it is missing.
 [[nodiscard]] std::uint32_t position_of(const Constant& wanted, std::vector<Constant>& constants);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Constraint: an equation that the motion of a Model obeys. Held: a scene takes variables out of a
-// model, locked ones and cyclic coordinates.
+// Constraint: an equation that the motion of a Model satisfies. Held: a variable that a scene
+// removes from a model, locked or cyclic.
 #pragma once
 
 #include <cln/real.h>
@@ -20,27 +20,27 @@ namespace elgen {
 
 struct Model;
 
-/// One equation of a [[constraint]]: f(q, t) = 0 of a position, or phi(q, v, t) = 0, affine in the
-/// rates, of a velocity; `value` is its left side less its right side.
+/// One equation of a [[constraint]]: f(q, t) = 0 for positions, or phi(q, v, t) = 0, affine in the
+/// rates, for velocities. `value` is left side minus right side.
 ///
-/// Along the motion A a + gamma = -2 zeta omega r - omega^2 f, with the rate r = df/dt or phi, A =
-/// dr/dv, and gamma = dr/dt at a = 0. Its multiplier acts as A^T lambda on the side of the inputs.
+/// Let r = df/dt or phi, A = dr/dv, and gamma = dr/dt at a = 0. The motion satisfies A a + gamma =
+/// -2 zeta omega r - omega^2 f. The multiplier acts as A^T lambda on the side of the inputs.
 struct Constraint {
-  std::string name;        ///< "rod"; of several equations "loop_x", "loop_1", "link_2[3]"
+  std::string name;        ///< "rod"; with several equations "loop_x", "loop_1", "link_2[3]"
   std::string identifier;  ///< "link_2_3"
   ExpressionId value = 0;
   bool is_position = true;
-  std::optional<ExpressionId> omega = {};  ///< of `stabilise`; none: 0
+  std::optional<ExpressionId> omega = {};  ///< omega of `stabilise`; none: 0
   std::optional<ExpressionId> zeta = {};
-  std::optional<Unit> unit = {};  ///< of f or phi; none: not known
+  std::optional<Unit> unit = {};  ///< of f or phi; none: unknown
   std::string doc = {};
-  Span span = {};  ///< of the name of its entry
+  Span span = {};  ///< of the name of the entry
   Span equation_span = {};
-  std::string equality = {};  ///< "z(P[i]) = z(Q)", of points that coincide
+  std::string equality = {};  ///< "z(P[i]) = z(Q)" for coincident points
 };
 
-/// The equation to write if these rows of `coincide` constrain nothing. Empty for a row of
-/// `equation`, and if no row remains.
+/// The hint to write `equation` instead of `coincide` if the rows in `without` constrain nothing.
+/// Empty for a row of `equation`, and if no row remains.
 ///
 ///     coincide = ["P", "Q"], y   ->   "`equation = ["x(P) = x(Q)", "z(P) = z(Q)"]` is enough"
 [[nodiscard]] std::string equations_instead(const std::vector<Constraint>& rows,
@@ -50,12 +50,12 @@ struct Constraint {
 inline constexpr std::uint32_t quaternion_size = 4;
 inline constexpr std::uint32_t axis_count = 3;
 
-/// A coordinate, or a rotation, that does not move freely.
+/// A coordinate or rotation whose motion a scene prescribes or eliminates.
 struct Held {
-  std::uint32_t coordinate = 0;  ///< the first one, if of a rotation
-  std::uint32_t velocity = 0;    ///< likewise
+  std::uint32_t coordinate = 0;  ///< the first of a rotation
+  std::uint32_t velocity = 0;    ///< the first of a rotation
   bool is_rotation = false;
-  bool reaction = false;  ///< the force that holds it is wanted
+  bool reaction = false;  ///< the force that holds it is an output
   Span span = {};
 
   [[nodiscard]] std::uint32_t velocity_count() const { return is_rotation ? axis_count : 1; }
@@ -68,34 +68,33 @@ struct Held {
   }
 };
 
-/// A variable that a scene holds at a function of time.
+/// A variable that a scene prescribes as a function of time.
 struct Lock : Held {
-  std::vector<ExpressionId> values = {};  ///< s(t); of a rotation the four of a unit quaternion
+  std::vector<ExpressionId> values = {};  ///< s(t); of a rotation its unit quaternion
 };
 
-/// A cyclic coordinate that a scene takes out at a momentum that stays (`[routh]`), which becomes a
-/// parameter.
+/// A cyclic coordinate that `[routh]` eliminates. Its constant momentum becomes a parameter.
 struct Cyclic : Held {
   std::uint32_t parameter = 0;
-  /// Made of numbers and parameters; none: the momentum at the start.
+  /// The momentum by numbers and parameters; none: the momentum at the start.
   std::optional<ExpressionId> form = {};
-  /// The value of the parameter: the scene or an option fixes it, else find_momenta() computes it.
+  /// The value of the parameter. The scene or an option fixes it, or find_momenta() computes it.
   std::optional<cln::cl_R> momentum = {};
 };
 
-/// The variables that a scene holds, and the whole model, in which they move. They are taken out
-/// twice, on purpose: of the Model by check, which is what the oracle sees, and of the Lagrangian
-/// by specialise, which is what is derived from. Each is a check of the other.
+/// The held variables of a scene, and the whole model, in which they move. They are eliminated
+/// twice, independently: check removes them from the Model that the oracle reads, specialise from
+/// the Lagrangian that is derived. Each result checks the other.
 struct Variant {
   std::vector<Lock> locks = {};             ///< in the order of v of the whole model
-  std::vector<Cyclic> cyclic = {};          ///< likewise
-  std::shared_ptr<const Model> whole = {};  ///< null: nothing has been taken out of the model
+  std::vector<Cyclic> cyclic = {};          ///< in the same order
+  std::shared_ptr<const Model> whole = {};  ///< null: no variable is held
 };
 
-/// The new positions of the entries of a list when some are removed.
+/// The new positions of the entries of a list after some entries are removed.
 class PlacesLeft {
  public:
-  /// None has left.
+  /// Nothing is removed yet.
   explicit PlacesLeft(std::size_t size) : places_(size, 0) { remove(0, 0); }
 
   void remove(std::uint32_t first, std::uint32_t count) {
@@ -106,12 +105,12 @@ class PlacesLeft {
     }
   }
 
-  /// None for an entry that was removed.
+  /// None for a removed entry.
   [[nodiscard]] const std::optional<std::uint32_t>& operator[](std::size_t i) const {
     return places_[i];
   }
 
-  /// Removes from a list what left it.
+  /// Erases the removed entries from a list.
   template <class List>
   void thin(List& list) const {
     List left;
@@ -121,7 +120,7 @@ class PlacesLeft {
     list = std::move(left);
   }
 
-  /// The list before removal, with 0 for each removed entry.
+  /// The list at its old size, with 0 for each removed entry.
   template <class List>
   [[nodiscard]] List spread(const List& left) const {
     List list(places_.size());
@@ -135,7 +134,7 @@ class PlacesLeft {
   std::vector<std::optional<std::uint32_t>> places_;
 };
 
-/// The places in q, v and u, as variables leave.
+/// The new positions of the entries of q, v and u after variables are removed.
 struct VariablesLeft {
   PlacesLeft coordinates;
   PlacesLeft velocities;
@@ -147,7 +146,7 @@ struct VariablesLeft {
   }
 };
 
-/// The velocities of the variables whose force is wanted, in their order.
+/// The velocities of the variables with `reaction`, in order.
 template <class Variables>
 [[nodiscard]] std::vector<std::uint32_t> velocities_with_reaction(const Variables& variables) {
   std::vector<std::uint32_t> velocities;

@@ -1,7 +1,7 @@
-// Diagnostics are values: a stable code, an exact span, the observed value, perhaps a suggestion.
+// Diagnostics are values: a stable code, an exact span, the observed value, and an optional hint.
 //
-// Every stage returns Result<T>: a value, diagnostics, or a value with warnings. format() is the
-// only place that turns a diagnostic into text; error_codes.def is the list of codes.
+// Every stage returns Result<T>: a value, errors, or a value with warnings. Only format() turns a
+// diagnostic into text; error_codes.def lists the codes.
 #pragma once
 
 #include <cstddef>
@@ -15,13 +15,13 @@
 
 namespace elgen {
 
-/// Process exit codes; the number is the interface.
+/// Exit codes of the process; the numbers are the interface.
 enum class ExitCode : int {
-  success = 0,       ///< done, nothing differs, all holds
-  differs = 1,       ///< stale output, or a check does not hold
+  success = 0,       ///< done; nothing differs and every check holds
+  differs = 1,       ///< stale output, or a check fails
   invalid = 2,       ///< bad command line or an error with a position in an input
-  limit = 3,         ///< derived limit reached, or the self-check failed
-  inaccessible = 4,  ///< could not read or write, file without our marker, no compiler
+  limit = 3,         ///< a derived limit is reached, or the self-check fails
+  inaccessible = 4,  ///< cannot read or write, file without our marker, no compiler
   internal = 70,
   interrupted = 130,
 };
@@ -41,45 +41,46 @@ struct CodeRow {
   ExitCode exit_code;
   std::string_view name;         ///< "E201"
   std::string_view title;        ///< "unknown name"
-  std::string_view explanation;  ///< what it means and how to mend it; printed by `elgen explain`
+  std::string_view explanation;  ///< meaning and remedy; `elgen explain` prints it
 };
 
 [[nodiscard]] const std::vector<CodeRow>& code_table();
 [[nodiscard]] const CodeRow& code_row(Code code);
 [[nodiscard]] const CodeRow* find_code(std::string_view name);
 
-/// `message` starts in lower case, ends without a period, puts user text in back-ticks, and names
-/// the observed value first. `hint` (optional) stands beside the caret: "did you mean `m`?
-/// (parameter, line 20)".
+/// `message` starts in lower case, has no final period, puts text of the user in back-ticks, and
+/// names the observed value first. `hint` (optional) is printed next to the caret: "did you mean
+/// `m`? (parameter, line 20)".
 struct Diagnostic {
   Code code;
   Span span;
   std::string message;
   std::string hint = {};
-  std::optional<Span> related =
-      {};  ///< a second place that matters (where a bracket opened, the first declaration)
+  /// A second place that matters: an opening bracket, the first declaration.
+  std::optional<Span> related = {};
   std::string related_message = {};
 };
 
 using Diagnostics = std::vector<Diagnostic>;
 
-/// The first error; null where there is none.
+/// The first error; null if there is none.
 [[nodiscard]] const Diagnostic* find_error(const Diagnostics& diagnostics);
 [[nodiscard]] bool has_errors(const Diagnostics& diagnostics);
 
-/// Sorts by position (command line last) and removes repeats.
+/// Sorts by position, the command line last, and removes duplicates.
 void sort_by_position(Diagnostics& diagnostics);
 
 enum class DiagnosticFormat : unsigned char {
   text,    ///< for people
-  json,    ///< an object a line, for programs: nothing else is said, nothing left out
-  github,  ///< commands of a workflow, which annotate lines
+  json,    ///< for programs: one object per line and no other text; every diagnostic, without
+           ///< `maximum`
+  github,  ///< for GitHub Actions: workflow commands that annotate lines
 };
 
-/// How a process writes all that it says.
+/// A format of all messages of a process.
 struct DiagnosticFormatRow {
   DiagnosticFormat format;
-  std::string_view word;  ///< of --format
+  std::string_view word;  ///< the argument of --format
 };
 
 /// In the order of the enumeration.
@@ -89,25 +90,25 @@ struct DiagnosticFormatRow {
 struct DiagnosticStyle {
   DiagnosticFormat format = DiagnosticFormat::text;
   bool color = false;
-  std::size_t maximum = 20;  ///< errors shown; the rest is counted in a last line
+  std::size_t maximum = 20;  ///< errors shown; a last line counts the others
 };
 
-/// The one formatter:
+/// Prints diagnostics:
 ///
 ///     model.toml:33:27: error[E201]: unknown name `mq`
 ///        33 | T = "1/2*M*v2(cart) + 1/2*mq*v2(bob)"
 ///           |                           ^~ did you mean `m`? (parameter, line 20)
 [[nodiscard]] std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style = {});
 
-/// The exit code of the worst diagnostic; `success` where there is no error.
+/// The exit code of the worst diagnostic; `success` without errors.
 [[nodiscard]] ExitCode exit_code(const Diagnostics& diagnostics);
 
-/// The candidate nearest to `word` by edit distance (transpositions count one), empty if none is
-/// near.
+/// The candidate with the least edit distance to `word` (a transposition counts 1); empty if none
+/// is close.
 [[nodiscard]] std::string nearest(std::string_view word,
                                   const std::vector<std::string>& candidates);
 
-/// A value with the warnings met, or the errors that prevented it.
+/// A value with its warnings, or the errors that prevented it.
 template <class T>
 struct Result {
   std::optional<T> value = {};

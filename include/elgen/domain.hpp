@@ -1,5 +1,5 @@
-// Domain: where the functions of a program are called, as far as a model and a scene say so: at the
-// values of their parameters, and at states inside the declared ranges.
+// Domain: the arguments with which the functions of a program are called: parameters at their
+// values, states inside the declared ranges of the model and the scene.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace elgen {
 
-/// States are drawn by the ranges of a model, the values that a scene gives to parameters, and the
+/// The source of random states: the ranges of a model, the parameter values of a scene, and the
 /// leaves that functions take.
 struct StateSpace {
   const Model& model;
@@ -28,12 +28,12 @@ struct Range {
 struct Domain {
   const Model& model;
   LeafValues<Range> ranges = {};
-  /// Drawn over the ranges (sample/states.hpp), parameters at their values. The same on every
-  /// machine.
+  /// Random states in the ranges (sample/states.hpp), with parameters at their values. They are the
+  /// same on every machine.
   std::vector<LeafValues<double>> states = {};
 };
 
-/// The model outlives it. Cost: eight states.
+/// Refers to space.model. Cost: eight states.
 [[nodiscard]] Domain domain_of(const StateSpace& space);
 
 }  // namespace elgen

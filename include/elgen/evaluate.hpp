@@ -1,11 +1,10 @@
-// The interpreter: a Function on numbers of any scalar type, one instruction after another.
+// The interpreter: evaluates the instructions of a Function in order, in any scalar type.
 //
-// Cost: one operation of Scalar per instruction. Scalar needs + - * / unary minus, construction by
-// ScalarTraits<Scalar>::from_real, and the functions of functions.def by argument-dependent lookup.
-//
-// A scalar type of your own works after specialising ScalarTraits (from_real) and declaring the
-// functions of functions.def and sqrt beside it; abs, sign, min and max need an order only where a
-// program calls them.
+// Cost: one operation of Scalar per instruction. Scalar needs + - * /, unary minus,
+// ScalarTraits<Scalar>::from_real, and sqrt and the functions of functions.def by
+// argument-dependent lookup. For a new scalar type, specialise ScalarTraits and declare these
+// functions in its namespace. The functions abs, sign, min and max need operator< only if a program
+// calls them.
 #pragma once
 
 #include <cmath>
@@ -38,7 +37,7 @@ template <class Scalar>
   return x;
 }
 
-/// The rules of numbers.
+/// Rules of fold() for numbers.
 template <class Scalar>
 struct NumberRules {
   const Arguments<Scalar>& arguments;
@@ -65,7 +64,8 @@ struct NumberRules {
 
 }  // namespace interpreter
 
-/// The values of all instructions, in order. The arguments the function reads must be there.
+/// The values of all instructions, in order. `arguments` must contain every leaf that the function
+/// reads.
 template <class Scalar>
 [[nodiscard]] std::vector<Scalar> evaluate_instructions(const Program& program,
                                                         const Function& function,

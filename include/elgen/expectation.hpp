@@ -1,4 +1,4 @@
-// Expectation: what an [[expect]] of a model says is true of an output or of the motion.
+// Expectation: the claim of an [[expect]] about an output or the motion.
 #pragma once
 
 #include <cln/real.h>
@@ -15,39 +15,41 @@
 
 namespace elgen {
 
-/// The number that a leaf has at a state of an [[expect]].
+/// The value of a leaf at a state of an [[expect]].
 struct StatedLeaf {
   Opcode kind = Opcode::coordinate;
   std::uint32_t number = 0;
   cln::cl_R value = 0;
 };
 
-/// A state at which outputs are known: the start of the model, but for these leaves. Momenta that
-/// are not among them are those of the rates.
+/// A state with known outputs: the start of the model with these leaves replaced. Momenta that are
+/// not listed follow from the rates.
 struct StatedState {
   std::vector<StatedLeaf> leaves = {};
-  cln::cl_R within = 0;  ///< how far off an entry may be, of the largest one
+  cln::cl_R within = 0;  ///< tolerance of an entry, relative to the largest entry
 };
 
-/// One [[expect]] line: the closed form of every entry of a field of an output, row-major. Sized
-/// entries are expanded.
+/// One [[expect]] line: the closed form of every entry of an output's field, row-major. Repetitions
+/// are expanded.
 struct Expectation {
-  /// "mass_matrix", "forward_dynamics", a user output; or "conserved", or "equations", whose
-  /// entries are left - right of equations of motion
+  /// "mass_matrix", "forward_dynamics", a user output; or "conserved"; or "equations", whose
+  /// entries are left side - right side of equations of motion.
   std::string output;
-  std::string field = {};   ///< "multipliers", which the file names instead; else the first one
-  std::uint32_t first = 0;  ///< where it begins among the entries of the output
+  std::string field = {};  ///< the field that the file names, as "multipliers"; "": the first
+  /// The number of the first entry of the field among all entries of the output.
+  std::uint32_t first = 0;
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
   std::vector<ExpressionId> entries = {};
-  std::vector<Span> spans = {};                 ///< of each entry, in the file
-  std::vector<std::optional<Unit>> units = {};  ///< of each entry; empty where none are checked
-  std::optional<StatedState> at = {};           ///< the only state they hold at; none: at all
+  std::vector<Span> spans = {};                 ///< of each entry
+  std::vector<std::optional<Unit>> units = {};  ///< of each entry; empty: not checked
+  /// The only state at which the claim holds; none: every state.
+  std::optional<StatedState> at = {};
   Span span = {};
 
-  /// Whether its entries are constant along the motion, not those of an output.
+  /// True if the entries are constants of motion, not entries of an output.
   [[nodiscard]] bool is_conserved() const { return output == "conserved"; }
-  /// Whether its entries vanish along the motion.
+  /// True if the entries vanish along the motion.
   [[nodiscard]] bool are_equations() const { return output == "equations"; }
 };
 

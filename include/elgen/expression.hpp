@@ -1,5 +1,5 @@
-// Expression: one node of the arena of a Model. Operands are indices of earlier nodes, so that
-// shared parts stay shared.
+// Expression: one node of the arena of a Model. Operands are indices of earlier nodes, so common
+// subexpressions are shared.
 #pragma once
 
 #include <cln/rational.h>
@@ -18,42 +18,42 @@ using ExpressionId = std::uint32_t;
 enum class ExpressionKind : std::uint8_t {
   number,  ///< number
   pi,
-  leaf,      ///< number `index` of its kind; inputs in forces and [[expect]], a, p and E in the
-             ///< latter; the operands of an open value are the arguments of its function
-  named,     ///< the expression that entry `index` of the kind `named` holds
-  negate,    ///< -operands[0]
-  add,       ///< n-ary
-  multiply,  ///< n-ary
-  divide,    ///< operands[0] / operands[1]
-  power,     ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
-  function,  ///< function(operands…)
+  leaf,    ///< leaf `index` of its kind; forces may contain inputs, [[expect]] also a, p and E; the
+           ///< operands of an open value are the arguments of its function
+  named,   ///< the value of entry `index` of the kind `named`
+  negate,  ///< -operands[0]
+  add,     ///< n-ary
+  multiply,         ///< n-ary
+  divide,           ///< operands[0] / operands[1]
+  power,            ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
+  function,         ///< function(operands…)
   time_derivative,  ///< d/dt operands[0] along the motion: q -> v, v -> a, t -> 1
 };
 
-/// An entry that expressions name; `component` is one of its numbers.
+/// The kinds of entries to which an expression refers by name. `component` selects one number.
 enum class NamedKind : std::uint8_t {
   prescribed,  ///< prescribed[index].value, a function of t
   definition,  ///< definitions[index].value
   point,       ///< points[index].at[component]
   body,        ///< bodies[index].com[component]
-  frame,       ///< of frames[index], a FrameComponent or the numbers that follow it
+  frame,       ///< a number of frames[index], see FrameComponent
 };
 
-/// The numbers of a frame that expressions name, by the first of each.
+/// The numbers of a frame by which expressions refer to it: the first of each group.
 enum FrameComponent : std::uint32_t {
   frame_rotation = 0,  ///< Frame::rotation, row-major
   frame_origin = 9,
   frame_angular_velocity = 12,
-  frame_turning = 15,
+  frame_turning = 15,  ///< Frame::turning
   components_per_frame = 18,
 };
 
 struct Expression {
   ExpressionKind kind = ExpressionKind::number;
-  Opcode leaf = Opcode::parameter;  ///< the kind of a leaf (leaves.def)
+  Opcode leaf = Opcode::parameter;  ///< kind of a leaf (leaves.def)
   FunctionId function = FunctionId::sin;
   NamedKind named = NamedKind::definition;
-  std::uint32_t index = 0;      ///< of a leaf, or of the entry of a name
+  std::uint32_t index = 0;      ///< of the leaf, or of the named entry
   std::uint32_t component = 0;  ///< of a point, a body or a frame
   cln::cl_RA number = 0;
   std::vector<ExpressionId> operands = {};
@@ -64,7 +64,7 @@ struct Expression {
   return expression.kind == ExpressionKind::leaf && expression.leaf == kind;
 }
 
-/// Whether an expression names an entry of this kind.
+/// True if the expression refers to a named entry of this kind.
 [[nodiscard]] inline bool is_name(const Expression& expression, NamedKind kind) {
   return expression.kind == ExpressionKind::named && expression.named == kind;
 }

@@ -1,11 +1,10 @@
-// fold: what the instructions of a Function stand for in a domain of one's own: numbers, bounds,
-// closed forms, graphs, text. The domain says by its rules what every operation makes of its
-// operands:
+// fold: interprets the instructions of a Function in any domain: numbers, bounds, closed forms,
+// graphs, text. The rules of the domain map every operation on values of operands to a value:
 //
 //     constant(const Constant&)   leaf(Opcode, number)   negate(x)   add(x, y)   subtract(x, y)
 //     multiply(x, y)   divide(x, y)   square_root(x)   call(FunctionId, x, y)
 //
-// The y of a function with one argument is any value.
+// A function of one argument ignores y.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Foreign: functions that elgen did not write, judged by the oracle.
+// Foreign: compares functions that elgen did not write with the oracle.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,32 @@
 
 namespace elgen {
 
-/// A function of the code, and the output that it should be.
+/// A function of the foreign code, and the output that it claims to compute.
 struct ForeignClaim {
   std::string output = {};
-  std::string field = {};  ///< the field that it should be alone; empty: as many as it answers
+  /// The only field that it computes; "": the number of its results decides.
+  std::string field = {};
   std::string name = {};
 };
 
 struct ForeignOptions {
-  std::string code = {};  ///< as of a ForeignFunction
+  std::string code = {};  ///< as ForeignFunction::code
   std::vector<ForeignClaim> claims = {};
-  double tolerance = 1e-9;  ///< of the largest entry
+  double tolerance = 1e-9;  ///< relative to the largest entry of the field
   std::size_t states = 60;
   std::uint64_t seed = 1;
-  std::uint64_t seconds = 60;  ///< by the clock, for one function
+  std::uint64_t seconds = 60;  ///< wall-clock limit for one function, in s
 };
 
-/// A row for each claim: values are compared with 60 digits at states in the declared ranges, at
-/// rest, with inputs alone, moving, both, and with other parameters; with constraints at states
-/// that are moved onto them, and states that no step of Newton puts there are counted as skipped.
-/// The count of numbers says which fields an answer has: the first, all without pivots and
-/// remainders, all, or another one alone. Where they differ the row finds when, under which
-/// convention they would be right at all states, and which parameters the code ignores; a
-/// diagnostic E717 says so, too. The scene has the outputs. E601 of a name that is not one output
-/// or field, E603 of `dynamics`, which has no field of its own; E716 if nothing can be called.
-/// Cost: the oracle at each state, and once for each of up to 300 conventions if answers differ.
+/// Returns one row for each claim. Values are compared with 60 digits at states in the declared
+/// ranges: at rest, with inputs alone, moving, both, and with other parameters. With constraints
+/// the states are moved onto them; states for which Newton's method fails count as skipped. The
+/// number of results selects the fields: the first, all without pivots and remainders, all, or
+/// another single field. For a wrong function the row reports the situations with wrong values, the
+/// convention under which all values would be right, and the ignored parameters. A diagnostic E717
+/// repeats this. The scene must contain the outputs. E601: a name is not one output or field. E603:
+/// `dynamics`, which only repeats other outputs. E716: the function cannot be called. Cost: the
+/// oracle at each state; for wrong results, once more for each of up to 300 conventions.
 [[nodiscard]] Result<Verification> judge_foreign(const CheckedModel& checked,
                                                  const ForeignOptions& options);
 

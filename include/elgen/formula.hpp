@@ -3,7 +3,7 @@
 //     sum(product(m, power(l, 2)), negative(u))     m*l^2 - u      m l^{2} - u
 //
 // The tree keeps the order of terms and factors. Printers add brackets, write fractions on one line
-// or two, and put functions after the other factors where factors stand side by side.
+// or two, and put functions behind the other factors if products have no sign.
 #pragma once
 
 #include <cln/rational.h>
@@ -20,7 +20,7 @@ namespace elgen {
 
 struct Glyphs;
 
-/// The characters that a terminal shows.
+/// The characters that a terminal can display.
 enum class Alphabet : std::uint8_t {
   unicode,  ///< θ̇₁², √, ½
   ascii     ///< dot(theta1)^2, sqrt, 1/2
@@ -29,7 +29,7 @@ enum class Alphabet : std::uint8_t {
 enum class FormulaKind : std::uint8_t {
   number,    ///< number, or the decimal digits of text if number is 0
   symbol,    ///< symbol
-  negative,  ///< -x; subtracted as a term of a sum
+  negative,  ///< -x; as a term of a sum it is subtracted
   either,    ///< +-x
   sum,       ///< x + y
   product,   ///< x y
@@ -48,7 +48,7 @@ enum class FormulaKind : std::uint8_t {
 
 struct Symbol;
 
-/// A node. Parts are moved into trees by the functions below.
+/// A node of the tree; the functions below build it.
 struct Formula {
   FormulaKind kind = FormulaKind::row;
   std::vector<Formula> parts = {};
@@ -57,30 +57,29 @@ struct Formula {
   FunctionId function = {};
   std::shared_ptr<const Symbol> symbol = {};
 
-  /// Whether this is a row without parts: an empty cell of a table.
+  /// True for a row without parts: an empty cell of a table.
   [[nodiscard]] bool is_empty() const { return kind == FormulaKind::row && parts.empty(); }
 };
 
 using Formulas = std::vector<Formula>;
 
 [[nodiscard]] Formula number_formula(const cln::cl_RA& value);
-/// Decimal digits, with or without an exponent: "1.5e-07".
+/// A number by its decimal digits, with or without exponent: "1.5e-07".
 [[nodiscard]] Formula digits_formula(std::string digits);
 
-/// A name of the model language, without another notation.
+/// A name of the model language, for which no other notation exists.
 [[nodiscard]] Formula name_formula(std::string name);
-/// A symbol with its name. `is_long`: it needs brackets in powers, as V'(r) does.
+/// A symbol with its name. `is_long`: it needs brackets in powers, for example V'(r).
 [[nodiscard]] Formula symbol_formula(std::string name, Glyphs glyphs, bool is_long = false);
-/// A formula that tables have in LaTeX. Its text is an ASCII drawing on one line.
+/// A formula in LaTeX, as in tables. Its text is an ASCII drawing on one line.
 [[nodiscard]] Formula typed_formula(std::string_view latex);
 
 [[nodiscard]] Formula pi_formula();
 
 [[nodiscard]] Formula negative(Formula x);
-/// The parts that are `negative` are subtracted, and numbers below 0 behind the first become such.
-/// One term stands for itself.
+/// Parts of kind `negative` are subtracted, and so are negative numbers after the first term. A
+/// single term is returned unchanged.
 [[nodiscard]] Formula sum_of(Formulas terms);
-/// A sum with one more term.
 [[nodiscard]] Formula with_term(Formula sum, Formula term);
 [[nodiscard]] Formula product_of(Formulas factors);
 [[nodiscard]] Formula quotient_of(Formula above, Formula below);
@@ -94,12 +93,13 @@ using Formulas = std::vector<Formula>;
 [[nodiscard]] Formula list_of(Formulas items);
 [[nodiscard]] Formula tuple_of(Formulas items);
 [[nodiscard]] Formula prose(std::string words);
-/// Makes a row without its empty parts. A single part is returned as it is.
+/// A row of the parts that are not empty. A single part is returned unchanged.
 [[nodiscard]] Formula row_of(Formulas parts);
 /// "x", "x and y", "x, y and z"
 [[nodiscard]] Formula enumeration(Formulas items);
 
-/// Prints in the model language with as few brackets as keep the tree. Prose is unchanged.
+/// Prints in the model language, with the fewest brackets that preserve the tree. Prose is
+/// unchanged.
 [[nodiscard]] std::string text_of(const Formula& formula);
 [[nodiscard]] std::vector<std::string> texts_of(const Formulas& formulas);
 

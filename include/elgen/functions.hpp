@@ -1,4 +1,4 @@
-// The functions of the model language (functions.def), and the table of their laws.
+// The functions of the model language (functions.def), and the table of their properties.
 #pragma once
 
 #include <cln/rational.h>
@@ -21,14 +21,14 @@ enum class FunctionUse : std::uint8_t { anywhere, forces };
 
 enum class Parity : std::uint8_t { none, even, odd };
 
-/// See src/base/functions.cpp, as for the other laws.
+/// src/base/functions.cpp explains this enumeration and the others.
 enum class Smoothness : std::uint8_t { everywhere, positive, poles, real, half_plane, branches };
 
 enum class FunctionDomain : std::uint8_t { all, up_to_one, above_zero, above_minus_one };
 
 enum class FunctionUnits : std::uint8_t { pure, kept, shared, ratio, ignored };
 
-/// The limits far to the left and to the right, which may be infinite.
+/// The limits of f(x) for x -> -infinity and x -> +infinity; they may be infinite.
 struct FarValues {
   double left;
   double right;
@@ -40,8 +40,8 @@ struct FunctionRow {
   Smoothness smoothness;
   FunctionDomain domain;
   FunctionUnits units;
-  std::uint32_t roundings;    ///< of a value, in u
-  std::string_view own_name;  ///< "sign_of": in emitted code, which defines it itself
+  std::uint32_t roundings;    ///< error of a value, in u
+  std::string_view own_name;  ///< "sign_of": its name in emitted code that defines it
   std::string_view latex;     ///< "\\sin"
   int exact_at;
   int exact_value;
@@ -54,31 +54,31 @@ struct FunctionRow {
 [[nodiscard]] std::span<const FunctionRow> function_table();
 [[nodiscard]] const FunctionRow& function_row(FunctionId id);
 
-/// Null where no function has that name.
+/// Null if no function has that name.
 [[nodiscard]] const FunctionRow* find_function(std::string_view name);
 
-/// Whether it has no derivative somewhere, so that forces alone may call it.
+/// True if the function lacks a derivative somewhere; only forces may call it.
 [[nodiscard]] inline bool is_kinked(FunctionId id) {
   return function_row(id).use == FunctionUse::forces;
 }
 
-/// Sine or cosine: bounded with all derivatives, and computed as a pair.
+/// True for sin and cos: they and all derivatives are bounded, and they are computed as a pair.
 [[nodiscard]] constexpr bool is_circular(FunctionId id) {
   return id == FunctionId::sin || id == FunctionId::cos;
 }
 
-/// exp, and the functions that are quotients of sums of its powers.
+/// True for functions that are quotients of sums of powers of exp.
 [[nodiscard]] constexpr bool has_exponential_form(FunctionId id) {
   return id == FunctionId::exp || id == FunctionId::sinh || id == FunctionId::cosh ||
          id == FunctionId::tanh;
 }
 
-/// The function that one is like far out: stumpff(x, k) of k < 0 is like cosh(x).
+/// The function with the same growth for large |x|: stumpff(x, k) with k < 0 grows like cosh(x).
 [[nodiscard]] constexpr FunctionId far_out(FunctionId id, bool has_negative_order) {
   return id == FunctionId::stumpff && has_negative_order ? FunctionId::cosh : id;
 }
 
-/// The name of stumpff(x, k) where k has one of its own.
+/// The special name of stumpff(x, k); "" if k has none.
 [[nodiscard]] inline std::string_view name_of_order(const cln::cl_RA& k) {
   return k == 1 ? "sinc" : k == 2 ? "cosc" : "";
 }

@@ -1,4 +1,4 @@
-// Inertia tensors that some rigid body has.
+// Inertia tensors: whether a rigid body can have them.
 #pragma once
 
 #include <cln/real.h>
@@ -10,10 +10,10 @@ namespace elgen {
 /// xx yy zz xy xz yz, about the centre of mass
 using InertiaTensor = std::array<cln::cl_R, 6>;
 
-/// An inertia I belongs to a body iff its second moments S = 1/2 tr(I) 1 - I = integral of x x^T dm
-/// are positive semidefinite: each principal inertia is then at most the sum of the other two, and
-/// none is negative. A thousandth of the trace is forgiven on S's diagonal: inertias are often
-/// rounded to three digits, and what that can do to a thin plate is no mistake.
+/// True if a rigid body has this inertia I: its second moments S = 1/2 tr(I) 1 - I = integral of x
+/// x^T dm are positive semidefinite. Each principal inertia is then non-negative and at most the
+/// sum of the other two. The diagonal of S is first raised by 1/1000 of the trace, because inertias
+/// rounded to three digits may violate the condition for thin plates.
 [[nodiscard]] bool is_of_a_body(const InertiaTensor& inertia);
 
 }  // namespace elgen

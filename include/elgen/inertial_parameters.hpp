@@ -1,13 +1,13 @@
-// InertialParameter: one entry of pi in tau = Y(q, v, a) pi + rest, the forces of a model being
-// affine in all of them together.
+// InertialParameter: one entry of pi in tau = Y(q, v, a) pi + rest. The forces of a model are
+// affine in all entries together. Their order is:
 //
 //     bodies in frames, in file order   m, m c, I_xx I_yy I_zz I_xy I_xz I_yz about the frame's
-//                                       origin; of a planar one m, m c_x, m c_y, I_zz
-//     other bodies                      m, and the moments of inertia as they are given
+//                                       origin; planar: m, m c_x, m c_y, I_zz
+//     other bodies                      m, and the moments of inertia as declared
 //     points                            m
 //     armatures, in the order of q      J of 1/2 J v_i^2
-//     parameters                        those in which D alone is linear, then those that
-//                                       `[regressor]` of a scene names
+//     parameters                        the parameters in which D alone is linear, then the
+//                                       parameters that `[regressor]` of a scene names
 //
 // Khalil, Dombre, Modeling, Identification and Control of Robots (2002), chapter 12.
 #pragma once
@@ -22,12 +22,12 @@ namespace elgen {
 
 enum class InertialOwner : std::uint8_t { body, point, coordinate, parameter };
 
-/// The parameters of a body, by number: its mass, first moments and moments of inertia.
+/// The components of a body, by number: mass, first moments, moments of inertia.
 inline constexpr std::uint32_t first_moment_component = 1;
 inline constexpr std::uint32_t first_inertia_component = 4;
 inline constexpr std::uint32_t components_of_body = 10;
 
-/// Where an entry of pi stands in a model.
+/// The owner of an entry of pi in a model.
 struct InertialPlace {
   InertialOwner owner = InertialOwner::body;
   std::uint32_t index = 0;      ///< in the list of the owner
@@ -43,17 +43,17 @@ struct InertialParameter : InertialPlace {
   std::optional<Unit> unit = {};
 };
 
-/// The places of the entries of pi, in order: cheap, since no name is built.
+/// The owners of the entries of pi, in order. Cheaper than inertial_parameters(), since no names
+/// are built.
 [[nodiscard]] std::vector<InertialPlace> inertial_places(const Model& model);
 
-/// The entry of pi at a place.
 [[nodiscard]] InertialParameter inertial_parameter(const Model& model, const InertialPlace& place);
 
-/// pi of a model.
+/// The entries of pi of a model.
 [[nodiscard]] std::vector<InertialParameter> inertial_parameters(const Model& model);
 
-/// Two parameters of which a product stands below an expression, or one twice if it stands there in
-/// another way than linearly.
+/// Two parameters that an expression contains as a product. Both are the same parameter if the
+/// expression is not affine in it.
 struct CoupledParameters {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
@@ -61,8 +61,8 @@ struct CoupledParameters {
 [[nodiscard]] std::optional<CoupledParameters> coupled_in(
     const Model& model, ExpressionId expression, const std::vector<std::uint32_t>& parameters);
 
-/// The parameters that stand in D and nowhere else in the equations, and in which D is affine
-/// together, in their order.
+/// The parameters in order that occur in D, in no other root of the equations, and in which D is
+/// jointly affine.
 [[nodiscard]] std::vector<std::uint32_t> parameters_of_friction(const Model& model);
 
 }  // namespace elgen

@@ -1,9 +1,9 @@
-// Inspection: mechanical sanity of a Model, found by sampling the oracle at exact random points.
+// Inspection: mechanical plausibility of a Model, by sampling the oracle at exact random points.
 //
-// Finds what no reading of the text shows: a mass matrix singular everywhere (names the coordinate
-// or null vector), a planar spin that is no angle's rate, charts that break where det M vanishes, a
-// potential that pushes a mass up, inertias that no body can have, names used nowhere. Also says
-// which outputs the built-in scene `full` does without.
+// Finds faults that the text does not show. Examples: a mass matrix that is singular everywhere,
+// with its null vector; a planar spin that is no rate of an angle; charts with det M = 0; a
+// potential that pushes a mass up; inertias that no body has; unused names. Also lists the outputs
+// that the built-in scene `full` omits.
 #pragma once
 
 #include <cstdint>
@@ -17,29 +17,29 @@
 
 namespace elgen {
 
-/// Errors, warnings and notes of E501 to E522, E613, E614 and E619; never changes the model.
+/// Errors, warnings and notes of E501 to E522, E613, E614 and E619. The model is not changed.
 [[nodiscard]] Diagnostics inspect(const Model& model, const Scene& scene);
 
-/// The exact states of rest at which inspect() judges an [[equilibrium]]: at up to four values of
-/// the parameters that meet its condition, the model's own first. Empty where no values that were
-/// drawn meet it, or bias and B have no value there.
+/// The exact states of rest at which inspect() checks an [[equilibrium]]. Up to four parameter sets
+/// that meet its condition are tried, first the values of the model. Empty if no drawn set meets
+/// the condition, or if bias and B have no value there.
 [[nodiscard]] std::vector<State> sampled_equilibrium(const CheckedModel& checked,
                                                      const Equilibrium& equilibrium);
 
-/// Gives the momenta that a scene holds (`[routh]`) their values: as it says, or at the start.
-/// E635: L changes with a coordinate at one of 8 sampled states, the momenta do not determine the
-/// rates, or one has no value. Cost: a few evaluations of L for each.
+/// Computes the momenta of `[routh]`: the declared value, or the value at the start. E635: L
+/// depends on the coordinate at one of 8 sampled states, the momenta do not determine the rates, or
+/// a momentum has no value. Cost: a few evaluations of L for each momentum.
 [[nodiscard]] Diagnostics find_momenta(CheckedModel& checked);
 
-/// Whether `[routh]` of a scene can take a coordinate out, as E635 judges: L does not change with
-/// it, and no input, no force and no D acts on it or contains it. Cost: as of find_momenta().
+/// True if `[routh]` can eliminate the coordinate (see E635): L does not depend on it, and no
+/// input, force or D acts on it or contains it. Cost: as find_momenta().
 [[nodiscard]] bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate);
 
-/// "`sin(c)/c` is 0/0 there; …", which names `sinc` and `cosc`; "" if no quotient of sines or
-/// cosines is 0/0 at the state. Cost: that of the oracle for each quotient.
+/// "`sin(c)/c` is 0/0 there; …", a hint that names `sinc` and `cosc`; "" if no quotient of sines or
+/// cosines is 0/0 at the state. Cost: the oracle for each quotient.
 [[nodiscard]] std::string quotient_hint(const Model& model, const State& state);
 
-/// "0.5 m of `loop_x`, 0.1 m of `loop_y`": what f is, or where that is 0 what r is.
+/// The residuals of an assembly: "0.5 m of `loop_x`, 0.1 m of `loop_y"; f, or r if has_pose.
 [[nodiscard]] std::string what_is_left(const Model& model, const Assembly& at);
 
 }  // namespace elgen

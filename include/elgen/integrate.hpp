@@ -1,5 +1,5 @@
-// integrate: the output `step`, one step of a method, as straight-line code: the chosen forms of
-// what the method calls, one copy for every call.
+// integrate: the output `step`, one step of a method, as straight-line code. Each call of an output
+// is a copy of its chosen form.
 //
 //     x' = f(x, u, t), x = (q, v)     ->     x(t + h), u held
 //
@@ -9,11 +9,11 @@
 //     midpoint  M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2), iterated from w = v,
 //               q += h w,   p += h dp/dt;   p = dL/dv = M v + b,   dp/dt = dL/dq + F
 //
-// With `projected` one step of Newton back to the constraints follows, at t + h: a call of that
-// output. Quaternions are divided by their length wherever they were moved, so that f is asked for
-// at rotations alone: the same order, since f has no part along them. Hairer, Norsett, Wanner,
-// Solving Ordinary Differential Equations I, 2nd ed., sec. II.1; Hairer, Lubich, Wanner, Geometric
-// Numerical Integration, 2nd ed., sec. I.1.4 and VIII.6.
+// With `projected`, a call of that output at t + h follows: one Newton step back to the
+// constraints. Quaternions are normalised whenever they change, so f is evaluated only at
+// rotations. This keeps the order of the method, since f is tangent to the unit sphere. Hairer,
+// Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., sec. II.1; Hairer, Lubich,
+// Wanner, Geometric Numerical Integration, 2nd ed., sec. I.1.4 and VIII.6.
 #pragma once
 
 #include <string>
@@ -25,19 +25,19 @@
 
 namespace elgen {
 
-/// The outputs that a step calls, and those it is judged by (M, p and bias if it has to be
-/// separable). Those that midpoint calls are fields of one `dynamics`, which share what they
-/// compute.
+/// The outputs that a step calls, and the outputs that decide whether the method applies (M, p and
+/// bias if the system must be separable). midpoint calls fields of one `dynamics`, which shares
+/// their common subexpressions.
 [[nodiscard]] std::vector<OutputRequest> needed_for_step(const Model& model,
                                                          const OutputRequest& step);
 
-/// The reason why kick, drift, kick is not symplectic or explicit; "" where there is none. There
-/// are no rotations (E622 of the scene). `program` has mass_matrix, momentum and bias: what these
-/// do not depend on they do not read.
+/// The reason why kick, drift, kick is not symplectic or not explicit; "" if it is both. The model
+/// has no rotations (E622 of the scene). `program` must contain mass_matrix, momentum and bias.
+/// Which leaves their instructions load decides.
 [[nodiscard]] std::string not_separable(const CheckedModel& checked, const Program& program);
 
-/// Appends the function of the request to `program`. `calls`: what needed_for_step says, in chosen
-/// forms. E622 where the method is not for the system.
+/// Appends the function of the request to `program`. `calls` has the outputs of needed_for_step()
+/// in chosen forms. E622: the method does not apply to the system.
 [[nodiscard]] Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step,
                                    const Program& calls, Program& program);
 

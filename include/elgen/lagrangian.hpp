@@ -1,8 +1,8 @@
-// Lagrangian: T, V, D, Q over definitions; the owner of all symbols.
+// Lagrangian: T, V, D and Q over a list of definitions; it owns all symbols.
 //
 // A definition is a *small* GiNaC expression over leaves (q, v, a, u, t, parameters) and earlier
-// definitions. Nothing is ever substituted into one big expression: derivatives go through the list
-// by the chain rule, so their cost stays proportional to the cost of the energy itself.
+// definitions. Definitions are never substituted into one big expression. The chain rule
+// differentiates the list, so derivatives cost a constant factor of the energy.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -25,7 +25,7 @@
 
 namespace elgen {
 
-/// Where a rotation stands in q and v.
+/// The position of a rotation in q and v.
 struct RotationPlace {
   std::uint32_t first_coordinate = 0;
   std::uint32_t first_velocity = 0;
@@ -33,19 +33,18 @@ struct RotationPlace {
 
 /// The leaves, in the order of declaration.
 struct Symbols : LeafValues<GiNaC::ex> {
-  std::vector<GiNaC::ex> q_rates = {};  ///< dq/dt, of q and v
+  std::vector<GiNaC::ex> q_rates = {};  ///< dq/dt as functions of q and v
   std::vector<RotationPlace> rotations = {};
 };
 
 struct Definition {
   GiNaC::ex symbol;
   GiNaC::ex value;
-  std::string name;                 ///< C++ identifier for a reader ("bob_x"), or empty
-  Entity origin;                    ///< the entry of the model that it came from
+  std::string name;                 ///< C++ identifier for readers ("bob_x"), or empty
+  Entity origin;                    ///< the entry of the model that contains the expression
   std::vector<std::uint32_t> uses;  ///< indices of the definitions in `value`, ascending
-  LeafSet depends = {};             ///< through `uses` too
-  /// dvalue/dleaf of every leaf that it depends on, where `value` is a leaf itself, whose
-  /// expression is not known here; else empty.
+  LeafSet depends = {};             ///< on leaves, directly or through `uses`
+  /// dvalue/dleaf by leaf, if `value` is an opaque leaf such as V; else empty.
   std::vector<std::pair<GiNaC::ex, GiNaC::ex>> slopes = {};
 };
 
@@ -58,45 +57,45 @@ struct ExpressionEqual {
 template <class Value>
 using ExpressionMap = std::unordered_map<GiNaC::ex, Value, ExpressionHash, ExpressionEqual>;
 
-/// A symbol's place in elgen's own order: leaves first, as declared, then definitions.
+/// The position of a symbol in elgen's order: leaves as declared, then definitions.
 struct SymbolPlace {
   bool is_definition = false;
-  std::uint32_t index = 0;  ///< of the definition, or the rank of the leaf
-  LeafSet depends = {};     ///< of a definition as there
+  std::uint32_t index = 0;  ///< of the definition, or rank of the leaf
+  LeafSet depends = {};     ///< Definition::depends, or the kind of the leaf
 };
 
-/// The values being defined now, for the names of temporaries (derive/formulate/telling.hpp).
+/// The physical meaning of the values that are being defined, for names of temporaries
+/// (derive/formulate/telling.hpp).
 struct Wording {
-  std::string kind = {};  ///< "moment"; "" tells nothing
+  std::string kind = {};  ///< "moment"; "": no name
   std::string frame = {};
   std::string axis = {};
 };
 
-/// Definitions by what they were when an output used them first: "moment_link5_y", and
-/// "moment_link5_y_2", … of others that the same words are for.
+/// Names of definitions by their meaning when an output first used them: "moment_link5_y", then
+/// "moment_link5_y_2", … for further definitions with the same meaning.
 struct ToldDefinitions {
   ExpressionMap<std::string> names = {};   ///< by symbol
-  std::map<std::string, int> counts = {};  ///< of definitions with the same words
+  std::map<std::string, int> counts = {};  ///< definitions with the same words
 };
 
-/// An ordered list of definitions; every value uses earlier ones only. Append by define().
+/// An ordered list of definitions, each over earlier definitions only. Append with define().
 struct Definitions {
   std::vector<Definition> list = {};
-  ExpressionMap<SymbolPlace> places = {};  ///< of leaves and definitions
-  ExpressionMap<GiNaC::ex> known_values =
-      {};  ///< value -> symbol, so that one value is defined once
+  ExpressionMap<SymbolPlace> places = {};      ///< of leaves and definitions
+  ExpressionMap<GiNaC::ex> known_values = {};  ///< value -> symbol: each value is defined once
   Wording wording = {};
-  ToldDefinitions told = {};  ///< of the output that is derived
+  ToldDefinitions told = {};  ///< for the output that is being derived
 };
 
-/// How a new definition is called, and where it comes from.
+/// The name and origin of a new definition.
 struct Label {
   std::string name = {};
   Entity origin = {};
 };
 
-/// The symbol standing for `value`: `value` itself where it is a number, a symbol or a symbol's
-/// negative; the symbol of an equal definition where there is one; otherwise a new definition.
+/// Returns the symbol for `value`: `value` itself if it is a number, a symbol or a negated symbol;
+/// the symbol of an equal definition; else the symbol of a new definition.
 GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label = {});
 
 /// Registers a leaf.
@@ -109,9 +108,9 @@ void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind);
 [[nodiscard]] std::vector<GiNaC::ex> symbols_of(const Definitions& definitions,
                                                 const GiNaC::ex& value);
 
-/// GiNaC expressions as text with terms and factors sorted and signs in one place, so that two runs
-/// print the same although GiNaC orders by address. Leaves print under their names, definitions as
-/// d0, d1, … in the order of the list.
+/// A GiNaC expression as text. Terms, factors and signs are sorted, so that all runs print the same
+/// although GiNaC orders by address. Leaves print by name, definitions as d0, d1, … in the order of
+/// the list.
 [[nodiscard]] std::string expression_text(const Definitions& definitions, const GiNaC::ex& value);
 
 /// One line per definition: `d3 = l*sin(theta)    ; bob_x`.
@@ -124,15 +123,15 @@ struct PointMass {
   Entity origin;
 };
 
-/// The moments of inertia of a body outside of frames, about the axes of its angular velocity w:
-/// adds 1/2 w.I w to T.
+/// The moments of inertia of a body outside frames, about the axes of its angular velocity w: adds
+/// 1/2 w.I w to T.
 struct TurningBody {
   std::vector<GiNaC::ex> spin;     ///< w, or w_z
   std::vector<GiNaC::ex> inertia;  ///< xx yy zz xy xz yz, or zz
   Entity origin;
 };
 
-/// A force F in world axes at p: generalized force (dp/dq)^T F.
+/// A force F at p, both in world axes: generalised force (dp/dq)^T F.
 struct PointForce {
   std::array<GiNaC::ex, 3> position;
   std::array<GiNaC::ex, 3> force;
@@ -140,20 +139,21 @@ struct PointForce {
 
 using ExVector3 = std::array<GiNaC::ex, 3>;
 
-/// One elementary motion (see FrameStep): x_parent = R x + p, of which one is trivial.
+/// One elementary transform (see FrameStep): x_parent = R x + p, with R = 1 or p = 0.
 struct TreeStep {
-  std::optional<std::uint32_t> parent = {};  ///< the step before; none: the world
+  std::optional<std::uint32_t> parent = {};  ///< the previous step; none: the world
   FrameStepKind kind = FrameStepKind::translation;
   ExVector3 vector;  ///< p in the axes of the parent, or the unit axis of the turn
   GiNaC::ex angle = 0;
-  std::array<GiNaC::ex, 4> quaternion;         ///< of any length; of a rotation of length one
-  std::optional<std::uint32_t> rotation = {};  ///< of a rotation: its first velocity
+  /// Of any length; for a rotation of the model a unit quaternion.
+  std::array<GiNaC::ex, 4> quaternion;
+  std::optional<std::uint32_t> rotation = {};  ///< for a rotation of the model: its first velocity
   std::string name = {};                       ///< the frame's identifier
   Entity origin = {};
 };
 
-/// mass, com c and inertia (xx yy zz xy xz yz, empty for a point) in the axes after a step; the
-/// inertia is about the origin there, or about the com. T = 1/2 m v_c^2 + 1/2 w.I_c w; about the
+/// A rigid body in the axes after a step: mass, com c, and inertia (xx yy zz xy xz yz, empty for a
+/// point) about the origin or about the com. About the com T = 1/2 m v_c^2 + 1/2 w.I w. About the
 /// origin T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w with h = m c.
 struct RigidBody {
   std::optional<std::uint32_t> step = {};  ///< none: fixed to the world
@@ -161,13 +161,13 @@ struct RigidBody {
   ExVector3 com;
   std::vector<GiNaC::ex> inertia = {};
   bool about_origin = false;
-  /// h of an inertia about the origin, where derivation gave the body one that is no m c.
+  /// h of an inertia about the origin, if regrouping (derive/tree/regroup.cpp) changed it from m c.
   std::optional<ExVector3> moment = {};
   Entity origin = {};
 };
 
-/// A force through the point `at` (axes after `step`) and a moment, acting on what moves with
-/// `step`; force and moment have the axes after `axes` (none: the world).
+/// A force through the point `at` (axes after `step`) and a moment, acting on the frame after
+/// `step`. Force and moment are in the axes after `axes` (none: the world).
 struct Wrench {
   std::optional<std::uint32_t> step = {};
   std::optional<std::uint32_t> axes = {};
@@ -176,50 +176,50 @@ struct Wrench {
   ExVector3 moment;
 };
 
-/// Frames as a tree of elementary motions, parents first, and what moves with them.
+/// The frames as a tree of elementary transforms, parents first, with their bodies and wrenches.
 struct FrameTree {
   std::vector<TreeStep> steps = {};
   std::vector<RigidBody> bodies = {};
   std::vector<Wrench> wrenches = {};
 };
 
-/// The twist (angular velocity; velocity of the origin) of what moves with a step.
+/// The twist of the frame after a step: its angular velocity, and the velocity of its origin.
 struct TwistOutput {
   std::optional<std::uint32_t> step = {};  ///< none: the world, at rest
-  bool in_world = true;                    ///< axes; otherwise those after the step
+  bool in_world = true;                    ///< in world axes, else in the axes after the step
 };
 
 struct NamedOutput {
   std::string name;
   std::vector<GiNaC::ex> values;
   std::optional<TwistOutput> twist = {};
-  bool motion = false;  ///< accelerations and multipliers are those of the motion
+  bool motion = false;  ///< a and multipliers in `values` follow from the equations of motion
 };
 
-/// f(q, t) = 0, or phi(q, v, t) = 0 affine in v; along the motion its second rate, or its rate, is
-/// -damping r - stiffness f (see Constraint).
+/// f(q, t) = 0, or phi(q, v, t) = 0 affine in v. Along the motion dr/dt = -damping r - stiffness f,
+/// r = df/dt or phi (see Constraint).
 struct ConstraintEquation {
   GiNaC::ex value;
   bool is_position = true;
   GiNaC::ex damping = 0;    ///< 2 zeta omega
-  GiNaC::ex stiffness = 0;  ///< omega^2, of a position
+  GiNaC::ex stiffness = 0;  ///< omega^2, for positions
   Entity origin = {};
 };
 
-/// A variable held at functions of time: s(t), or the four of a unit quaternion. A cyclic one is
-/// held at its momentum, a parameter.
+/// A held variable. A locked one follows s(t) or a unit quaternion; a cyclic one has its momentum,
+/// a parameter.
 struct HeldVariable : Held {
   std::vector<GiNaC::ex> values = {};
 };
 
 struct Lagrangian;
 
-/// The source of the forces that hold locked coordinates: the Lagrangian in which they still move
-/// (its definitions are those of the one that has this), and where they stand.
+/// The source of the forces that hold locked coordinates: the Lagrangian in which these still move,
+/// and their motion. Both Lagrangians share one list of definitions.
 struct Holding {
   std::shared_ptr<const Lagrangian> whole = {};
   ExpressionMap<GiNaC::ex> values = {};        ///< q, v, a -> functions of time
-  std::vector<std::uint32_t> velocities = {};  ///< of `whole`, held by a force that is wanted
+  std::vector<std::uint32_t> velocities = {};  ///< velocities of `whole` with `reaction`
 };
 
 /// A leaf whose deviation from a value is small.
@@ -228,17 +228,17 @@ struct SmallLeaf {
   GiNaC::ex value;
 };
 
-/// The expansion by specialise: energies to order + 1 jointly in all deviations, forces to order;
-/// those on coordinates that are not small to order + 1.
+/// The expansion by specialise: energies to order + 1 jointly in all deviations, forces to `order`.
+/// Forces on coordinates that are not small are expanded to order + 1.
 struct Expansion {
   std::uint32_t order = 1;
   std::vector<SmallLeaf> small = {};
 };
 
-/// The source of a term of the energies.
+/// The source of a term of an energy.
 enum class EnergyOrigin : std::uint8_t {
   energy,    ///< `[energy]`
-  spin,      ///< 1/2 w.I w of a body outside of frames
+  spin,      ///< 1/2 w.I w of a body outside frames
   armature,  ///< 1/2 J v^2
   mass,      ///< 1/2 m |dp/dt|^2 and -m gravity.p, written by specialise
   momentum   ///< -1/2 w.v_c, written by specialise for `[routh]`
@@ -264,44 +264,44 @@ struct Lagrangian {
   EnergyTerms lagrangian = {};  ///< terms of L instead of T and V, if the file or `[routh]` gives L
   std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
   std::vector<PointForce> point_forces = {};
-  /// The parts of these terms, for the regressor: J by velocity, 0 where there is none.
+  /// Data of these terms for the regressor: J by velocity, 0 without an armature.
   std::vector<TurningBody> turning_bodies = {};
   std::vector<GiNaC::ex> armatures = {};
-  std::vector<InertialParameter> inertial = {};  ///< of the model without what it holds
-  FrameTree tree = {};  ///< of an expansion or R it carries nothing but outputs
+  std::vector<InertialParameter> inertial = {};  ///< of the model after held variables are removed
+  FrameTree tree = {};  ///< for an expansion or R only its outputs are used
   std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};
-  std::vector<GiNaC::ex> cyclic_rates = {};  ///< of those that specialise took out
-  std::optional<Holding> holding = {};       ///< where a reaction is wanted
+  std::vector<GiNaC::ex> cyclic_rates = {};  ///< rates of the eliminated cyclic coordinates
+  std::optional<Holding> holding = {};       ///< if a reaction is an output
   std::optional<Expansion> expansion = {};
   bool quadratic = true;
-  bool eliminates_last_first = false;  ///< order of elimination of M; see Model
+  bool eliminates_last_first = false;  ///< elimination order of M, see model/elimination.hpp
 };
 
-/// A Lagrangian in which everything still moves, with the variables that specialise() takes out.
+/// A Lagrangian in which all variables still move, with the variables that specialise() removes.
 struct WholeLagrangian : Lagrangian {
   std::vector<HeldVariable> locked = {};
-  std::vector<std::uint32_t> held_inputs = {};  ///< that act on locked variables alone
+  std::vector<std::uint32_t> held_inputs = {};  ///< inputs that act only on locked variables
   std::vector<HeldVariable> cyclic = {};
 };
 
-/// Gives a definition a name, where it has none yet.
+/// Names a definition that has no name yet.
 void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
 /// Builds the Lagrangian of a checked model. E502: dot() of something that contains rates.
 [[nodiscard]] Result<WholeLagrangian> formulate(const Model& model);
 
-/// A value of an open function in GiNaC: the number of its undifferentiated value among the leaves,
-/// how many arguments it has, the digits of the derivative (0, 1, 12), and four arguments, those
-/// that the function does not have being 0. Derivatives insert a digit, in ascending order.
+/// A value of an open function in GiNaC. Arguments: the number of its undifferentiated value among
+/// the leaves; the number of its arguments; the digits of the derivative (0, 1, 12); four
+/// arguments, 0 for missing ones. Differentiation inserts a digit, in ascending order.
 // NOLINTNEXTLINE(readability-function-size): GiNaC takes every operand by itself.
 DECLARE_FUNCTION_7P(elgen_open)
 
-/// The number of the leaf that an elgen_open is; none beyond second derivatives.
+/// The number of the leaf that an elgen_open represents; none beyond second derivatives.
 [[nodiscard]] std::optional<std::uint32_t> open_leaf(const GiNaC::ex& value);
 
-/// elgen_log1p, …: the functions that are not taken from GiNaC, with the derivatives of the table.
-/// GiNaC has abs of complex numbers. Functions with kinks have no derivatives.
+/// elgen_log1p, …: the functions that GiNaC lacks (its abs is complex), with the derivatives of the
+/// table. Functions with kinks have no derivatives.
 #define ELGEN_FUNCTION(name, arity)
 #define ELGEN_STANDARD_FUNCTION(name, arity) DECLARE_FUNCTION_##arity##P(elgen_##name)
 #define ELGEN_OWN_FUNCTION(name, arity) DECLARE_FUNCTION_##arity##P(elgen_##name)

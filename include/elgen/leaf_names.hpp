@@ -1,4 +1,4 @@
-// The leaves of a Model: what they are called, how many there are, the ranges it declares.
+// The leaves of a Model: their names, numbers, units and declared ranges.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace elgen {
 
-/// f(kind, entry) of the entry of the model that each leaf belongs to; single(kind) of t, h and E.
+/// Per leaf: f(kind, entry) with its entry of the model, or single(kind) for t, h and E.
 template <class T, class F, class Single>
 [[nodiscard]] LeafValues<T> leaves_of(const Model& model, const F& f, const Single& single) {
   LeafValues<T> leaves;
@@ -24,46 +24,48 @@ template <class T, class F, class Single>
   return leaves;
 }
 
-/// "m", "l[2]", "theta", "q[1]"; of rates what dot() is written around. Momenta, by the names of
-/// their velocities, and h have names in programs with functions that take them, E has none.
+/// "m", "l[2]", "theta", "q[1]"; velocities and accelerations have the name inside dot(). Momenta
+/// have the names of their velocities. Momenta, references and h are named only in programs with
+/// functions that take them; E has no name.
 struct LeafNames : LeafValues<std::string> {
   bool uses_time = false;
-  std::vector<Assumption> assumptions = {};  ///< of the parameters; empty: none
+  std::vector<Assumption> assumptions = {};  ///< of the parameters; empty: no assumptions
 };
 
 [[nodiscard]] Assumption assumption_of(const LeafNames& leaves, std::uint32_t parameter);
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
 
-/// Gives names to the leaves of taken kinds that have none otherwise: a list is named like the
-/// velocities, a single leaf by its symbol.
+/// Names the leaves of the kinds in `takes` with Passed::if_taken: a list like the velocities, a
+/// single leaf by its symbol.
 void name_taken(LeafSet takes, LeafNames& leaves);
 
-/// Whether a coordinate, parameter, input, function, prescribed motion or definition has the name.
+/// True if a coordinate, parameter, input, function, prescribed motion or definition has the name.
 [[nodiscard]] bool has_value_named(const Model& model, std::string_view name);
 
-/// The name of the leaf E in `conserved`: `energy_function` where the model calls something else E.
+/// The name of the leaf E in `conserved`: "E", or `energy_function` if E names another value of the
+/// model.
 [[nodiscard]] std::string energy_name(const Model& model);
 
-/// "m", "dot(x)", "t": a leaf as models write it.
+/// The leaf as text of the model language: "m", "dot(x)", "t".
 [[nodiscard]] std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number);
 [[nodiscard]] std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number);
 
-/// "q[3]" -> "q_3": word characters, and an underscore for an opening bracket.
+/// "q[3]" -> "q_3": keeps word characters and replaces "[" by "_".
 [[nodiscard]] std::string identifier_of(std::string_view name);
 
-/// How many there are of a kind.
+/// The number of leaves of a kind.
 [[nodiscard]] std::size_t leaf_count(const Model& model, Opcode kind);
 
-/// The unit that a model declares for the entry of a leaf, if it does.
+/// The declared unit of the entry of a leaf; none if it has none.
 [[nodiscard]] std::optional<Unit> declared_unit(const Model& model, Opcode kind,
                                                 std::uint32_t number);
 
-/// The range a model declares for a leaf, if it does.
+/// The declared range of a leaf; none if it has none.
 [[nodiscard]] std::optional<Interval> declared_range(const Model& model, Opcode kind,
                                                      std::uint32_t number);
 
-/// draw() for every leaf that has a name, in their order, t among them.
+/// draw() for every leaf with a name, in order, including t.
 template <class Draw>
 [[nodiscard]] auto draw_leaves(const LeafNames& leaves, const Draw& draw) {
   return map_leaves(

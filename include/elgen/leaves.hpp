@@ -1,4 +1,4 @@
-// Leaves: what the equations of a system depend on, one thing per kind.
+// Leaves: the variables and parameters of the equations of a system, by kind.
 #pragma once
 
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace elgen {
 
-/// One thing per kind of leaf: a list where there are many of the kind.
+/// T for a single leaf kind, List for a repeated one.
 template <class List, class One>
 struct PerLeaf {
 #define ELGEN_LEAVES(kind, member, ...) List member = {};
@@ -18,12 +18,12 @@ struct PerLeaf {
 #undef ELGEN_LEAF
 };
 
-/// A T for every leaf.
+/// One T per leaf.
 template <class T>
 using LeafValues = PerLeaf<std::vector<T>, T>;
 
-/// f of every leaf of one or more lists of the same lengths, in their order: what draws numbers
-/// gives the same everywhere.
+/// f(leaf, ...) of every leaf of one or more lists with equal sizes. The order is fixed, so that an
+/// f that draws random numbers gives the same result on every machine.
 template <class F, class First, class... Others>
 [[nodiscard]] auto map_leaves(const F& f, const LeafValues<First>& first,
                               const LeafValues<Others>&... others) {
@@ -40,7 +40,7 @@ template <class F, class First, class... Others>
   return result;
 }
 
-/// f(kind, number, leaf, ...) of every leaf of one or more lists of the same lengths.
+/// Calls f(kind, number, leaf, ...) for every leaf of one or more lists with equal sizes.
 template <class F, class First, class... Others>
 void for_each_leaf(const F& f, First&& first, Others&&... others) {
 #define ELGEN_LEAVES(kind, member, ...)                       \
@@ -54,7 +54,7 @@ void for_each_leaf(const F& f, First&& first, Others&&... others) {
 #undef ELGEN_LEAF
 }
 
-/// f(row, list) of every kind with many leaves.
+/// Calls f(row, list) for every repeated kind.
 template <class F, class Leaves>
 void for_each_list(const F& f, Leaves&& leaves) {
 #define ELGEN_LEAVES(kind, member, ...) f(leaf_row(Opcode::kind), leaves.member);
@@ -64,7 +64,7 @@ void for_each_list(const F& f, Leaves&& leaves) {
 #undef ELGEN_LEAF
 }
 
-/// The list of a kind with many leaves; null of a kind with one.
+/// The list of a repeated kind; null for a single one.
 template <class List, class One>
 [[nodiscard]] const List* list_of(const PerLeaf<List, One>& leaves, Opcode kind) {
   switch (leaf_kind(kind)) {
@@ -98,15 +98,16 @@ template <class T>
   return leaves.t;
 }
 
-/// How many there are of a kind.
+/// The number of leaves of a kind.
 template <class T>
 [[nodiscard]] std::size_t leaf_count(const LeafValues<T>& leaves, Opcode kind) {
   const std::vector<T>* const list = list_of(leaves, kind);
   return list != nullptr ? list->size() : 1;
 }
 
-/// Whether emitted functions may take the kind. A list of the kinds if_any and if_taken is passed
-/// if it has entries. The only single leaf among them, h, always is: ask for its name instead.
+/// True if emitted functions may take the kind. A list of the kinds if_any and if_taken is passed
+/// if it is not empty. h, the only single leaf among these, is always passed; check its name
+/// instead.
 template <class T>
 [[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
   const Passed passed = leaf_row(kind).passed;

@@ -1,5 +1,5 @@
-// Limits: what elgen refuses to grow beyond, each raised by `--limit NAME=VALUE`, listed by
-// `--limits`.
+// Limits: upper bounds on the size of a problem. `--limit NAME=VALUE` changes one, `--limits` lists
+// all.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace elgen {
 
-/// Operations of intervals that a search may do for each second that its command may take: a
-/// quarter of those measured in a second (4e8 took 15 s), for slower machines and other stages.
+/// Interval operations that a search may do per second of the time limit. This is a quarter of the
+/// measured rate (4e8 took 15 s), for slower machines and other stages.
 inline constexpr std::uint64_t enclosures_per_second = 7'000'000;
 
 struct Limits {
@@ -19,13 +19,16 @@ struct Limits {
   std::uint64_t decimal_exponent = 400;
   std::uint64_t integer_power = 64;
   std::uint64_t coordinates = 1024;
-  std::uint64_t definitions = 20'000;  ///< user definitions, points and bodies after repetition
+  /// User definitions, points and bodies, after repetitions are expanded.
+  std::uint64_t definitions = 20'000;
   std::uint64_t derived_nodes = 2'000'000;
   std::uint64_t seconds = 60;  ///< processor time of one command on one model
   std::uint64_t boxes = 200'000;
-  std::uint64_t enclosures = enclosures_per_second * seconds;  ///< a count: no clock decides
+  std::uint64_t enclosures =
+      enclosures_per_second *
+      seconds;  ///< operations; a count, so that results do not depend on the clock
   std::uint64_t memory_mib = 1024;
-  std::uint64_t page_bytes = 1U << 20U;  ///< of a page that moves
+  std::uint64_t page_bytes = 1U << 20U;  ///< of a page with an animation
 };
 
 struct LimitRow {

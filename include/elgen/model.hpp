@@ -1,12 +1,13 @@
-// Model: what a system is. Sizes applied, repetitions expanded, names resolved, units agreed,
-// constants exact.
+// Model: a mechanical system after check: sizes applied, repetitions expanded, names resolved,
+// units checked, constants exact.
 //
-// Expressions live in one arena (Model::expressions) and refer to each other, to coordinates,
-// velocities, parameters, definitions and points by index, so shared parts stay shared. Operands
-// precede their users.
+// Expressions form one arena (Model::expressions). They refer to each other, to coordinates,
+// velocities, parameters, definitions and points by index, so common subexpressions are shared.
+// Operands precede their users.
 //
-// q lists the coordinates, v the velocities. A plain coordinate has one velocity, its rate; the
-// four components of a rotation have three, the angular velocity in the axes of the body.
+// q lists the coordinates, v the velocities. A plain coordinate has one velocity, its rate. The
+// four components of a rotation have three velocities: the angular velocity in the axes of the
+// body.
 #pragma once
 
 #include <cln/real.h>
@@ -35,39 +36,42 @@ struct Interval {
   cln::cl_R high;
 };
 
-/// `name` is what the file says ("q[3]"), `identifier` the same as a C++ identifier ("q_3").
+/// `name` as in the file ("q[3]"); `identifier` is its C++ identifier ("q_3").
 struct Coordinate {
   std::string name;
   std::string identifier;
   std::optional<Unit> unit = {};  ///< none: not checked
-  std::string unit_text = {};     ///< as written
+  std::string unit_text = {};     ///< as in the file
   std::optional<Interval> range = {};
   cln::cl_R start_value = 0;
-  bool wrap = false;           ///< an angle that may turn all the way round
-  std::uint32_t velocity = 0;  ///< of its rate in Model::velocities; the first one of its rotation
-  std::optional<std::uint32_t> rotation = {};  ///< whose component it is, in Model::rotations
-  std::optional<ExpressionId> armature = {};   ///< adds 1/2 J v^2 to T
-  std::optional<ExpressionId> singular = {};   ///< the chart breaks where this is zero
+  bool wrap = false;  ///< an angle that may make full turns; it is compared modulo 2 pi
+  /// Index of its rate in Model::velocities; for a rotation the first one.
+  std::uint32_t velocity = 0;
+  /// For a component of a rotation: index in Model::rotations.
+  std::optional<std::uint32_t> rotation = {};
+  std::optional<ExpressionId> armature = {};  ///< adds 1/2 J v^2 to T
+  std::optional<ExpressionId> singular = {};  ///< the chart is singular if this is 0
   std::string latex = {};
   std::string doc = {};
   Span span = {};
 };
 
-/// One entry of v. `name` is what dot() is written around: "q[3]" for the rate of that coordinate,
+/// One entry of v. `name` is the argument of dot(): "q[3]" for the rate of that coordinate,
 /// "attitude[2]" for a component of the angular velocity of a rotation.
 struct Velocity {
   std::string name;
   std::string identifier;
-  std::uint32_t coordinate = 0;                ///< whose rate it is; the first one of its rotation
-  std::optional<std::uint32_t> rotation = {};  ///< whose angular velocity it belongs to
-  std::optional<Unit> unit = {};               ///< of the velocity itself; none: not checked
+  std::uint32_t coordinate = 0;  ///< the coordinate whose rate it is; the first of a rotation
+  /// For an angular velocity: index in Model::rotations.
+  std::optional<std::uint32_t> rotation = {};
+  std::optional<Unit> unit = {};  ///< of the velocity; none: not checked
   std::optional<Interval> rate_range = {};
   cln::cl_R start_rate = 0;
   Span span = {};
 };
 
-/// A unit quaternion, scalar first, Hamilton, from the axes of the body to those of the parent:
-/// four coordinates, three velocities.
+/// A unit quaternion (Hamilton, scalar first) from body axes to parent axes: four coordinates,
+/// three velocities.
 struct Rotation {
   std::string name;
   std::string identifier;
@@ -86,13 +90,13 @@ struct Parameter {
   std::string identifier;   ///< "m" or "m_2"
   std::uint32_t array = 0;  ///< index into Model::parameter_arrays
   std::uint32_t element = 0;
-  cln::cl_R value = 0;  ///< exact rational where it is one, else a float of 100 decimal digits
+  cln::cl_R value = 0;  ///< exact rational, or a float of 100 decimal digits if it is irrational
   Assumption assumption = Assumption::none;
   std::optional<Unit> unit = {};
-  std::optional<ExpressionId> form = {};  ///< the value as written, where it is not rational
+  std::optional<ExpressionId> form = {};  ///< the declared expression of an irrational value
 };
 
-/// A parameter as declared: one number, or `size` of them.
+/// A parameter as declared: one number, or an array of `count` numbers.
 struct ParameterArray {
   std::string name;
   std::uint32_t first = 0;  ///< index into Model::parameters
@@ -105,7 +109,7 @@ struct ParameterArray {
   Span span = {};
 };
 
-/// [define] and [[prescribed]]: a named expression.
+/// A named expression of [define] or [[prescribed]].
 struct NamedExpression {
   std::string name;
   std::string identifier;
@@ -118,22 +122,23 @@ struct NamedExpression {
 using Vector3 = std::array<ExpressionId, 3>;
 
 enum class FrameStepKind : std::uint8_t {
-  translation,  ///< by `vector`, in the axes reached so far
+  translation,  ///< by `vector`, in the axes after the previous step
   turn,         ///< by `angle` about the unit axis `vector`
-  quaternion,   ///< by `quaternion` of any length but 0
+  quaternion,   ///< by `quaternion`, of any length except 0
 };
 
-/// One elementary motion; those of a frame follow one another, each in the axes of the one before.
+/// One elementary transform. Each step of a frame is in the axes after the previous step.
 struct FrameStep {
   FrameStepKind kind = FrameStepKind::translation;
   Vector3 vector{};
   ExpressionId angle = 0;
-  std::array<ExpressionId, 4> quaternion{};    ///< w, x, y, z
-  std::optional<std::uint32_t> rotation = {};  ///< whose unit quaternion it is
+  std::array<ExpressionId, 4> quaternion{};  ///< w, x, y, z
+  /// The rotation of the model that is this unit quaternion.
+  std::optional<std::uint32_t> rotation = {};
 };
 
-/// A coordinate system. x_world = rotation x_frame + origin; `rotation` and `origin` are written
-/// over those of the parent, so each is a few nodes.
+/// A coordinate system with x_world = rotation x_frame + origin. Rotation and origin are
+/// expressions over the parent frame, so each has few nodes.
 struct Frame {
   std::string name;
   std::string identifier;
@@ -141,60 +146,60 @@ struct Frame {
   std::vector<FrameStep> steps = {};         ///< from the parent to the frame
   std::array<ExpressionId, 9> rotation{};    ///< R, row-major
   Vector3 origin{};                          ///< in the world
-  Vector3 spin{};              ///< angular velocity in the axes of the frame: [spin]x = R^T dR/dt
-  Vector3 turning{};           ///< the same, from that of the parent and the steps
-  Vector3 angular_velocity{};  ///< the same in the axes of the world: R turning
+  Vector3 spin{};              ///< angular velocity in frame axes: [spin]x = R^T dR/dt
+  Vector3 turning{};           ///< the same vector, computed from the parent and the steps
+  Vector3 angular_velocity{};  ///< in world axes: R turning
   std::string doc = {};
   Span span = {};
 };
 
-/// A point, or a centre of mass, as it was given: in the axes of a frame.
+/// A point or centre of mass in the axes of a frame, as declared.
 struct PlaceInFrame {
   std::uint32_t frame = 0;
   Vector3 at{};
 };
 
-/// The other end of a line that a page draws: a point, the origin of a frame, or (neither) that of
-/// the world.
+/// The other end of a line that a page draws: a point, the origin of a frame, or (neither) of the
+/// world.
 struct JoinedPlace {
   std::optional<std::uint32_t> point = {};
   std::optional<std::uint32_t> frame = {};
 };
 
-/// A point with a mass adds 1/2 m v^2 to T and -m gravity.p to V.
+/// A point. With a mass it adds 1/2 m v^2 to T and -m gravity.p to V.
 struct Point {
   std::string name;
   std::string identifier;
-  std::uint32_t dimension = 3;             ///< 2 or 3 components given; `at` is padded with 0
+  std::uint32_t dimension = 3;             ///< 2 or 3 declared components; `at` is padded with 0
   Vector3 at{};                            ///< in the world
-  std::optional<PlaceInFrame> local = {};  ///< where it was given in a frame
+  std::optional<PlaceInFrame> local = {};  ///< if it is declared in a frame
   std::optional<ExpressionId> mass = {};
-  std::vector<JoinedPlace> joined_to = {};  ///< no equation depends on these two
-  bool is_on_springs = false;               ///< what joins it is drawn as springs, not rods
-  bool is_named = true;                     ///< false: the origin of a frame on which a wrench acts
+  std::vector<JoinedPlace> joined_to = {};  ///< for drawings only
+  bool is_on_springs = false;               ///< draws `joined_to` as springs, not rods
+  bool is_named = true;  ///< false: an unnamed point at the origin of a frame, for a wrench
   std::string doc = {};
   Span span = {};
 };
 
-/// How a body was given in a frame; about the frame's origin where `about_origin`.
+/// A body as declared in a frame. `about_origin`: the inertia is about the frame's origin.
 struct BodyInFrame {
   PlaceInFrame com = {};
   std::vector<ExpressionId> inertia = {};
   bool about_origin = false;
 };
 
-/// A body written in world coordinates: centre of mass, angular velocity in the axes of its
-/// inertia, which is about the com: T = 1/2 m v_com^2 + 1/2 w.I w. The com may be absent only
-/// without a mass. Of a body in a frame com, spin and inertia follow from the frame.
+/// A body in world coordinates: centre of mass, angular velocity `spin` in the axes of the inertia,
+/// and inertia about the com. T = 1/2 m v_com^2 + 1/2 spin.I spin. Only a body without mass may
+/// lack a com. For a body in a frame, com, spin and inertia are computed from the frame.
 struct Body {
   std::string name;
   std::string identifier;
   std::uint32_t dimension = 3;
   Vector3 com{};
   std::optional<ExpressionId> mass = {};
-  std::vector<ExpressionId> inertia = {};  ///< {} | {Izz} planar | {xx yy zz xy xz yz}
-  std::vector<ExpressionId> spin = {};     ///< {} | {wz} planar | {wx wy wz}
-  std::optional<BodyInFrame> local = {};   ///< a body in a frame; the above says the same of it
+  std::vector<ExpressionId> inertia = {};  ///< empty, {Izz} if planar, or {xx yy zz xy xz yz}
+  std::vector<ExpressionId> spin = {};     ///< empty, {wz} if planar, or {wx wy wz}
+  std::optional<BodyInFrame> local = {};   ///< the same body as declared in a frame
   std::string doc = {};
   Span span = {};
 };
@@ -202,8 +207,8 @@ struct Body {
 struct Input {
   std::string name;
   std::string identifier;
-  std::optional<std::uint32_t> on = {};  ///< velocity it acts on as a generalized force
-  bool is_external = false;              ///< a component of a force of the world, no motor
+  std::optional<std::uint32_t> on = {};  ///< velocity on which it acts as a generalised force
+  bool is_external = false;  ///< a component of an external force or torque, not a motor
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
   std::string unit_text = {};
@@ -211,43 +216,44 @@ struct Input {
   Span span = {};
 };
 
-/// A generalized force on a velocity, a force in N at a point (opposite on the point `from`), or
-/// a torque in N m on a frame (opposite on the frame `from_frame`). Affine in the inputs.
+/// A generalised force on a velocity, a force in N at a point, or a torque in N m on a frame. The
+/// opposite force acts at the point `from`, the opposite torque on `from_frame`. Forces are affine
+/// in the inputs.
 struct Force {
   std::string name;
-  /// One number; or the components (padded to 3): of a force in the world, of a torque in the axes
-  /// of the frame it acts on.
+  /// One number for a generalised force. Otherwise three components (padded with 0): of a force in
+  /// world axes, of a torque in the axes of its frame.
   std::vector<ExpressionId> value = {};
-  std::optional<std::uint32_t> on = {};  ///< velocity it does work on
+  std::optional<std::uint32_t> on = {};  ///< velocity on which it acts
   std::optional<std::uint32_t> at = {};
   std::optional<std::uint32_t> from = {};
   std::optional<std::uint32_t> frame = {};
   std::optional<std::uint32_t> from_frame = {};
-  std::vector<ExpressionId> reaction = {};  ///< the torque's components in the axes of from_frame
-  /// The components as they were given, and the frame they were given in (none: the world).
+  std::vector<ExpressionId> reaction = {};  ///< components of the torque in the axes of from_frame
+  /// The components as declared, and their frame (none: the world).
   std::vector<ExpressionId> written = {};
   std::optional<std::uint32_t> axes = {};
   Span span = {};
 };
 
-/// An [[output]]: its value, and with `jacobian` also d value/dq and the bias of its second rate. A
-/// frame gives the pose [R p], 3 x 4; its Jacobian is d twist/dv (twist: angular velocity; velocity
-/// of the origin), and its bias is d twist/dt at a = 0.
+/// An [[output]]: its value y, and with `jacobian` also dy/dq and the bias of its second rate. The
+/// value of a frame is its pose [R p], 3 x 4. Its Jacobian is d twist/dv with twist = (angular
+/// velocity, velocity of the origin), its bias d twist/dt at a = 0.
 struct UserOutput {
   std::string name;
   std::vector<ExpressionId> values = {};  ///< row-major
   std::optional<std::uint32_t> frame = {};
-  bool in_world = true;                  ///< axes of the twist: the world's, or the frame's
-  std::vector<ExpressionId> twist = {};  ///< six entries, linear in the rates
+  bool in_world = true;                  ///< the twist is in world axes; false: in frame axes
+  std::vector<ExpressionId> twist = {};  ///< six entries, linear in v
   bool jacobian = false;
-  bool motion = false;    ///< accelerations and multipliers are those of the motion
-  bool is_wanted = true;  ///< by the scene: the inputs it names do not leave with locks
-  LeafSet takes = {};     ///< rates, accelerations and inputs that the values name
+  bool motion = false;    ///< a and multipliers in `values` follow from the equations of motion
+  bool is_wanted = true;  ///< the scene wants it: locks then keep the inputs that it contains
+  LeafSet takes = {};     ///< rates, accelerations, inputs and t in the values
   std::string doc = {};
   Span span = {};
 };
 
-/// The energies as given beside those of points and bodies.
+/// The energies of `[energy]`, in addition to the energies of points and bodies.
 struct Energies {
   std::optional<ExpressionId> T = {};
   std::optional<ExpressionId> V = {};
@@ -255,37 +261,36 @@ struct Energies {
   std::optional<ExpressionId> L = {};
 };
 
-/// A condition on the parameters: `excess` > 0, or >= 0 where it is not strict.
+/// A condition on the parameters: `excess` > 0, or >= 0 if it is not strict.
 struct Condition {
   ExpressionId excess = 0;
   bool is_strict = true;
-  std::string text = {};  ///< as written: "R*Omega^2 > g"
+  std::string text = {};  ///< as in the file: "R*Omega^2 > g"
 };
 
-/// A point at which the system stays at rest, whatever the parameters are that meet `condition`;
-/// its values are made of parameters.
+/// A point of rest for all parameters that meet `condition`. Its values contain only parameters.
 struct StatedPoint {
-  std::vector<std::optional<ExpressionId>> coordinates = {};  ///< none: anywhere
+  std::vector<std::optional<ExpressionId>> coordinates = {};  ///< none: any value
   std::vector<std::optional<ExpressionId>> inputs = {};       ///< none: 0
-  std::optional<Condition> condition = {};                    ///< none: for all values
+  std::optional<Condition> condition = {};                    ///< none: all parameter values
 };
 
-/// An [[equilibrium]]: its point, and w^2 of small motions about it: det(x M - K)/det M is the
+/// An [[equilibrium]]: its point, and w^2 of the small motions about it: det(x M - K)/det M is the
 /// product of x - w^2.
 struct Equilibrium : StatedPoint {
   std::string name = {};
-  std::vector<ExpressionId> frequencies_squared = {};  ///< one per velocity, or none
+  std::vector<ExpressionId> frequencies_squared = {};  ///< one per velocity, or empty
   std::string doc = {};
   Span span = {};
 };
 
-/// The point a scene expands about, and what is small there. Deviations of small coordinates,
-/// their rates and accelerations (and of the inputs, where all coordinates are small) count
-/// jointly: energies become polynomials of degree order + 1 in them, forces of degree order.
+/// The expansion point of a scene and the small coordinates. Their deviations, rates and
+/// accelerations count jointly, with the deviations of inputs if all coordinates are small.
+/// Energies become polynomials of degree order + 1 in them, forces of degree `order`.
 struct Approximation : StatedPoint {
   std::uint32_t order = 1;
-  std::vector<bool> small = {};  ///< which coordinates
-  bool small_inputs = false;     ///< where every coordinate is that is not locked
+  std::vector<bool> small = {};  ///< by coordinate
+  bool small_inputs = false;     ///< every coordinate that is not locked is small
   Span span = {};                ///< of `about`
 };
 
@@ -293,14 +298,14 @@ inline constexpr std::uint32_t highest_order = 5;
 
 struct Model {
   SourcePointer source = {};
-  std::string canonical = {};  ///< the canonical text of its file, for stamps
+  std::string canonical = {};  ///< canonical text of the file, which stamps hash
   std::string name;
   Span name_span = {};
   std::string title = {};
   std::string description = {};
   std::string reference = {};
   std::vector<Expression> expressions = {};
-  /// Rewritten expressions as they were typed, for pages: sin(q)/q of stumpff(q, 1).
+  /// Expressions that check rewrote, as typed, for pages: sin(q)/q for stumpff(q, 1).
   std::map<ExpressionId, Expression> typed = {};
   std::vector<Coordinate> coordinates = {};  ///< q
   std::vector<Velocity> velocities = {};     ///< v
@@ -308,7 +313,8 @@ struct Model {
   std::vector<Parameter> parameters = {};
   std::vector<ParameterArray> parameter_arrays = {};
   std::vector<OpenFunction> functions = {};
-  std::vector<OpenValue> open_values = {};  ///< of each function all, in the order of the header
+  /// All values of each function, in the order of the argument `f`
+  std::vector<OpenValue> open_values = {};
   std::vector<NamedExpression> prescribed = {};
   std::vector<NamedExpression> definitions = {};  ///< in file order; acyclic
   std::vector<Frame> frames = {};
@@ -322,64 +328,66 @@ struct Model {
   std::vector<UserOutput> outputs = {};
   std::vector<Equilibrium> equilibria = {};
   std::vector<Expectation> expectations = {};
-  std::optional<Approximation> approximation = {};  ///< of the scene; outputs stay exact
+  std::optional<Approximation> approximation = {};  ///< by the scene; [[output]] stays exact
 
-  /// The Model that every stage works on is without what the scene holds: functions of time have
-  /// taken the place of locked variables, and 0 that of cyclic ones, where the Lagrangian is R of
+  /// The held variables of the scene. Every stage works on a Model without them: functions of time
+  /// replace locked variables, and 0 replaces cyclic ones. With `[routh]` the Lagrangian is R of
   /// the whole model.
   Variant variant = {};
-  std::vector<std::uint32_t> regressed = {};  ///< parameters in which forces are affine together
+  std::vector<std::uint32_t> regressed = {};  ///< parameters in which the forces are jointly affine
 
   bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
-  bool without_pivots = false;  ///< of forward_dynamics, unless a scene says otherwise
-  bool uses_time = false;       ///< in an energy, a point, a force or an output: functions take t
-  /// T may have terms of degree 1 or 0 in the rates, or V of degree 1; otherwise drift is 0
+  bool without_pivots = false;  ///< default of forward_dynamics; a scene may override it
+  /// T occurs in an energy, a point, a force or an output, so that functions take t.
+  bool uses_time = false;
+  /// False: `drift` is 0, since T has no term of degree 1 or 0 in the rates and V none of degree 1.
   bool may_drift = false;
 };
 
-/// rad is the unit 1, so what is written tells angles from pure numbers.
+/// rad is the unit 1, so only the declared text distinguishes an angle from a number.
 [[nodiscard]] inline bool is_angle(const Coordinate& coordinate) {
   return coordinate.unit_text == "rad";
 }
 
-/// Adds a coordinate with its rate; its index.
+/// Adds a coordinate and its rate. Returns its index.
 std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
 
-/// Adds a rotation with its coordinates NAME_w, NAME_x, NAME_y, NAME_z and its velocities NAME[1],
-/// NAME[2], NAME[3]; its index.
+/// Adds a rotation, its coordinates NAME_w, NAME_x, NAME_y, NAME_z and its velocities NAME[1],
+/// NAME[2], NAME[3]. Returns its index.
 std::uint32_t append_rotation(Model& model, Rotation rotation);
 
-/// The model in which everything moves that a scene holds.
+/// The model before held variables are removed.
 [[nodiscard]] inline const Model& whole_of(const Model& model) {
   return model.variant.whole ? *model.variant.whole : model;
 }
 
-/// The velocities of the whole model that `reaction` has a row for, in the order of v.
+/// The velocities of the whole model for which `reaction` has a row, in the order of v.
 [[nodiscard]] inline std::vector<std::uint32_t> held_velocities(const Model& model) {
   return model.variant.whole ? velocities_with_reaction(model.variant.locks)
                              : std::vector<std::uint32_t>{};
 }
 
-/// Where variables of the whole model go as held ones leave. Inputs leave that act on locks alone,
-/// with their wrench, unless a wanted output names them.
+/// The new positions of the variables of the whole model after held ones are removed. Inputs that
+/// act only on locked variables are removed with their wrench, unless a wanted output contains
+/// them.
 [[nodiscard]] VariablesLeft variables_left(const Model& whole);
 
-/// Whether the Lagrangian is R: cyclic coordinates have been taken out.
+/// True if the Lagrangian is Routh's function R: cyclic coordinates are eliminated.
 [[nodiscard]] inline bool has_routhian(const Model& model) {
   return model.variant.whole && !model.variant.cyclic.empty();
 }
 
-/// Whether the Lagrangian is one function, which has no T and V: L as given, or R.
+/// True if the Lagrangian is one function without separate T and V: a declared L, or R.
 [[nodiscard]] inline bool has_whole_lagrangian(const Model& model) {
   return model.energies.L.has_value() || has_routhian(model);
 }
 
-/// The properties that equations of outputs depend on.
+/// The properties of a model that select the equation of an output.
 [[nodiscard]] inline EquationSetting setting_of(const Model& model) {
   return {!model.rotations.empty(), !model.constraints.empty()};
 }
 
-/// Prints an expression in the model language, as it is typed, with the names of the model.
+/// An expression in the model language, as typed, with the names of the model.
 [[nodiscard]] std::string to_string(const Model& model, ExpressionId expression);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Opcodes: the operations of a Program, leaves among them, as opcodes.def and leaves.def list them.
+// Opcodes: the operations of a Program. The leaves of leaves.def are among them.
 #pragma once
 
 #include <array>
@@ -22,7 +22,6 @@ struct OpcodeRow {
   int tag;
 };
 
-/// opcodes.def
 inline constexpr std::array opcode_table{
 #define ELGEN_OPCODE(name, operands, tag) OpcodeRow{Opcode::name, #name, operands, tag},
 #include "elgen/opcodes.def"
@@ -33,7 +32,7 @@ inline constexpr std::array opcode_table{
   return opcode_table[static_cast<std::size_t>(opcode)];
 }
 
-/// The owner of one leaf of a kind: the whole system, or each entry of a list of a Model.
+/// The owner of the leaves of a kind: the system, or each entry of a list of a Model.
 enum class LeafOwner : std::uint8_t {
   system,
   parameters,
@@ -44,7 +43,7 @@ enum class LeafOwner : std::uint8_t {
   inputs
 };
 
-/// The leaves alone, for switches over them.
+/// The kinds of leaves without the other opcodes, for exhaustive switches.
 enum class LeafKind : std::uint8_t {
 #define ELGEN_LEAVES(kind, ...) kind,
 #include "elgen/leaves.def"
@@ -58,36 +57,36 @@ inline constexpr std::array leaf_kinds{
 };
 inline constexpr std::size_t leaf_kind_count = leaf_kinds.size();
 
-/// None of the enumerators where the operation is no leaf.
+/// The kind of a leaf; no enumerator if the opcode is no leaf.
 [[nodiscard]] constexpr LeafKind leaf_kind(Opcode opcode) {
   return static_cast<LeafKind>(static_cast<int>(opcode) - static_cast<int>(Opcode::constant) - 1);
 }
 
-/// Leaves stand between these, see opcodes.def.
+/// opcodes.def lists the leaves between `constant` and `negate`.
 [[nodiscard]] constexpr bool is_leaf(Opcode opcode) {
   return opcode > Opcode::constant && opcode < Opcode::negate;
 }
 
-/// Whether emitted functions take a kind of leaf.
+/// When emitted functions take a kind of leaf.
 enum class Passed : std::uint8_t {
   always,    ///< even an empty list
-  if_any,    ///< if the system has one
-  if_taken,  ///< if an output of the program takes the kind: only then do its leaves have names
-  never      ///< E occurs in `conserved`, multipliers in derivations
+  if_any,    ///< if the system has leaves of the kind
+  if_taken,  ///< if a function of the program takes the kind; only then do its leaves have names
+  never      ///< not in emitted functions: E occurs in `conserved`, multipliers in derivations
 };
 
-/// The unit of a leaf: fixed, by the declared unit of its entry of the model, or by expressions.
+/// The unit of a leaf: fixed, derived from the declared unit of its entry, or from expressions.
 enum class LeafUnit : std::uint8_t {
   second,
   joule,
-  of_entry,          ///< [q], [v], [u], a parameter's
+  of_entry,          ///< the declared unit, in brackets below
   entry_per_second,  ///< [v]/s
   joule_per_entry,   ///< J/[v]
   of_open_value,     ///< [f]/([x_i] [x_j])
-  of_multiplier,     ///< a multiplier times the rate of its equation is a power
+  of_multiplier,     ///< W / unit of the rate of its constraint
 };
 
-/// The groups of factors in the order in which books write a product.
+/// The groups of factors, in the order in which books write a product.
 enum class FactorGroup : std::uint8_t {
   multiplier,
   parameter,
@@ -99,40 +98,39 @@ enum class FactorGroup : std::uint8_t {
   function
 };
 
-/// How a kind of leaf is written.
+/// The notation of a kind of leaf.
 struct LeafText {
   std::string_view symbol;      ///< "q"
-  std::string_view type;        ///< "Coordinates<Scalar>"
-  int rank;                     ///< of a factor, among those of a product
-  std::string_view text;        ///< "dot({})", of the owner's name
-  std::string_view identifier;  ///< "{}_dot"
-  std::string_view latex;       ///< "\\dot{s}": s is the symbol of its entry
-  std::string_view own_latex;   ///< of those of a velocity that has a symbol of its own
+  std::string_view type;        ///< type of the argument: "Coordinates<Scalar>"
+  int rank;                     ///< order among the factors of a product; unique
+  std::string_view text;        ///< in models, by the name of the owner: "dot({})"
+  std::string_view identifier;  ///< in code and dumps: "{}_dot"
+  std::string_view latex;       ///< "\\dot{s}"; s is the symbol of the owner
+  std::string_view own_latex;   ///< the same if the velocity has its own symbol, as in rotations
 };
 
-/// The use of a kind of leaf in functions, states and products.
+/// The use of a kind of leaf in products, functions and states.
 struct LeafUse {
   FactorGroup group;
   LeafUnit unit;
   Passed passed;
-  bool moves;      ///< a rate or a cause of motion: 0 in a system at rest
-  bool is_stated;  ///< `--state` gives it, besides what a start has
+  bool moves;      ///< a rate or a cause of motion: 0 at rest
+  bool is_stated;  ///< `--state` sets it in addition to the start
 };
 
-/// A kind of leaf.
 struct LeafRow : LeafText, LeafUse {
   Opcode id = {};
-  std::string_view member = {};  ///< "parameters": of PerLeaf
+  std::string_view member = {};  ///< member of PerLeaf: "parameters"
   LeafOwner of = {};
 };
 
 [[nodiscard]] std::span<const LeafRow> leaf_table();
 [[nodiscard]] const LeafRow& leaf_row(Opcode leaf);
 
-/// Whether a system has one leaf of the kind, not a list of them.
+/// True if a system has exactly one leaf of the kind.
 [[nodiscard]] inline bool is_single(Opcode leaf) { return leaf_row(leaf).of == LeafOwner::system; }
 
-/// Whether the states of a system differ in the kind: functions take it, and it is no parameter.
+/// True if states contain the kind: functions take it, and it is no parameter.
 [[nodiscard]] inline bool is_of_state(Opcode leaf) {
   return leaf != Opcode::parameter && leaf_row(leaf).passed != Passed::never;
 }

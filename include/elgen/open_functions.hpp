@@ -1,9 +1,10 @@
-// Open functions: f(x_1, ..., x_n) of which a model knows the arguments only. The numbers
+// Open functions: functions f(x_1, ..., x_n) without an expression; a model declares only their
+// arguments. The numbers
 //
-//     f,  df/dx_i,  d2f/dx_i dx_j  (i <= j)      V, V_1, V_2, V_11, V_12, V_22 of two arguments
+//     f,  df/dx_i,  d2f/dx_i dx_j  (i <= j)      for two arguments V, V_1, V_2, V_11, V_12, V_22
 //
-// at the present arguments are leaves: whoever calls emitted code computes them. This order is that
-// of the argument `f`, function after function.
+// at the current arguments are leaves, which the caller of emitted code computes. The argument `f`
+// of emitted code has them in this order, function after function.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +17,13 @@
 
 namespace elgen {
 
-/// A [[function]] that nothing closes.
+/// A [[function]] for which the scene has no expression.
 struct OpenFunction {
   std::string name;
   std::string identifier;
   std::vector<std::uint32_t> arguments = {};  ///< in Model::expressions; at least one
   std::optional<Unit> unit = {};              ///< none: not checked
-  std::string unit_text = {};                 ///< as written
+  std::string unit_text = {};                 ///< as in the file
   std::string latex = {};
   std::string doc = {};
   Span span = {};
@@ -30,24 +31,25 @@ struct OpenFunction {
 
 inline constexpr std::size_t most_arguments = 4;  ///< of an open function
 
-/// A derivative of an open function, or its value.
+/// A value of an open function: the function, or one of its derivatives.
 struct OpenValue {
   std::string name;  ///< "V", "V_1", "V_12"
   std::string identifier;
-  std::uint32_t function = 0;          ///< in Model::functions
-  std::vector<std::uint32_t> by = {};  ///< the arguments it is differentiated by, ascending
-  std::optional<Unit> unit = {};       ///< none: not known
+  std::uint32_t function = 0;  ///< in Model::functions
+  /// Arguments of the derivative, ascending; empty: the function.
+  std::vector<std::uint32_t> by = {};
+  std::optional<Unit> unit = {};  ///< none: unknown
   std::string unit_text = {};
 };
 
 struct Model;
 
-/// The number of the derivative of an open value by one more argument of its function; none beyond
-/// the second order.
+/// The open value that is the derivative of `value` by one more argument of its function; none
+/// beyond second order.
 [[nodiscard]] std::optional<std::uint32_t> derivative_of(const Model& model, std::uint32_t value,
                                                          std::uint32_t argument);
 
-/// The number of the value of a function that is differentiated by these arguments.
+/// The open value of a function differentiated by these arguments.
 [[nodiscard]] std::optional<std::uint32_t> open_value(const Model& model, std::uint32_t function,
                                                       std::vector<std::uint32_t> by);
 

@@ -1,7 +1,7 @@
 // The table of outputs (outputs.def): arguments, shape, units, type, availability and equation.
 //
-// The columns hold all differences between outputs, and every stage reads them. Only the derivation
-// and the oracle's definition of an output stand elsewhere, under its name.
+// Every stage reads the differences between outputs from the columns of this table. Only the
+// derivation of an output and its definition in the oracle are elsewhere, as functions of its name.
 #pragma once
 
 #include <array>
@@ -20,10 +20,10 @@ enum class OutputKind : std::uint8_t {
 #include "elgen/outputs.def"
 };
 
-/// Which form of the equations a function is emitted in.
+/// The form of the equations in which a function is emitted.
 enum class Form : std::uint8_t {
   recursive,  ///< over the definitions of the derivation
-  closed,     ///< the cancelled, collected equation
+  closed,     ///< the cancelled, collected expression
 };
 
 [[nodiscard]] std::string_view name_of(Form form);
@@ -35,66 +35,67 @@ enum class Extent : std::uint8_t {
   states,
   inputs,
   held,
-  cyclic,        ///< the coordinates that [routh] takes out
-  constraints,   ///< a row stands for the rate of its equation
-  positions,     ///< the constraints on positions; a row stands for its equation
-  inertial,      ///< the parameters of the regressor (inertial_parameters.hpp)
-  pivots,        ///< of the velocities, then of the constraints
+  cyclic,        ///< coordinates that [routh] eliminates
+  constraints,   ///< a row is the rate of a constraint
+  positions,     ///< a row is a constraint on positions
+  inertial,      ///< entries of pi (inertial_parameters.hpp)
+  pivots,        ///< velocities, then constraints
   user,          ///< the rows of an [[output]]
-  user_columns,  ///< those of a pose are four, else there is one
-  task,          ///< the rates of an [[output]]: of a frame those of its twist
-  accelerations  ///< velocities, where an [[output]] takes their rates; else none
+  user_columns,  ///< four for a pose, else one
+  task,          ///< rates of an [[output]]; for a frame its twist
+  accelerations  ///< velocities if an [[output]] contains their rates, else none
 };
 
-/// The unit of an entry from those of its row and column, which stand for coordinates, velocities
-/// or inputs: forces times velocities are a power, momenta times velocities an energy.
+/// The unit of an entry, by the units of its row and column, which are coordinates, velocities or
+/// inputs. Force times velocity is a power; momentum times velocity is an energy.
 enum class UnitRule : std::uint8_t {
   none,
   number,
   row,
   row_per_second,
-  ratio,   ///< that of the row over that of the column
-  energy,  ///< J over the units of row and column
-  power,   ///< W over them
+  ratio,   ///< row unit / column unit
+  energy,  ///< J / (row unit * column unit)
+  power,   ///< W / (row unit * column unit)
 };
 
-/// A property of the model, of the scene or of an [[output]] that some outputs need. The order is
-/// that in which src/model/lacks.cpp looks for a need that is not met.
+/// A property of the model, the scene or an [[output]] that some outputs require.
+/// src/model/lacks.cpp checks the needs in this order and reports the first that is not met.
 enum class Need : std::uint8_t {
   quadratic,         ///< a Lagrangian that is at most quadratic in v
-  energies,          ///< T and V, each by itself
+  energies,          ///< separate T and V
   rotations,         ///< a rotation
-  held,              ///< a lock with a reaction
+  held,              ///< a lock with `reaction = true`
   cyclic,            ///< a coordinate in [routh]
   affine_forces,     ///< forces that are affine in the parameters of a regressor
   inertial,          ///< parameters of a regressor
   constraints,       ///< a constraint
-  independent,       ///< independent velocities that the scene names
+  independent,       ///< independent velocities in the scene
   no_constraints,    ///< no constraint
   inputs,            ///< an input
-  motors,            ///< inputs that are motors, all of them
-  few_inputs,        ///< at most as many inputs as freedoms
-  kept_coordinates,  ///< an [[output]] of coordinates that [routh] leaves
+  motors,            ///< only inputs that are motors
+  few_inputs,        ///< at most as many inputs as degrees of freedom
+  kept_coordinates,  ///< an [[output]] without coordinates that [routh] eliminates
   smooth_forces,     ///< forces without kinks
-  few_velocities,    ///< few enough for straight-line derivatives of a step
+  few_velocities,    ///< few enough velocities for straight-line derivatives of a step
   closed_functions,  ///< an expression of each open function
   jacobian,          ///< `jacobian = true` of the [[output]]
-  of_positions,      ///< an [[output]] of positions alone
-  of_motion,         ///< an [[output]] of rates, accelerations or inputs
+  of_positions,      ///< an [[output]] over positions only
+  of_motion,         ///< an [[output]] with rates, accelerations or inputs
   smooth_values,     ///< an [[output]] without kinks
 };
 
-/// The fault if the matrix besides M by which an output is solved is singular in every state. Rows
-/// that are solved by M alone keep the default, which nobody asks for. Sentences:
+/// The diagnosis if the matrix (other than M) that an output solves with is singular at every
+/// state. The default is unused for outputs that only solve with M. Messages:
 /// src/inspect/singular_mass.hpp.
 enum class WhenSingular : std::uint8_t {
-  redundant_constraint,  ///< A M^-1 A^T: a constraint follows from others
-  redundant_inputs,      ///< B^T G B: an input moves only what others move
+  redundant_constraint,  ///< A M^-1 A^T: a constraint follows from the others
+  redundant_inputs,      ///< B^T G B: an input acts only in directions of other inputs
   undetermined_rest,     ///< A_d: the independent velocities do not determine the others
-  dependent_task,        ///< J M^-1 J^T: a row of J follows from others
+  dependent_task,        ///< J M^-1 J^T: a row of J follows from the others
 };
 
-/// A key of `NAME = { … }` in `[outputs]` that some outputs take; all take `form` and `rename`.
+/// A key of `NAME = { … }` in `[outputs]` that only some outputs accept; all accept `form` and
+/// `rename`.
 enum class OutputOption : std::uint8_t {
   method,
   order,
@@ -107,7 +108,7 @@ enum class OutputOption : std::uint8_t {
 struct OptionRow {
   OutputOption id;
   std::string_view key;
-  std::string_view pronoun;  ///< "`step` has one", in the message to outputs that do not take it
+  std::string_view pronoun;  ///< "`step` has one" in the message for outputs without the option
 };
 
 inline constexpr std::array option_table{OptionRow{OutputOption::method, "method", "one"},
@@ -117,7 +118,6 @@ inline constexpr std::array option_table{OptionRow{OutputOption::method, "method
                                          OptionRow{OutputOption::pivots, "pivots", "them"},
                                          OptionRow{OutputOption::independent, "independent", "it"}};
 
-/// A set of enumerators.
 template <typename Enum>
 class SetOf {
  public:
@@ -130,7 +130,7 @@ class SetOf {
   [[nodiscard]] constexpr bool has(Enum member) const {
     return (bits_ >> static_cast<unsigned>(member) & 1U) != 0;
   }
-  /// In the order of the enumeration.
+  /// The members in the order of the enumeration.
   [[nodiscard]] std::vector<Enum> members() const {
     std::vector<Enum> all;
     for (unsigned bit = 0; bits_ >> bit != 0; ++bit) {
@@ -143,35 +143,35 @@ class SetOf {
   std::uint32_t bits_ = 0;
 };
 
-/// A symbol or an equation as text and in LaTeX, where `<q>` is a vector. `<v>` and `<a>` stand for
-/// the velocities and accelerations (dq/dt and d^2q/dt^2 except where rotations turn) and `<N>` for
-/// the factor N of dq/dt = N v, if it is not 1.
+/// A symbol or equation as text and in LaTeX. In LaTeX `<q>` is a vector. `<v>` and `<a>` are
+/// velocities and accelerations, dq/dt and d^2q/dt^2 without rotations. `<N>` is the factor of
+/// dq/dt = N v unless it is 1.
 struct Notation {
   std::string_view text = {};   ///< "M"; "g = dV0/dq"
   std::string_view latex = {};  ///< may be empty
 };
 
-/// One field of an output; plain outputs have one field without a name.
+/// One field of an output; an output with one field has no name for it.
 struct FieldRow {
   std::string_view name = {};
   Extent rows = Extent::one;
   Extent columns = Extent::one;
   UnitRule unit = UnitRule::none;
-  /// The type that holds it in C++: `{0}` are its rows, `{1}` its entries. A number is a Scalar.
+  /// Its C++ type: `{0}` is the number of rows, `{1}` of entries. A single number is a Scalar.
   std::string_view type = "Scalar";
-  std::string_view latex = {};  ///< its symbol, where it has a name
-  /// The residual of an iteration: its terms cancel, and it is known to their rounding. Of methods
-  /// that iterate alone.
+  std::string_view latex = {};  ///< symbol of a field with a name
+  /// The residual of an iteration: its terms cancel down to their rounding. Only iterative methods
+  /// have it.
   bool is_remainder = false;
 };
 
-/// Whether the field has columns whatever their number: the mass matrix of one coordinate is a
-/// matrix. A pose has columns as well, but its extent is that of all values.
+/// True if the field is a matrix even with one column: the mass matrix of one coordinate. The
+/// extent of the columns of a pose is user_columns, which may be 1.
 [[nodiscard]] constexpr bool has_columns(const FieldRow& field) {
   return field.columns != Extent::one && field.columns != Extent::user_columns;
 }
 
-/// Whether an entry that is alone is a number, not a list: its row has no name.
+/// True if a single entry is a number, not a list of one: its row has no name.
 [[nodiscard]] constexpr bool may_be_number(const FieldRow& field) {
   const bool is_of_user = field.rows == Extent::user || field.rows == Extent::task;
   return (is_of_user || field.rows == Extent::one) && !has_columns(field);
@@ -179,59 +179,59 @@ struct FieldRow {
 
 struct OutputRow {
   OutputKind kind = {};
-  std::string_view name = {};  ///< as in scenes, options and emitted code, where it is built in
+  std::string_view name = {};  ///< in scenes, options and emitted code; "" for user outputs
   Notation symbol = {};
-  LeafSet takes = {};  ///< arguments beside parameters and q (and t where t occurs)
+  LeafSet takes = {};  ///< arguments in addition to parameters, q and (if it occurs) t
   bool takes_parameters_alone = false;
-  bool is_of_mass = false;     ///< takes v as well, if L is not quadratic in v
-  bool takes_drifted = false;  ///< states that do not meet the constraints
+  bool is_of_mass = false;     ///< also takes v if L is not quadratic in v
+  bool takes_drifted = false;  ///< states need not satisfy the constraints
   std::span<const FieldRow> fields = {};
   Notation equation = {};
-  Notation turning_equation = {};               ///< with rotations, where it is another
-  Notation constrained_equation = {};           ///< with constraints, where it is another
-  std::string_view definition = {};             ///< by other outputs, in LaTeX: on pages
-  std::string_view undrifting_definition = {};  ///< the same, if `drift` is 0
+  Notation turning_equation = {};               ///< with rotations; empty: `equation`
+  Notation constrained_equation = {};           ///< with constraints; empty: `equation`
+  std::string_view definition = {};             ///< by other outputs, in LaTeX, for pages
+  std::string_view undrifting_definition = {};  ///< the same if `drift` is 0
   std::string_view doc = {};                    ///< one sentence
-  std::string_view constrained_doc = {};        ///< with constraints, where it is another
+  std::string_view constrained_doc = {};        ///< with constraints; empty: `doc`
   std::string_view doc_without_pivots = {};
   std::string_view constrained_doc_without_pivots = {};
   SetOf<Need> needs = {};
-  SetOf<OutputOption> options = {};  ///< that its entry in `[outputs]` may have
+  SetOf<OutputOption> options = {};  ///< which its entry in `[outputs]` accepts
   WhenSingular when_singular = WhenSingular::redundant_constraint;
-  bool is_energy = false;        ///< of (q, v), so that V enters it without derivatives
-  bool solves = false;           ///< M x = b
-  bool differentiates = false;   ///< the equations of motion
-  bool gives_pivots = false;     ///< of M = L D L^T, beside what it solves for
-  bool is_constrained = false;   ///< solves with S = A M^-1 A^T where the model has constraints
-  bool by_name = false;          ///< given only where it is named
-  bool of_user = false;          ///< one for every [[output]] of a model
-  std::string_view suffix = {};  ///< its name is that of the [[output]] and this
-  bool repeats = false;          ///< every chosen output that takes neither a nor u
-  bool steps = false;            ///< by a method that the scene names, not derived
+  bool is_energy = false;        ///< an energy of (q, v), in which V occurs without derivatives
+  bool solves = false;           ///< solves M x = b
+  bool differentiates = false;   ///< contains derivatives of the equations of motion
+  bool gives_pivots = false;     ///< also returns the relative pivots of M = L D L^T
+  bool is_constrained = false;   ///< with constraints: solves with A M^-1 A^T
+  bool by_name = false;          ///< only given if a scene names it
+  bool of_user = false;          ///< exists for every [[output]] of a model
+  std::string_view suffix = {};  ///< appended to the name of the [[output]]
+  bool repeats = false;          ///< a struct of all chosen outputs that take neither a nor u
+  bool steps = false;            ///< composed by the method of the scene, not derived
 };
 
-/// Whether it has readable equations, and is not made of other outputs.
+/// True if it has equations to read and is not composed from other outputs.
 [[nodiscard]] constexpr bool has_equations(const OutputRow& output) {
   return !output.repeats && !output.steps;
 }
 
-/// Whether it is the value of an [[output]] itself, not its Jacobian, bias or derivatives.
+/// True for the value of an [[output]], false for its Jacobian, bias or derivatives.
 [[nodiscard]] constexpr bool is_value_of_user(const OutputRow& output) {
   return output.of_user && output.suffix.empty();
 }
 
-/// Whether it is given only where it is named: a scene says how to step, and functions of momenta
-/// stand in the place of those of velocities.
+/// True if only scenes that name it get it: steps need a method, and functions of momenta replace
+/// functions of velocities.
 [[nodiscard]] constexpr bool is_named_only(const OutputRow& output) {
   return output.steps || output.by_name || output.takes.has_any(Opcode::momentum);
 }
 
-/// Whether it divides by the pivots of M = L D L^T.
+/// True if it divides by the pivots of M = L D L^T.
 [[nodiscard]] constexpr bool divides_by_mass(const OutputRow& output) {
   return output.solves || output.steps || output.takes.has_any(Opcode::momentum);
 }
 
-/// The equation that holds in a model with or without rotations or constraints.
+/// The properties of a model that select one of the equations of an output.
 struct EquationSetting {
   bool has_rotations = false;
   bool has_constraints = false;
@@ -241,14 +241,14 @@ struct EquationSetting {
 [[nodiscard]] std::span<const OutputRow> output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);
 
-/// Whether an output that repeats others holds one that takes these: nothing beside p, q, v and t,
-/// and has one field.
+/// True if a repeating output such as `dynamics` contains an output with these arguments: they are
+/// only parameters, q, v and t, and it has one field.
 [[nodiscard]] bool is_repeated(OutputKind kind, LeafSet takes);
 
-/// The field of this name, or the first; a single number where the output has no fields.
+/// The field of this name; else the first field; else a single number.
 [[nodiscard]] const FieldRow& field_row(OutputKind kind, std::string_view name);
 
-/// Null where the name is no built-in output.
+/// Null if no built-in output has the name.
 [[nodiscard]] const OutputRow* find_output(std::string_view name);
 
 }  // namespace elgen

@@ -1,7 +1,7 @@
-// Page: the readable content of a model, a derivation or an analysis, printed as text, on screens,
-// as Markdown, LaTeX and HTML.
+// Page: the readable content of a model, a derivation or an analysis. It is printed as text, on
+// screens, as Markdown, LaTeX and HTML.
 //
-// A page has formulas as trees and words as text. All notations are printed from it.
+// Formulas are trees, words are text. Every format is printed from the same page.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace elgen {
 
-/// One named value of a function, as an equation to read.
+/// A named value of a function, for readers.
 struct NamedFormula {
   Formula name = {};   ///< "sin_theta", "t_4f2a"
   Formula value = {};  ///< over leaves and earlier names
@@ -29,81 +29,81 @@ struct FunctionEquations {
   std::vector<Formulas> entries = {};          ///< one list per field, row-major
 };
 
-/// A function as named definitions and entries. Instructions that are used more than once or carry
-/// a name are definitions; others are written out where they are used. Entries of at most 12
-/// operations are written out over the leaves; definitions are listed if other entries need them.
-/// `names` has "" for instructions to be written out, else names of the model language.
+/// A function as named definitions and entries. Instructions with a name or several uses become
+/// definitions; others are substituted. Entries of at most 12 operations are written over the
+/// leaves; only definitions that other entries need are listed. `names`: a name of the model
+/// language for each instruction, or "" to substitute it.
 [[nodiscard]] FunctionEquations equations(const Program& program, const Function& function,
                                           const std::vector<std::string>& names);
 
-/// The closed form of functions[index], each entry written out over the leaves, if there is a
-/// readable one; else the function with the names of code.
+/// functions[index]: its closed form, each entry over the leaves, if it has a readable one; else
+/// the function with the names of the code.
 [[nodiscard]] FunctionEquations equations(const Program& program, std::size_t index);
 
 /// The same in the symbols of the model, for pages. Definitions of at most three operations are
-/// written out; others without their own name are xi_1, xi_2, ….
+/// substituted; definitions without a name are called xi_1, xi_2, ….
 [[nodiscard]] FunctionEquations equations(const Model& model, const Program& program,
                                           std::size_t index);
 
-/// The first entry of readable[0], written out, in the symbols of the model.
+/// The first entry of readable[0] over the leaves, in the symbols of the model.
 [[nodiscard]] Formula first_entry(const Model& model, const Program& program);
 
-/// "M(q) a + C(q,v) v + g(q) = B(q) u", "+ A(q)^T lambda" with constraints. A term is left out if
-/// the model cannot have it, or its function exists and is zero. If no function depends on motion,
-/// the equation is that at rest: "g(q) = B(q) u".
+/// "M(q) a + C(q,v) v + g(q) = B(q) u"; with constraints "+ A(q)^T lambda" on the right. A term is
+/// omitted if the model cannot have it or its function is zero. If no function depends on motion,
+/// the equation is "g(q) = B(q) u".
 [[nodiscard]] Formula equation_of_motion(const Model& model, const Program& program);
 
-/// "q = (x [m], theta [rad])", "v = dq/dt, a = dv/dt" or "at rest", "u = (F [N])", "lambda =
-/// (lambda_rod [N])" and the equation of the accelerations, one line each.
+/// One line each: "q = (x [m], theta [rad])"; "v = dq/dt, a = dv/dt" or "at rest"; "u = (F [N])";
+/// "lambda = (lambda_rod [N])" and the equation of the accelerations.
 [[nodiscard]] std::vector<std::string> variable_lines(const Model& model, const Program& program);
 
-/// A conserved quantity "p(phi)" and its equation.
+/// A conserved quantity, its name "p(phi)" and its definition.
 struct ConservedQuantity {
   std::string name = {};
   Formula definition = {};
 };
 /// The energy function and the momenta of cyclic coordinates that are constant along every motion,
-/// if the outputs of the program prove it: L contains no t, or not the coordinate, and no input,
-/// force, dissipation or constraint acts. Empty for scenes that expand the equations.
+/// if the outputs of the program prove it. Conditions: L does not contain t, or the coordinate, and
+/// no input, force, dissipation or constraint acts. Empty if the scene expands the equations.
 [[nodiscard]] std::vector<ConservedQuantity> conserved_quantities(const Model& model,
                                                                   const Program& program);
 
 /// A coordinate, an input, an open function or a parameter.
 struct PageVariable {
   Formula symbol = {};
-  std::string name = {};  ///< as in the model; "l[1..5]"
+  std::string name = {};  ///< as in the model: "l[1..5]"
   std::string unit = {};
-  std::string value = {};  ///< of parameters: "0.5", "2, 3"
+  std::string value = {};  ///< only of parameters: "0.5", "2, 3"
   std::string doc = {};
 };
 
-/// `left` = a number, or a matrix of `rows` x `columns` entries.
+/// left = a number, or a matrix with `rows` x `columns` entries.
 struct PageEquation {
   Formula left = {};
   std::uint32_t rows = 1;
   std::uint32_t columns = 1;
   Formulas entries = {};       ///< row-major
-  bool is_definition = false;  ///< of a name in the equations before it
+  bool is_definition = false;  ///< defines a name of the preceding equations
 };
 
-/// Cells row by row, below column heads, which may all be empty.
+/// A table row by row, with column heads that may all be empty.
 struct PageTable {
   Formulas heads = {};
   Formulas cells = {};
 };
 
-/// A part of a page: one or more paragraphs.
+/// A section of a page: one or more paragraphs.
 struct PageSection {
   Formula title = {};         ///< "Mass matrix"; may be empty
-  std::string function = {};  ///< name in code: "mass_matrix"; shown as the title
+  std::string function = {};  ///< name in code: "mass_matrix"; printed as the title
   std::optional<OutputKind> kind = {};
-  std::string doc = {};     ///< a sentence on its meaning
-  Formula definition = {};  ///< its definition; may be empty
+  std::string doc = {};     ///< one sentence on its meaning
+  Formula definition = {};  ///< may be empty
   Formulas lines = {};      ///< formulas and sentences before the equations
   std::vector<PageEquation> equations = {};
   PageTable table = {};
-  bool is_row = false;  ///< equations are side by side if the screen is wide enough
-  /// Equations, including those among the lines, are aligned at their signs.
+  bool is_row = false;  ///< equations are side by side on a screen that is wide enough
+  /// Equations, also those in `lines`, are aligned at their relation signs.
   bool is_aligned = false;
 };
 
@@ -115,61 +115,61 @@ struct Page {
   Formula equation_of_motion = {};
   std::vector<PageVariable> coordinates = {};
   std::vector<PageVariable> inputs = {};
-  std::vector<PageVariable> functions = {};  ///< declared without a formula
+  std::vector<PageVariable> functions = {};  ///< open functions
   std::vector<PageVariable> parameters = {};
   std::vector<PageSection> sections = {};
 };
 
-/// The steps of a derivation for readers.
+/// The steps of a derivation, for readers.
 struct ReadableSteps {
   Program program = {};                    ///< the functions of elgen/steps.hpp
   std::vector<std::string> masses = {};    ///< the names of the fields of "positions"
-  std::vector<std::string> left_out = {};  ///< points and bodies with mass that are not in `masses`
+  std::vector<std::string> left_out = {};  ///< points and bodies with mass that `masses` omits
 };
 
-/// The content of pages.
+/// The programs from which pages are printed.
 struct Book {
-  Program program = {};                     ///< that of the code, with `readable` in textbook form
-  std::optional<ReadableSteps> steps = {};  ///< none if the derivation is too long to be read
+  Program program = {};                     ///< of the emitted code; `readable` has textbook forms
+  std::optional<ReadableSteps> steps = {};  ///< none if the derivation is too long to read
 };
 
-/// The functions of a program that a page shows. `dynamics` repeats others and is never shown.
+/// Options of a page. `dynamics` repeats other outputs and is never shown.
 struct PageOptions {
-  bool zeros = false;                      ///< functions whose entries are all 0
-  std::size_t most_entries = 200;          ///< outputs with more entries are shown by definition
-  const ReadableSteps* opening = nullptr;  ///< their equations of motion come first
+  bool zeros = false;              ///< also shows functions whose entries are all 0
+  std::size_t most_entries = 200;  ///< larger outputs are shown by their definition
+  /// Equations of motion that the page shows first; may be null.
+  const ReadableSteps* opening = nullptr;
 };
 
-/// Sentences on a scene beyond its choice of outputs: its purpose, what it fixes, locks and
-/// expands, and which outputs `full` leaves out.
+/// Sentences about the scene: its purpose, its fixed, locked and expanded variables, and the
+/// outputs that `full` omits.
 [[nodiscard]] std::vector<std::string> scene_notes(const Model& model, const Scene& scene);
 
-/// The page of a model.
 [[nodiscard]] Page model_page(const Model& model, const Scene& scene, const Program& program,
                               const PageOptions& options = {});
 
-/// One section per step: the action, positions, velocities, energies, Lagrange's equation of every
-/// coordinate with its conserved quantities and their conditions, and all rows together; or only
-/// the section with the given title.
+/// One section per step: the action; positions; velocities; energies; Lagrange's equation of every
+/// coordinate with its conserved quantities and their conditions; all rows together. With `title`:
+/// only the section of that title.
 [[nodiscard]] std::vector<PageSection> steps_sections(const Model& model,
                                                       const ReadableSteps& steps,
                                                       std::string_view title = {});
 [[nodiscard]] Page steps_page(const Model& model, const Scene& scene, const ReadableSteps& steps,
                               std::string_view title = {});
 
-/// The titles of the sections of energies, and of the rows with their solution.
+/// The titles of the energies, and of all rows with their solution.
 inline constexpr std::string_view energies_title = "Energies";
 inline constexpr std::string_view equations_title = "Equations of motion";
 
-/// A sentence on the expansion that a scene applies to the equations; empty for exact ones.
+/// A sentence on the expansion of the equations; empty for exact equations.
 [[nodiscard]] std::string expansion_text(const Model& model);
 
 /// The equation of motion, the variables, and all entries of all outputs in the model language.
 [[nodiscard]] std::string text_page(const Model& model, const Scene& scene, const Program& program,
                                     const PageOptions& options = {});
 
-/// The cost of one call of each function in both forms, the digits lost where sums cancel if they
-/// were computed, and the emitted form.
+/// For each function: the cost of one call in both forms, the digits that cancelling sums lose (if
+/// computed), and the emitted form.
 [[nodiscard]] std::string cost_page(const std::vector<FormCosts>& costs);
 
 struct Screen {
@@ -177,16 +177,16 @@ struct Screen {
   Alphabet alphabet = Alphabet::unicode;
 };
 
-/// The title and the sections in the model language, one line per entry of an equation.
+/// Title and sections in the model language, one line per entry of an equation.
 [[nodiscard]] std::string text_of(const Page& page);
 [[nodiscard]] std::string text_of(const std::vector<PageSection>& sections);
 
-/// A page in two-dimensional notation, at most as wide as the screen. The entries of a matrix that
-/// is too wide get names, which are defined below it.
+/// A page in two-dimensional notation, not wider than the screen. In a matrix that is too wide,
+/// names replace the entries and are defined below it.
 [[nodiscard]] std::string screen_page(const Page& page, const Screen& screen);
 
-/// The terms of the equation of motion on one screen. Formulas that do not fit are folded: "…312"
-/// stands for 312 characters.
+/// The terms of the equation of motion on one screen. Long formulas are cut: "…312" replaces 312
+/// characters.
 [[nodiscard]] std::string overview(const Page& page, const Screen& screen);
 
 /// GitHub Markdown with $$ blocks.
@@ -195,7 +195,7 @@ struct Screen {
 /// A complete document for pdflatex; needs amsmath and longtable.
 [[nodiscard]] std::string latex_document(const Page& page);
 
-/// The sections as parts of a page of HTML with MathML Core, and a complete page.
+/// The sections as HTML with MathML Core, and a complete page.
 [[nodiscard]] std::string html_parts(const std::vector<PageSection>& sections);
 [[nodiscard]] std::string html_page(const Page& page);
 

@@ -1,5 +1,5 @@
-// The pipeline: one model and perhaps one scene, through every stage, to a checked Program and its
-// files.
+// The pipeline: runs one model and an optional scene through the stages, to a checked Program and
+// its files.
 #pragma once
 
 #include <algorithm>
@@ -44,20 +44,20 @@ inline constexpr std::array goal_names{
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return goal_names[static_cast<std::size_t>(goal)];
 }
-/// None where no stage is called so.
+/// None if no stage has the name.
 [[nodiscard]] std::optional<Goal> goal_named(std::string_view name);
 
-/// A row of analyses.def, as stages and commands read it.
+/// A row of analyses.def, for stages and commands.
 struct AnalysisRow {
   Goal goal;
-  /// The outputs that it derives from the Lagrangian; null: it takes the result of another
+  /// The requests that it derives from the Lagrangian. Null: it reads the result of another
   /// analysis.
   std::vector<OutputRequest> (*outputs)(const Model& model) = nullptr;
-  /// It solves no equation of motion, so `inspect` judges these outputs and not those of the scene.
+  /// It solves no equation of motion, so `inspect` checks these outputs instead of the scene's.
   bool inspects_outputs = false;
-  /// It refuses constraints (E539), and this is the hint; empty: it takes them.
+  /// The hint of E539 for an analysis that refuses constraints; empty: it accepts them.
   std::string_view instead_of_constraints = {};
-  /// It needs one potential, so open functions are replaced by their samples.
+  /// It needs one potential, so `sample` replaces each open function.
   bool closes_functions = false;
 };
 inline constexpr std::array analysis_table{
@@ -75,14 +75,16 @@ inline constexpr std::array analysis_table{
 struct PipelineOptions {
   SceneOptions scene = {};
   Limits limits = {};
-  /// Dumps its product as text into Products::dump, if that is equations or a program.
+  /// A stage whose equations or program are dumped as text into Products::dump.
   std::optional<Goal> dump = {};
-  /// The stages whose products are wanted; those that they need run before them.
+  /// The stages whose products are wanted. The stages that they need run too.
   std::vector<Goal> goals = {Goal::self_check};
-  /// Motions are those about this [[equilibrium]] of the model, or with an empty name about the
-  /// start, which has to be one; without a name about all that are stable.
+  /// The equilibrium of the analyses: the name of an [[equilibrium]] of the model, or "" for the
+  /// start of the model, which must be an equilibrium. None: all equilibria; modes are about the
+  /// stable ones.
   std::optional<std::string> about = {};
-  std::function<void(const std::string&)> on_stage = {};  ///< told each name as it starts
+  /// Is called with the name of each stage when it starts.
+  std::function<void(const std::string&)> on_stage = {};
 };
 
 struct StageTime {
@@ -90,18 +92,19 @@ struct StageTime {
   double seconds = 0.0;
 };
 
-/// The products of the stages; a stage that did not run leaves its product empty.
+/// The products of the stages. The product of a stage that did not run is empty.
 struct Products {
   std::optional<CheckedModel> checked = {};
-  std::optional<Program> lowered = {};  ///< before terms cancel and forms are chosen
+  std::optional<Program> lowered = {};  ///< before cancellation and the choice of forms
   std::optional<ClosedForms> closed_forms = {};
-  std::optional<Program> program = {};  ///< each function in its chosen form
+  std::optional<Program> program = {};  ///< every function in its chosen form
   std::vector<FormCosts> costs = {};
   std::optional<ReadableSteps> steps = {};
   std::optional<Book> book = {};
 #define ELGEN_ANALYSIS(id, name, source, Found, ...) std::optional<Found> id = {};
 #include "elgen/analyses.def"
-  std::optional<std::vector<JudgedEquilibrium>> claims = {};  ///< of [[equilibrium]]
+  /// Verdicts on [[equilibrium]] entries.
+  std::optional<std::vector<JudgedEquilibrium>> claims = {};
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};
   Diagnostics diagnostics = {};
@@ -109,12 +112,12 @@ struct Products {
   std::vector<StageTime> times = {};
 };
 
-/// Runs the stages that the goals need, until one reports an error. E911: the self-check failed;
-/// E521: an output has no value at any state.
+/// Runs the stages that the goals need, until one reports an error. Errors: the errors of the
+/// stages; E911: the self-check failed; E521: an output has no value at any state.
 [[nodiscard]] Products run_pipeline(const Inputs& inputs, const PipelineOptions& options);
 
-/// The times of the stages from `formulate` to `choose` for one output of the scene, by its place
-/// there.
+/// The times of the stages from `formulate` to `choose` for one output, by its position in the
+/// scene.
 [[nodiscard]] std::vector<StageTime> times_alone(const CheckedModel& checked, std::size_t output,
                                                  const Limits& limits);
 

@@ -1,6 +1,6 @@
-// Polynomial: a sum of   (x + i y) * atoms^exponents   with exponents of either sign, as one sorted
-// array of terms. Few factors stand in the term itself, so that sums of a thousand terms are one
-// block of memory, and adding and multiplying them merges such blocks.
+// Polynomial: a sum of   (x + i y) * atoms^exponents   with positive or negative exponents, as one
+// sorted array of terms. A term stores up to six factors inline. A sum of a thousand terms is thus
+// one block of memory, and addition and multiplication merge such blocks.
 #pragma once
 
 #include <cln/rational.h>
@@ -24,7 +24,7 @@ struct AtomPower {
   friend auto operator<=>(const AtomPower&, const AtomPower&) = default;
 };
 
-/// Ascending atoms, no exponent 0; exponents may be negative.
+/// Factors by ascending atom; no exponent is 0.
 class Monomial {
  public:
   using value_type = AtomPower;
@@ -66,7 +66,7 @@ class Monomial {
     }
     x = std::move(kept);
   }
-  /// Compares the factors as they stand; terms are ordered by MonomialLess.
+  /// Compares the factors in order. Terms of a Polynomial are ordered by MonomialLess.
   friend std::strong_ordering operator<=>(const Monomial& x, const Monomial& y) {
     return std::lexicographical_compare_three_way(x.begin(), x.end(), y.begin(), y.end());
   }
@@ -74,10 +74,10 @@ class Monomial {
  private:
   std::array<AtomPower, 6> few_ = {};
   std::size_t count_ = 0;
-  std::vector<AtomPower> many_ = {};  ///< all of them, where there are more
+  std::vector<AtomPower> many_ = {};  ///< all factors, if they exceed few_
 };
 
-/// Lexicographic in the exponents; the same for x m and y m as for x and y.
+/// Lexicographic in the exponents. The order of x m and y m is the order of x and y.
 [[nodiscard]] inline std::strong_ordering order_of(const Monomial& x, const Monomial& y) {
   const auto [i, j] = std::mismatch(x.begin(), x.end(), y.begin(), y.end());
   const bool x_decides = i != x.end() && (j == y.end() || i->atom <= j->atom);
@@ -108,7 +108,7 @@ class Polynomial {
   using const_iterator = Terms::const_iterator;
 
   Polynomial() = default;
-  /// The terms ascend.
+  /// `terms` must be ascending.
   explicit Polynomial(Terms terms) : terms_(std::move(terms)) {}
   Polynomial(std::initializer_list<value_type> terms) {
     for (const auto& [monomial, coefficient] : terms) try_emplace(monomial, coefficient);
@@ -128,7 +128,8 @@ class Polynomial {
     return at != end() && at->first == monomial ? at : end();
   }
 
-  /// The term of this monomial, and whether it is new. Cost: that of the terms above it.
+  /// Inserts a term unless the monomial exists. Returns the term and whether it is new. Cost:
+  /// linear in the number of higher terms.
   std::pair<iterator, bool> try_emplace(const Monomial& monomial, const Gaussian& coefficient) {
     const bool is_last = terms_.empty() || is_before(terms_.back(), monomial);
     const auto at = is_last ? end() : std::lower_bound(begin(), end(), monomial, is_before);

@@ -1,6 +1,5 @@
-// Real: floats of 64 digits or more. ScalarTraits: how a type of numbers is made from exact ones.
-// The functions of functions.def that the standard library lacks for built-in floats stand here,
-// too.
+// Real: floats of at least 64 digits. ScalarTraits: conversion of exact numbers to a scalar type.
+// Also the functions of functions.def that the standard library lacks for built-in floats.
 #pragma once
 
 #include <cln/float.h>
@@ -17,12 +16,11 @@
 
 namespace elgen {
 
-/// How a scalar type is made from an exact number; specialised for float, double, long double,
-/// cl_F, …
+/// Converts exact numbers to a scalar type; specialised for float, double, long double, cl_F, …
 template <class Scalar>
 struct ScalarTraits;
 
-/// Correctly rounded to the nearest binary value.
+/// Correctly rounded to nearest.
 template <>
 struct ScalarTraits<float> {
   [[nodiscard]] static float from_real(const cln::cl_R& value);
@@ -36,8 +34,8 @@ struct ScalarTraits<long double> {
   [[nodiscard]] static long double from_real(const cln::cl_R& value);
 };
 
-/// A float of 64 decimal digits (or more: numbers/more_digits.hpp) that carries "undefined" (a
-/// division by zero, sqrt(-1)) like a NaN.
+/// A float of 64 decimal digits (or more: numbers/more_digits.hpp). Like NaN, the value "undefined"
+/// (1/0, sqrt(-1)) propagates.
 class Real {
  public:
   Real() : Real(cln::cl_R(0)) {}
@@ -61,13 +59,13 @@ class Real {
 [[nodiscard]] Real operator/(const Real& x, const Real& y);
 [[nodiscard]] Real sqrt(const Real& x);
 
-/// False where one is undefined, as of a NaN.
+/// False if an operand is undefined, as for NaN.
 [[nodiscard]] bool operator<(const Real& x, const Real& y);
 [[nodiscard]] bool operator<=(const Real& x, const Real& y);
 [[nodiscard]] inline bool operator>(const Real& x, const Real& y) { return y < x; }
 [[nodiscard]] bool is_zero(const Real& x);
 
-/// |x - y| < 10^-digits. Closed forms whose values agree to 40 of 64 digits may be equal.
+/// x - y| < 10^-digits. 40 of 64 digits are enough to suspect that two closed forms are equal.
 [[nodiscard]] bool is_near(const Real& x, const Real& y, long digits = 40);
 
 #define ELGEN_REAL_1(name) [[nodiscard]] Real name(const Real& x);
@@ -90,7 +88,7 @@ namespace interpreter {
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 
-/// The kinked functions for built-in floats; sign(0) = 0, and a NaN stays one.
+/// Kinked functions for built-in floats. sign(0) = 0, and NaN propagates.
 template <class Scalar>
 requires std::is_floating_point_v<Scalar>
 [[nodiscard]] Scalar sign(Scalar x) {
@@ -105,9 +103,9 @@ template <class Scalar>
 requires std::is_floating_point_v<Scalar>
 [[nodiscard]] Scalar max(Scalar x, Scalar y) { return x < y ? y : x; }
 
-/// c_k(x), k > 0, by the operations of the emitted code: the series where its terms fall from the
-/// first one on, as a polynomial that suffices at the end of that range; else c_1 = sin(x)/x,
-/// c_2 = 2 (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2. With k < 0, that of i x: sinh, and -x^2.
+/// c_k(x) with the operations of the emitted code. For x^2 < max(1, k (k - 1)) the series, cut to
+/// the degree that suffices at the end of this range. Otherwise c_1 = sin(x)/x, c_2 = 2
+/// (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2. For k < 0 the same with i x: sinh, and -x^2.
 template <class Scalar>
 requires std::is_floating_point_v<Scalar>
 [[nodiscard]] Scalar stumpff(Scalar x, Scalar order) {

@@ -1,4 +1,4 @@
-// The built-in scalars that code is emitted, compiled and run for.
+// The built-in scalar types for which code is emitted, compiled and run.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_
 struct ScalarRow {
   ScalarKind kind;
   std::string_view name;  ///< in C++, C and scenes
-  int digits;             ///< decimal, rounded: no value has more to lose
+  int digits;             ///< decimal digits, rounded: the most that a value can lose
 };
 
 inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision, "float", 7},
@@ -31,15 +31,15 @@ inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision,
   return scalar_table[static_cast<std::size_t>(kind)].digits;
 }
 
-/// Functions compute in it between arguments and results in double; a `step` in float the
-/// accelerations that it asks for.
+/// The scalar of computations inside functions, with double arguments and results. single_precision
+/// applies only to the accelerations that a `step` calls.
 enum class InnerScalar : std::uint8_t { same, long_double, double_double, single_precision };
 
 struct InnerRow {
   InnerScalar kind;
   std::string_view name;  ///< in scenes
   std::string_view type;  ///< in templates/cpp/wide.hpp.mustache
-  double roundoff;        ///< u: relative, of one operation
+  double roundoff;        ///< u: relative rounding error of one operation
 };
 
 inline constexpr std::array inner_table{
@@ -52,12 +52,12 @@ inline constexpr std::array inner_table{
   return inner_table[static_cast<std::size_t>(kind)];
 }
 
-/// Decimal digits that a loss of so many u takes, at most all of the scalar.
+/// The decimal digits that a loss in u amounts to, at most all digits of the scalar.
 [[nodiscard]] inline double digits_lost(double loss, ScalarKind kind) {
   return loss > 1 ? std::min<double>(std::log10(loss), decimal_digits(kind)) : 0;
 }
 
-/// The kind of a type.
+/// The ScalarKind of a type.
 template <std::floating_point Scalar>
 inline constexpr ScalarKind scalar_kind = ScalarKind::long_double;
 template <>

@@ -1,5 +1,5 @@
-// Trajectory: a run of a system in time, by its functions in the evaluator, or as they were emitted
-// and compiled.
+// Trajectory: a run of a system in time, by its functions in the interpreter or by compiled emitted
+// code.
 #pragma once
 
 #include <cstdint>
@@ -16,149 +16,151 @@
 
 namespace elgen {
 
-/// Times in s. Of step and tolerance at most one is given: a method of fixed step takes a step, the
-/// others choose theirs to an error of `tolerance` absolute and relative.
+/// Times are in s. At most one of step and tolerance is set. Methods with a fixed step use `step`;
+/// the other methods control the error, absolute and relative, by `tolerance`.
 struct SimulationOptions {
-  std::string method = "dopri5";            ///< of run/steps/methods.cpp
-  std::optional<std::uint32_t> order = {};  ///< none: that of the method without composition
+  std::string method = "dopri5";            ///< a method of run/steps/methods.cpp
+  std::optional<std::uint32_t> order = {};  ///< none: the order of the method without composition
   double from = 0;
-  double time = 0;                       ///< how long
-  std::optional<double> step = {};       ///< the longest one; a whole number fill every interval
-  std::optional<double> tolerance = {};  ///< 1e-9 where neither is given
-  std::optional<double> every = {};      ///< between rows; none: no rows
-  std::optional<double> hold = {};       ///< inputs keep their values so long; none: continuous
-  bool project = true;                   ///< after each step, back onto the constraints
-  bool through_singular = false;         ///< goes on where M or A loses rank, by a fixed step
-  std::vector<std::string> show = {};    ///< columns that get panels of the plot besides
-  std::string path = {};                 ///< the point whose path is drawn; "": none is
-  /// Is told the time that the run has reached, now and then.
+  double time = 0;                  ///< duration
+  std::optional<double> step = {};  ///< upper bound; each interval is an integer number of steps
+  std::optional<double> tolerance = {};  ///< 1e-9 if neither is set
+  std::optional<double> every = {};      ///< time between rows; none: no rows
+  std::optional<double> hold = {};       ///< inputs are constant for this time; none: continuous
+  bool project = true;                   ///< projects onto the constraints after each step
+  bool through_singular = false;         ///< continues with a fixed step if M or A loses rank
+  std::vector<std::string> show = {};    ///< columns with their own panels in the plot
+  std::string path = {};                 ///< the point whose path is drawn; "": none
+  /// Is called from time to time with the time that the run has reached.
   std::function<void(double)> watch = {};
 };
 
-/// How far what should stay has gone from where it was, relative to `scale`.
+/// The deviation of a conserved quantity from its start, relative to `scale`.
 struct Drift {
   std::string name = {};
-  std::string measure = {};  ///< the quantity whose largest value is the scale: "|T| + |V|"
-  double worst = 0;          ///< the largest magnitude
-  double secular = 0;        ///< its mean over the last tenth of the run less that over the first
+  std::string measure = {};  ///< the quantity whose largest value is `scale`: "|T| + |V|"
+  double worst = 0;          ///< largest magnitude
+  double secular = 0;        ///< mean over the last tenth of the run - mean over the first tenth
   double scale = 1;
 };
 
 /// An entry of `conserved` along a run.
 struct ConservedDrift {
   std::string text = {};  ///< as in the model
-  std::string unit = {};  ///< "" where it is 1 or not known
+  std::string unit = {};  ///< "" if it is 1 or unknown
   double start = 0;
-  double drift = 0;  ///< the largest deviation from the start, in the unit
+  double drift = 0;  ///< largest deviation from the start
 };
 
-/// The largest |f| of the constraints on positions, and |r| of all, r = df/dt or phi.
+/// The largest |f| of the constraints on positions, and the largest |r| of all, r = df/dt or phi.
 struct ConstraintOffset {
   double position = 0;
   double rate = 0;
 };
 
-/// The change of a coordinate or rate of the start that meets the constraints.
+/// The change of a start coordinate or rate by the assembly.
 struct StartMove {
   std::string name = {};
   std::string unit = {};
   double by = 0;
 };
 
-/// How a run keeps to the constraints of its model.
+/// The accuracy of the constraints during a run.
 struct KeptConstraints {
   ConstraintOffset largest = {};
-  std::optional<std::string> unit = {};  ///< of f, "" where not all have the same; none: no f
-  std::string rate_unit = {};            ///< of r, alike
-  std::vector<StartMove> start = {};     ///< what was moved by more than 1e-9 of it, or of 1
+  /// Of f, "" if the units differ; none: no constraint on positions.
+  std::optional<std::string> unit = {};
+  std::string rate_unit = {};         ///< of r, "" if the units differ
+  std::vector<StartMove> start = {};  ///< changes of more than 1e-9 max(|x|, 1)
 };
 
-/// A number of every row.
+/// A column of the table of a run.
 struct TrajectoryColumn {
-  std::string name = {};    ///< as in models: "theta", "dot(theta)"
-  std::string unit = {};    ///< "" where none is given
-  std::string panel = {};   ///< of the plot that shows it; "" where none does
-  bool from_start = false;  ///< the plot shows how far it went from its first value
+  std::string name = {};    ///< in the model language: "theta", "dot(theta)"
+  std::string unit = {};    ///< "" if the model declares none
+  std::string panel = {};   ///< of the plot that shows it; "": none
+  bool from_start = false;  ///< the plot shows the difference from the first value
 };
 
 struct Trajectory {
   std::string model = {};
-  std::string title = {};   ///< of the model; "" where it has none
+  std::string title = {};   ///< of the model; "" if it has none
   std::string method = {};  ///< "verlet of order 8"
-  std::string path = {};    ///< the point whose path is drawn; "": none is
+  std::string path = {};    ///< the point whose path is drawn; "": none
   double from = 0;
   std::vector<TrajectoryColumn> columns = {};  ///< t, q, v, u with laws, lambda, x, y of `path`, E
   std::vector<std::vector<double>> rows = {};
-  std::vector<double> work = {};  ///< until each row; empty where none is done
-  std::vector<double> last = {};  ///< the row of the end
-  /// E - E0, relative to the largest |T| + |V| (of an L given whole |v.p| + |L|); where forces or
-  /// time act, less the work they did: E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt, and of
-  /// constraints that move by themselves - int v.A^T lambda dt.
+  std::vector<double> work = {};  ///< total work at each row; empty if no force does work
+  std::vector<double> last = {};  ///< the row at the end
+  /// E - E0 relative to the largest |T| + |V| (|v.p| + |L| if L is declared). If forces or time
+  /// act, the deviation is E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt. Constraints that
+  /// contain t add - int v.A^T lambda dt.
   Drift energy = {};
-  bool loses_energy = false;        ///< in steps of one length, more than 10 % of the scale of E648
-  std::vector<Drift> momenta = {};  ///< of what is cyclic, and free of forces and constraints
-  /// Drifts of the model's `conserved`, which holds at u = 0; none where a scene locks or expands.
+  bool loses_energy = false;        ///< with a fixed step: more than 10 % of the scale of E648
+  std::vector<Drift> momenta = {};  ///< of cyclic coordinates without forces and constraints
+  /// Drifts of `conserved` entries of the model, which hold at u = 0. Empty if a scene locks or
+  /// expands.
   std::vector<ConservedDrift> conserved = {};
-  std::optional<KeptConstraints> constraints = {};  ///< of a model that has some
+  std::optional<KeptConstraints> constraints = {};  ///< none: the model has no constraints
   std::uint64_t steps = 0;
   double nanoseconds = 0;       ///< per step
   std::string timed_code = {};  ///< "of the emitted C++", "in the evaluator"
 };
 
-/// The errors of a run that are found before anything is derived: E620, E621, E647.
+/// The errors in options that need no derivation: E620, E621, E647.
 [[nodiscard]] Diagnostics refuse_run(const SimulationOptions& options);
 
-/// The outputs that every run calls of a model, as --outputs has them.
+/// The outputs that every run needs, in the syntax of --outputs.
 [[nodiscard]] std::string outputs_of_run(const Model& model);
 
-/// The `step` whose program a run goes by, beside these outputs; none where it calls accelerations.
+/// The `step` whose program advances the run; none if the method calls accelerations instead.
 [[nodiscard]] std::optional<StepSpec> step_of_run(const SimulationOptions& options);
 
-/// The model of a run with the outputs that it calls and the `step` that it goes by, whatever the
-/// scene asks for; the scene that is left emits C++ for double alone, of a `step` in packs too, or
-/// JavaScript if the purpose is to show the motion. The caller says which purpose the run has.
-/// E622 where the method is not for the system.
+/// Derives the outputs of a run and its `step`, independently of the outputs of the scene. The
+/// resulting scene emits C++ in double, with a batch header for a `step`, or JavaScript if the
+/// purpose shows motion. The caller sets options.scene.purpose. E622: the method does not apply to
+/// the system.
 [[nodiscard]] Products derived_for_run(const Inputs& inputs, PipelineOptions options,
                                        const std::optional<StepSpec>& step);
 
-/// Products of derived_for_run compiled, for a run that is not by a program of `step`. Errors as of
-/// `compile`.
+/// Compiles products of derived_for_run() for a run without a program of `step`. Errors as of
+/// compile().
 [[nodiscard]] Result<CompiledHeaders> compiled_for_run(const Products& products,
                                                        const Limits& limits);
 
-/// The model with a start that meets its constraints at a time, near its own one. What `--state`
-/// names stays: E538 where the rest cannot be solved for.
+/// The model with a start near its own one that satisfies the constraints at time t. Variables that
+/// `--state` sets do not change. E538: the others have no solution.
 [[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_R& t);
 
-/// Runs from the model's start, assembled, by what was compiled; where that is null, in the
-/// evaluator. Ends where M or the constraints lose rank, or a motion slides along a kink, and warns
-/// if energy is lost: by more than the tolerance allows, or in steps of one length by 1 % of max
-/// |T| + (max V - min V). E201 of `show` and `path`, E518, E538, E620, E621, E623, E624, E647,
-/// E648. Cost: one step of the program, or a few calls of the equations of motion, per step, and of
-/// the energies for each.
+/// Runs from the assembled start of the model, by `compiled` or, if it is null, in the interpreter.
+/// The run ends if M or the constraints lose rank, or if the motion slides along a kink. It warns
+/// of lost energy: more than the tolerance allows, or with a fixed step more than 1 % of max |T| +
+/// (max V - min V). Errors: E201 of `show` and `path`, E518, E538, E620, E621, E623, E624, E647,
+/// E648. Cost per step: one step program or a few calls of the equations of motion, and one call of
+/// the energies.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);
 
-/// Coordinates and rates at the end of a run, from which errors of others are measured.
+/// Coordinates and rates at the end of a reference run, to measure the errors of other runs.
 struct ReferenceRun {
-  std::vector<double> last = {};     ///< to 1e-15, in long double
-  std::vector<double> rougher = {};  ///< to 1e-12, in double
-  std::vector<double> largest = {};  ///< of each the largest magnitude on the way
+  std::vector<double> last = {};     ///< in long double, tolerance 1e-15
+  std::vector<double> rougher = {};  ///< in double, tolerance 1e-12
+  std::vector<double> largest = {};  ///< largest magnitude of each number during the run
 };
 
-/// By Fehlberg's method of order 8 from the model's start on, assembled, in the evaluator; laws of
-/// inputs at every stage. E538, E623, E624.
+/// Runs from the assembled start of the model by Fehlberg's method of order 8, in the interpreter.
+/// Laws of inputs are evaluated at every stage. E538, E623, E624.
 [[nodiscard]] Result<ReferenceRun> reference_run(const CheckedModel& checked,
                                                  const Program& program, double time);
 
 /// The last state, the drifts and the cost of a step, for people.
 [[nodiscard]] std::string to_text(const Trajectory& trajectory);
-/// The rows, each number in the fewest digits that read back as it.
+/// The rows; each number has the fewest digits that identify it.
 [[nodiscard]] std::string to_csv(const Trajectory& trajectory);
 [[nodiscard]] std::string to_json(const Trajectory& trajectory);
-/// Coordinates, inputs and E - E0 - work over time, each in a panel of its own; rates are their
-/// slopes.
+/// One panel each for coordinates, inputs and E - E0 - work over time. Rates have no panel: they
+/// are slopes of the coordinates.
 [[nodiscard]] std::string to_svg(const Trajectory& trajectory);
 
 }  // namespace elgen

@@ -1,8 +1,8 @@
-// Source text and spans: where every declaration, value and error points.
+// Source text and spans: the positions of declarations, values and errors.
 //
-// A SourceText is one input (a model file, a scene file, or the text of a command-line option). A
-// Span is a half-open byte range of it. Spans never own: whoever holds spans holds the SourceText
-// too.
+// A SourceText is one input: a model file, a scene file, or the text of a command-line option. A
+// Span is a half-open byte range of it and does not own it. Owners of spans must keep the
+// SourceText alive.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ struct SourceText {
 
 using SourcePointer = std::shared_ptr<const SourceText>;
 
-/// A half-open byte range [begin, end) of `source`; without a source the span points nowhere.
+/// A half-open byte range [begin, end) of `source`; without a source it has no position.
 struct Span {
   const SourceText* source = nullptr;
   std::uint32_t begin = 0;
@@ -34,7 +34,8 @@ struct Span {
 };
 
 [[nodiscard]] SourcePointer make_source(std::string path, std::string text);
-/// One that lives as long as the process, for diagnostics point into sources without owning them.
+/// A source that lives until the process ends, because diagnostics point into sources without
+/// owning them.
 [[nodiscard]] SourcePointer make_kept_source(std::string path, std::string text);
 
 [[nodiscard]] LineColumn line_column(const SourceText& source, std::uint32_t offset);
@@ -42,10 +43,10 @@ struct Span {
 /// The text of 1-based `line`, without its line end.
 [[nodiscard]] std::string_view line_text(const SourceText& source, std::uint32_t line);
 
-/// The last part of its path.
+/// The last component of its path.
 [[nodiscard]] std::string file_name(const SourceText& source);
 
-/// The bytes a span covers.
+/// The bytes that a span covers.
 [[nodiscard]] std::string_view covered_text(const Span& span);
 
 }  // namespace elgen

@@ -1,6 +1,6 @@
-// specialise: Lagrangian -> smaller Lagrangian. Fixed parameters become exact numbers; what they
-// make zero disappears from every definition; locked and cyclic coordinates leave; energies and
-// forces that a scene expands become polynomials.
+// specialise: Lagrangian -> smaller Lagrangian. Fixed parameters become exact numbers, and terms
+// that become zero disappear from every definition. Locked and cyclic coordinates are eliminated.
+// Energies and forces become polynomials if the scene expands them.
 #pragma once
 
 #include "elgen/lagrangian.hpp"
@@ -8,9 +8,9 @@
 
 namespace elgen {
 
-/// `lagrangian` is that of `checked`. E312, E313, E314: a fixed parameter, a lock or `[routh]`
-/// makes something divide by zero, undefined or complex whatever the state is; with the span of its
-/// declaration.
+/// `lagrangian` must be formulated from `checked`. E312, E313, E314, each with the span of the
+/// declaration: a fixed parameter, a lock or `[routh]` leads to a division by zero, an undefined or
+/// a complex value at every state.
 [[nodiscard]] Result<Lagrangian> specialise(WholeLagrangian lagrangian,
                                             const CheckedModel& checked);
 

@@ -1,4 +1,5 @@
-// SourceSpelling: how an interpreted language writes code, and how it is run (spellings.def).
+// SourceSpelling: the syntax of an interpreted language, and the command that runs it
+// (spellings.def).
 #pragma once
 
 #include <array>
@@ -11,64 +12,69 @@
 
 namespace elgen {
 
-/// How several values are one.
+/// The syntax of a list of values.
 struct ListSpelling {
   std::string_view opening;
   std::string_view between;
   std::string_view closing;
-  std::string_view behind_one;  ///< of one value alone
-  std::string_view empty;       ///< {0}: columns
+  std::string_view behind_one;  ///< after a single value
+  std::string_view empty;       ///< an empty list; {0}: the number of columns
 };
 
+/// Placeholders {0}, {1} of patterns are explained in spellings.def.
 struct SourceSpelling {
   LanguageId language;
   std::string_view element;
   std::uint32_t first_index;
   std::string_view definition;
-  std::size_t indent;          ///< of statements
-  std::string_view local;      ///< before a name that gets its value
-  std::string_view library;    ///< a function {0} of the library
-  std::string_view functions;  ///< of numbers, between spaces: those of C that the library has
-  std::string_view result;     ///< before the value that a function gives
-  std::string_view results;  ///< several values {1} in a struct {0}; empty: a statement gives each
-  std::string_view field;    ///< before one of them, {0}
-  std::string_view opening;  ///< around a value of several lines
+  std::size_t indent;        ///< indentation of statements
+  std::string_view local;    ///< before the name in a definition of a local variable
+  std::string_view library;  ///< a function of the library; {0}: its name
+  /// Names of scalar functions in C that the library has, between spaces.
+  std::string_view functions;
+  std::string_view result;  ///< before the value that a function returns
+  /// Several results {1} in a struct {0}; "": one statement for each result.
+  std::string_view results;
+  std::string_view field;    ///< before one result; {0}: its name
+  std::string_view opening;  ///< brackets around a value of several lines
   std::string_view closing;
   std::string_view end;          ///< of a statement
-  std::string_view end_of_line;  ///< of a line that the next one continues
+  std::string_view end_of_line;  ///< at the end of a line that continues
   ListSpelling vector;
-  ListSpelling row;     ///< of a matrix
-  ListSpelling matrix;  ///< of rows
-  ListSpelling texts;   ///< at the head of the module, as those that follow
+  ListSpelling row;     ///< row of a matrix
+  ListSpelling matrix;  ///< list of rows
+  ListSpelling texts;   ///< list of texts at the head of the module, as the next two
   ListSpelling numbers;
   ListSpelling intervals;
-  std::string_view interval;         ///< {0}, {1}: its bounds
-  std::string_view number_value;     ///< of a parameter: {0} is the name
-  std::string_view array_value;      ///< of a parameter that is one
-  std::string_view end_of_value;     ///< of a parameter
-  std::string_view number_member;    ///< of a struct of results, in documentation
-  std::string_view array_member;     ///< of it
-  std::string_view comment;          ///< before a comment behind a parameter
-  std::string_view member_comment;   ///< before what a member is
-  char quote;                        ///< around texts
-  char escape;                       ///< before it, and before itself
-  std::string_view coded_in_texts;   ///< is written \u003c: it would be markup of a page
-  std::string_view escaped_in_docs;  ///< by a backslash
-  std::string_view end_of_docs;      ///< is parted by a blank in them
-  std::string_view own_function;     ///< of what the module has where its library has none
-  std::string_view named_number;     ///< {0}: the number of a constant that has a name; or empty
-  bool has_reflection;               ///< its template has the holes of emit/source/reflection.hpp
-  std::string_view unbounded;        ///< an infinite number
-  std::size_t most_empty;            ///< empty lines in a row, at most
-  std::size_t deepest;               ///< brackets in brackets that it reads
-  std::size_t longest_name;          ///< 0: any
-  std::string_view reserved;         ///< words that are no names, between spaces: `_` is appended
-  std::string_view taken;            ///< names that the module needs
-  std::string_view unnameable;       ///< names that no module may have
-  std::string_view command;          ///< starts its interpreter
-  std::string_view variable;         ///< of the environment, which has another command
-  /// Functions that the interpreter has code of its own for, and the error of a field that calls
-  /// one, in u of its largest entry; `roundings`: that of any other.
+  std::string_view interval;        ///< one interval; {0}, {1}: its bounds
+  std::string_view number_value;    ///< value of a scalar parameter; {0}: its name
+  std::string_view array_value;     ///< value of an array parameter
+  std::string_view end_of_value;    ///< after the value of a parameter
+  std::string_view number_member;   ///< a number in the documentation of a struct of results
+  std::string_view array_member;    ///< an array in that documentation
+  std::string_view comment;         ///< before a comment after a parameter
+  std::string_view member_comment;  ///< before the description of a member
+  char quote;                       ///< quotation mark
+  char escape;                      ///< before a quotation mark and before itself
+  /// Characters written as \u003c, because they would be markup on a page.
+  std::string_view coded_in_texts;
+  std::string_view escaped_in_docs;  ///< characters that need a backslash in documentation
+  std::string_view end_of_docs;      ///< a blank separates its characters in documentation
+  std::string_view own_function;     ///< a function of the module that the library lacks
+  /// Name of a named constant; {0}: its number; "": constants have no names.
+  std::string_view named_number;
+  bool has_reflection;          ///< its template has the placeholders of emit/source/reflection.hpp
+  std::string_view unbounded;   ///< an infinite number
+  std::size_t most_empty;       ///< most consecutive empty lines
+  std::size_t deepest;          ///< deepest nesting of brackets that it parses
+  std::size_t longest_name;     ///< in characters; 0: no limit
+  std::string_view reserved;    ///< reserved words, between spaces; `_` is appended to such a name
+  std::string_view taken;       ///< names that the module uses
+  std::string_view unnameable;  ///< names that a module cannot have
+  std::string_view command;     ///< starts its interpreter
+  std::string_view variable;    ///< environment variable with another command
+  /// Functions that the interpreter implements itself, and the tolerance of a field that calls one,
+  /// in u of its largest entry. `roundings`: the tolerance of other fields; 0: bit-identical.
   std::string_view own_implementations;
   int roundings;
 };
@@ -78,10 +84,10 @@ inline constexpr std::array spelling_table{
 #include "elgen/spellings.def"
 };
 
-/// Who defines a function: the library of the language, or each module for itself.
+/// The definition of a function: in the library of the language, or in each module.
 enum class FunctionHome : std::uint8_t { library, module };
 
-/// A function that the library of a language lacks, or has under another name than C.
+/// A function that the library of a language lacks, or that has another name than in C.
 struct FunctionSpelling {
   LanguageId language;
   FunctionId function;

@@ -1,4 +1,4 @@
-// Templates as strings of the binary; the definitions are written by cmake/EmbedTemplates.cmake.
+// Templates as strings of the binary; cmake/EmbedTemplates.cmake writes the definitions.
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@ namespace elgen {
 /// The template at `path` below templates/, "cpp/header.hpp.mustache"; empty if there is none.
 [[nodiscard]] std::string_view embedded_template(std::string_view path);
 
-/// The same; throws std::logic_error if there is none, so that the first test that asks fails.
+/// The same, but throws std::logic_error if there is none, so that the first test that uses it
+/// fails.
 [[nodiscard]] std::string_view template_at(std::string_view path);
 
-/// The path of what `{{> name}}` stands for in the template at `path`: of its folder and language.
+/// The path of the partial `{{> name}}` in the template at `path`: the same folder and language.
 ///
 ///     cpp/header.hpp.mustache, kinked   ->   cpp/kinked.hpp.mustache
 [[nodiscard]] std::string template_beside(std::string_view path, std::string_view name);

@@ -1,4 +1,4 @@
-// Units: products of rational powers of m, kg, s, A, K. rad is 1.
+// Units: products of rational powers of m, kg, s, A, K. rad is the unit 1.
 #pragma once
 
 #include <array>
@@ -38,10 +38,10 @@ struct UnitRow {
 [[nodiscard]] Unit power(const Unit& base, Exponent exponent);
 [[nodiscard]] std::optional<Unit> find_unit(std::string_view name);
 
-/// Shortest known spelling, for messages and documentation: "N*m", "kg*m^2/s", "1".
+/// The shortest known spelling, for messages and documentation: "N*m", "kg*m^2/s", "1".
 [[nodiscard]] std::string to_string(const Unit& unit);
 
-/// The same of a force: J is of energies, and a generalized force on an angle is in N*m.
+/// The same for a force: J is written N*m, the unit of a generalised force on an angle.
 [[nodiscard]] std::string force_unit_text(const Unit& unit);
 
 }  // namespace elgen
