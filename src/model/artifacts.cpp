@@ -1,4 +1,4 @@
-// artifacts_of: selects the rows of the table whose condition holds.
+// artifacts: paths of the files of a scene, and the kinds that it wants.
 #include "elgen/artifacts.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Constraint: the equations that remain of points that coincide if some constrain nothing.
+// Constraint: the hint to replace `coincide` by the equations that constrain something.
 #include "elgen/constraint.hpp"
 
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 namespace elgen {
 namespace {
 
-/// "[3]" of a repeated entry, or nothing.
+/// "[3]" for a repeated entry, else "".
 std::string index_of(const Constraint& row) {
   return row.name.substr(std::min(row.name.find('['), row.name.size()));
 }

@@ -1,4 +1,4 @@
-// Elimination: the order in which M of a model is factorised.
+// Elimination: the order in which M of a model is factorised, M = L D L^T.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,14 @@
 
 namespace elgen {
 
-/// With fewer velocities, frames are solved by M = L D L^T, which is shorter there: for a chain of
-/// turns, articulated bodies take as many operations at about ten.
+/// With fewer velocities, M = L D L^T needs fewer operations than articulated bodies. For a chain
+/// of turns, both need the same number at about ten velocities.
 inline constexpr std::size_t least_of_articulated = 10;
 
-/// Whether the last velocity is eliminated first: if a frame carries two or more others, so that
-/// limbs cause no fill-in between them, and if frames have least_of_articulated velocities, as
-/// articulated bodies need it. This order decides the relative pivots of forward dynamics.
+/// True if the last velocity is eliminated first. This is the case if a frame carries at least two
+/// others, so that limbs cause no fill-in between them. It is also the case if a model with frames
+/// has at least least_of_articulated velocities, as articulated bodies require. The order
+/// determines the relative pivots of forward dynamics.
 [[nodiscard]] bool eliminates_last_first(const Model& model);
 
 }  // namespace elgen

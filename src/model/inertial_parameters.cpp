@@ -1,5 +1,4 @@
-// inertial_parameters: the entries of pi, and which parameters of a model an expression is affine
-// in.
+// inertial_parameters: the entries of pi, and the parameters in which an expression is affine.
 #include "elgen/inertial_parameters.hpp"
 
 #include <algorithm>
@@ -76,7 +75,8 @@ std::optional<Unit> unit_of_armature(const Model& model, const Coordinate& coord
   return rate ? std::optional(*find_unit("J") / (*rate * *rate)) : std::nullopt;
 }
 
-/// The parameters that each expression is affine in, bottom-up, until two meet.
+/// Finds two parameters whose product an expression contains, or one in which it is not affine,
+/// from the operands upwards.
 class AffineSearch {
  public:
   AffineSearch(const Model& model, const std::vector<std::uint32_t>& parameters)
@@ -92,7 +92,7 @@ class AffineSearch {
  private:
   using Found = std::optional<CoupledParameters>;
 
-  /// Any parameter of an operand; none where it has none.
+  /// Some parameter in an operand; null if it contains none.
   [[nodiscard]] const std::uint32_t* parameter_in(ExpressionId id) const {
     const auto found = first_.find(id);
     return found == first_.end() ? nullptr : &found->second;
@@ -122,7 +122,7 @@ class AffineSearch {
   std::map<ExpressionId, std::uint32_t> first_ = {};
 };
 
-/// The parameters below the roots.
+/// By parameter: whether the roots contain it, directly or by reference.
 std::vector<bool> parameters_below(const Model& model, const std::vector<ExpressionId>& roots) {
   std::vector<bool> found(model.parameters.size());
   for (const ExpressionId id : reached(model, roots)) {

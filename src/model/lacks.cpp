@@ -1,4 +1,4 @@
-// lacks: the needs of an output that a model does not meet, one message for each need.
+// lacks: the first need of an output that a model does not meet, with one message per need.
 #include "model/lacks.hpp"
 
 #include <algorithm>
@@ -115,7 +115,7 @@ MaybeLack lack_of_kept_coordinates(const Model& model, const OutputRequest& requ
 }
 
 MaybeLack lack_of_few_velocities(const Model& model) {
-  // Derivatives of a step are straight code, of solo12 with 18 velocities 12 MB of it.
+  // Derivatives of a step are straight-line code: 12 MB for solo12 with its 18 velocities.
   constexpr std::size_t most = 10;
   const std::size_t count = model.velocities.size();
   return lack_if(count > most, "is for at most " + std::to_string(most) +
@@ -131,14 +131,14 @@ MaybeLack lack_of_closed_functions(const Model& model) {
               function.span, "left open here"};
 }
 
-/// Whether a force acts on a locked coordinate and is thus in no equation of motion.
+/// True if a force acts on a locked coordinate and therefore occurs in no equation of motion.
 bool is_held(const Model& model, const Force& force) {
   if (model.variant.whole || !force.on) return false;
   return std::ranges::any_of(model.variant.locks,
                              [&](const Lock& lock) { return lock.has_velocity(*force.on); });
 }
 
-/// The first function with a kink below the roots.
+/// The first function with a kink in the roots, directly or by reference; null if there is none.
 const Expression* kink_in(const Model& model, const std::vector<ExpressionId>& roots) {
   for (const ExpressionId id : reached(model, roots)) {
     const Expression& node = model.expressions[id];
@@ -163,7 +163,7 @@ MaybeLack lack_of_smooth_values(const Model& model, const UserOutput& output) {
   return lack_of_slope("forces", find_kink(model));
 }
 
-/// None if the entry of the [[output]] meets the need.
+/// The unmet need that the entry of the [[output]] causes; none if it meets the need.
 MaybeLack lack_of_entry(Need need, const UserOutput& output) {
   const auto lacks = [&](std::string reason) {
     return Lack{Code::E603, std::move(reason), output.span, "declared here"};

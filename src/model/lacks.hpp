@@ -1,4 +1,4 @@
-// Lacks: why a model cannot give an output.
+// Lacks: the reasons why a model cannot give an output.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,6 @@
 
 namespace elgen {
 
-/// The reason why the model cannot give an output.
 struct Lack {
   Code code;
   std::string reason;
@@ -17,7 +16,7 @@ struct Lack {
   std::string related_message = {};
 };
 
-/// None where the model can give it.
+/// None if the model can give the output.
 [[nodiscard]] std::optional<Lack> lack_of(const Model& model, const OutputRequest& request);
 
 }  // namespace elgen

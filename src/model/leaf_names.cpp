@@ -1,4 +1,4 @@
-// The names, numbers and ranges of the leaves of a model.
+// leaf_names: names, numbers, units and ranges of the leaves of a model.
 #include "elgen/leaf_names.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// Applies f to the entries that own these leaves; none for leaves of the system.
+/// f(list) for the list of entries that own leaves of this kind; none for leaves of the system.
 template <class F>
 auto of_owner(const Model& model, LeafOwner owner, const F& f)
     -> std::optional<decltype(f(model.parameters))> {
@@ -38,7 +38,7 @@ auto of_owner(const Model& model, LeafOwner owner, const F& f)
 LeafNames leaf_names(const Model& model) {
   const auto name = [](Opcode, const auto& entry) { return entry.name; };
   const auto single = [](Opcode kind) { return kind == Opcode::time ? "t" : ""; };
-  // Outputs of a page may name t in a model whose equations do not.
+  // Outputs of a page may contain t although the equations of the model do not.
   const auto takes_time = [](const UserOutput& o) { return o.takes.has_any(Opcode::time); };
   LeafNames leaves{leaves_of<std::string>(model, name, single),
                    model.uses_time || std::ranges::any_of(model.outputs, takes_time)};

@@ -1,4 +1,4 @@
-// Units of the entries of outputs by the rules of the output table.
+// Units of the entries of outputs, by the rules of the output table (UnitRule).
 #include "model/output_units.hpp"
 
 #include <algorithm>

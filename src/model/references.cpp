@@ -1,4 +1,4 @@
-// References: one switch over the kinds of names, one list of the roots of all entries, and one
+// References: the expression behind each kind of name, the list of the roots of all entries, and a
 // depth-first search.
 #include "elgen/references.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 enum class SearchState : std::uint8_t { unseen, open, done };
 
-/// An expression on the current path of the search.
+/// An expression on the current path of the search, with its next reference to visit.
 struct Entered {
   ExpressionId expression = 0;
   std::vector<ExpressionId> references = {};
@@ -19,10 +19,10 @@ struct Entered {
 
 struct Found {
   std::vector<ExpressionId> order = {};  ///< topological: references first
-  std::vector<ExpressionId> cycle = {};  ///< the first one found, which ends the search
+  std::vector<ExpressionId> cycle = {};  ///< the first cycle found, which ends the search
 };
 
-/// The part of the path from `first` on. Its last expression refers to `first` again.
+/// The path from `first` to its end, whose last expression refers to `first`.
 std::vector<ExpressionId> cycle_of(const std::vector<Entered>& path, ExpressionId first) {
   std::vector<ExpressionId> cycle;
   auto entered = std::ranges::find(path, first, &Entered::expression);
@@ -30,7 +30,7 @@ std::vector<ExpressionId> cycle_of(const std::vector<Entered>& path, ExpressionI
   return cycle;
 }
 
-/// Searches without recursion, as chains of names may have thousands of links.
+/// Depth-first search without recursion, since chains of names may have thousands of links.
 template <class References>
 Found search(const Model& model, const std::vector<ExpressionId>& roots,
              const References& references) {
@@ -70,7 +70,8 @@ ExpressionId component_of_frame(const Frame& frame, std::uint32_t component) {
   return frame.turning[component - frame_turning];
 }
 
-/// Like references(), but a component of a point or of the pose of a frame refers to all of it.
+/// Like references(), but a component of a point, or of the pose of a frame, refers to all
+/// components.
 std::vector<ExpressionId> references_by_name(const Model& model, ExpressionId expression) {
   const Expression& e = model.expressions[expression];
   if (is_name(e, NamedKind::point)) {
@@ -97,7 +98,7 @@ bool is_of_name(const Root& root) {
 
 bool is_of_output(const Root& root) { return root.entity.kind == EntityKind::output; }
 
-/// Every expression by its entry. A new key of an entry has its line here.
+/// Lists the expressions of every entry. A new key with an expression needs a line here.
 class RootList {
  public:
   explicit RootList(const Model& model) : model_(model) {}
@@ -167,7 +168,7 @@ class RootList {
   }
 
   const Model& model_;
-  Entity entity_ = {};  ///< whose expressions are added now
+  Entity entity_ = {};  ///< entry whose expressions are being added
   std::vector<Root> roots_ = {};
 };
 

@@ -1,4 +1,4 @@
-// Requests: which outputs a model has, and their shapes.
+// Requests: the outputs of a model, and their shapes.
 #include "model/requests.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace elgen {
 namespace {
 
-/// In the order of the table; user-defined outputs of a kind are in order of declaration.
+/// All outputs in the order of the table; user outputs of a kind in the order of declaration.
 std::vector<OutputRequest> all_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (const OutputRow& row : output_table()) {
@@ -27,13 +27,13 @@ std::vector<OutputRequest> all_requests(const Model& model) {
   return result;
 }
 
-/// Sets the independent velocities of an output that takes them as an option.
+/// Sets the independent velocities if the output has this option.
 void give_independent(const std::vector<std::uint32_t>& velocities, OutputRequest& request) {
   const SetOf<OutputOption>& options = output_row(request.kind).options;
   if (options.has(OutputOption::independent)) request.independent = velocities;
 }
 
-/// Includes big outputs, to suggest their names for misspelt ones.
+/// Names of all outputs that the model can give, including large ones, for suggestions.
 std::vector<std::string> available_names(const Model& model,
                                          const std::vector<std::uint32_t>& independent) {
   std::vector<std::string> names;
@@ -44,13 +44,13 @@ std::vector<std::string> available_names(const Model& model,
   return names;
 }
 
-/// The rows or columns of a field; `user` as in extent_of.
+/// The rows or columns of a field; `user` is the number of an [[output]].
 struct Along {
   Extent extent = {};
   std::uint32_t user = 0;
 };
 
-/// Makes lines of entries that stand for their leaf of a kind.
+/// Returns a function that makes the line of an entry with leaves of this kind.
 auto line_of_leaf(Opcode leaf, bool is_rate = false) {
   return [leaf, is_rate](const auto& entry, std::uint32_t number) {
     return Line{entry.name, entry.unit, leaf, number, is_rate};
@@ -65,7 +65,7 @@ Line line_of_rate(const Constraint& constraint, std::uint32_t number) {
 
 using Words = std::span<const std::string_view>;
 
-// A pose [R p] has the axes of the world as rows, the axes and the origin of the frame as columns.
+// Rows of a pose [R p] are the axes of the world; columns are the axes and the origin of the frame.
 // A twist is the angular velocity, then the velocity of the origin.
 constexpr std::array<std::string_view, 3> rows_of_pose{"x", "y", "z"};
 constexpr std::array<std::string_view, 4> columns_of_pose{"x", "y", "z", "p"};
@@ -76,7 +76,7 @@ Line line_of_word(std::string_view word, std::uint32_t number) {
   return {.name = std::string(word), .number = number, .is_numbered = true};
 }
 
-/// The values of an [[output]]; of a frame these words.
+/// Calls `take` with the values of an [[output]], or with the words `of_frame` if it is a frame.
 template <class Take>
 void take_values(const UserOutput& output, Words of_frame, const Take& take) {
   if (output.frame) return take(of_frame, line_of_word);
@@ -94,9 +94,8 @@ std::vector<std::uint32_t> positions_of(const Model& model) {
   return positions;
 }
 
-/// Calls `take` for each list of entries that the lines stand for, in turn, with a function that
-/// makes the line of an entry from it and its number in the list. A caller that counts makes no
-/// line.
+/// Calls take(list, line_of) for each list of entries along an extent. line_of(entry, number) makes
+/// the Line of an entry. A caller that only counts need not call it.
 template <class Take>
 void take_lists(const Model& model, const Along& along, const Take& take) {
   const auto of_whole = [&model](std::uint32_t velocity, std::uint32_t) {

@@ -1,4 +1,4 @@
-// shown_places: what the position of a place names, directly or through definitions.
+// shown_places: lines to the places that a position contains, directly or through definitions.
 #include "model/shown_places.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// The number of a place among those that are shown; none where it is not.
+/// The number of a place in `places`; none if it is missing.
 std::optional<std::uint32_t> number_of(const std::vector<ShownPlace>& places, PlaceKind kind,
                                        std::uint32_t index) {
   const auto found = std::ranges::find_if(
@@ -24,7 +24,7 @@ struct NamedPlace {
   std::uint32_t index = 0;
 };
 
-/// The place that a node is a component of.
+/// The place that has the node as a component; none if the node is no component.
 std::optional<NamedPlace> place_of(const Expression& node) {
   if (node.kind != ExpressionKind::named) return std::nullopt;
   switch (node.named) {
@@ -41,7 +41,7 @@ std::optional<NamedPlace> place_of(const Expression& node) {
   return std::nullopt;
 }
 
-/// The places whose components stand below the roots, without those that these are written over.
+/// The places whose components the roots contain. The positions of these places are not searched.
 std::set<std::uint32_t> named_places(const Model& model, const std::vector<ShownPlace>& places,
                                      std::vector<ExpressionId> open) {
   std::set<std::uint32_t> named;
@@ -61,7 +61,7 @@ std::set<std::uint32_t> named_places(const Model& model, const std::vector<Shown
   return named;
 }
 
-/// The frame that carries a place; of a frame its parent.
+/// The frame that carries a place; for a frame its parent.
 std::optional<std::uint32_t> carrier_of(const Model& model, const ShownPlace& place) {
   if (place.kind == PlaceKind::frame) return model.frames[place.index].parent;
   if (place.kind == PlaceKind::body) {
@@ -72,7 +72,7 @@ std::optional<std::uint32_t> carrier_of(const Model& model, const ShownPlace& pl
   return local ? std::optional(local->frame) : std::nullopt;
 }
 
-/// Adds the line unless it leads back, or is there already; a spring stays a spring.
+/// Adds a line unless it leads to its own start or exists. Springs are added first and remain.
 void add_line(std::vector<ShownLine>& lines, const ShownLine& line) {
   if (line.from == line.to) return;
   const auto same = std::ranges::find_if(lines, [&](const ShownLine& other) {
@@ -81,7 +81,7 @@ void add_line(std::vector<ShownLine>& lines, const ShownLine& line) {
   if (same == lines.end()) lines.push_back(line);
 }
 
-/// Where `joined_to` of a point leads.
+/// Adds the lines of `joined_to` of a point.
 void add_joints(const Model& model, const std::vector<ShownPlace>& places, std::uint32_t from,
                 std::vector<ShownLine>& lines) {
   if (places[from].kind != PlaceKind::point) return;
@@ -98,7 +98,8 @@ void add_joints(const Model& model, const std::vector<ShownPlace>& places, std::
 
 std::vector<ShownPlace> shown_places(const Model& model) {
   std::vector<ShownPlace> places;
-  if (!model.variant.cyclic.empty()) return places;  // they may be over what was taken out
+  // Positions may contain cyclic coordinates, which the model no longer has.
+  if (!model.variant.cyclic.empty()) return places;
   for (std::uint32_t i = 0; i < model.points.size(); ++i) {
     if (!model.points[i].is_named) continue;
     places.push_back({PlaceKind::point, i, model.points[i].name, model.points[i].mass});

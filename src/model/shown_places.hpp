@@ -22,27 +22,29 @@ struct ShownPlace {
   std::optional<ExpressionId> mass = {};
 };
 
-/// Points, bodies with a mass, frames, each in the order of the file.
+/// Points, bodies with a mass, and frames, each in file order. Empty if `[routh]` eliminates
+/// coordinates.
 [[nodiscard]] std::vector<ShownPlace> shown_places(const Model& model);
 
-/// The rows of three numbers, world coordinates of a place; of a frame its axes follow.
+/// World coordinates of a place, three numbers per row; for a frame three rows with its axes
+/// follow.
 [[nodiscard]] std::vector<ExpressionId> rows_of(const Model& model, const ShownPlace& place);
 
-/// A line between two places, by their numbers; none: the origin of the world.
+/// A line between two places, by number. `to` none: the origin of the world.
 struct ShownLine {
   std::uint32_t from = 0;
   std::optional<std::uint32_t> to = {};
   bool is_spring = false;
 };
 
-/// From a place to those that its position is written over, from a frame to its parent, and where
-/// `joined_to` says so.
+/// The lines from a place to the places that its position contains, from a frame to its parent, and
+/// of `joined_to`.
 [[nodiscard]] std::vector<ShownLine> shown_lines(const Model& model);
 
 /// "places"
 [[nodiscard]] std::string_view name_of(ShownValues shown);
 
-/// The entries of `conserved` that are written over q, v and t alone, of an exact model.
+/// The `conserved` entries without momenta and E. Empty if a scene expands, locks or eliminates.
 [[nodiscard]] std::vector<ExpressionId> shown_integrals(const Model& model);
 
 }  // namespace elgen

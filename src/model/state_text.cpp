@@ -1,4 +1,5 @@
-// A state in JSON. Numbers are printed by exact arithmetic, as doubles lack the digits.
+// state_text: a state in JSON. Numbers are printed by exact arithmetic; doubles have too few
+// digits.
 #include "model/state_text.hpp"
 
 #include <fmt/ranges.h>

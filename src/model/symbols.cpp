@@ -1,4 +1,5 @@
-// symbols: a base of letters, with digits and the text after underscores as subscripts.
+// symbols: the symbol of a name is its letters, with digits and the text after underscores as
+// subscripts.
 #include "model/symbols.hpp"
 
 #include <fmt/format.h>
@@ -21,12 +22,12 @@ Glyphs word(std::string_view text) {
   return {text.size() == 1 ? GlyphKind::letter : GlyphKind::word, std::string(text)};
 }
 
-/// Whether text names axes, such as "xx" of I_{xx}.
+/// True if the text names axes, such as "xx" in I_{xx}.
 bool is_axes(std::string_view text) {
   return !text.empty() && text.size() <= 2 && text.find_first_not_of("xyz") == std::string::npos;
 }
 
-/// A subscript. Axes are italic, as in xx and 3xx.
+/// A subscript. Names of axes are italic, as in xx and 3xx.
 Glyphs script(std::string_view text) {
   const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
   return is_axes(text.substr(digits)) ? read_latex(text) : word(text);
@@ -41,7 +42,7 @@ void add_below(Glyphs& symbol, Glyphs piece) {
   add_script(symbol, 1, std::move(below));
 }
 
-/// The symbol of a name. Axes after a single letter are a subscript: Ixx is I_{xx}.
+/// The symbol of a name. Axes after a single letter become a subscript: Ixx is I_{xx}.
 Glyphs named_symbol(std::string_view name) {
   const std::size_t letters = static_cast<std::size_t>(
       std::find_if_not(name.begin(), name.end(), is_letter) - name.begin());
@@ -58,7 +59,7 @@ Glyphs named_symbol(std::string_view name) {
   return symbol;
 }
 
-/// e_{w} of a component of a rotation with `latex = "e"`.
+/// For a component of a rotation with `latex = "e"`: e_{w}.
 Glyphs symbol_of(const Model& model, const Coordinate& c) {
   if (!c.rotation) return symbol_of_name(c.name, c.latex);
   const std::string& key = model.rotations[*c.rotation].latex;
@@ -94,7 +95,7 @@ Glyphs input_symbol(const Model& model, const Input& input) {
   return symbol;
 }
 
-/// The visible text of a symbol: upright and italic letters look alike.
+/// The visible text of a symbol, since upright and italic letters look the same.
 std::string seen(const Glyphs& symbol) {
   std::string text = latex(symbol);
   for (std::size_t at = 0; (at = text.find("\\mathrm", at)) != std::string::npos;) {
@@ -125,8 +126,8 @@ Glyphs partial(const Glyphs& of, const char* order) {
   return row;
 }
 
-/// V(r), V'(r); for several arguments \frac{\partial V}{\partial x}, or \partial_{1} V if an
-/// argument has no name.
+/// V(r), V'(r) for one argument. For several arguments \frac{\partial V}{\partial x}, or
+/// \partial_{1} V if an argument has no name.
 Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
                    const std::vector<std::uint32_t>& by) {
   const bool have_names =
@@ -160,7 +161,7 @@ Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
   return fraction_row(partial(function, "^{2}"), std::move(below));
 }
 
-/// Replaces the letter s of a pattern by a symbol. Dots are put on the base only.
+/// Replaces the letter s of a pattern by a symbol. Only its base gets the dots.
 Glyphs filled(const Glyphs& pattern, const Glyphs& symbol) {
   Glyphs result;
   for (const Glyphs& piece : pattern.parts) {
@@ -185,7 +186,7 @@ Formula written(Opcode kind, std::string name, const Glyphs& symbol, bool has_ow
   return symbol_formula(std::move(name), filled(pattern, symbol));
 }
 
-/// Whether a key such as `{}` or `\mathrm{}` draws nothing.
+/// True if a key such as `{}` or `\mathrm{}` draws nothing.
 bool draws_nothing(const Glyphs& symbol) {
   const Block block = drawing(symbol, Alphabet::unicode, Fractions::in_line);
   return std::ranges::all_of(block.lines, [](const std::string& line) {
@@ -249,7 +250,7 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
   }
   for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& velocity = model.velocities[i];
-    // An angular velocity is not the rate of a coordinate, and has its own symbol.
+    // An angular velocity is not the rate of a coordinate, so it has its own symbol.
     const bool has_own = velocity.rotation.has_value();
     const Glyphs symbol = has_own ? distinct(spin_symbol(model, velocity))
                                   : glyphs_of(leaves_.q[velocity.coordinate]);

@@ -17,38 +17,39 @@
 
 namespace elgen {
 
-/// Adds dots to a symbol, which is a base with scripts on its last piece.
+/// Adds dots to the base of a symbol, below its primes and scripts.
 [[nodiscard]] Glyphs accented(Glyphs symbol, std::string_view dots);
 
-/// Converts an expression operand by operand: multiply(1/2, add(a, negate(b))) is 1/2*(a - b).
-/// `name` returns named formulas: leaves, pi, definitions, components of points and frames, rates.
+/// Converts an expression operand by operand: multiply(1/2, add(a, negate(b))) becomes 1/2*(a - b).
+/// `name` returns the formulas of leaves, pi, definitions, components of points and frames, and
+/// rates.
 [[nodiscard]] Formula formula_of(const Model& model, ExpressionId expression,
                                  const std::function<Formula(ExpressionId)>& name);
 
 /// "mass_matrix" -> "Mass matrix"
 [[nodiscard]] std::string as_title(std::string name);
-/// The title of a model, or its name as a title.
+/// The title of a model; without one, its name as a title.
 [[nodiscard]] std::string page_title(const Model& model);
 
-/// The symbols of one model, from its `latex` keys or else its names. They are distinct: of `m1`
-/// and `m_1` the second is m_{1}'.
+/// The symbols of one model, from its `latex` keys or its names. They are distinct: if `m1` is
+/// m_{1}, `m_1` becomes m_{1}'.
 class ModelSymbols {
  public:
   explicit ModelSymbols(const Model& model) : ModelSymbols(model, leaf_names(model)) {}
-  /// `names` are those of a program of the model, which has names for momenta too.
+  /// `names`: of a program of the model, which may also name momenta.
   ModelSymbols(const Model& model, const LeafNames& names);
 
   /// The symbols of leaves.
   [[nodiscard]] const LeafValues<Formula>& leaves() const { return leaves_; }
-  /// The symbols of parameters as declared: "l_{i}" for an array.
+  /// The symbols of parameters as declared; "l_{i}" for an array.
   [[nodiscard]] const std::vector<Formula>& arrays() const { return arrays_; }
-  /// Makes a symbol distinct from all others so far, for use in formulas.
+  /// Makes a symbol distinct from all symbols so far by adding primes.
   [[nodiscard]] Glyphs distinct(Glyphs symbol);
 
  private:
   void add_open_values(const Model& model);
 
-  /// Counts the primes that make the symbols distinct, and reserves the results.
+  /// Finds the number of primes that makes the symbols distinct, and reserves the results.
   std::size_t primes_for(const std::vector<Glyphs>& symbols);
 
   std::set<std::string> taken_ = {};
@@ -56,22 +57,22 @@ class ModelSymbols {
   LeafValues<Formula> leaves_ = {};
 };
 
-/// The symbol of a name; "l[2]" uses the key of `l`. If the key is absent or draws nothing, the
+/// The symbol of a name; "l[2]" uses the key of `l`. If the key is empty or draws nothing, the
 /// symbol follows from the name.
 [[nodiscard]] Glyphs symbol_of_name(std::string_view name, const std::string& key = {});
 
-/// A formula of a table in the symbols of a model. In text v is v. In LaTeX <v> and <a> are rates
-/// of q if nothing rotates, and <N> is the factor of dq/dt = N v unless it is 1.
+/// A formula of a table in the symbols of a model. In text, v is always v. In LaTeX without
+/// rotations, <v> and <a> become rates of q, and <N> is omitted, since dq/dt = v.
 [[nodiscard]] Formula typed_formula(const Model& model, std::string_view latex);
-/// The glyphs of the same.
+/// The glyphs of this formula.
 [[nodiscard]] Glyphs typed_glyphs(const Model& model, std::string_view latex);
-/// dL/dx of a function L by a symbol x: "dL/d(dot(q))".
+/// The symbol of the derivative of `function` by x: "dL/d(dot(q))".
 [[nodiscard]] Formula partial_derivative(std::string_view function, const Formula& x);
-/// Replaces every vector of this name.
+/// Replaces every vector of this name by glyphs.
 [[nodiscard]] Glyphs replaced(Glyphs glyphs, std::string_view vector, const Glyphs& by);
 
-/// kg*m^2/s^2 as printed on pages: kg m²/s². `times` separates factors; `exponent_text` formats an
-/// exponent "2", "-1" or "1/2".
+/// A unit as printed on pages: kg*m^2/s^2 becomes kg m²/s². `times` separates factors;
+/// `exponent_text` formats an exponent "2", "-1" or "1/2".
 [[nodiscard]] std::string unit_text(std::string unit, std::string_view times,
                                     std::string (*exponent_text)(const std::string& exponent));
 
