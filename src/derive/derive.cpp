@@ -1,5 +1,5 @@
-// derive: Lagrangian -> EquationsOfMotion. The function that bears the name of an output derives
-// it; only what the scene asks for is derived.
+// derive: Lagrangian -> EquationsOfMotion. The function with the name of an output
+// (outputs/outputs.hpp) derives it; only requested outputs are derived.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 using Fields = std::vector<FieldEquations>;
 
-/// The fields of an output, in the order of the table.
+/// The entries of each field of an output, in the order of the table.
 using Parts = std::vector<Vector>;
 
 Parts parts(Vector x) { return {std::move(x)}; }
@@ -52,7 +52,7 @@ Parts parts(const OutputDerivatives& x) {
   return {x.by_position, x.by_velocity, x.by_acceleration, x.by_input};
 }
 
-/// Leaves a, and the multipliers where there are some.
+/// Keeps the accelerations and the multipliers; removes pivots and diagonal.
 void leave_out_pivots(Parts& solution) {
   solution[1].clear();
   solution.resize(solution[2].empty() ? 1 : 3);
@@ -63,8 +63,8 @@ FieldEquations field_of(std::string_view name, const Vector& entries, std::size_
           static_cast<std::uint32_t>(entries.size() / rows), entries};
 }
 
-/// One of several without entries is left out: a model without inputs has none by them. The table
-/// does not have the diagonal beside the pivots.
+/// An output with several fields omits empty fields, such as derivatives by u of a model without
+/// inputs. The table of outputs has no row for `diagonal`.
 Fields fields(const Derivation& derivation, const OutputRequest& request, Parts all) {
   if (request.without_pivots) leave_out_pivots(all);
   if (all.size() == 1) return {{"", request.rows, request.columns, all.front()}};
@@ -74,7 +74,7 @@ Fields fields(const Derivation& derivation, const OutputRequest& request, Parts 
     const Vector& entries = all[i];
     if (entries.empty()) continue;
     const FieldRow row = i < rows.size() ? rows[i] : FieldRow{.name = "diagonal"};
-    // The rows of a matrix behind the first are those of the first, or the velocities.
+    // A matrix has as many rows as the first field, or one row per velocity.
     const bool is_like_first = row.rows == rows.front().rows;
     const std::size_t of_matrix = is_like_first ? request.rows : derivation.size();
     const std::size_t height = has_columns(row) ? of_matrix : entries.size();
@@ -119,7 +119,8 @@ auto made(const Function& function, Derivation& derivation, const OutputRequest&
   }
 }
 
-/// The function of each output, in the order of the table; what is made of others has none.
+/// The function of each output, in the order of the table; null if the output is composed of other
+/// outputs.
 constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 #define ELGEN_OUTPUT(name)                                                                      \
   [](Derivation& d, const OutputRequest& request) {                                             \
@@ -135,7 +136,7 @@ constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 #include "elgen/outputs.def"
 };
 
-/// The parts of an output that is composed, if it is.
+/// The parts from which elgen/compose.hpp computes the output; none if it is derived directly.
 std::optional<OutputEquations> in_parts(Derivation& derivation, const OutputRequest& request) {
   const OutputRow& row = output_row(request.kind);
   if (!row.solves || !row.differentiates) return std::nullopt;
@@ -146,7 +147,7 @@ std::optional<OutputEquations> in_parts(Derivation& derivation, const OutputRequ
   Fields fields{field_of(mass_part, parts->mass, n), field_of(force_part, parts->force, n),
                 field_of(position_part, by_position, n), field_of(velocity_part, by_velocity, n)};
   if (!by_input.empty()) fields.push_back(field_of(input_part, by_input, n));
-  // A branch on a kind: derivatives of accelerations alone have no rows for dq/dt.
+  // A branch on the kind: only the linearization has rows for dq/dt.
   if (request.kind == OutputKind::linearization) {
     fields.push_back(field_of(rate_part, parts->rates, n));
   }
@@ -162,14 +163,14 @@ OutputEquations derived(Derivation& derivation, const OutputRequest& request) {
   return {request, derivations[static_cast<std::size_t>(request.kind)](derivation, request)};
 }
 
-/// Entries as symbols, so that every output, and what shares them, refers to definitions.
+/// Replaces each entry by the symbol of a definition, which other outputs can share.
 void define_entries(Derivation& derivation, std::vector<FieldEquations>& fields) {
   for (FieldEquations& field : fields) {
     for (ex& entry : field.entries) entry = define(derivation.definitions, entry);
   }
 }
 
-/// Sums, products and powers of an expression.
+/// The number of additions, multiplications and powers in an expression.
 std::size_t operations_of(const ex& value) {
   std::size_t total = GiNaC::is_a<GiNaC::power>(value) ? 1 : 0;
   if (GiNaC::is_a<GiNaC::add>(value) || GiNaC::is_a<GiNaC::mul>(value)) total = value.nops() - 1;
@@ -177,8 +178,8 @@ std::size_t operations_of(const ex& value) {
   return total;
 }
 
-/// Forward dynamics without M, where nothing speaks against it; a singular M is for the other route
-/// to tell. `is_shorter`: than the factorisation of M alone.
+/// Forward dynamics by articulated bodies; none if they do not apply. The route through M reports a
+/// singular M. `is_shorter`: needs fewer operations than the factorisation of M alone.
 struct ArticulatedRoute {
   EquationsOfMotion equations = {};
   bool is_shorter = false;
@@ -187,7 +188,7 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
                                                   const OutputRequest& request,
                                                   const Limits& limits) {
   const bool may_be_shorter = lagrangian.symbols.v.size() >= least_of_articulated;
-  // A branch on a kind: articulated bodies give this output alone.
+  // A branch on the kind: articulated bodies give forward dynamics only.
   if (request.kind != OutputKind::forward_dynamics || !may_be_shorter) return std::nullopt;
   Derivation derivation(lagrangian);
   ArticulatedRoute route;
@@ -257,7 +258,7 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
   equations.symbols = derivation.symbols;
   equations.leaves = lagrangian.leaves;
   for (const OutputRequest& request : outputs) {
-    // Steps are not derived: h has a name once they are composed.
+    // Integration steps are composed later, and h gets its name then.
     const OutputRow& row = output_row(request.kind);
     if (has_equations(row)) name_taken(row.takes, equations.leaves);
   }

@@ -1,8 +1,10 @@
-// The potential energy of [energy] by itself, and as a leaf: whoever rewrites it has it in one form
-// in every function.
+// The potential energy of [energy] as equations on their own, and as a leaf of the Lagrangian. A
+// rewriting of V then has the same form in every function.
 //
-//     before    V = 1/2*k*(sqrt(l^2 + x^2) - l)^2     bias = c*v + k*(sqrt(l^2 + x^2) -
-//     l)*x/sqrt(…) after     V = f[0], dV/dx = f[1]                bias = c*v + f[1]
+//     before    V = 1/2*k*(sqrt(l^2 + x^2) - l)^2
+//               bias = c*v + k*(sqrt(l^2 + x^2) - l)*x/sqrt(l^2 + x^2)
+//     after     V = f[0], dV/dx = f[1]
+//               bias = c*v + f[1]
 #include <string>
 #include <utility>
 
@@ -15,7 +17,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// `user` tells two outputs of one kind apart: equations are found by kind and user.
+/// Equations are found by kind and `user`, so `user` distinguishes two outputs of one kind.
 OutputRequest request_of(OutputKind kind, std::uint32_t user, std::string name, std::size_t rows) {
   OutputRequest request;
   request.kind = kind;
@@ -45,7 +47,7 @@ Vector second_derivatives(Derivation& derivation, const Vector& variables, const
   return result;
 }
 
-/// A definition that is a leaf.
+/// Appends a definition whose value is a leaf. define() would return the leaf itself.
 ex open_definition(Definitions& definitions, const ex& leaf, LeafSet depends) {
   const ex symbol = GiNaC::realsymbol();
   const auto index = static_cast<std::uint32_t>(definitions.list.size());

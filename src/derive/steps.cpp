@@ -1,5 +1,5 @@
-// derive_steps: the textbook route through the definitions, one coordinate after the other. The
-// outputs themselves go shorter ways (derivation.hpp); tests compare the two.
+// derive_steps: Lagrange's equations as in a textbook, one coordinate after the other. The outputs
+// use shorter routes (derivation.hpp); tests compare both.
 #include "elgen/steps.hpp"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ class StepByStep {
     add("velocities", std::move(velocities));
   }
 
-  /// The residual of each equation, and 0.
+  /// A field with f (or phi) of each constraint, then a field with the right-hand side 0.
   void add_constraints() {
     std::vector<FieldEquations> sides;
     for (const ConstraintEquation& constraint : derivation_.lagrangian.constraints) {
@@ -79,7 +79,7 @@ class StepByStep {
     add("constraints", std::move(sides));
   }
 
-  /// Points and bodies come first, as one summand; a sum without terms is 0.
+  /// The non-zero summands: points and bodies together, then `others`. Without any: a single 0.
   [[nodiscard]] Terms summands(const ex& of_masses, const Terms& others) {
     Terms result{of_masses};
     result.insert(result.end(), others.begin(), others.end());

@@ -1,4 +1,4 @@
-// The chain rule through definitions. Nothing here recurses along the list, so chains may be long.
+// The chain rule through definitions. No function recurses along the list, as chains may be long.
 #include "derive/formulate/chain_rule.hpp"
 
 #include <map>
@@ -28,7 +28,7 @@ void append_partials(const Definitions& definitions, const ex& term, const IsWan
 
 bool is_sum(const ex& value) { return GiNaC::is_a<GiNaC::add>(value); }
 
-/// By the wanted ones of its symbols.
+/// The partial derivatives of `value` by its wanted symbols.
 template <class IsWanted>
 std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& value,
                                      const IsWanted& is_wanted) {
@@ -53,7 +53,7 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& v
   return result;
 }
 
-/// The partials of a definition, by its wanted symbols.
+/// The same for a definition. A definition whose value is a leaf has its derivatives in `slopes`.
 template <class IsWanted>
 std::vector<Partial> wanted_partials(const Definitions& definitions, const Definition& definition,
                                      const IsWanted& is_wanted) {
@@ -109,8 +109,8 @@ Tangent::Tangent(Definitions& definitions, Seeds seeds, std::string suffix)
 template <class Value>
 ex Tangent::from_known(const Value& value) const {
   GiNaC::exvector terms;
-  // By what moves alone: by all n symbols, each of the n columns of a matrix would cost all of
-  // them.
+  // Only by symbols with a tangent. By all n symbols, a matrix of n columns would cost n^2
+  // derivatives.
   const auto moves = [this](const ex& symbol) { return tangents_.find(symbol) != tangents_.end(); };
   for (const Partial& partial : wanted_partials(definitions_, value, moves)) {
     terms.push_back(partial.value * tangents_.at(partial.variable));
@@ -129,7 +129,7 @@ void Tangent::differentiate(std::uint32_t definition) {
 }
 
 ex Tangent::operator()(const ex& value) {
-  // Rates stay known from one output to the next, so none may be told while it is found.
+  // Outputs share the definitions of rates, so these get no names from the current output.
   Wording wording = std::exchange(definitions_.wording, {});
   visit_needed(definitions_, value, mask_, known_,
                [this](std::uint32_t definition) { differentiate(definition); });
@@ -139,7 +139,7 @@ ex Tangent::operator()(const ex& value) {
 
 namespace {
 
-/// Terms of the adjoints still to be visited, latest definition first, and of the variables.
+/// Summands of the adjoints: of definitions still to be visited (latest first), and of variables.
 struct Adjoints {
   std::map<std::uint32_t, GiNaC::exvector, std::greater<>> of_definitions;
   ExpressionMap<GiNaC::exvector> of_variables;

@@ -1,7 +1,7 @@
 // The chain rule through an ordered list of definitions: forward, reverse, and substitution.
 //
-// GiNaC differentiates the small value of one definition only; everything else is bookkeeping here,
-// so that a derivative costs a small constant times what it is a derivative of. New definitions are
+// GiNaC differentiates only the small value of one definition; these functions combine the partial
+// derivatives. So a derivative costs a small constant times its function. New definitions are
 // appended to the same list. Results do not depend on GiNaC's order of terms.
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace elgen {
 
-/// Visits the definitions `value` needs, operands first, that depend on `mask` and are not `known`
-/// yet. Without recursion: chains may be long.
+/// Visits the definitions that `value` needs, if they depend on `mask` and are not `known` yet,
+/// operands first. Iterative, because chains of definitions may be long.
 template <class Visit>
 void visit_needed(const Definitions& definitions, const GiNaC::ex& value, LeafSet mask,
                   std::vector<bool>& known, const Visit& visit) {
@@ -52,27 +52,27 @@ struct Partial {
   GiNaC::ex value;
 };
 
-/// The partial derivatives of `value` by its symbols that depend on anything in `mask`, in elgen's
-/// order. A sum of n terms costs n small derivatives.
+/// The non-zero partial derivatives of `value` by each of its symbols that depends on a leaf in
+/// `mask`, in elgen's order. A sum of n terms costs n small derivatives.
 [[nodiscard]] std::vector<Partial> partials(const Definitions& definitions, const GiNaC::ex& value,
                                             LeafSet mask);
 
-/// Rates of the leaves along a direction, or their values; a leaf that is absent stands still, or
-/// stays.
+/// For a Tangent: the rate of each leaf along the direction, default 0. For a Substitution: the
+/// value of each leaf, default the leaf itself.
 using Seeds = ExpressionMap<GiNaC::ex>;
 
-/// Each leaf gets the value beside it.
+/// seeds[leaves[i]] = values[i], unless the leaf has a seed already.
 void add_seeds(Seeds& seeds, const std::vector<GiNaC::ex>& leaves,
                const std::vector<GiNaC::ex>& values);
 
-/// N of de/dt = N w, for the quaternion e = (w, x, y, z) from body to parent and w in the axes of
-/// the body:
+/// N of de/dt = N w, for the quaternion e = (w, x, y, z) from body to parent, and the angular
+/// velocity w in the axes of the body:
 ///
 ///     N = 1/2 [ -x -y -z;  w -z  y;  z  w -x;  -y  x  w ]
 [[nodiscard]] std::array<std::array<GiNaC::ex, 3>, 4> rate_matrix(const Symbols& symbols,
                                                                   const RotationPlace& rotation);
 
-/// q -> dq/dt, v -> a, t -> 1: the motion. Parts are left out by leaving their seeds out.
+/// The direction of the motion: q -> dq/dt, v -> a, t -> 1.
 [[nodiscard]] Seeds motion_seeds(const Symbols& symbols);
 
 /// Forward: the derivative along a direction, d/ds f = sum df/dx dx/ds.
@@ -80,7 +80,8 @@ void add_seeds(Seeds& seeds, const std::vector<GiNaC::ex>& leaves,
 ///     before    p = l*sin(q)              direction q -> v
 ///     after     p_dot = l*cos(q)*v
 ///
-/// Each definition gets one derivative definition, on first demand. `suffix` names them ("_dot").
+/// A definition is differentiated once, at its first use. If it has a name, its derivative has that
+/// name with `suffix` appended, such as "_dot"; an empty suffix gives no names.
 class Tangent {
  public:
   Tangent(Definitions& definitions, Seeds seeds, std::string suffix = {});
@@ -95,13 +96,13 @@ class Tangent {
   void differentiate(std::uint32_t definition);
 
   Definitions& definitions_;
-  Seeds tangents_;  // of leaves, then of definitions as they are asked for
+  Seeds tangents_;  // of leaves, and of the definitions differentiated so far
   std::vector<bool> known_;
   std::string suffix_;
   LeafSet mask_ = {};
 };
 
-/// An expression with the factor it enters a sum with.
+/// The summand weight * value.
 struct Weighted {
   GiNaC::ex value;
   GiNaC::ex weight;
@@ -112,12 +113,12 @@ struct Weighted {
 ///     before    E = m*p^2, p = l*q        by q
 ///     after     adjoint of p = 2*m*p, dE/dq = adjoint*l
 ///
-/// Each definition is visited once, however many variables there are.
+/// Each definition is visited once, for any number of variables.
 [[nodiscard]] std::vector<GiNaC::ex> gradient(Definitions& definitions,
                                               const std::vector<Weighted>& sum,
                                               const std::vector<GiNaC::ex>& variables);
 
-/// Replaces leaves by values throughout the definitions an expression needs.
+/// Replaces leaves by values in all definitions that an expression needs.
 ///
 ///     before    f = k*(u - w), w = N*v    u -> 0
 ///     after     f' = k*(-w)

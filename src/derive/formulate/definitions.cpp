@@ -1,5 +1,5 @@
-// The ordered list of definitions: appending, what an expression depends on, and their text:
-// sorted, signed printing, for people; nothing reads it back.
+// The ordered list of definitions: appending, dependence of expressions on leaves, and a sorted
+// text form for readers, which is not parsed.
 #include <algorithm>
 #include <sstream>
 
@@ -34,7 +34,7 @@ void collect_symbols(const ex& value, std::vector<ex>& symbols) {
   for (std::size_t i = 0; i < value.nops(); ++i) collect_symbols(value.op(i), symbols);
 }
 
-/// Notes `value`, where it is a definition, known or new, under the words for what is defined now.
+/// Names `value` after the current wording if it is a definition without a name. Returns `value`.
 ex tell(Definitions& definitions, const ex& value) {
   const auto& [kind, frame, axis] = definitions.wording;
   if (kind.empty() || definitions.told.names.contains(value)) return value;
@@ -54,7 +54,7 @@ ex tell(Definitions& definitions, const ex& value) {
 std::vector<ex> symbols_of(const Definitions& definitions, const ex& value) {
   std::vector<ex> symbols;
   collect_symbols(value, symbols);
-  // GiNaC's operand order depends on addresses: sort by our own.
+  // GiNaC's order of operands depends on addresses, so sort by elgen's order.
   std::sort(symbols.begin(), symbols.end(), [&](const ex& a, const ex& b) {
     return precedes(place(definitions, a), place(definitions, b));
   });
@@ -108,7 +108,7 @@ std::string plain(const ex& value) {
   return text.str();
 }
 
-/// A value up to its sign, which GiNaC moves in and out of sums.
+/// Prints an expression as a text and a sign, because GiNaC moves signs in and out of sums.
 class ExpressionWriter {
  public:
   explicit ExpressionWriter(const Definitions& definitions) : definitions_(definitions) {}
@@ -144,7 +144,7 @@ class ExpressionWriter {
     return parts;
   }
 
-  /// The first term is positive; where it is not, the sum is printed as its negative.
+  /// If the first term is negative, the negated sum is printed with the sign outside.
   Summand total(const ex& value) const {
     std::vector<Summand> terms = sorted(value, Binding::sum);
     const bool is_negative = terms.front().is_subtracted;

@@ -1,4 +1,5 @@
-// Model expressions -> GiNaC over definitions, each when it is asked for, after what it refers to.
+// Model expressions -> GiNaC over definitions. Operands and named references are translated before
+// the expression that uses them.
 #include "derive/formulate/expressions.hpp"
 
 #include <algorithm>
@@ -15,17 +16,16 @@ using GiNaC::ex;
 
 namespace {
 
-/// Written-out size from which a part is named: small enough that GiNaC's derivative of one value,
-/// and the products of the chain rule, stay small; large enough that `l*sin(q1 + q2)` stays in one
-/// piece.
+/// An expression above this size becomes a definition. This keeps GiNaC's derivatives of one value
+/// and the products of the chain rule small, but `l*sin(q1 + q2)` in one expression.
 constexpr unsigned largest_inline_size = 10;
 
 constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
 
 ex number(const cln::cl_RA& value) { return GiNaC::numeric(value); }
 
-/// The functions of the table by their names. They have a namespace of their own because other
-/// sources call functions of the same names on numbers.
+/// The functions of the table by their names. The namespace separates them from functions of the
+/// same names on numbers.
 namespace ginac_calls {
 
 using GiNaC::sqrt;
@@ -56,8 +56,8 @@ ex call(FunctionId function, const ex& x, const ex& y) {
   return 0;
 }
 
-/// The derivative by one argument. check() lets functions with kinks stand in forces only, so that
-/// of one of these is a mistake of elgen's own.
+/// The derivative by one argument. check() allows functions with kinks in forces only, which are
+/// not differentiated; so a kinked function here is an internal error.
 ex slope(FunctionId function, const ex& x, const ex& y, unsigned argument) {
   if (is_kinked(function)) throw std::logic_error("derivative of a kinked function");
   const ex f = call(function, x, y);
@@ -83,8 +83,8 @@ ex slope_2(const ex& x, const ex& y, unsigned argument) {
   return ginac_calls::slope(function, x, y, argument);
 }
 
-/// The value of a call that is known without computing, else the call as it is. Functions with
-/// kinks stay calls; Graph evaluates them.
+/// The exact value of a call with rational arguments, if it is known; else the call, `held`.
+/// Functions with kinks always stay calls, because Graph evaluates them.
 ex evaluated(FunctionId function, const ex& x, const ex& y, const ex& held) {
   const bool is_known = x.info(GiNaC::info_flags::rational) && y.info(GiNaC::info_flags::rational);
   if (is_kinked(function) || !is_known) return held;
@@ -111,7 +111,8 @@ ex evaluated(FunctionId function, const ex& x, const ex& y, const ex& held) {
 #undef ELGEN_EVALUATED_1
 #undef ELGEN_EVALUATED_2
 
-/// 1 by argument 2 -> 12, 2 by argument 1 -> 12
+/// Inserts a digit in ascending order: (1, 2) -> 12, (2, 1) -> 12. Digits are the arguments of a
+/// derivative.
 int with_digit(int digits, int digit) {
   const int last = digits % 10;
   return last <= digit ? digits * 10 + digit : with_digit(digits / 10, digit) * 10 + last;
@@ -119,7 +120,7 @@ int with_digit(int digits, int digit) {
 
 int integer(const ex& number) { return GiNaC::ex_to<GiNaC::numeric>(number).to_int(); }
 
-// The first three operands are numbers, so that GiNaC asks for derivatives by the others only.
+// The first three operands are numbers, so GiNaC calls this only for the other operands.
 // NOLINTNEXTLINE(readability-function-size): GiNaC passes every operand by itself.
 ex open_slope(const ex& first, const ex& count, const ex& digits, const ex& x1, const ex& x2,
               const ex& x3, const ex& x4, unsigned operand) {
@@ -132,7 +133,7 @@ ex open_slope(const ex& first, const ex& count, const ex& digits, const ex& x1, 
 Translation::Translation(const Model& model, Lagrangian& lagrangian)
     : model_(model), lagrangian_(lagrangian), translated_(model.expressions.size()) {}
 
-/// The references of an expression come first; chains are long, so nothing is recursive.
+/// Translates references before the expression; iterative, because chains of references are long.
 ex Translation::value(ExpressionId id) {
   if (!errors_.empty()) return 0;
   std::vector<ExpressionId> stack{id};
@@ -210,7 +211,7 @@ Translation::Sized Translation::compose(const Expression& expression) {
   }
 }
 
-/// One leaf, whatever its arguments: it is written as such.
+/// The size is 1 for any arguments, because the value becomes a leaf (open_leaf()).
 Translation::Sized Translation::open(const Expression& expression) const {
   const OpenValue& value = model_.open_values[expression.index];
   std::array<ex, most_arguments> x{};
@@ -232,7 +233,7 @@ Translation::Sized Translation::function(const Expression& expression) {
   return {ginac_calls::call(expression.function, x.value, y.value), x.size + y.size + 1};
 }
 
-/// Long sums become a tree of short ones, so that each definition stays small.
+/// Splits a long sum into a tree of short sums, so that each definition stays small.
 Translation::Sized Translation::sum(const std::vector<ExpressionId>& operands) {
   std::vector<Sized> terms;
   for (const ExpressionId id : operands) terms.push_back(translated_[id]);
@@ -264,8 +265,8 @@ Translation::Sized Translation::product(const std::vector<ExpressionId>& operand
   return result;
 }
 
-/// The definition that a name stands for; R of a frame as link_R11 …, its origin as link_x …, its
-/// angular velocity as link_wx …, in its own axes as link_spin_x …
+/// The definition of a named entry. For a frame: rotation link_R11 …, origin link_x …, angular
+/// velocity in world axes link_wx …, and in the axes of the frame link_spin_x ….
 Translation::Sized Translation::component(const Expression& expression) {
   static constexpr std::array<const char*, components_per_frame> suffixes{
       "_R11", "_R12", "_R13", "_R21", "_R22", "_R23", "_R31",    "_R32",    "_R33",
@@ -308,7 +309,7 @@ void Translation::define_named() {
   for (const ExpressionId id : reached(model_, roots_if(model_, is_force))) {
     Expression entry = model_.expressions[id];
     if (!is_name(entry, NamedKind::frame)) continue;
-    // The pose.
+    // The components of the pose: rotation and origin.
     for (entry.component = 0; entry.component < frame_angular_velocity; ++entry.component) {
       (void)component(entry);
     }
@@ -341,8 +342,8 @@ ex constant_value(const Model& model, ExpressionId value) {
 }
 
 REGISTER_FUNCTION(elgen_open, derivative_func(open_slope))
-// GiNaC numbers functions in the order of registration and sorts calls by these numbers: another
-// order of the rows is another order of terms.
+// GiNaC sorts calls by the order of registration, so the order of rows in the table determines the
+// order of terms.
 #define ELGEN_REGISTERED(name, arity) \
   REGISTER_FUNCTION(elgen_##name,     \
                     eval_func(evaluated_##name).derivative_func(slope_##arity<FunctionId::name>))

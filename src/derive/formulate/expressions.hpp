@@ -1,4 +1,4 @@
-// The Model's expressions as GiNaC expressions over definitions.
+// Translation of a Model's expressions to GiNaC expressions over definitions.
 #pragma once
 
 #include <optional>
@@ -9,24 +9,23 @@
 
 namespace elgen {
 
-/// Turns expressions of one Model into GiNaC, each once. Whatever grows beyond a small size becomes
-/// a definition of its own; named things of the model (definitions, points, prescribed motions)
-/// always do.
+/// Translates each expression of a Model once. A result beyond a small size becomes a definition;
+/// named entries of the model (definitions, points, prescribed motions) always do.
 class Translation {
  public:
   Translation(const Model& model, Lagrangian& lagrangian);
 
-  /// Definitions, prescribed motions and points of the world: under their own names, and with their
-  /// errors, whether something uses them or not. Entries of the frames that forces mention: the
-  /// tree computes them without asking, and a reader is given their names.
+  /// Translates all definitions, prescribed motions and points of the world under their names, so
+  /// that errors in unused entries are reported. Also names the poses of the frames that forces
+  /// refer to, because the tree computes the same values without names.
   void define_named();
 
-  /// An expression over definitions. 0 where GiNaC refuses a part of it, E312 or E313, and after
-  /// that: the first error is kept.
+  /// The expression over definitions. If GiNaC rejects a part, the error (E312 or E313) is kept,
+  /// and this call and all later calls return 0.
   [[nodiscard]] GiNaC::ex value(ExpressionId id);
   [[nodiscard]] const Diagnostics& errors() const { return errors_; }
 
-  /// One symbol for the value, so that what uses it stays small.
+  /// A symbol that is defined as the value, so that expressions with it stay small.
   [[nodiscard]] GiNaC::ex named(ExpressionId id, const std::string& name, Entity origin);
   /// name_x, name_y, name_z
   [[nodiscard]] ExVector3 vector(const Vector3& values, const std::string& name, Entity origin);
@@ -34,7 +33,7 @@ class Translation {
  private:
   struct Sized {
     GiNaC::ex value;
-    unsigned size = 0;  ///< leaves and operations written out in `value`; 0: not translated yet
+    unsigned size = 0;  ///< number of leaves and operations in `value`; 0: not translated yet
   };
 
   [[nodiscard]] bool translate(ExpressionId id);
@@ -49,24 +48,23 @@ class Translation {
 
   const Model& model_;
   Lagrangian& lagrangian_;
-  std::optional<Tangent> along_motion_;  // d/dt of dot(…), of a model with symbols
+  std::optional<Tangent> along_motion_;  // d/dt for dot(…); set by define_named()
   std::vector<Sized> translated_;
   Diagnostics errors_ = {};
 };
 
-/// A constant expression of the model over no definitions. Exceptions of GiNaC where it has no
+/// A constant expression of the model, without definitions. Throws std::domain_error if it has no
 /// value.
 [[nodiscard]] GiNaC::ex constant_value(const Model& model, ExpressionId value);
 
-/// Whether energies and forces are sums in the world, as an expansion and R need them.
+/// True if energies and forces must be sums in world coordinates: for an expansion or for [routh].
 [[nodiscard]] inline bool sums_energies(const Model& model) {
   return model.approximation.has_value() || !model.variant.cyclic.empty();
 }
 
-/// The frames of a model as a tree of elementary motions, and what moves with them: fills
-/// lagrangian.tree and the twists of its outputs. Steps that move nothing are left out, and
-/// so are frames that carry no body, torque, force or output. Where the energies are sums the tree
-/// is for outputs only. Errors are those of the translation.
+/// Fills lagrangian.tree (steps, bodies, wrenches) and the twists of the outputs. Identity steps
+/// are omitted, and frames whose subtree has no body, torque, force or output. If sums_energies(),
+/// the tree serves outputs only. Errors: translation.errors().
 void add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian);
 
 }  // namespace elgen

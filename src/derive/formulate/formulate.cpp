@@ -1,12 +1,11 @@
-// formulate: Model -> Lagrangian. Symbols, then every named thing as definitions, then the energies
-// and forces as terms over them.
+// formulate: Model -> Lagrangian. Creates symbols, then definitions of all named entries, then
+// energies and forces as terms over them.
 //
 //     T = [energy] T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v^2
 //     V = [energy] V - sum m gravity.p
 //
-// Quantities that move with frames go into their tree, except where a scene expands the energies or
-// takes cyclic coordinates out: that needs them as sums, so everything is then written in the
-// world.
+// Bodies, points and forces in frames become part of the tree of frames. But an expansion and
+// [routh] need the energies as sums, so then everything is written in world coordinates.
 #include <fmt/format.h>
 
 #include <utility>
@@ -23,7 +22,7 @@ namespace {
 
 const ex one_half = GiNaC::numeric(1, 2);
 
-/// A positive symbol lets GiNaC take roots of squares.
+/// With a positive symbol, GiNaC simplifies sqrt(x^2) to x.
 ex symbol_of(const Parameter& parameter, const std::string& name) {
   if (parameter.assumption == Assumption::positive) return GiNaC::possymbol(name);
   return GiNaC::realsymbol(name);
@@ -34,7 +33,7 @@ ex symbol_of(const Entry& /*entry*/, const std::string& name) {
   return GiNaC::realsymbol(name);
 }
 
-/// Fills `q_rates` and `rotations`; the rates of quaternions become definitions.
+/// Fills `q_rates` and `rotations`; the rates of quaternion components become definitions.
 void add_coordinate_rates(const Model& model, Lagrangian& lagrangian) {
   Symbols& symbols = lagrangian.symbols;
   for (const Coordinate& coordinate : model.coordinates) {
@@ -72,13 +71,13 @@ void add_symbols(const Model& model, Lagrangian& lagrangian) {
   add_coordinate_rates(model, lagrangian);
 }
 
-/// Whether the tree of frames takes it.
+/// True if the entry belongs to the tree of frames, not to the sums in world coordinates.
 template <class Placed>
 bool is_in_tree(const Model& model, const Placed& placed) {
   return placed.local && !sums_energies(model);
 }
 
-/// 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.
+/// Adds 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.
 void add_rotation(const Body& body, Entity origin, Translation& translation,
                   Lagrangian& lagrangian) {
   if (body.inertia.empty() || body.spin.empty()) return;
@@ -103,7 +102,7 @@ void add_rotation(const Body& body, Entity origin, Translation& translation,
   lagrangian.turning_bodies.push_back({std::move(spin), std::move(inertia), origin});
 }
 
-/// Forces on velocities, on points and on frames of the world.
+/// Forces on velocities, and forces on points and torques on frames outside the tree.
 class Forces {
  public:
   Forces(const Model& model, Translation& translation, Lagrangian& lagrangian)
@@ -145,7 +144,7 @@ class Forces {
     lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
   }
 
-  /// Spins are linear in the rates, so the work of a torque per unit of v_i is torque.dw/dv_i.
+  /// The angular velocity w is affine in v, so the generalised force on v_i is torque.dw/dv_i.
   void add_torque(const Force& force) {
     std::vector<Weighted> work;
     const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
@@ -166,7 +165,7 @@ class Forces {
   std::vector<GiNaC::exvector> on_;  ///< terms of the force on each velocity
 };
 
-/// 1/2 J v^2
+/// Adds 1/2 J v^2 of each armature.
 void add_armatures(const Model& model, Translation& translation, Lagrangian& lagrangian) {
   lagrangian.armatures.resize(lagrangian.symbols.v.size(), 0);
   auto& kinetic = lagrangian.lagrangian.empty() ? lagrangian.kinetic : lagrangian.lagrangian;
@@ -179,7 +178,7 @@ void add_armatures(const Model& model, Translation& translation, Lagrangian& lag
   }
 }
 
-/// Builds the parts of a Lagrangian one after another; the first error ends it.
+/// Builds the parts of a Lagrangian one after another, and stops at the first part with errors.
 class Formulation {
  public:
   explicit Formulation(const Model& model) : model_(model), translation_(model, lagrangian_) {
@@ -238,7 +237,7 @@ class Formulation {
     }
   }
 
-  /// The terms of a sum, each small.
+  /// Adds the operands of a sum as separate terms, which stay small.
   void add_terms(std::optional<ExpressionId> energy, EnergyTerms& terms) {
     if (!energy) return;
     const Expression& expression = model_.expressions[*energy];
@@ -332,7 +331,7 @@ std::vector<ex> values_of(const EnergyTerms& terms) {
 
 Result<WholeLagrangian> formulate(const Model& model) {
   Result<WholeLagrangian> lagrangian = Formulation(whole_of(model)).build();
-  // Held velocities are not eliminated.
+  // `model`, not whole_of(model): held velocities are not eliminated.
   if (lagrangian) lagrangian->eliminates_last_first = eliminates_last_first(model);
   if (lagrangian) lagrangian->inertial = inertial_parameters(model);
   return lagrangian;

@@ -1,4 +1,4 @@
-// Frames, parents first; then bodies, masses, wrenches and outputs by the step they move with.
+// Builds the tree of frames: steps, parents first; then bodies, wrenches and outputs on the steps.
 #include <algorithm>
 #include <utility>
 
@@ -14,8 +14,8 @@ bool is_zero(const ExVector3& vector) {
   return std::all_of(vector.begin(), vector.end(), [](const ex& x) { return x.is_zero(); });
 }
 
-/// The frames that carry something, with all they hang on. Where the energies are expanded they
-/// carry nothing but outputs.
+/// The frames with a body, point mass, force or output, and all their ancestors. If
+/// sums_energies(), only outputs count.
 std::vector<bool> carrying(const Model& model) {
   std::vector<bool> needed(model.frames.size(), false);
   const auto mark = [&](std::optional<std::uint32_t> frame) {
@@ -44,7 +44,7 @@ std::vector<bool> carrying(const Model& model) {
   return needed;
 }
 
-/// The wanted frames, each after its parent; otherwise as declared.
+/// The wanted frames in the order of declaration, but each after its parent.
 std::vector<std::uint32_t> parents_first(const Model& model, const std::vector<bool>& wanted) {
   std::vector<std::uint32_t> order;
   std::vector<bool> done(model.frames.size(), false);
@@ -60,13 +60,14 @@ std::vector<std::uint32_t> parents_first(const Model& model, const std::vector<b
   return order;
 }
 
-/// Moves nothing.
+/// The identity transform.
 bool is_trivial(const TreeStep& step) {
   if (step.kind == FrameStepKind::turn) return step.angle.is_zero();
   return step.kind == FrameStepKind::translation && is_zero(step.vector);
 }
 
-/// Turns x by a constant quarter turn about a coordinate axis, backwards; false for other turns.
+/// x := R^T x if R is a constant turn about a coordinate axis with rational cosine and sine; else
+/// returns false.
 bool undo_quarter_turn(const TreeStep& step, ExVector3& x) {
   const ex cosine = GiNaC::cos(step.angle);
   const ex sine = GiNaC::sin(step.angle);
@@ -83,7 +84,7 @@ bool undo_quarter_turn(const TreeStep& step, ExVector3& x) {
   return false;
 }
 
-/// The one coordinate axis along which x lies; none where it has more components.
+/// The coordinate axis parallel to x; none if x has several non-zero components, or is 0.
 std::optional<std::size_t> single_axis(const ExVector3& x) {
   std::optional<std::size_t> axis;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -94,8 +95,8 @@ std::optional<std::size_t> single_axis(const ExVector3& x) {
   return axis;
 }
 
-/// A shift along the axis of a turn commutes with it. It comes last, so that frames whose axes meet
-/// share their origin, and no force has to be passed on for its moment.
+/// A translation along the axis of a turn commutes with the turn, and is placed after it. So frames
+/// whose axes intersect share their origin, and passing a force between them adds no moment.
 ///
 ///     before    shift (a, d, 0), turn -pi/2 about x, turn q about z
 ///     after     shift (a, 0, 0), turn -pi/2 about x, turn q about z, shift (0, 0, d)
@@ -113,7 +114,7 @@ std::vector<TreeStep> with_slides_last(std::vector<TreeStep> steps) {
   TreeStep slide = steps.front();
   slide.vector = {0, 0, 0};
   slide.vector[*axis] = shift[*axis];
-  // The rest of the shift, in its own axes: the components that were not along the turn's axis.
+  // From the original translation, remove the component that is parallel to the turn's axis.
   for (std::size_t k = 0; k < 3; ++k) {
     ExVector3 unit{0, 0, 0};
     unit[k] = 1;
@@ -136,7 +137,7 @@ TreeStep translated(const Model& model, Translation& translation, Definitions& d
   result.vector = translation.vector(step.vector, name + "_offset", result.origin);
   if (step.kind == FrameStepKind::turn) {
     result.angle = translation.value(step.angle);
-    // A constant gets no symbol: its sine is exact only while it is seen.
+    // A constant gets no symbol, because GiNaC evaluates the sine of a number, not of a symbol.
     if (!symbols_of(definitions, result.angle).empty()) {
       result.angle = define(definitions, result.angle, {name + "_angle", result.origin});
     }
@@ -148,7 +149,6 @@ TreeStep translated(const Model& model, Translation& translation, Definitions& d
   return result;
 }
 
-/// A body of a frame.
 RigidBody rigid_body(const Model& model, Translation& translation, std::uint32_t index) {
   const Body& body = model.bodies[index];
   const Entity origin{EntityKind::body, index};
@@ -218,13 +218,13 @@ class TreeFormulation {
     tree_.bodies.push_back(std::move(body));
   }
 
-  /// The step a point moves with, and where it is in the axes after that.
+  /// The step that a point is fixed to, and its position in the child frame of that step.
   struct PointPlace {
     Step step;
     ExVector3 at;
   };
 
-  /// A point that moves in its frame gets a step of its own.
+  /// A point that moves relative to its frame gets an additional translation step.
   const PointPlace& place_of(std::uint32_t index) {
     std::optional<PointPlace>& known = point_places_[index];
     if (known) return *known;
@@ -299,8 +299,8 @@ class TreeFormulation {
   Definitions& definitions_;
   Lagrangian& lagrangian_;
   FrameTree& tree_;
-  std::vector<Step> last_step_;  ///< of each frame; none where it does not move from the world
-  std::vector<std::optional<PointPlace>> point_places_;  ///< of those in frames that carry or bear
+  std::vector<Step> last_step_;  ///< of each frame; none if the frame coincides with the world
+  std::vector<std::optional<PointPlace>> point_places_;  ///< by point, filled by place_of()
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Telling: while one lives, definitions are told by kind and frame, for the names of temporaries.
+// Telling: during its lifetime, definitions are named by kind and frame, for readers of the code.
 //
 //     const Telling wrench(definitions, "wrench", "link5");       // wrench_link5
 //     { const Telling moment(definitions, "moment"); … }          // wrench_moment_link5
@@ -13,7 +13,7 @@ namespace elgen {
 
 class Telling {
  public:
-  /// `kind` follows that of the Telling around it; without a frame, that one's stays.
+  /// `kind` is appended to the kind of the enclosing Telling; an empty `frame` keeps its frame.
   Telling(Definitions& definitions, const std::string& kind, const std::string& frame = {})
       : wording_(definitions.wording), around_(definitions.wording) {
     if (!wording_.kind.empty() && !kind.empty()) wording_.kind += "_";

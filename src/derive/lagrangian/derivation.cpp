@@ -1,4 +1,4 @@
-// The parts that several outputs share; each is made on first demand.
+// The parts of a Derivation; graded() and the tree are computed at the first call.
 #include "derive/lagrangian/derivation.hpp"
 
 #include <array>
@@ -18,9 +18,9 @@ Seeds seeds(const Symbols& symbols, bool coordinates_move, bool time_passes) {
   return result;
 }
 
-/// The parts f0, f1, f2 of expressions that are constant, linear and quadratic in the rates. With
-/// f(q, s v, t) = f0 + s f1 + s^2 f2 + …, T = T2 + T1 + T0 and V = V1 + V0 are the grades of the
-/// energies. Taylor's formula through the definitions, at x0:
+/// Splits an expression into its parts f0, f1, f2 of degree 0, 1 and 2 in the velocities:
+/// f(q, s v, t) = f0 + s f1 + s^2 f2 + …. This gives T = T2 + T1 + T0 and V = V1 + V0. By Taylor's
+/// formula for f(x, y, …), each variable x being a definition x0 + s x1 + s^2 x2:
 ///
 ///     f0 = f(x0),   f1 = sum df/dx x1,   f2 = sum df/dx x2 + 1/2 sum sum d2f/dxdy x1 y1
 ///
@@ -30,7 +30,7 @@ class RateGrades {
  public:
   RateGrades(Definitions& definitions, const std::vector<ex>& rates);
 
-  /// Throws GiNaC's pole_error where the expression has no value at zero rates.
+  /// Throws GiNaC's pole_error if the expression has no value at v = 0.
   [[nodiscard]] std::array<ex, 3> operator()(const ex& value);
 
  private:
@@ -38,7 +38,7 @@ class RateGrades {
   void split(std::uint32_t definition);
 
   Definitions& definitions_;
-  ExpressionMap<std::array<ex, 3>> parts_;  // of what depends on the rates
+  ExpressionMap<std::array<ex, 3>> parts_;  // of symbols that depend on the velocities
   std::vector<bool> known_;
 };
 
@@ -76,7 +76,7 @@ void RateGrades::split(std::uint32_t definition) {
   static constexpr std::array<const char*, 3> suffixes{"_rest", "_linear", "_quadratic"};
   const Definition old = definitions_.list[definition];
   std::array<ex, 3> parts = from_known(old.value);
-  // A definition of one grade keeps its own symbol.
+  // A definition with a single non-zero part keeps its symbol.
   for (std::size_t grade = 0; grade < parts.size(); ++grade) {
     const bool is_whole = parts[grade].is_equal(old.value);
     const std::string name = old.name.empty() ? std::string() : old.name + suffixes[grade];

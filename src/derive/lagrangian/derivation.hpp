@@ -1,15 +1,16 @@
-// Derivation: one Lagrangian with what several outputs share: directions, momenta, graded energies.
+// Derivation: a Lagrangian, and the directions of differentiation, energies by degree and tree of
+// frames that its outputs share.
 //
 // Equations (v = dq/dt; T = T2 + T1 + T0 and V = V1 + V0 by their degree in v):
 //
 //     M a + C v + drift + g + dD/dv = B u + Q
 //     tau = M a + bias,   bias = C v + drift + g + dD/dv - Q
 //
-// Routes. Bodies in frames go by twists along the tree of frames (tree_dynamics.hpp,
-// tree_matrices.hpp). A point mass gives its inertial force m p'' at once, pulled back by one
-// reverse pass: sum m p''.dp/dq (d'Alembert-Lagrange; Goldstein, Poole, Safko, 3rd ed., sec. 1.4).
-// Everything else goes by Lagrange's equation: reverse over the energy, then forward in time, d/dt
-// dL/dv - dL/dq.
+// Routes. Forces of bodies in frames are computed from twists along the tree of frames
+// (tree_dynamics.hpp, tree_matrices.hpp). Inertial forces m p'' of point masses are pulled back by
+// one reverse pass: sum m p''.dp/dq (d'Alembert-Lagrange; Goldstein, Poole, Safko, 3rd ed., sec.
+// 1.4). All other energies use Lagrange's equation d/dt dL/dv - dL/dq: a reverse pass over the
+// energy, then a forward pass in time.
 #pragma once
 
 #include <memory>
@@ -23,8 +24,8 @@ namespace elgen {
 using Terms = std::vector<GiNaC::ex>;
 using Vector = std::vector<GiNaC::ex>;
 
-/// Energies that are not point masses', by degree in the rates. An L given whole has V1 = -L1, V0 =
-/// -L0.
+/// Terms of the energies without point masses and bodies in frames, by degree in v. If the model
+/// gives L, then V1 = -L1 and V0 = -L0.
 struct GradedEnergies {
   Terms kinetic2 = {};
   Terms kinetic1 = {};
@@ -41,30 +42,30 @@ class Derivation {
   Derivation(const Derivation&) = delete;
   Derivation& operator=(const Derivation&) = delete;
 
-  Lagrangian lagrangian;     ///< grows by definitions
+  Lagrangian lagrangian;     ///< derivation appends definitions
   Definitions& definitions;  ///< of `lagrangian`
   const Symbols& symbols;
 
   Tangent motion;    ///< d/dt along the motion: q -> dq/dt, v -> a, t -> 1
-  Tangent coasting;  ///< the same with a = 0
-  Tangent frozen;    ///< q -> dq/dt alone: time stands still
-  Tangent passing;   ///< t -> 1 alone
+  Tangent coasting;  ///< q -> dq/dt, v -> 0, t -> 1
+  Tangent frozen;    ///< q -> dq/dt, v -> 0, t -> 0
+  Tangent passing;   ///< q -> 0, v -> 0, t -> 1: partial d/dt
 
-  /// Terms of T - V beside those of point masses, or of L.
+  /// Terms of T - V, or of L, without point masses and bodies in frames.
   [[nodiscard]] const std::vector<Weighted>& other_lagrangian() const { return other_; }
 
   [[nodiscard]] const GradedEnergies& graded();
 
-  /// sum over `sum` of weight * dvalue/dq, along every velocity: N^T d/dq where dq/dt = N v.
+  /// N^T sum weight dvalue/dq with dq/dt = N v: one entry per velocity.
   [[nodiscard]] Vector by_position(const std::vector<Weighted>& sum);
-  /// The same by v, each entry a definition.
+  /// sum weight dvalue/dv; each entry is a definition.
   [[nodiscard]] Vector by_velocity(const std::vector<Weighted>& sum);
 
-  /// The point masses' positions, each weighted by what `force` gives for the mass and the axis.
+  /// The positions of the point masses, weighted by force(mass, axis).
   template <class Force>
   [[nodiscard]] std::vector<Weighted> on_masses(const Force& force);
 
-  /// Along the unit virtual displacement, or the unit velocity, of one velocity.
+  /// The derivative along dq = N e_j, and along dv = e_j; e_j is the unit vector of one velocity.
   [[nodiscard]] Tangent displacement(std::size_t velocity);
   [[nodiscard]] Tangent unit_velocity(std::size_t velocity);
 
@@ -78,7 +79,7 @@ class Derivation {
 
   std::vector<Weighted> other_;
   std::optional<GradedEnergies> graded_;
-  std::shared_ptr<Tree> tree_;  ///< not unique: its type is known later
+  std::shared_ptr<Tree> tree_;  ///< not a unique_ptr, because Tree is incomplete here
 };
 
 template <class Force>
@@ -92,7 +93,7 @@ std::vector<Weighted> Derivation::on_masses(const Force& force) {
   return result;
 }
 
-/// `terms` with one weight for all.
+/// The terms, all with the same weight.
 [[nodiscard]] std::vector<Weighted> weighted(const Terms& terms, int weight);
 [[nodiscard]] std::vector<Weighted> weighted(const EnergyTerms& terms, int weight);
 
@@ -100,12 +101,12 @@ void append(std::vector<Weighted>& to, const std::vector<Weighted>& from);
 
 [[nodiscard]] Vector negative(Vector values);
 
-/// Where both sides are derived, the left one is a variable: the order in which definitions are
-/// made must not be the compiler's choice.
+/// left + right. If both operands append definitions, evaluate one in a separate statement before:
+/// compilers differ in the order in which they evaluate arguments.
 [[nodiscard]] Vector plus(Vector left, const Vector& right);
 
-/// A vector of another Lagrangian over the definitions of a derivation. They are only appended to,
-/// so that what the derivation knows of earlier ones stays true.
+/// Calls `derive` for a Derivation of `other` that continues the definitions of `derivation`.
+/// Definitions are only appended, so everything that `derivation` has computed stays valid.
 template <class Derive>
 [[nodiscard]] Vector derived_apart(Derivation& derivation, Lagrangian other, const Derive& derive) {
   other.definitions = derivation.definitions;
@@ -115,7 +116,7 @@ template <class Derive>
   return result;
 }
 
-/// The values with leaves replaced, by way of a definition of each.
+/// The values after a substitution of leaves. Each value becomes a definition first.
 [[nodiscard]] Vector substituted(Substitution& leaves, Definitions& definitions,
                                  const Vector& values);
 

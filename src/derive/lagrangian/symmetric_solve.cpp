@@ -1,4 +1,5 @@
-// LDL^T over definitions: every W, D, L and z is one. Under constraints the range-space method.
+// LDL^T over definitions: every entry of W, D, L and z is a definition. Constraints are solved by
+// the range-space method.
 #include "derive/lagrangian/symmetric_solve.hpp"
 
 #include <algorithm>

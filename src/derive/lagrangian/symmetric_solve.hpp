@@ -3,8 +3,8 @@
 //     W_ij = M_ij - sum_{k<j} L_jk W_ik,   D_j = W_jj,   L_ij = W_ij / D_j
 //     z = L^-1 r,   x = L^-T D^-1 z
 //
-// in an order of elimination. n^3/6 operations for a dense M. Golub, Van Loan, Matrix Computations,
-// 4th ed., sec. 4.1.2; Featherstone, Rigid Body Dynamics Algorithms (2008), sec. 6.5.
+// with rows in the order of elimination. n^3/6 operations for a dense M. Golub, Van Loan, Matrix
+// Computations, 4th ed., sec. 4.1.2; Featherstone, Rigid Body Dynamics Algorithms (2008), sec. 6.5.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +16,22 @@
 
 namespace elgen {
 
-/// The things that rows of a symmetric system stand for.
+/// The kind of rows of a symmetric system, for error messages.
 enum class RowsOf : std::uint8_t { velocities, constraints, inputs };
 
-/// Thrown where a matrix cannot be factorised whatever the state is: by the elimination of this
-/// row.
+/// Thrown if a pivot is identically 0, so that the matrix is singular in every state.
 struct ZeroPivot : std::domain_error {
   ZeroPivot(RowsOf the_rows, std::size_t the_row, bool diagonal)
       : std::domain_error("zero pivot"), rows(the_rows), row(the_row), is_diagonal(diagonal) {}
   RowsOf rows;
   std::size_t row;
-  bool is_diagonal;  ///< M_ii itself is 0, not only what the elimination leaves of it
+  bool is_diagonal;  ///< M_ii itself is 0, not only the pivot D_i
 };
 
 class SymmetricSolve {
  public:
-  /// `matrix` is n x n, row-major, for the n rows of `order`. Without pivoting: it is positive
-  /// definite. Throws ZeroPivot.
+  /// `matrix` is n x n, row-major, positive definite, so that no pivoting is needed. `order` lists
+  /// its rows in the order of elimination. Throws ZeroPivot.
   SymmetricSolve(Definitions& definitions, const Vector& matrix, std::vector<std::size_t> order,
                  RowsOf rows);
 
@@ -41,13 +40,13 @@ class SymmetricSolve {
 
   /// L^-1 r, in the order of elimination; entries are definitions.
   [[nodiscard]] Vector forward(const Vector& right_side);
-  /// L^-T D^-1 z by row; z is in the order of elimination.
+  /// L^-T D^-1 z, indexed by row; z is in the order of elimination.
   [[nodiscard]] Vector backward(const Vector& z);
 
   /// 1 / D, in the order of elimination.
   [[nodiscard]] const Vector& reciprocal_pivots() const { return reciprocals_; }
 
-  /// D_i / M_ii by row: 1 where decoupled, <= 0 or about epsilon where M is singular.
+  /// D_i / M_ii, indexed by row: 1 if row i is decoupled, <= 0 or about epsilon if M is singular.
   [[nodiscard]] Vector relative_pivots() const;
   [[nodiscard]] Vector diagonal() const;
 
@@ -66,8 +65,8 @@ class SymmetricSolve {
 
   Definitions& definitions_;
   std::vector<std::size_t> order_;  ///< rows in the order of elimination
-  Vector matrix_;                   ///< by rows
-  Vector lower_;                    ///< L, unit diagonal not stored; from here on by order
+  Vector matrix_;                   ///< M, row-major
+  Vector lower_;                    ///< L without its unit diagonal; from here on by order_
   Vector unscaled_;                 ///< W = L D
   Vector pivots_;                   ///< D
   Vector reciprocals_;              ///< 1 / D
@@ -76,19 +75,18 @@ class SymmetricSolve {
 /// 0 … size - 1.
 [[nodiscard]] std::vector<std::size_t> in_order(std::size_t size);
 
-/// The velocities in the order in which M is eliminated. Where frames branch that is from the last
-/// to the first, so that a limb is eliminated before what carries it, and no entry between two
-/// limbs fills in.
+/// The velocities in the order in which M is eliminated: from the last to the first if
+/// eliminates_last_first() (model/elimination.hpp), so that entries between limbs do not fill in.
 [[nodiscard]] std::vector<std::size_t> order_of_velocities(const Derivation& derivation);
 
-/// Motions under constraints: M x = r + A^T y, A x = s, without pivoting.
+/// Solves M x = r + A^T y, A x = s (motion under constraints) without pivoting.
 ///
 ///     M = L D L^T,   W = L^-1 A^T,   S = A M^-1 A^T = W^T D^-1 W
 ///     z = L^-1 r,   S y = s - W^T D^-1 z,   x = L^-T D^-1 (z + W y)
 ///
-/// Without constraints it is M x = r. Where M is ill-conditioned, S inherits it: the error is that
-/// of the condition numbers of M and of the whole system multiplied. Benzi, Golub, Liesen,
-/// Numerical solution of saddle point problems, Acta Numerica 14 (2005), sec. 5.
+/// Without constraints it solves M x = r. The rounding error grows with the product of the
+/// condition numbers of M and of the whole system, because S inherits the condition of M. Benzi,
+/// Golub, Liesen, Numerical solution of saddle point problems, Acta Numerica 14 (2005), sec. 5.
 class ConstrainedSolve {
  public:
   /// `mass` is n x n, `jacobian` m x n, row-major. Throws ZeroPivot.
@@ -114,7 +112,7 @@ class ConstrainedSolve {
   SymmetricSolve mass_;
   std::vector<Vector> columns_ = {};  ///< W, a vector for each constraint
   std::vector<Vector> scaled_ = {};   ///< D^-1 W
-  SymmetricSolve constraints_;        ///< S; after W, which it is made of
+  SymmetricSolve constraints_;        ///< S; declared after W, from which it is computed
 };
 
 }  // namespace elgen

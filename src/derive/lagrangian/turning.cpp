@@ -1,4 +1,4 @@
-// Turning: rotations among coordinates and velocities.
+// Turning: quaternions among the coordinates, angular velocities among the velocities.
 #include "derive/lagrangian/turning.hpp"
 
 #include "derive/lagrangian/vector_algebra.hpp"
@@ -65,7 +65,7 @@ void add_turning(Derivation& derivation, const Vector& mass, Vector& entries) {
   const std::size_t n = derivation.size();
   for (const RotationPlace& rotation : derivation.symbols.rotations) {
     const std::size_t first = rotation.first_velocity;
-    // M [w]x: column k is m_i w_j - m_j w_i of the columns that follow it round.
+    // Column k of M [w]x is m_i w_j - m_j w_i, with (k, i, j) cyclic and m_i column i of M.
     for (const auto& [k, i, j] : cyclic_axes) {
       for (std::size_t row = 0; row < n; ++row) {
         const ex turned = mass[row * n + first + i] * derivation.symbols.v[first + j] -

@@ -1,4 +1,4 @@
-// Turning: what differs where velocities are not the rates of coordinates but angular velocities.
+// Turning: the terms that arise because a rotation's velocities are angular velocities, not dq/dt.
 //
 // With dq/dt = N(q) v, virtual displacements are dq = N w, and Lagrange's equation becomes Hamel's:
 //
@@ -18,7 +18,7 @@ namespace elgen {
 /// dq of a unit displacement along velocity j.
 [[nodiscard]] Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity);
 
-/// momentum += [w]x momentum on the velocities of rotations, all else 0: what d/dt dL/dv lacks.
+/// [w]x dL/dw on the velocities of rotations, 0 elsewhere: Hamel's term. `momentum` is dL/dv.
 [[nodiscard]] Vector turning_force(Derivation& derivation, const Vector& momentum);
 
 /// Adds 1/2 M [w]x to the columns of rotations; `mass` and `entries` are n x n.

@@ -1,5 +1,5 @@
-// Vectors in three dimensions over definitions: every component of every result is one, so that
-// nothing is ever written out twice.
+// Vectors in three dimensions over definitions: every component of a result is a definition, so
+// that no expression is written twice.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace elgen {
 
 using ExMatrix3 = std::array<GiNaC::ex, 9>;  ///< row-major
 
-/// An axis and the two that follow it round.
+/// A cyclic permutation of the three axes.
 struct CyclicAxes {
   std::size_t i;
   std::size_t j;
@@ -32,7 +32,7 @@ class VectorAlgebra {
     return elgen::define(definitions_, value);
   }
 
-  /// The components are called name_x, name_y, name_z, where there is a name and they have none.
+  /// New definitions of components are named name_x, name_y, name_z, unless `name` is empty.
   [[nodiscard]] ExVector3 define(const ExVector3& value, const std::string& name = {},
                                  Entity origin = {}) {
     static constexpr const char* axes[] = {"x", "y", "z"};
@@ -50,7 +50,7 @@ class VectorAlgebra {
     return {definitions_, kind, frame};
   }
 
-  /// Its derivative along a direction.
+  /// dx/ds along a direction.
   [[nodiscard]] ExVector3 rate(const ExVector3& x, Tangent& along) {
     return {define(along(x[0])), define(along(x[1])), define(along(x[2]))};
   }
@@ -68,7 +68,7 @@ class VectorAlgebra {
         ExVector3{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
   }
 
-  /// A x of a matrix, row-major.
+  /// A x; A is row-major.
   [[nodiscard]] ExVector3 product(const ExMatrix3& a, const ExVector3& x) {
     ExVector3 result;
     for (std::size_t i = 0; i < 3; ++i) {

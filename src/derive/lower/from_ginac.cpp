@@ -1,6 +1,5 @@
-// from_ginac: each needed definition becomes one signed reference, in the order of the list.
-//
-// A definition's symbol stands for its node from then on; the node keeps the definition's name.
+// from_ginac: imports the needed definitions in the order of the list, each as a signed reference
+// to a node. The node keeps the definition's name; later uses of the symbol refer to the node.
 #include "derive/lower/from_ginac.hpp"
 
 #include <cln/number.h>
@@ -43,7 +42,7 @@ class Importer {
   }
 
   Graph graph = {};
-  std::optional<Diagnostic> problem = {};  ///< the first thing that could not be imported
+  std::optional<Diagnostic> problem = {};  ///< the first error
 
  private:
   static std::string class_name(const GiNaC::ex& e) {
@@ -83,7 +82,7 @@ class Importer {
     return graph.product(factors);
   }
 
-  /// x^(5/2) as x^2 sqrt(x), other exponents y as exp(y log x).
+  /// Half-integer exponents: x^(5/2) = x^2 sqrt(x). Other exponents: x^y = exp(y log x).
   std::vector<Power> powers(const GiNaC::ex& e) {
     if (!GiNaC::is_a<GiNaC::power>(e)) return {{import(e), 1}};
     const Ref base = import(e.op(0));
@@ -117,7 +116,7 @@ class Importer {
     return fail(Code::E912, fmt::format("cannot import the GiNaC function `{}`", name));
   }
 
-  /// A leaf: what it is a function of is left to whoever computes it.
+  /// Imports the value of an open function as a leaf, without its arguments.
   Ref open_value(const GiNaC::ex& e) {
     const std::optional<std::uint32_t> number = open_leaf(e);
     if (number) return graph.leaf(Opcode::open_value, *number);
@@ -159,7 +158,7 @@ std::vector<bool> needed_definitions(const Definitions& definitions,
   return needed;
 }
 
-/// The equations a request stands for: its own, or all that it repeats.
+/// The output of a request, or for `dynamics` all outputs that it repeats.
 std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equations,
                                                   const OutputRequest& request) {
   std::vector<const OutputEquations*> wanted;
@@ -173,7 +172,7 @@ std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equat
   return wanted;
 }
 
-/// The fields of a function that repeats other outputs have the names of these.
+/// A field has its own name, or for `dynamics` the name of the output that it repeats.
 std::vector<Field> import_fields(Importer& importer, const OutputRequest& request,
                                  const std::vector<const OutputEquations*>& outputs,
                                  std::vector<Ref>& values) {

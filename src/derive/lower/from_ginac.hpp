@@ -1,4 +1,4 @@
-// from_ginac: EquationsOfMotion -> Graph. The only importer; nothing of GiNaC's order survives it.
+// from_ginac: EquationsOfMotion -> Graph. Later stages do not depend on GiNaC's order of terms.
 #pragma once
 
 #include <string>
@@ -12,30 +12,32 @@ namespace elgen {
 
 struct EquationsOfMotion;
 
-/// The entries of one output over a graph.
+/// One output: its graph, and the nodes of its entries.
 struct ImportedOutput {
   Graph graph = {};
-  std::vector<Field> fields = {};               ///< entries number `values`
+  std::vector<Field> fields = {};               ///< entries are indices into `values`
   std::vector<Ref> values = {};                 ///< every entry of every field
-  std::vector<std::uint32_t> elimination = {};  ///< of parts
-  /// Values of the graph, and what derive calls them; where outputs are repeated, with their names.
+  std::vector<std::uint32_t> elimination = {};  ///< order of elimination of M, for parts
+  /// Nodes that derive has names for, and these names. For `dynamics` a name starts with the name
+  /// of its output.
   std::vector<Ref> told_values = {};
   std::vector<std::string> told_names = {};
 };
 
-/// Imports the definitions that a requested output needs, once each, then its entries; for
-/// `dynamics` those of every output that depends on q, v and t alone, one field each. E312: a
-/// denominator is 0. E908: more than `maximum_nodes` nodes. E912: something GiNaC should
-/// not hold, or an output that was not derived.
+/// Imports each definition that the output needs once, then the entries of the output. `dynamics`
+/// has the entries of every output that depends on q, v and t alone. E312: a denominator is 0.
+/// E908: more than `maximum_nodes` nodes. E912: an expression of a class that elgen never uses, or
+/// an output that was not derived.
 [[nodiscard]] Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations,
                                                 const OutputRequest& request,
                                                 std::uint64_t maximum_nodes);
 
-/// The equations by each route that leads to an output, the usual one first.
+/// The equations of every route that derived the output; `equations` itself first, unless only
+/// other routes have the output.
 [[nodiscard]] std::vector<const EquationsOfMotion*> routes_to(const EquationsOfMotion& equations,
                                                               const OutputRequest& request);
 
-/// E908 of what is derived: one message for the definitions of derive and the nodes of lower.
+/// E908, for too many definitions in derive and for too many nodes in lower.
 [[nodiscard]] Diagnostic too_many_nodes(const OutputRequest& request, std::uint64_t limit);
 
 [[nodiscard]] LeafNames leaf_names(const EquationsOfMotion& equations);

@@ -1,5 +1,5 @@
 // lower: EquationsOfMotion -> Program, one output at a time: import, flatten, factor, eliminate
-// common subexpressions, turn signs, linearise.
+// common subexpressions, normalise signs, linearise.
 #include "elgen/lower.hpp"
 
 #include <cln/exception.h>
@@ -20,7 +20,8 @@
 namespace elgen {
 namespace {
 
-/// Where the output divides by pivots of M, the message names the rate whose M_ii is 0.
+/// The error for a denominator that is 0. If the output divides by pivots of M, the message names
+/// the velocity whose M_ii is 0.
 Diagnostic zero_denominator(const Program& program, const OutputRequest& request) {
   if (!divides_by_mass(output_row(request.kind))) {
     return {Code::E312, request.span,
@@ -38,7 +39,7 @@ Diagnostic zero_denominator(const Program& program, const OutputRequest& request
   return singular_mass_matrix(request);
 }
 
-/// A function whose instructions are still a network.
+/// A function before linearisation: a network instead of instructions.
 struct Unfilled {
   Function function = {};
   CostedNetwork network = {};
@@ -63,8 +64,8 @@ Result<Unfilled> by_route(const EquationsOfMotion& equations, const OutputReques
   return result;
 }
 
-/// By the route that costs least, the first on a tie. Errors are those of the last one, where none
-/// leads to the output.
+/// Lowers an output by its cheapest route; on a tie, by the first. If every route fails, returns
+/// the errors of the last.
 Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest& request,
                          const Limits& limits, Program& program) {
   std::optional<Unfilled> cheapest;
@@ -83,7 +84,7 @@ Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest
     linearise(cheapest->network.network, program, cheapest->function);
     name_told(cheapest->told, program, cheapest->function);
   } catch (const cln::division_by_0_exception&) {
-    // Only other rewritings show that a denominator is 0: sin(2*x) - 2*sin(x)*cos(x).
+    // Some denominators only become 0 by rewriting, e.g. sin(2*x) - 2*sin(x)*cos(x).
     return {zero_denominator(program, request)};
   }
   program.functions.push_back(std::move(cheapest->function));

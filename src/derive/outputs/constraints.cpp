@@ -1,5 +1,5 @@
-// Constraints: their rates, Jacobian and bias; the step of Newton back to them; and the inputs that
-// give a motion they allow.
+// Constraints: rates, Jacobian, bias, projection of a state by one Newton step, and inverse
+// dynamics of constrained motions.
 #include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
@@ -10,7 +10,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// f of positions, in their order.
+/// f of the position constraints.
 Vector residuals(const Derivation& derivation) {
   Vector result;
   for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
@@ -25,7 +25,7 @@ Vector row_of(Derivation& derivation, const ConstraintEquation& constraint) {
   return gradient(derivation.definitions, sum, derivation.symbols.v);
 }
 
-/// The rows of A, of all constraints or of positions alone.
+/// The rows of A, of all constraints or of the position constraints only.
 Vector rows_of(Derivation& derivation, bool positions_only) {
   Vector entries;
   for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
@@ -36,7 +36,7 @@ Vector rows_of(Derivation& derivation, bool positions_only) {
   return entries;
 }
 
-/// q + N dq, quaternions scaled back to length 1, with M dq = A^T y and A dq = -f.
+/// q + N dq with M dq = A^T y and A dq = -f; quaternions are normalised to length 1 afterwards.
 Vector projected_coordinates(Derivation& derivation, const Vector& mass) {
   Definitions& definitions = derivation.definitions;
   ConstrainedSolve solve(derivation, mass, rows_of(derivation, true));
@@ -55,7 +55,7 @@ Vector projected_coordinates(Derivation& derivation, const Vector& mass) {
   return substituted(moving, definitions, normalized(derivation));
 }
 
-/// x as it is where it is independent, else 0.
+/// x with the dependent entries set to 0.
 Vector independent_part(const std::vector<bool>& is_independent, const Vector& x) {
   Vector result(x.size(), 0);
   for (std::size_t i = 0; i < x.size(); ++i) {

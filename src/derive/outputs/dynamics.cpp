@@ -1,6 +1,5 @@
-// Forward dynamics: the mass matrix, the constraints, the bias with the inputs acting, and the
-// solution; or articulated bodies.
-// Derivatives: columns of the frames, forward passes over the rest.
+// Forward dynamics by factorising M and S = A M^-1 A^T, or by articulated bodies.
+// Derivatives of the dynamics: columns of the tree for frames, forward passes for everything else.
 #include <string>
 #include <utility>
 
@@ -17,8 +16,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// Accelerations are named "acceleration_theta": the velocities bear the identifiers of their
-/// coordinates.
+/// Names the definitions of accelerations, e.g. "acceleration_theta".
 void name_accelerations(Derivation& derivation, const Vector& accelerations) {
   for (std::size_t i = 0; i < accelerations.size(); ++i) {
     name(derivation.definitions, accelerations[i],
@@ -26,7 +24,7 @@ void name_accelerations(Derivation& derivation, const Vector& accelerations) {
   }
 }
 
-/// By factorisations of M and of S = A M^-1 A^T.
+/// Solves for accelerations and multipliers with one factorisation of M and one of S.
 class Dynamics {
  public:
   explicit Dynamics(Derivation& derivation)
@@ -44,7 +42,8 @@ class Dynamics {
     return result;
   }
 
-  /// Accelerations for each column of forces, row-major, and of what A a is short of.
+  /// Solves M x = f + A^T y, A x = s for each column f of `forces` and s of `shortage`. Returns x,
+  /// n x `columns`, row-major.
   [[nodiscard]] Vector responses(const Vector& forces, const Vector& shortage,
                                  std::size_t columns) {
     const std::size_t n = derivation_.size();
@@ -61,7 +60,7 @@ class Dynamics {
   [[nodiscard]] const ConstrainedSolve& solve() const { return solve_; }
 
  private:
-  /// Definitions are numbered as they are made, and compilers differ in the order of arguments.
+  /// Separate statements fix the order of definitions; compilers differ in evaluating arguments.
   static ConstrainedSolve solve_of(Derivation& derivation) {
     const Vector mass = mass_matrix(derivation);
     return {derivation, mass, constraint_jacobian(derivation)};
@@ -77,7 +76,7 @@ class Dynamics {
   ConstrainedSolve solve_;
 };
 
-/// Accelerations and multipliers in the place of their leaves.
+/// Substitutes the solution of the forward dynamics for the leaves a and lambda.
 Substitution at_motion(Derivation& derivation, const ConstrainedSolve::Solution& motion) {
   Seeds seeds;
   add_seeds(seeds, derivation.symbols.a, motion.x);
@@ -85,14 +84,13 @@ Substitution at_motion(Derivation& derivation, const ConstrainedSolve::Solution&
   return {derivation.definitions, std::move(seeds)};
 }
 
-/// The j-th of so many unit vectors.
 Vector unit_vector(std::size_t size, std::size_t j) {
   Vector unit(size, 0);
   unit[j] = 1;
   return unit;
 }
 
-/// The diagonal that [energy] T and armatures add to M; none where they add more.
+/// The diagonal that [energy] T and armatures add to M; none if they add off-diagonal entries.
 std::optional<Vector> added_to_diagonal(Derivation& derivation) {
   const Vector momentum = derivation.by_velocity(weighted(derivation.graded().kinetic2, 1));
   Vector result;
@@ -110,7 +108,7 @@ std::optional<Vector> added_to_diagonal(Derivation& derivation) {
   return result;
 }
 
-/// d values/d(direction) for every direction, as columns.
+/// d values/ds along direction(j) in column j; one column per velocity.
 template <class Direction>
 Vector columns(Derivation& derivation, const Vector& values, const Direction& direction) {
   const std::size_t n = derivation.size();
@@ -132,7 +130,8 @@ InverseDerivatives derivatives(Derivation& derivation, const Vector& values) {
   return result;
 }
 
-/// d(M a + bias - B u - A^T lambda)/dq and /dv; B u and A^T lambda only where the inputs act.
+/// d(M a + bias - B u - A^T lambda)/dq and /dv; without B u and A^T lambda if the inputs are
+/// absent.
 InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inputs) {
   const bool by_columns = has_linear_variables(tree_of(derivation));
   Vector rest = residual(derivation, inputs, by_columns ? Bodies::without_frames : Bodies::all);
@@ -158,7 +157,7 @@ InverseDerivatives constraint_derivatives(Derivation& derivation) {
   return derivatives(derivation, second_rates);
 }
 
-/// -[w]x in the upper left block of A, which has 2 n_v columns.
+/// Sets -[w]x in the upper left block of A, which has 2 n_v columns.
 void add_turning_of_displacement(const Symbols& symbols, const RotationPlace& rotation, Vector& a) {
   const std::size_t columns = 2 * symbols.v.size();
   const std::size_t first = rotation.first_velocity;
@@ -168,7 +167,7 @@ void add_turning_of_displacement(const Symbols& symbols, const RotationPlace& ro
   }
 }
 
-/// The upper rows of A: d(dq)/dt = dv, less w x dq where rotations turn.
+/// The upper rows of A: d(dq)/dt = dv, and d(dq)/dt = dv - w x dq for rotations.
 Vector upper_rows(const Derivation& derivation) {
   const std::size_t n = derivation.size();
   Vector result(2 * n * n, 0);

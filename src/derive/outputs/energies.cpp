@@ -12,7 +12,8 @@ void append(GiNaC::exvector& to, const Terms& from, int sign) {
   for (const ex& term : from) to.push_back(sign * term);
 }
 
-/// 1/2 m |dp/ds|^2 of each mass, and of the bodies in frames, along a direction.
+/// Appends sign * T of the point masses and of the bodies in frames, with velocities dp/ds along a
+/// direction.
 void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& along, int sign) {
   for (const PointMass& mass : derivation.lagrangian.masses) {
     GiNaC::exvector squares;
@@ -26,7 +27,7 @@ void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& alo
   append(terms, tree_kinetic_energy(tree, along), sign);
 }
 
-/// -m gravity.p of each mass, and of the bodies in frames.
+/// Appends V = -sum m gravity.p of the point masses and of the bodies in frames.
 void append_weights(GiNaC::exvector& terms, Derivation& derivation) {
   const Lagrangian& lagrangian = derivation.lagrangian;
   if (!lagrangian.gravity) return;

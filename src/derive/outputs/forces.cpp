@@ -1,4 +1,5 @@
-// Generalized forces: one reverse pass over positions and energies each, plus the rates of momenta.
+// Generalised forces: for each, one reverse pass over positions and energies, plus the rates of
+// momenta.
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_dynamics.hpp"
@@ -9,14 +10,14 @@ using GiNaC::ex;
 
 namespace {
 
-/// Rate of each entry along a direction.
+/// The derivative of each entry along a direction.
 Vector rates(const Vector& values, Tangent& along) {
   Vector result;
   for (const ex& value : values) result.push_back(along(value));
   return result;
 }
 
-/// d/dt dL/dv along a motion, as Hamel has it for angular velocities.
+/// d/dt dL/dv + [w]x dL/dv along a motion, with Hamel's term for angular velocities w.
 Vector momentum_rates(Derivation& derivation, const Vector& momentum, Tangent& along) {
   Vector result = rates(momentum, along);
   const Vector turning = turning_force(derivation, momentum);
@@ -36,7 +37,7 @@ std::string force_name(const PointMass& mass, const Derivation& derivation, std:
   return name.empty() ? std::string() : "force_" + name;
 }
 
-/// m (p'' - gravity) on each mass, p'' by a second pass in `second` over the velocity.
+/// m (p'' - gravity) on each mass; `second` differentiates the velocity.
 std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent& second) {
   const std::array<ex, 3> g = gravity_vector(derivation);
   return derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
@@ -47,7 +48,7 @@ std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent&
   });
 }
 
-/// Sets u = 0 in forces, or leaves them as they are.
+/// Substitutes u = 0 in forces if the inputs are absent.
 Substitution acting(Derivation& derivation, InputForces inputs) {
   Seeds values;
   if (inputs == InputForces::absent) {
@@ -56,7 +57,7 @@ Substitution acting(Derivation& derivation, InputForces inputs) {
   return {derivation.definitions, values};
 }
 
-/// -F on each point force, so that it joins the forces of the left side.
+/// -F of each point force, as part of the left-hand side M a + bias.
 std::vector<Weighted> negative_point_forces(Derivation& derivation, InputForces inputs) {
   std::vector<Weighted> result;
   Substitution force = acting(derivation, inputs);
@@ -86,12 +87,13 @@ TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
   return opposite(tree_of(derivation).wrench_forces(std::ref(force)));
 }
 
-/// Forces of bodies in frames; gravity is an acceleration of their base.
+/// Inertial forces and weights of bodies in frames; gravity is an acceleration of the base.
 TreeForces tree_forces(Derivation& derivation, Tangent& second) {
   return inertial_forces(tree_of(derivation), {derivation.coasting, second, true});
 }
 
-/// Everything of tau that `second` gives: inertia, gravity, dissipation, forces.
+/// M a + bias, less B u if the inputs act: inertial forces by `second`, weights, dissipation and
+/// declared forces. With `coasting` as `second`, a is 0.
 Vector left_side(Derivation& derivation, Tangent& second, InputForces inputs, Bodies bodies) {
   TreeForces forces{inertial_forces_of_masses(derivation, second)};
   append(forces.pulled_back, negative_point_forces(derivation, inputs));
@@ -141,7 +143,7 @@ Vector velocity_force(Derivation& derivation, Bodies bodies) {
 
 Vector drift(Derivation& derivation) {
   Definitions& definitions = derivation.definitions;
-  // p'' less its part quadratic in v: 2 d/dt(dp/dq v) at fixed q + d2p/dt2 at fixed q.
+  // p'' at a = 0 without its part quadratic in v: 2 d/dt(dp/dq v) + d2p/dt2, both at fixed q.
   TreeForces forces{derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
     const ex passing = define(definitions, derivation.passing(mass.position[axis]));
     const ex at_rest = derivation.passing(passing);
@@ -153,7 +155,7 @@ Vector drift(Derivation& derivation) {
   append(linear, weighted(energies.potential1, -1));
   for (const Weighted& term : linear) forces.pulled_back.push_back({term.value, -term.weight});
   append(forces.pulled_back, weighted(energies.kinetic0, -1));
-  // Bodies in frames give all inertial forces less those at frozen time.
+  // For bodies in frames: all inertial forces, less the inertial forces at frozen time.
   Tree& tree = tree_of(derivation);
   append(forces, inertial_forces(tree, {derivation.coasting, derivation.coasting}));
   append(forces, opposite(inertial_forces(tree, {derivation.frozen, derivation.frozen})));
@@ -223,7 +225,7 @@ Vector position_gradient(Derivation& derivation) {
 
 Vector cyclic_rates(Derivation& derivation) { return derivation.lagrangian.cyclic_rates; }
 
-/// Rows of the Lagrangian in which everything moves, then brought to where it stands.
+/// Equations of the Lagrangian in which locked coordinates move, at the locked values.
 ///
 ///     before    row of q1: (I1 + I2 + ...)*q1_ddot + ... - tau1
 ///     after     the same with q1 = s(t), q1_dot = ds/dt, q1_ddot = d2s/dt2

@@ -1,4 +1,4 @@
-// Hamilton's functions: one solve with M, then a substitution in the forms of other outputs.
+// Hamilton's equations: solve v = M^-1 (p - b), then substitute v in functions of (q, v).
 #include <utility>
 
 #include "derive/lagrangian/symmetric_solve.hpp"
@@ -26,7 +26,7 @@ Vector momenta_of_motion(Derivation& derivation) {
   return result;
 }
 
-/// M^-1 r. They are named "velocity_theta".
+/// M^-1 r, with names such as "velocity_theta".
 Vector solved_velocities(Derivation& derivation, const Vector& right_side) {
   SymmetricSolve mass(derivation.definitions, mass_matrix(derivation),
                       order_of_velocities(derivation), RowsOf::velocities);
@@ -37,7 +37,7 @@ Vector solved_velocities(Derivation& derivation, const Vector& right_side) {
   return result;
 }
 
-/// N^T dL/dq - [w]x p + B u + Q - dD/dv, of q, v and p.
+/// N^T dL/dq - [w]x p + B u + Q - dD/dv as a function of q, v and p.
 Vector rates_of_momenta(Derivation& derivation) {
   Vector result = position_gradient(derivation);
   const Vector turning = turning_force(derivation, derivation.symbols.momenta);
@@ -47,7 +47,7 @@ Vector rates_of_momenta(Derivation& derivation) {
   return result;
 }
 
-/// `values` with the velocities in the place of v.
+/// `values` with v replaced by `velocities`.
 Vector moving_with(Derivation& derivation, const Vector& velocities, const Vector& values) {
   Seeds seeds;
   add_seeds(seeds, derivation.symbols.v, velocities);

@@ -1,4 +1,4 @@
-// Matrices: forward passes along unit directions over vectors that are derived once.
+// Matrices: a vector is derived once, then differentiated by a forward pass per unit direction.
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_matrices.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 bool has_columns(Derivation& derivation) { return tree_variables(tree_of(derivation)).is_complete; }
 
-/// M of everything, or of what is not in frames.
+/// M, or its part without the bodies in frames.
 Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
   const std::size_t n = derivation.size();
   const Vector other = derivation.by_velocity(derivation.lagrangian.quadratic
@@ -87,7 +87,7 @@ Vector input_matrix(Derivation& derivation) {
 
 namespace {
 
-/// Six entries; zeros for the world.
+/// The twist (angular velocity; velocity of the origin), 0 for the world.
 Vector twist_of(Derivation& derivation, const TwistOutput& output) {
   if (!output.step) return Vector(6, 0);
   Tree& tree = tree_of(derivation);

@@ -1,4 +1,4 @@
-// The outputs: the function that bears the name of an output derives it, at the caller's state.
+// The outputs: the function with the name of an output derives it, at the caller's state.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,10 @@
 
 namespace elgen {
 
-// Generalized forces, and the momentum: vectors of n_v, each J per unit of the coordinate
-// (momentum: J s per unit).
+// N is defined by dq/dt = N v; it is the identity without rotations.
+
+// Generalised forces and momenta: vectors of n_v entries. Unit: J per unit of the coordinate, for
+// momenta J s per unit.
 
 enum class InputForces : unsigned char { absent, acting };
 enum class Bodies : unsigned char { all, without_frames };
@@ -17,10 +19,11 @@ enum class Bodies : unsigned char { all, without_frames };
 /// tau = M a + bias.
 [[nodiscard]] Vector inverse_dynamics(Derivation& derivation);
 
-/// The same less B u where the inputs act; without what the bodies in frames add, where asked so.
+/// tau, less B u if the inputs act. Bodies::without_frames omits the inertial forces and weights of
+/// bodies in frames.
 [[nodiscard]] Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies);
 
-/// C v + drift + g + dD/dv - Q; with the inputs acting, - Q - B u.
+/// C v + drift + g + dD/dv - Q, less B u if the inputs act.
 [[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs = InputForces::absent,
                           Bodies bodies = Bodies::all);
 
@@ -30,7 +33,8 @@ enum class Bodies : unsigned char { all, without_frames };
 /// dT/dv of the bodies in frames.
 [[nodiscard]] Vector momentum_of_frames(Derivation& derivation);
 
-/// (dM/dt) v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq with b = b_T - V1. L quadratic in v.
+/// (dM/dt) v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq with b.v = T1 - V1, d/dt at fixed q.
+/// L quadratic in v.
 [[nodiscard]] Vector drift(Derivation& derivation);
 
 /// g = dV0/dq. L quadratic in v.
@@ -39,21 +43,21 @@ enum class Bodies : unsigned char { all, without_frames };
 /// dD/dv.
 [[nodiscard]] Vector dissipation(Derivation& derivation);
 
-/// Q: the declared forces with u = 0; with the inputs acting, Q + B u.
+/// Q, the declared forces at u = 0; Q + B u if the inputs act.
 [[nodiscard]] Vector applied_force(Derivation& derivation,
                                    InputForces inputs = InputForces::absent);
 
 /// dL/dv = M v + b.
 [[nodiscard]] Vector momentum(Derivation& derivation);
 
-/// dL/dq; along the rotation vector, N^T dL/dq, where rotations turn.
+/// N^T dL/dq: dL/dq, and for rotations the derivative along the rotation vector.
 [[nodiscard]] Vector position_gradient(Derivation& derivation);
 
-/// (d/dt dL/dv - dL/dq + dD/dv - Q - B u) of the locked coordinates that want it, L before locking,
-/// at q = s(t), v = ds/dt, a = d2s/dt2: what must act beside the inputs to hold them.
+/// The forces that hold the locked coordinates whose reaction is wanted, besides the inputs:
+/// d/dt dL/dv - dL/dq + dD/dv - Q - B u with L before locking, at q = s(t), v = ds/dt, a = d2s/dt2.
 [[nodiscard]] Vector reaction(Derivation& derivation);
 
-/// v_c of the cyclic coordinates that specialise took out.
+/// v_c, the velocities of the cyclic coordinates that specialise removed.
 [[nodiscard]] Vector cyclic_rates(Derivation& derivation);
 
 // Energies, in J.
@@ -64,53 +68,53 @@ enum class Bodies : unsigned char { all, without_frames };
 /// V0, the potential energy at zero rates. L quadratic in v.
 [[nodiscard]] GiNaC::ex potential_energy(Derivation& derivation);
 
-/// T of the point masses and of the bodies in frames, without further terms.
+/// T of the point masses and of the bodies in frames, without the terms of [energy].
 [[nodiscard]] GiNaC::ex kinetic_energy_of_masses(Derivation& derivation);
 
-/// V of the same: -m gravity.p of each.
+/// V = -sum m gravity.p of the point masses and of the bodies in frames.
 [[nodiscard]] GiNaC::ex weight_of_masses(Derivation& derivation);
 
 /// T + V = T + V0 + V1.v. L quadratic in v.
 [[nodiscard]] GiNaC::ex total_energy(Derivation& derivation);
 
-/// E = sum v dL/dv - L; T2 - T0 + V0 where L is quadratic in v.
+/// E = sum v dL/dv - L, which is T2 - T0 + V0 if L is quadratic in v.
 [[nodiscard]] GiNaC::ex energy_function(Derivation& derivation);
 
-/// V0 - T0: E at zero rates. L quadratic in v.
+/// V0 - T0, which is E at v = 0. L quadratic in v.
 [[nodiscard]] GiNaC::ex energy_at_rest(Derivation& derivation);
 
 // Matrices, row-major.
 
-/// M = d2L/dv2, n_v x n_v, symmetric: both halves hold the same expressions. One forward and one
-/// reverse pass per column; a point mass gives sum m dp/dq_i . dp/dq_j.
+/// M = d2L/dv2, n_v x n_v, symmetric: entries ij and ji are the same expression. A point mass adds
+/// m dp/dq_i . dp/dq_j. Cost: one forward and one reverse pass per column.
 [[nodiscard]] Vector mass_matrix(Derivation& derivation);
 
-/// C_ij = 1/2 d(C v)_i/dv_j, the Christoffel form, for which (sum dM/dq_k v_k) - 2 C is skew.
-/// n forward passes over C v.
+/// C_ij = 1/2 d(C v)_i/dv_j, the Christoffel form: (sum dM/dq_k v_k) - 2 C is skew. For rotations
+/// see turning.hpp. Cost: n_v forward passes over C v; for bodies in frames, columns of the tree.
 [[nodiscard]] Vector coriolis_matrix(Derivation& derivation);
 
 /// B = dQ/du, n_v x n_u.
 [[nodiscard]] Vector input_matrix(Derivation& derivation);
 
-/// Y, n_v x the number of inertial parameters, and tau - Y pi: forces of the unit of each
-/// parameter, and what is left where all are 0. Cost: a reverse pass for each body's parameter.
+/// tau = Y pi + rest with the inertial parameters pi. Y is n_v x n_pi; its columns are tau for a
+/// unit of one parameter. `rest` is tau at pi = 0. Cost: a reverse pass per parameter of a body.
 struct Regressor {
   Vector matrix;
   Vector rest;
 };
 [[nodiscard]] Regressor regressor(Derivation& derivation);
 
-/// The same with C(q, v) times a reference velocity r, and drift and dD/dv of r. L quadratic in v.
-/// For rotations C is that of coriolis_matrix.
+/// The regressor of M a + C(q, v) r + drift(r) + g + dD/dv(r) - Q with a reference velocity r. C is
+/// coriolis_matrix(). L quadratic in v.
 [[nodiscard]] Regressor regressor_reference(Derivation& derivation);
 
-/// pi.
+/// pi, the values of the inertial parameters.
 [[nodiscard]] Vector regressor_parameters(Derivation& derivation);
 
-/// dy/dq of each value, one reverse pass per row.
+/// dy/dq N of each value y. Cost: one reverse pass per row.
 [[nodiscard]] Vector jacobian(Derivation& derivation, const Terms& values);
 
-/// dy/dq (along N where dq/dt = N v), dy/dv, dy/da and dy/du of each value, one reverse pass each.
+/// dy/dq N, dy/dv, dy/da and dy/du of each value y. Cost: one reverse pass per value and field.
 struct OutputDerivatives {
   Vector by_position;
   Vector by_velocity;
@@ -119,13 +123,13 @@ struct OutputDerivatives {
 };
 [[nodiscard]] OutputDerivatives output_derivatives(Derivation& derivation, const Terms& values);
 
-/// d(B u)/dq along N, n_v x n_v: a forward pass for each direction.
+/// d(B u)/dq N, n_v x n_v. Cost: one forward pass per velocity.
 [[nodiscard]] Vector input_force_derivatives(Derivation& derivation);
 
 /// M^-1, n_v x n_v; entries are definitions. Throws ZeroPivot.
 [[nodiscard]] Vector inverse_mass_matrix(Derivation& derivation);
 
-/// The equation of motion along a task y of k entries, J = dy/dq:
+/// Operational-space dynamics of a task y with k entries, J = dy/dq N:
 ///
 ///     inertia           Lambda = (J M^-1 J^T)^-1                      k x k
 ///     inverse_jacobian  M^-1 J^T Lambda                               n_v x k
@@ -146,24 +150,24 @@ struct OperationalDynamics {
 /// d2y/dt2 at a = 0.
 [[nodiscard]] Vector second_rate(Derivation& derivation, const Terms& values);
 
-/// d twist/dv, 6 x n_v, of a frame's twist (angular velocity; velocity of its origin), and the rate
-/// of the twist at a = 0.
+/// Of a frame's twist (angular velocity; velocity of its origin): d twist/dv, 6 x n_v, and
+/// d twist/dt at a = 0.
 [[nodiscard]] Vector twist_jacobian(Derivation& derivation, const TwistOutput& output);
 [[nodiscard]] Vector twist_bias(Derivation& derivation, const TwistOutput& output);
 
 // Constraints f(q, t) = 0 with r = df/dt, and phi(q, v, t) = 0 with r = phi (elgen/outputs.hpp).
 
-/// r, by constraint; entries are definitions.
+/// r of each constraint.
 [[nodiscard]] Vector constraint_rates(Derivation& derivation);
 
-/// f of positions, and r of all.
+/// f of the position constraints, and r of all constraints.
 struct ConstraintResidual {
   Vector position;
   Vector rate;
 };
 [[nodiscard]] ConstraintResidual constraint_residual(Derivation& derivation);
 
-/// A = dr/dv, n_c x n_v: df/dq along velocities of positions.
+/// A = dr/dv, n_c x n_v; for a position constraint this is df/dq N.
 [[nodiscard]] Vector constraint_jacobian(Derivation& derivation);
 
 /// gamma = dr/dt at a = 0.
@@ -172,19 +176,25 @@ struct ConstraintResidual {
 /// A^T lambda.
 [[nodiscard]] Vector constraint_force(Derivation& derivation, const Vector& multipliers);
 
-/// The rates of r, or gamma, and 2 zeta omega r + omega^2 f: 0, or -A a, along the motion.
+/// Adds 2 zeta omega r + omega^2 f to dr/dt, or to gamma = dr/dt at a = 0. Along the motion the
+/// result is 0, or -A a respectively.
 [[nodiscard]] Vector stabilised(Derivation& derivation, Vector rates_of_rates);
 
-/// q - N M^-1 A^T S^-1 f with S = A M^-1 A^T of positions, and there v - M^-1 A^T S^-1 r of all.
-/// Throws ZeroPivot.
+/// One Newton step onto the constraints, S = A M^-1 A^T: first q - N M^-1 A^T S^-1 f with the
+/// position constraints, then v - M^-1 A^T S^-1 r with all, at the new q. Throws ZeroPivot.
 struct ProjectedState {
   Vector coordinates;
   Vector rates;
 };
 [[nodiscard]] ProjectedState projected(Derivation& derivation);
 
-/// u = (B^T G B)^-1 B^T G tau with G = M^-1 - M^-1 A^T S^-1 A M^-1 and tau = M a + bias, lambda =
-/// S^-1 A M^-1 (tau - B u), and tau - B u - A^T lambda. Throws ZeroPivot.
+/// With tau = M a + bias, S = A M^-1 A^T and G = M^-1 - M^-1 A^T S^-1 A M^-1:
+///
+///     inputs      u = (B^T G B)^-1 B^T G tau
+///     multipliers lambda = S^-1 A M^-1 (tau - B u)
+///     unbalanced  tau - B u - A^T lambda
+///
+/// Throws ZeroPivot.
 struct ConstrainedInverse {
   Vector inputs;
   Vector multipliers;
@@ -192,9 +202,9 @@ struct ConstrainedInverse {
 };
 [[nodiscard]] ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation);
 
-/// All rates and accelerations from those of OutputRequest::independent, i, with d the others and
-/// A_d square: A_d v_d = -r(v_d = 0), A_d a_d = -(A_i a_i + gamma). Solved by A_d A_d^T, whose
-/// condition is that of A_d squared, as that of S is. Throws ZeroPivot.
+/// All velocities and accelerations from the independent ones, i (OutputRequest::independent). The
+/// dependent ones, d, solve A_d v_d = -r(v_d = 0) and A_d a_d = -(A_i a_i + gamma); A_d is square.
+/// The solution factorises A_d A_d^T, whose condition number is cond(A_d)^2. Throws ZeroPivot.
 struct Completed {
   Vector rates;
   Vector accelerations;
@@ -202,8 +212,8 @@ struct Completed {
 [[nodiscard]] Completed completed(Derivation& derivation, const OutputRequest& request);
 
 // Forward dynamics M a = B u - bias + A^T lambda, A a = -gamma - 2 zeta omega r - omega^2 f, and
-// derivatives of the dynamics. With constraints they are those of these equations, in all (q, v),
-// lambda among what changes:
+// derivatives of the dynamics. With constraints these equations are differentiated for all (q, v),
+// including the change of lambda:
 //
 //     M da = A^T dlambda - d(M a + bias - B u - A^T lambda),   A da = -d(A a + gamma + …)
 //
@@ -213,25 +223,24 @@ struct Completed {
 //     linear     x = (dq, dv):                dx/dt = A x + B du,  A = [0 1; da/dq da/dv],
 //                                             B = [0; da/du]
 //
-// For a rotation dq is the rotation vector in its own axes; its rate is dv - w x dq, so the upper
-// left block of A holds -[w]x there.
+// For a rotation, dq is the rotation vector in the rotated axes; its rate is dv - w x dq, so the
+// upper left block of A contains -[w]x.
 //
-// Bodies in frames go by columns (tree_matrices.hpp) where every angle and offset is linear in the
-// coordinates, everything else by a forward pass along each unit direction.
+// If has_linear_variables(), bodies in frames are differentiated by columns (tree_matrices.hpp).
+// Everything else is differentiated by one forward pass per unit direction.
 
 struct ForwardDynamics {
   Vector acceleration;
   Vector relative_pivots;  ///< of M, then of S = A M^-1 A^T
   Vector multipliers;
-  Vector diagonal;  ///< of M and S: pivots mean nothing where it is 0
+  Vector diagonal;  ///< of M and S; a relative pivot is undefined if its entry is 0
 };
 [[nodiscard]] ForwardDynamics forward_dynamics(Derivation& derivation);
 
-/// The same without M (tree/articulated.hpp), and the operations that factorising M would take.
-/// None where L is given whole, where there are constraints, masses beside frames, or more than a
-/// diagonal in what [energy] T adds to M, where a velocity moves no step or several, or where M is
-/// eliminated from the first velocity to the last: then the pivots would be others. Without pivots
-/// M_ii is not computed.
+/// Forward dynamics without M (tree/articulated.hpp), and the operations of factorising M. Needs: T
+/// and V instead of L, quadratic in v; no constraints and no point masses outside frames; T of
+/// [energy] adds at most a diagonal to M; tree_joints(); elimination of M from the last velocity
+/// (otherwise the pivots would differ). Else none. Without `has_pivots`, M_ii is not computed.
 struct ArticulatedDynamics {
   ForwardDynamics solution;
   std::size_t operations_of_factorisation = 0;
@@ -239,7 +248,7 @@ struct ArticulatedDynamics {
 [[nodiscard]] std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation,
                                                                       bool has_pivots = true);
 
-/// Values with the accelerations and multipliers of the motion in the place of their leaves.
+/// The values with a and lambda replaced by the solution of the forward dynamics.
 [[nodiscard]] Vector along_motion(Derivation& derivation, const Vector& values);
 
 /// n_v x n_v each, row-major.
@@ -257,7 +266,8 @@ struct ForwardDerivatives {
 };
 [[nodiscard]] ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation);
 
-/// The parts that the derivatives, and the linearization, of many velocities are composed of.
+/// The parts from which elgen/compose.hpp computes derivatives of forward dynamics and the
+/// linearization.
 struct ResponseParts {
   Vector mass;
   Vector force;
@@ -265,8 +275,8 @@ struct ResponseParts {
   Vector rates;               ///< the upper rows of A
 };
 
-/// None below least_of_composed velocities, and where there are constraints. Throws ZeroPivot where
-/// an M_ii is 0.
+/// None with constraints, and with fewer than least_of_composed velocities. Throws ZeroPivot if an
+/// M_ii is 0.
 [[nodiscard]] std::optional<ResponseParts> response_parts(Derivation& derivation);
 
 /// 2 n_v x 2 n_v and 2 n_v x n_u.
@@ -276,18 +286,18 @@ struct Linearization {
 };
 [[nodiscard]] Linearization linearization(Derivation& derivation);
 
-// Functions of q and of momenta p = M v + b, b = dL/dv at v = 0. L quadratic in v. Velocities are
-// solved for, and stand in the place of v in what is known as a function of (q, v): nothing is
-// differentiated again. Each throws ZeroPivot. Goldstein, Poole, Safko, 3rd ed., sec. 8.1.
+// Functions of q and of momenta p = M v + b, b = dL/dv at v = 0. L quadratic in v. v is solved from
+// p and substituted in functions of (q, v), so nothing is differentiated again. Each function
+// throws ZeroPivot. Goldstein, Poole, Safko, 3rd ed., sec. 8.1.
 //
 //     v = M^-1 (p - b)
 //     H = p.v - L = 1/2 (p - b).v + V0 - T0
 //     dq/dt = N v,   dp/dt = N^T dL/dq - [w]x p + B u + Q - dD/dv   at that v
 
-/// H.
+/// H(q, p).
 [[nodiscard]] GiNaC::ex hamiltonian(Derivation& derivation);
 
-/// v.
+/// v = M^-1 (p - b).
 [[nodiscard]] Vector velocities_of_momenta(Derivation& derivation);
 
 /// n_q and n_v entries.

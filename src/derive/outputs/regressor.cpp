@@ -1,6 +1,6 @@
-// The regressor: forces of the unit of each inertial parameter, and what is left without any.
-// Bodies in frames share the motion of their steps; a column is pulled back from its own step
-// alone.
+// The regressor: tau for a unit of each inertial parameter, and tau without inertial parameters.
+// All columns of bodies in frames use the same motions of the steps. The forces of a column start
+// at the step of its body.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -16,7 +16,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// The variables and frames of a Lagrangian, without energies and forces.
+/// A Lagrangian with the variables, gravity and steps of another, without bodies, energies and
+/// forces.
 Lagrangian motion_of(const Lagrangian& all) {
   Lagrangian motion;
   motion.symbols = all.symbols;
@@ -28,7 +29,7 @@ Lagrangian motion_of(const Lagrangian& all) {
   return motion;
 }
 
-/// Adds the energies of `[energy]`, which are no terms of bodies, points and armatures.
+/// Adds the terms of `[energy]`. Terms of bodies, points and armatures have another origin.
 void add_stated_energies(const Lagrangian& all, Lagrangian& to) {
   const auto add = [](const EnergyTerms& terms, EnergyTerms& stated) {
     std::ranges::copy_if(
@@ -40,7 +41,7 @@ void add_stated_energies(const Lagrangian& all, Lagrangian& to) {
   add(all.lagrangian, to.lagrangian);
 }
 
-/// Adds friction and forces.
+/// Adds D and all declared forces.
 void add_forces(const Lagrangian& all, Lagrangian& to) {
   to.dissipation = all.dissipation;
   to.forces = all.forces;
@@ -63,7 +64,7 @@ bool is_of(const Entity& origin, const InertialParameter& parameter) {
          origin.kind == (is_body ? EntityKind::body : EntityKind::point);
 }
 
-/// The entry of the parameter's owner; null where another list has it.
+/// The entry of the parameter's owner in `list`, or null.
 template <class List>
 auto* entry_of(List& list, const InertialParameter& parameter) {
   const auto found =
@@ -71,7 +72,7 @@ auto* entry_of(List& list, const InertialParameter& parameter) {
   return found == list.end() ? nullptr : &*found;
 }
 
-/// A body in a frame of which one parameter is 1 and the others are 0; a point keeps its place.
+/// A body on the same step with this parameter 1 and all others 0. A point keeps its position.
 RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
   RigidBody unit;
   unit.step = body.step;
@@ -93,7 +94,7 @@ RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
   return unit;
 }
 
-/// 1/2 w.I w of a unit of I.
+/// 1/2 w.I w with one component of I equal to 1.
 ex unit_energy(const TurningBody& body, std::uint32_t component) {
   static constexpr std::array<std::array<std::size_t, 2>, 6> places{
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
@@ -102,8 +103,8 @@ ex unit_energy(const TurningBody& body, std::uint32_t component) {
   return body.spin[i] * body.spin[j] / (i == j ? 2 : 1);
 }
 
-/// The velocity of a coordinate with an armature. Rotations take four coordinates and three
-/// velocities, and have none.
+/// The velocity index of a coordinate with an armature. A rotation has four coordinates, three
+/// velocities and no armature.
 std::uint32_t velocity_of(const Derivation& derivation, std::uint32_t coordinate) {
   std::uint32_t velocity = coordinate;
   for (const RotationPlace& rotation : derivation.symbols.rotations) {
@@ -118,12 +119,12 @@ Seeds reference_seeds(const Symbols& symbols) {
   return seeds;
 }
 
-/// The part of expressions in which a reference velocity r stands for one v: of x0 + x1(v) +
-/// x2(v, v) it is x0 + x1(r) + x2(v, r). With T_v x the derivative along v -> r,
+/// Replaces one v by a reference velocity r in expressions x of degree 2: x0 + x1(v) + x2(v, v)
+/// becomes x0 + x1(r) + x2(v, r). With T_v x the derivative along v -> r, the result is the sum of
 ///
-///     x at v = 0,   + 1/2 T_v x   + 1/2 T_v x at v = 0
+///     x at v = 0,   1/2 T_v x   and   1/2 T_v x at v = 0
 ///
-/// and a becomes a + 1/2 w x r on the velocities of rotations, where C has 1/2 M [w]x.
+/// For rotations, a is replaced by a + 1/2 w x r, because C contains 1/2 M [w]x.
 class Polarisation {
  public:
   explicit Polarisation(Derivation& derivation)
@@ -135,7 +136,7 @@ class Polarisation {
   ex operator()(const ex& value) {
     const ex known = define(definitions_, value);
     const ex slope = define(definitions_, along_(known));
-    // One after another: the order of definitions must not be the compiler's choice.
+    // Separate statements fix the order of definitions; compilers differ in evaluating operands.
     const ex value_at_rest = at_rest_(known);
     const ex slope_at_rest = at_rest_(slope);
     const ex sum = value_at_rest + (slope + slope_at_rest) / 2;
@@ -209,7 +210,7 @@ class RegressorColumns {
     return polarised(forces_of(derivation_, std::move(unit)));
   }
 
-  /// Where every parameter is 0.
+  /// tau if every inertial parameter is 0.
   Vector rest() {
     Seeds values;
     for (const InertialParameter& parameter : derivation_.lagrangian.inertial) {
@@ -234,7 +235,7 @@ class RegressorColumns {
     return polar_ ? polar_->of(std::move(forces)) : forces;
   }
 
-  /// Forces of everything but inertial parameters; friction is that of the reference velocity.
+  /// Forces of [energy], D and the declared forces. With a reference velocity r, dD/dv is at r.
   Vector other_forces() {
     const Lagrangian& all = derivation_.lagrangian;
     Lagrangian others = motion_of(all);
@@ -281,7 +282,7 @@ class RegressorColumns {
   Derivation& derivation_;
   Tree& tree_;
   std::vector<StepMotion> motions_;
-  std::optional<Polarisation> polar_ = {};  ///< where there is a reference velocity
+  std::optional<Polarisation> polar_ = {};  ///< none without a reference velocity
   Vector rest_ = {};
 };
 

@@ -1,11 +1,11 @@
-// expand: energies and forces become polynomials in the deviations of what is small.
+// expand: replaces energies and forces by polynomials in the deviations of the small leaves.
 //
 //     before    bob at (l*sin(q), -l*cos(q)) of mass m, gravity (0, -g)        q near 0, order 1
 //     after     T = 1/2*m*l^2*v^2,  V = -m*g*l + 1/2*m*g*l*q^2
 //
-// Equations of order k need T - V and D to order k + 1, counting deviations and rates jointly, and
-// forces to order k: one derivative is still to be taken of the energies. Those of coordinates that
-// are not small lose no order by that derivative: right to order k + 1, with forces to that order.
+// Equations of order k need forces to order k, and T - V and D to order k + 1, jointly in
+// deviations and rates: energies are still differentiated once. For a coordinate that is not small,
+// this derivative loses no order. Its equation has order k + 1, so its force is expanded to k + 1.
 #include "derive/specialise/expand.hpp"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ TaylorSeries::TaylorSeries(Definitions& definitions, const std::vector<SmallLeaf
   }
 }
 
-/// Coefficients of one term, by d/ds of the term with x0 + s x1 + s^2 x2 + … for each x.
+/// Coefficients of one term: substitutes x0 + s x1 + s^2 x2 + … for each x and differentiates by s.
 TaylorSeries::Coefficients TaylorSeries::coefficients_of(const ex& term) const {
   GiNaC::exmap curves;
   for (const ex& symbol : symbols_of(definitions_, term)) {
@@ -77,7 +77,7 @@ TaylorSeries::Coefficients TaylorSeries::from_known(const ex& value) const {
 void TaylorSeries::expand(std::uint32_t definition) {
   const Definition old = definitions_.list[definition];
   Coefficients coefficients = from_known(old.value);
-  // A definition without small parts keeps its symbol.
+  // A definition that does not depend on small leaves keeps its symbol.
   if (coefficients[0].is_equal(old.value)) return;
   for (unsigned j = 0; j <= order_; ++j) {
     const std::string name = old.name.empty() ? "" : old.name + "_" + std::to_string(j);

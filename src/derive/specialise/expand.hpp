@@ -1,7 +1,7 @@
-// Taylor coefficients of expressions over definitions, one small value at a time.
+// Taylor coefficients of expressions over definitions.
 //
-// With f(x0 + s (x - x0)) = f0 + s f1 + s^2 f2 + … every definition becomes the definitions of its
-// coefficients; no expression is ever written out. Coefficients of 0 are dropped at once.
+// With f(x0 + s (x - x0)) = f0 + s f1 + s^2 f2 + …, each definition is replaced by definitions of
+// its coefficients, so that expressions stay small. Coefficients that are 0 get no definition.
 //
 //     before    h = l*cos(q), V = m*g*h               q near 0, order 2
 //     after     h0 = l, h2 = -1/2*l*q^2               (h1 = 0)
@@ -18,7 +18,7 @@ class TaylorSeries {
  public:
   TaylorSeries(Definitions& definitions, const std::vector<SmallLeaf>& small, unsigned order);
 
-  /// f0 + f1 + … + f_order. Throws GiNaC's pole_error where f has no derivatives at the point.
+  /// f0 + f1 + … + f_order. Throws GiNaC's pole_error if f has no derivatives at the point.
   [[nodiscard]] GiNaC::ex operator()(const GiNaC::ex& value);
 
  private:
@@ -32,7 +32,7 @@ class TaylorSeries {
   unsigned order_;
   LeafSet mask_ = {};
   GiNaC::symbol s_;
-  ExpressionMap<Coefficients> coefficients_;  // of what depends on small leaves
+  ExpressionMap<Coefficients> coefficients_;  // of symbols that depend on small leaves
   std::vector<bool> known_;
 };
 

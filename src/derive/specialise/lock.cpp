@@ -1,4 +1,4 @@
-// lock: locked coordinates become given functions of time, and are no unknowns any more.
+// lock: replaces each locked coordinate by its given function of time and removes its equation.
 //
 //     before    x = l*cos(q1) + l*cos(q1 + q2)     q = (q1, q2)     q1 locked at 0
 //     after     x = l + l*cos(q2)                  q = (q2)
@@ -12,7 +12,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// Where the locked variables and their rates stand.
+/// q, v and a of the locked variables as functions of time.
 Seeds values_of(WholeLagrangian& lagrangian) {
   const Symbols& symbols = lagrangian.symbols;
   Definitions& definitions = lagrangian.definitions;
@@ -22,7 +22,7 @@ Seeds values_of(WholeLagrangian& lagrangian) {
     for (std::size_t i = 0; i < locked.values.size(); ++i) {
       values.emplace(symbols.q[locked.coordinate + i], locked.values[i]);
     }
-    // A rotation is locked at constants.
+    // A rotation can only be locked at constants.
     const ex rate =
         locked.is_rotation ? ex(0) : define(definitions, passing(locked.values.front()));
     const ex acceleration = define(definitions, passing(rate));
@@ -34,7 +34,8 @@ Seeds values_of(WholeLagrangian& lagrangian) {
   return values;
 }
 
-/// The definitions stay where they are: later ones are appended to the same list.
+/// A copy without definitions. It shares the original's list, to which definitions are only
+/// appended.
 std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
   Definitions definitions = std::move(lagrangian.definitions);
   lagrangian.definitions = {};
@@ -55,7 +56,7 @@ void lock(WholeLagrangian& lagrangian) {
   Holding holding;
   holding.velocities = velocities_with_reaction(lagrangian.locked);
   holding.values = values_of(lagrangian);
-  // The reaction is then the whole force.
+  // Without the held inputs, the reaction is the whole force on a locked coordinate.
   for (const std::uint32_t input : lagrangian.held_inputs) {
     holding.values.emplace(lagrangian.symbols.u[input], 0);
   }

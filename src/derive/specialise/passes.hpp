@@ -1,4 +1,4 @@
-// The passes of specialise over a Lagrangian, one after another.
+// The passes of specialise over a Lagrangian.
 #pragma once
 
 #include <vector>
@@ -8,27 +8,27 @@
 
 namespace elgen {
 
-/// Every energy, force, frame and output over new definitions; the old ones stay in the list,
-/// unreached.
+/// Substitutes `values` for leaves in every energy, force, frame and output. Old definitions stay
+/// in the list, where nothing refers to them.
 void replace(WholeLagrangian& lagrangian, const Seeds& values);
 
-/// q_i = s(t), v_i = ds/dt in every energy, force and frame; the row and the column of q_i are
-/// gone. Where a reaction is wanted, the Lagrangian before is kept in `holding`.
+/// Substitutes q_i = s(t), v_i = ds/dt and a_i = d2s/dt2 for each locked q_i, and removes its row
+/// and column. If a reaction is wanted, `holding` keeps the Lagrangian in which q_i moves.
 void lock(WholeLagrangian& lagrangian);
 
-/// Cyclic coordinates leave: L becomes R, a function of what is left and of their momenta.
+/// Removes cyclic coordinates: L becomes the Routhian R, in which their momenta are parameters.
 void routh(WholeLagrangian& lagrangian);
 
-/// Values take the place of the locked or of the cyclic variables of the Lagrangian, whose rows,
-/// columns and leaves are gone, and the held inputs with them.
+/// Substitutes `values`, then removes the rows, columns and leaves of `variables` (all locked or
+/// all cyclic variables) and of the held inputs.
 void remove_variables(WholeLagrangian& lagrangian, std::vector<HeldVariable>& variables,
                       const Seeds& values);
 
-/// Masses, points and their forces become terms of T, V and the generalized forces.
+/// Rewrites point masses, gravity and point forces as terms of T, V and the generalised forces.
 void write_sums(Lagrangian& lagrangian);
 
-/// Replaces masses, energies and forces by their expansions, as `lagrangian.expansion` says. User
-/// outputs stay exact.
+/// Replaces masses, energies and forces by the Taylor expansion that `lagrangian.expansion`
+/// describes. User outputs stay exact.
 [[nodiscard]] Lagrangian expanded(Lagrangian lagrangian);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Every expression that a Lagrangian holds, in the order of its members, and every list that has an
-// entry for each variable.
+// Substitution in every expression of a Lagrangian, in the order of its members. Removal of
+// variables from every list that has an entry per variable.
 #include <utility>
 
 #include "derive/specialise/passes.hpp"

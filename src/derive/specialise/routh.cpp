@@ -1,12 +1,12 @@
-// routh: cyclic coordinates leave a Lagrangian, and their momenta p are parameters of what is left.
+// routh: removes cyclic coordinates from a Lagrangian; their momenta p become parameters.
 //
 //     before    L = 1/2*m*r_dot^2 + 1/2*m*r^2*phi_dot^2 - V(r)        phi at the momentum p_phi
 //     after     R = 1/2*m*r_dot^2 - V(r) - 1/2*p_phi^2/(m*r^2)
 //
 //     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   all at v_c = 0
 //
-// L does not depend on the coordinate, so that 0 is put in its place wherever it stands. Source:
-// Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., sec. 8.3.
+// L does not depend on a cyclic coordinate, so 0 is substituted for it. Source: Goldstein, Poole,
+// Safko, Classical Mechanics, 3rd ed., sec. 8.3.
 #include <utility>
 
 #include "derive/specialise/passes.hpp"
@@ -17,8 +17,8 @@ namespace {
 
 using GiNaC::ex;
 
-/// x of A x = b, by elimination from the first row to the last; every entry is a definition.
-/// GiNaC's pole_error where a pivot is 0.
+/// Solves A x = b by elimination without pivoting; every entry is a definition. Throws GiNaC's
+/// pole_error if a pivot is 0.
 std::vector<ex> eliminated(Definitions& definitions, std::vector<ex> a, std::vector<ex> b) {
   const std::size_t n = b.size();
   std::vector<ex> reciprocals;
@@ -39,7 +39,7 @@ std::vector<ex> eliminated(Definitions& definitions, std::vector<ex> a, std::vec
   return b;
 }
 
-/// The terms of L, and those of T and V as such.
+/// Moves the terms of T and -V to L.
 void join_energies(Lagrangian& lagrangian) {
   EnergyTerms& whole = lagrangian.lagrangian;
   for (const EnergyTerm& term : lagrangian.kinetic) whole.push_back(term);

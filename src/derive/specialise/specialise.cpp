@@ -1,11 +1,11 @@
-// specialise: fixed parameters become numbers throughout a Lagrangian, then what is locked leaves
-// it, and what is cyclic where the scene says so.
+// specialise: replaces fixed parameters by numbers, then removes locked coordinates and the cyclic
+// coordinates of `[routh]`.
 //
 //     before    p = l*sin(q), T = 1/2*m*p_dot^2      l = 1/2 fixed
 //     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
 //
-// Definitions that vanish are no longer reached from any energy, force or output, so later stages
-// never see them. Then a scene that asks for an expansion gets it.
+// No energy, force or output refers to a definition that became 0, so later stages do not see it.
+// Finally energies and forces are expanded, if the scene asks for it.
 #include "elgen/specialise.hpp"
 
 #include <algorithm>
@@ -51,13 +51,14 @@ constexpr Problem complex{Code::E314, "a value complex"};
 
 using Step = std::function<void(WholeLagrangian&)>;
 
-/// Does a step; what is wrong with the values it leads to.
+/// Runs a step. Returns the first problem of its values: a division by 0, an undefined value or a
+/// complex value.
 std::optional<Problem> problem_of(const Step& step, WholeLagrangian& lagrangian) {
   const std::size_t known = lagrangian.definitions.list.size();
   try {
     step(lagrangian);
   } catch (const GiNaC::pole_error& pole) {
-    return pole.degree() == 0 ? undefined : division;  // 0: of a logarithm
+    return pole.degree() == 0 ? undefined : division;  // degree 0: pole of a logarithm
   } catch (const std::domain_error&) {
     return undefined;
   }
@@ -65,7 +66,7 @@ std::optional<Problem> problem_of(const Step& step, WholeLagrangian& lagrangian)
   for (std::size_t i = known; i < list.size(); ++i) {
     if (is_complex(list[i].value)) return complex;
   }
-  // Small terms are no definitions.
+  // A small term has no definition, so energies and forces are checked too.
   for (const EnergyTerms* const terms : {&lagrangian.kinetic, &lagrangian.potential,
                                          &lagrangian.dissipation, &lagrangian.lagrangian}) {
     if (std::ranges::any_of(*terms, is_complex, &EnergyTerm::value)) return complex;
@@ -74,7 +75,7 @@ std::optional<Problem> problem_of(const Step& step, WholeLagrangian& lagrangian)
   return std::nullopt;
 }
 
-/// Part of a step that is taken apart to find what is wrong with it.
+/// One fixed parameter or one lock, run alone to find the cause of a problem.
 struct StepPart {
   std::string name;
   Span span;
@@ -86,7 +87,7 @@ struct Circumstance {
   std::string many;
 };
 
-/// The first part that fails by itself is to blame; where none does, all are.
+/// Names the first part that fails when run alone; if none fails, names all parts.
 Diagnostic blamed(const Problem& problem, const std::vector<StepPart>& parts,
                   const WholeLagrangian& before, const Circumstance& at) {
   std::string names;
@@ -150,7 +151,7 @@ Result<Lagrangian> specialise(WholeLagrangian lagrangian, const CheckedModel& ch
   if (errors.empty() && !lagrangian.locked.empty()) errors = lock_coordinates(lagrangian);
   if (errors.empty() && !lagrangian.cyclic.empty()) errors = take_out(lagrangian, checked);
   if (!errors.empty()) return errors;
-  Lagrangian& rest = lagrangian;  // nothing is locked or cyclic any more
+  Lagrangian& rest = lagrangian;  // without locked and cyclic variables
   return rest.expansion ? expanded(std::move(rest)) : std::move(rest);
 }
 

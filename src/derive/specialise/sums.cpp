@@ -1,4 +1,4 @@
-// write_sums: masses, gravity and point forces become terms of T, V and Q.
+// write_sums: rewrites point masses, gravity and point forces as terms of T, V and Q.
 //
 //     before    mass m at p, gravity g, force F at p
 //     after     T = 1/2 m |dp/dt|^2,  V = -m g.p,  Q = F.d(dp/dt)/dv
@@ -10,7 +10,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// 1/2 m |dp/dt|^2 and -m gravity.p
+/// Adds 1/2 m |dp/dt|^2 to T and -m gravity.p to V.
 void add_masses(Lagrangian& lagrangian, Tangent& velocity) {
   for (const PointMass& mass : lagrangian.masses) {
     GiNaC::exvector squares;
@@ -29,7 +29,7 @@ void add_masses(Lagrangian& lagrangian, Tangent& velocity) {
   lagrangian.gravity.reset();
 }
 
-/// F.d(dp/dt)/dv, since rates of positions are linear in v.
+/// Adds F.d(dp/dt)/dv to Q: dp/dt is linear in v.
 void add_point_forces(Lagrangian& lagrangian, Tangent& velocity) {
   std::vector<Weighted> work;
   for (const PointForce& applied : lagrangian.point_forces) {
@@ -45,7 +45,7 @@ void add_point_forces(Lagrangian& lagrangian, Tangent& velocity) {
 }  // namespace
 
 void write_sums(Lagrangian& lagrangian) {
-  // Positions hold no rates, so of the motion only dq/dt and t take part.
+  // Positions do not depend on v, so the seeds v -> a have no effect.
   Tangent velocity(lagrangian.definitions, motion_seeds(lagrangian.symbols), "_dot");
   add_masses(lagrangian, velocity);
   add_point_forces(lagrangian, velocity);

@@ -1,5 +1,5 @@
-// Inward over the tree for articulated inertias and what their joints leave of them, outward for
-// accelerations. Bodies that no joint moves stay composite inertias, which have half the numbers.
+// The inward pass computes articulated inertias and eliminates the joints; the outward pass
+// computes accelerations. Rigid parts are summed as composite inertias, with 10 entries, not 21.
 #include "derive/tree/articulated.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void accumulate(VectorAlgebra& algebra, const ArticulatedInertia& from, Articula
   }
 }
 
-/// A rigid body: A = I, H = [h]x, M = m 1.
+/// Adds a rigid body: A = I, H = [h]x, M = m 1.
 void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, ArticulatedInertia& to) {
   for (std::size_t i = 0; i < 6; ++i) {
     to.spin[i] = algebra.define(to.spin[i] + from.inertia[i]);
@@ -49,7 +49,7 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, Articulate
   }
 }
 
-/// About the origin before a shift p.
+/// Translation by p, with the equations of articulated.hpp.
 ArticulatedInertia shifted(VectorAlgebra& algebra, const ArticulatedInertia& c,
                            const ExVector3& p) {
   ArticulatedInertia result = c;
@@ -113,7 +113,7 @@ Spatial components(const ExVector3& angular, const ExVector3& linear) {
 
 SpatialForce force_of(const Spatial& p) { return {{p[3], p[4], p[5]}, {p[0], p[1], p[2]}}; }
 
-/// The only component that is not 0.
+/// Index of the only non-zero component; none if several components or none are non-zero.
 std::optional<std::size_t> single_component(const Spatial& s) {
   std::optional<std::size_t> single;
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -124,7 +124,7 @@ std::optional<std::size_t> single_component(const Spatial& s) {
   return single;
 }
 
-/// By step, the velocities that move it, ascending.
+/// For each step, the indices of the velocities that move it, ascending.
 std::vector<std::vector<std::uint32_t>> velocities_on_steps(const Tree& tree,
                                                             const std::vector<TreeJoint>& joints) {
   std::vector<std::vector<std::uint32_t>> result(tree.size());
@@ -134,7 +134,7 @@ std::vector<std::vector<std::uint32_t>> velocities_on_steps(const Tree& tree,
 
 bool carriers_come_first(const Tree& tree, const std::vector<TreeJoint>& joints) {
   const auto moved_by = velocities_on_steps(tree, joints);
-  std::vector<std::uint32_t> next(tree.size(), 0);  // beyond those that move the step
+  std::vector<std::uint32_t> next(tree.size(), 0);  // 1 + the last velocity that moves the step
   for (std::size_t k = 0; k < tree.size(); ++k) {
     const auto& parent = tree.step(k).parent;
     if (parent) next[k] = next[*parent];
@@ -196,7 +196,7 @@ class ArticulatedRecursion {
     return result;
   }
 
-  /// The bodies, and the forces on them at a0.
+  /// Initialises I and p of each step with its own bodies.
   void start() {
     Tangent& coasting = tree_.derivation().coasting;
     const std::vector<StepMotion> motions = tree_motions(tree_, {coasting, coasting, true});
@@ -205,8 +205,8 @@ class ArticulatedRecursion {
         tree_, [&](const RigidBody& body) { return about_origin(algebra_, body); });
   }
 
-  /// Along a single axis without J the joint lets the body go: there nothing is left of I, and the
-  /// force passed on is that on the joint. With J, I - L U^T = I J/D without a difference.
+  /// If S has a single component s at index k, row and column k of I - L U^T are I J/D. This avoids
+  /// a cancelling difference. Without armature J they are 0, and component k of p + L e is Q/s.
   void eliminate(std::uint32_t velocity) {
     const TreeJoint& joint = joints_[velocity];
     const ex& armature = armatures_[velocity];
@@ -247,7 +247,7 @@ class ArticulatedRecursion {
     accumulate(algebra_, to_parent(tree_, k, inertias_[k]), inertias_[*parent]);
   }
 
-  /// The motion after a step, from that before it.
+  /// Re-expresses a twist of the parent frame of step k in its child frame.
   Twist after(std::size_t k, const Twist& from) {
     if (tree_.step(k).kind == FrameStepKind::translation) {
       const ExVector3 lever = algebra_.cross(from.spin, tree_.step(k).vector);
@@ -282,8 +282,8 @@ class ArticulatedRecursion {
   const Vector& armatures_;
   std::vector<std::vector<std::uint32_t>> moved_by_;
   std::vector<SpatialForce> on_bodies_;       ///< p
-  std::vector<CompositeInertia> rigid_;       ///< with what no joint moves
-  std::vector<ArticulatedInertia> inertias_;  ///< of the rest
+  std::vector<CompositeInertia> rigid_;       ///< of bodies that no joint separates from the step
+  std::vector<ArticulatedInertia> inertias_;  ///< of the other bodies in the subtree
   std::vector<Eliminated> eliminated_;        ///< by velocity
 };
 

@@ -1,4 +1,4 @@
-// Composite inertias and rates, leaves first.
+// Composite inertias and rates, summed from the leaves to the root.
 #include "derive/tree/composite.hpp"
 
 namespace elgen {
@@ -7,7 +7,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// About axis k with i, j the two others; u = s (S_ii - S_jj) + 2 c S_ij:
+/// S' = R S R^T, R a rotation about axis k with sine s and cosine c; i, j are the other axes;
+/// u = s (S_ii - S_jj) + 2 c S_ij:
 ///     S'_ii = S_ii - s u,   S'_jj = S_jj + s u,   S'_ij = c u - S_ij
 Symmetric3 turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const Symmetric3& s) {
   const auto& [k, i, j] = cyclic_axes[r.axis];
@@ -51,7 +52,8 @@ Symmetric3 turned_by_matrix(VectorAlgebra& algebra, const ExMatrix3& r, const Sy
   return result;
 }
 
-/// Adds p^2-like terms: (p.k) 1 - (p k^T + k p^T)/2 with k = h + h_p, symmetric in p and k.
+/// Translation by p (parallel-axis theorem), with k = h + h_p:
+///     I_p = I + (p.k) 1 - (p k^T + k p^T)/2
 CompositeInertia shifted(VectorAlgebra& algebra, const CompositeInertia& c, const ExVector3& p) {
   CompositeInertia result = c;
   const ExVector3 shift = algebra.scaled(c.mass, p);
@@ -61,7 +63,7 @@ CompositeInertia shifted(VectorAlgebra& algebra, const CompositeInertia& c, cons
   for (std::size_t i = 0; i < 3; ++i) along[i] = algebra.define(p[i] * k[i]);
   for (const auto& [i, j, l] : cyclic_axes) {
     result.inertia[i] = algebra.define(c.inertia[i] + along[j] + along[l]);
-    // (p_i k_j + p_j k_i)/2 = p_i h_j + p_j h'_i, since h' = h + m p.
+    // (p_i k_j + p_j k_i)/2 = p_i (h)_j + p_j (h_p)_i, since h_p = h + m p.
     const ex across = p[i] * c.moment[j] + p[j] * result.moment[i];
     result.inertia[symmetric_index(i, j)] =
         algebra.define(c.inertia[symmetric_index(i, j)] - across);
@@ -83,7 +85,7 @@ ExMatrix3 less_outer(VectorAlgebra& algebra, const ExMatrix3& a, const ExVector3
   return result;
 }
 
-/// As for symmetric matrices, with u = s (A_ii - A_jj) + c (A_ij + A_ji):
+/// A' = R A R^T, as for symmetric matrices, with u = s (A_ii - A_jj) + c (A_ij + A_ji):
 ///     A'_ii = A_ii - s u,   A'_jj = A_jj + s u,   A'_ij = c u - A_ji,   A'_ji = c u - A_ij
 ExMatrix3 turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const ExMatrix3& a) {
   const auto& [k, i, j] = cyclic_axes[r.axis];
@@ -131,7 +133,7 @@ ExMatrix3 spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, cons
   return result;
 }
 
-/// About the origin. An inertia about the com is shifted like a composite.
+/// B of one body about the origin of its step. From the com, A is translated as in to_parent().
 CompositeRate own_rate(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
   CompositeRate rate;
   if (!body.inertia.empty()) rate.a = spin_part(algebra, body.inertia, twist.spin);
@@ -192,7 +194,7 @@ Symmetric3 to_parent(Tree& tree, std::size_t step, const Symmetric3& s) {
   return turned_by_matrix(tree.algebra, r.entries, s);
 }
 
-/// Quarter turns permute, which the general product sees by its zeros and ones.
+/// Constant quarter turns use the general product: factors 0 and 1 reduce it to a permutation.
 ExMatrix3 to_parent(Tree& tree, std::size_t step, const ExMatrix3& a) {
   const StepRotation& r = tree.rotation(step);
   const bool is_quarter =

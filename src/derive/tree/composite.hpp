@@ -1,5 +1,5 @@
-// Composite inertias: everything a step carries as one rigid body, in the axes after the step and
-// about the origin there.
+// Composite inertias: the subtree of a step as one rigid body, expressed in the step's child frame
+// and about its origin.
 //
 //     turn         h_p = R h,          I_p = R I R^T
 //     translation  h_p = h + m p,      I_p = I - [p]x [h]x - [h_p]x [p]x
@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// A symmetric matrix as xx yy zz xy xz yz.
+/// A symmetric matrix by its entries xx yy zz xy xz yz.
 using Symmetric3 = std::array<GiNaC::ex, 6>;
 
 [[nodiscard]] std::size_t symmetric_index(std::size_t i, std::size_t j);
@@ -23,30 +23,30 @@ struct CompositeInertia {
   Symmetric3 inertia{0, 0, 0, 0, 0, 0};
 };
 
-/// to += from, both in the same axes.
+/// to += from, both in the same frame.
 void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeInertia& to);
 
-/// A body alone, about the origin of its step: I_c + c.h 1 - c h^T.
+/// One body about the origin of its step: I_c + (c.h) 1 - c h^T.
 [[nodiscard]] CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body);
 
-/// S x of a symmetric matrix.
+/// S x
 [[nodiscard]] ExVector3 product(VectorAlgebra& algebra, const Symmetric3& s, const ExVector3& x);
 
-/// R S R^T of a step.
+/// R S R^T with R of the step.
 [[nodiscard]] Symmetric3 to_parent(Tree& tree, std::size_t step, const Symmetric3& s);
 [[nodiscard]] ExMatrix3 to_parent(Tree& tree, std::size_t step, const ExMatrix3& a);
 
-/// In the axes before the step, about the origin there.
+/// Re-expressed in the parent frame of the step, about its origin.
 [[nodiscard]] CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia& c);
 
-/// One for every step.
+/// Indexed by step.
 [[nodiscard]] std::vector<CompositeInertia> composite_inertias(Tree& tree);
 
-/// I (spin; velocity): the momentum about the origin.
+/// I (spin; velocity): linear momentum, and angular momentum about the origin.
 [[nodiscard]] SpatialForce momentum(VectorAlgebra& algebra, const CompositeInertia& inertia,
                                     const ExVector3& spin, const ExVector3& velocity);
 
-/// The part of the momentum's rate that is linear in a unit twist, for everything a step carries:
+/// B, the part of the momentum rate that is linear in a unit twist, for the subtree of a step:
 ///
 ///     B = [A 0; -[P]x 0],  per body  P = m (v + w x c),
 ///     A = -[w]x Sigma - (v h^T - (h.v) 1)      Sigma = 1/2 tr(I) 1 - I about the origin
@@ -58,13 +58,13 @@ struct CompositeRate {
   ExVector3 momentum{0, 0, 0};
 };
 
-/// to += from, both in the same axes.
+/// to += from, both in the same frame.
 void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate& to);
 
-/// In the axes before the step.
+/// Re-expressed in the parent frame of the step, about its origin.
 [[nodiscard]] CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate);
 
-/// One for every step, in the axes after it, where the bodies move with these twists.
+/// B of each step's subtree, in the step's child frame; `twists` by step.
 [[nodiscard]] std::vector<CompositeRate> composite_rates(Tree& tree,
                                                          const std::vector<Twist>& twists);
 

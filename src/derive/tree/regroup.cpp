@@ -1,7 +1,8 @@
-// regroup: base inertial parameters. Parameters that a joint cannot tell from those of the link
-// before it are added to these: of a turn about z the mass, h_z, and an inertia diag(Iyy, Iyy, 0),
-// which look the same however far it is turned; of a slide the inertia, which is the same wherever
-// it is; of a step that does not move, all of them.
+// regroup: base inertial parameters. Some parameters of a link act on the motion exactly as
+// parameters of the link before it, and are added to them:
+//   turn about z     mass, h_z and an inertia diag(Iyy, Iyy, 0), which a turn does not change
+//   translation      inertia, which a translation does not change
+//   constant step    all parameters
 //
 //     before    link 2: m, h = (hx, hy, hz), I = (Ixx, Iyy, Izz, Ixy, Ixz, Iyz)       about z
 //     after     link 2: 0, (hx, hy, 0), (Ixx - Iyy, 0, Izz, Ixy, Ixz, Iyz)
@@ -31,7 +32,8 @@ bool is_rational(const RigidBody& body) {
   return is_rational(body.mass) && are_rational(body.com) && are_rational(body.inertia);
 }
 
-/// Whether a step does not move, and has rational numbers: others would not stay one number.
+/// True if a step is constant and its entries are rational. With irrational entries the regrouped
+/// parameters would be expressions, not numbers.
 bool is_rigid(const Tree& tree, std::size_t step) {
   const StepRotation& r = tree.rotation(step);
   switch (r.kind) {
@@ -45,7 +47,7 @@ bool is_rigid(const Tree& tree, std::size_t step) {
   return false;
 }
 
-/// The part of an inertia that the motion of a step leaves as it is.
+/// The part of an inertia that the motion of a step does not change.
 CompositeInertia unmoved_part(const Tree& tree, std::size_t step, const CompositeInertia& c) {
   const StepRotation& r = tree.rotation(step);
   CompositeInertia part;
@@ -93,7 +95,7 @@ RigidBody point_mass(const ex& mass, std::optional<std::uint32_t> step) {
   return body;
 }
 
-/// The body of a rotation without its mass.
+/// The body with mass 0 and the same h and I, about the origin of its step.
 RigidBody without_mass(Tree& tree, const RigidBody& body) {
   CompositeInertia rest = about_origin(tree.algebra, body);
   rest.mass = 0;
@@ -102,17 +104,17 @@ RigidBody without_mass(Tree& tree, const RigidBody& body) {
   return result;
 }
 
-/// Whether what moves with `step` moves with `base` and by joints of its own.
+/// True if `base` is an ancestor of `step`, and not `step` itself.
 bool is_behind(const Tree& tree, std::optional<std::uint32_t> step, std::uint32_t base) {
   if (step == base) return false;
   while (step && *step != base) step = tree.step(*step).parent;
   return step.has_value();
 }
 
-/// Masses taken to before the rotation they move with. R^T R = 1 is used here: 1/2 m v^2 of the
-/// motion of its origin holds no quaternion, so that T, momenta and forces agree with M off the
-/// unit sphere, too. Bodies behind further joints keep theirs, and the origin gets a negative one:
-/// m v^2 in two kinds of axes, one taken off for the other.
+/// Moves the masses on a rotation to a point mass at its origin, on the parent step. There
+/// 1/2 m v^2 contains no quaternion (R^T R = 1 is used), so that T, momenta and forces agree with M
+/// even if |q| is not 1. Bodies on descendants keep their masses. The sum of these masses is
+/// subtracted at the origin in the child frame and added there in the parent frame.
 void lift_masses(Tree& tree, std::uint32_t rotation, std::vector<RigidBody>& bodies) {
   ex own = 0;
   ex behind = 0;

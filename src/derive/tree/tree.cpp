@@ -1,4 +1,5 @@
-// Passing along the tree. Quarter turns have numbers for sine and cosine, so they only permute.
+// Transforms along the tree. Sine and cosine of a constant quarter turn are numbers, so that it
+// only permutes components.
 #include "derive/tree/tree.hpp"
 
 namespace elgen {
@@ -7,7 +8,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// The coordinate axis a unit vector lies on, and its sign; none where it lies between.
+/// The coordinate axis parallel to a unit vector, and its sign; none if no axis is parallel.
 std::optional<std::pair<std::size_t, int>> coordinate_axis(const ExVector3& axis) {
   for (const auto& [k, i, j] : cyclic_axes) {
     if (!axis[i].is_zero() || !axis[j].is_zero()) continue;
@@ -17,7 +18,7 @@ std::optional<std::pair<std::size_t, int>> coordinate_axis(const ExVector3& axis
   return std::nullopt;
 }
 
-/// cos 1 + sin [n]x + (1 - cos) n n^T (Rodrigues)
+/// R = cos 1 + sin [n]x + (1 - cos) n n^T (Rodrigues)
 ExMatrix3 turn_matrix(const ExVector3& n, const ex& cosine, const ex& sine) {
   const ex versine = 1 - cosine;
   ExMatrix3 r;
@@ -29,7 +30,7 @@ ExMatrix3 turn_matrix(const ExVector3& n, const ex& cosine, const ex& sine) {
   return r;
 }
 
-/// The homogeneous quadratic form of (w, e): (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x.
+/// |q|^2 R = (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x of a quaternion q = (w, e).
 ExMatrix3 quaternion_matrix(const std::array<ex, 4>& q) {
   ExMatrix3 r;
   for (const auto& [i, j, k] : cyclic_axes) {
@@ -68,7 +69,7 @@ StepRotation rotation_of(Definitions& definitions, const TreeStep& step) {
   return rotation;
 }
 
-/// From a step up to, and without, the root; the steps passed.
+/// `step` and its ancestors; empty for the world.
 std::vector<std::uint32_t> path_to_root(const FrameTree& tree, std::optional<std::uint32_t> step) {
   std::vector<std::uint32_t> path;
   for (; step; step = tree.steps[*step].parent) path.push_back(*step);
@@ -174,7 +175,7 @@ void Tree::weigh(std::size_t index, const SpatialForce& on_step, TreeForces& for
     }
     return;
   }
-  // d(spin)/d(rate of the quaternion), transposed: n.spin = sum of these times the rates.
+  // The transpose of relative_spin(): n.spin = sum over i of force_i dq_i/dt.
   const std::array<ex, 4>& q = s.quaternion;
   const ExVector3& n = on_step.moment;
   const ex scale = algebra.define(2 / squared_length(q));

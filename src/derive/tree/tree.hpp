@@ -1,7 +1,8 @@
-// Tree: how vectors, rates and forces pass along the frames of a Lagrangian.
+// Tree: passes vectors, twists and forces along the frames of a Lagrangian.
 //
-// A step takes x_parent = R x + p; either R or p is trivial. Vectors are kept in the axes after
-// their step. Turns about a coordinate axis cost four products, quarter turns none.
+// A step is an elementary transform x_parent = R x + p from its child frame to its parent frame;
+// R or p is trivial. Vectors on a step are expressed in its child frame. A rotation about a
+// coordinate axis costs four products, a constant quarter turn none.
 #pragma once
 
 #include <functional>
@@ -14,7 +15,8 @@
 
 namespace elgen {
 
-/// The orientation of a step. About coordinate axis `axis` by cosine and sine, or as a matrix.
+/// R of a step: the identity, a rotation about coordinate axis `axis` by its cosine and sine, or
+/// a full matrix.
 struct StepRotation {
   enum class Kind : unsigned char { none, about_axis, matrix };
   Kind kind = Kind::none;
@@ -29,17 +31,17 @@ struct StepRotation {
   }
 };
 
-/// Force and moment about the origin, in the axes after a step.
+/// A wrench on a step: force, and moment about the origin of the step's child frame.
 struct SpatialForce {
   ExVector3 force{0, 0, 0};
   ExVector3 moment{0, 0, 0};
 };
 
-/// Adds one force on a step to another.
+/// to += from, both in the same frame.
 void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to);
 
-/// Generalized forces: weights of angles and offsets, to be pulled back to coordinates, and forces
-/// on the velocities of rotations themselves.
+/// Generalised forces: on angles and offsets x (`pulled_back`, to be multiplied by dx/dq), and on
+/// the velocities of rotations.
 struct TreeForces {
   std::vector<Weighted> pulled_back = {};
   std::vector<std::pair<std::uint32_t, GiNaC::ex>> on_velocities = {};
@@ -47,7 +49,7 @@ struct TreeForces {
 
 void append(TreeForces& to, const TreeForces& from);
 
-/// By velocity, pulled back along every one of them.
+/// One generalised force per velocity: N^T sum weight dx/dq (dq/dt = N v), plus `on_velocities`.
 [[nodiscard]] Vector by_velocities(Derivation& derivation, const TreeForces& forces);
 
 class Tree {
@@ -63,7 +65,7 @@ class Tree {
     return algebra.telling(kind, frames().steps[step].name);
   }
 
-  /// Bodies of the Lagrangian, with numbers regrouped (regrouped()).
+  /// The bodies of the Lagrangian after regrouped().
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
 
   /// R x and R^T x of a step.
@@ -74,27 +76,29 @@ class Tree {
     return rotated(rotations_[step].reversed(), x);
   }
 
-  /// Components after `from` (none: the world) as components after `to`.
+  /// Re-expresses a vector from the child frame of step `from` in the child frame of step `to`;
+  /// none: the world.
   [[nodiscard]] ExVector3 turned(const ExVector3& x, std::optional<std::uint32_t> from,
                                  std::optional<std::uint32_t> to);
 
-  /// Angular velocity of a step relative to its parent, in the axes after it, along a direction of
-  /// motion: axis dangle/ds, or 2 (w de - dw e - e x de)/|q|^2.
+  /// Angular velocity of a step's child frame relative to its parent frame, in the child frame,
+  /// along a direction s: axis dangle/ds, or 2 (w de - dw e - e x de)/|q|^2 with q = (w, e).
   [[nodiscard]] ExVector3 relative_spin(std::size_t index, Tangent& along);
 
-  /// Moves a force before a step: to the axes and the origin of its parent.
+  /// Re-expresses a wrench in the parent frame of the step, about the origin of that frame.
   [[nodiscard]] SpatialForce before(std::size_t index, const SpatialForce& force);
 
-  /// The force on everything that a step carries, from the force on each step.
+  /// The total wrench on each step's subtree, from the wrenches on single steps.
   [[nodiscard]] std::vector<SpatialForce> carried(std::vector<SpatialForce> on_step);
 
-  /// Weighs every angle and offset by what works on it.
+  /// Generalised forces on all angles, offsets and rotations, from the wrenches on single steps.
   [[nodiscard]] TreeForces pull_back(std::vector<SpatialForce> on_step);
 
-  /// The generalized forces of a part of every component of the wrenches.
+  /// Generalised forces of the Lagrangian's wrenches, with `part` applied to every component:
+  /// substitution of u = 0, or d/du_j.
   [[nodiscard]] TreeForces wrench_forces(const std::function<GiNaC::ex(const GiNaC::ex&)>& part);
 
-  /// The part of pull_back at one step.
+  /// Appends the generalised forces on one step's motion, from the total wrench on its subtree.
   void weigh(std::size_t index, const SpatialForce& on_step, TreeForces& forces);
 
   VectorAlgebra algebra;
@@ -107,10 +111,10 @@ class Tree {
   std::vector<RigidBody> bodies_;
 };
 
-/// The tree of a Derivation, made on first demand.
+/// The tree of a Derivation, built at the first call.
 [[nodiscard]] Tree& tree_of(Derivation& derivation);
 
-/// The sum on every step of what `of` makes of bodies there.
+/// For each step, the sum of of(body) over its bodies. Bodies fixed to the world are skipped.
 template <class Value, class Of>
 [[nodiscard]] std::vector<Value> on_steps(Tree& tree, const std::vector<RigidBody>& bodies,
                                           const Of& of) {
@@ -123,13 +127,14 @@ template <class Value, class Of>
   return result;
 }
 
-/// The same of all bodies of the tree.
+/// The same for tree.bodies().
 template <class Value, class Of>
 [[nodiscard]] std::vector<Value> on_steps(Tree& tree, const Of& of) {
   return on_steps<Value>(tree, tree.bodies(), of);
 }
 
-/// With what every step carries: `before` moves a value before a step, leaves first.
+/// Sums the values of each step's subtree, from the leaves to the root. before(k, x) re-expresses
+/// x in the parent frame of step k.
 template <class Value, class Before>
 [[nodiscard]] std::vector<Value> with_carried(Tree& tree, std::vector<Value> values,
                                               const Before& before) {
@@ -141,16 +146,16 @@ template <class Value, class Before>
   return values;
 }
 
-/// The bodies of the Lagrangian; those whose mass, com and inertia are numbers, merged and
-/// regrouped: at most one for each step, about its origin. The energies are the same functions of
-/// the state. Symbolic bodies stay as they are (sums of their parameters would be paid in every
-/// call), but for masses that move with a rotation.
+/// The bodies of the Lagrangian. Bodies with rational mass, com and inertia are regrouped into at
+/// most one body per step, about its origin (regroup.cpp); the energies do not change. Symbolic
+/// bodies are not merged, because every call would compute sums of their parameters. Masses on
+/// rotations are lifted: with_lifted_masses().
 [[nodiscard]] std::vector<RigidBody> regrouped(Tree& tree);
 
-/// Bodies with the masses that move with a rotation taken to before it.
+/// The bodies, with each mass on a rotation moved to a point mass on the parent step.
 [[nodiscard]] std::vector<RigidBody> with_lifted_masses(Tree& tree, std::vector<RigidBody> bodies);
 
-/// h = m c, or what the body was given.
+/// h = m c, or `body.moment` if it is set.
 [[nodiscard]] ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body);
 
 }  // namespace elgen

@@ -1,6 +1,6 @@
-// Columns start at home: in the axes before their own step, where the twist of the step is that of
-// its parent and the axis of a turn is the same; those of a rotation, whose axes turn with it, in
-// the axes after.
+// A column starts in the parent frame of its step. The axis of a turn has the same components
+// there, and the parent's twist can replace the step's. A column of a rotation starts in the child
+// frame, because its axes turn with the step.
 #include <algorithm>
 
 #include "derive/tree/tree_matrices.hpp"
@@ -120,7 +120,7 @@ TreeColumns::Home TreeColumns::home_before(std::uint32_t step) {
   home.carried = tree_.before(step, carried_[step]);
   const auto& parent = tree_.step(step).parent;
   home.motion = parent ? motions_[*parent] : base_motion(tree_, by_.with_gravity);
-  // A turn's own spin is along S, and a shift has none: in products with S they are alike.
+  // A turn adds a spin parallel to S, a translation adds none: both twists have the same v x S.
   home.own = home.below = parent ? twists_[*parent] : Twist{};
   return home;
 }
@@ -133,7 +133,7 @@ const TreeColumns::Home& TreeColumns::home(const TreeVariable& variable) {
   return *known;
 }
 
-/// (w x s; v x s + w x u) of twist (w; v) and (s; u).
+/// Cross product of twists: (w; v) x (s; u) = (w x s; v x s + w x u)
 Twist TreeColumns::crossed(const Twist& twist, const Twist& with) {
   Twist result;
   result.spin = algebra_.cross(twist.spin, with.spin);
@@ -143,8 +143,9 @@ Twist TreeColumns::crossed(const Twist& twist, const Twist& with) {
   return result;
 }
 
-/// a x S + v x (v x S). With the acceleration b of the origin, a = (w'; b - w x v), this is
-/// (w' x s + w x (w x s); b x s + 2 v x (w x s)) for turns, (0; w' x u + w x (w x u)) for shifts.
+/// R2 = a x S + v x (v x S). With the acceleration b of the origin, a = (w'; b - w x v), and R2 is
+///     (w' x s + w x (w x s); b x s + 2 v x (w x s))    for turns and rotations, S = (s; 0)
+///     (0; w' x u + w x (w x u))                        for translations, S = (0; u)
 Twist TreeColumns::second(const Home& home, const TreeVariable& variable) {
   const ExVector3& w = home.below.spin;
   const bool is_shift = is_zero(variable.spin);

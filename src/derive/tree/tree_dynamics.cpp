@@ -1,5 +1,5 @@
-// Forward over the tree for twists and accelerations, backward for forces; momenta and kinetic
-// energies body by body, weights by the first moments of what every step carries.
+// Twists and accelerations go from the root to the leaves, forces from the leaves to the root.
+// Momenta and kinetic energies are sums over bodies; weights use first moments of subtrees.
 #include "derive/tree/tree_dynamics.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 const ex half = GiNaC::numeric(1, 2);
 
-/// I w about the point the inertia is about.
+/// I w, about the reference point of the inertia: the com, or the origin of the step.
 ExVector3 spin_momentum(VectorAlgebra& algebra, const RigidBody& body, const ExVector3& w) {
   if (body.inertia.empty()) return {0, 0, 0};
   Symmetric3 inertia;
@@ -22,7 +22,8 @@ ExVector3 spin_momentum(VectorAlgebra& algebra, const RigidBody& body, const ExV
   return product(algebra, inertia, w);
 }
 
-/// U = [w']x + w w^T - w.w 1, row-major: acceleration of what is fixed to the step, per unit place.
+/// U = [w']x + w w^T - (w.w) 1, row-major. A point at c, fixed to the step, has the acceleration
+/// a + U c.
 ExMatrix3 acceleration_gradient(VectorAlgebra& algebra, const ExVector3& w, const ExVector3& rate) {
   ExMatrix3 u;
   std::array<ex, 3> squares;
@@ -40,8 +41,8 @@ ExVector3 sum(const ExVector3& a, const ExVector3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-/// I w' + w x I w in the products of U:
-/// x: Ixx w'_x + (Izz - Iyy) w_y w_z - Ixy U_zx + Ixz U_yx + Iyz (U_yy - U_zz), and so on round.
+/// I w' + w x I w, from the entries of U that are known already. The x component, and cyclically:
+///     Ixx w'_x + (Izz - Iyy) w_y w_z - Ixy U_zx + Ixz U_yx + Iyz (U_yy - U_zz)
 ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia,
                           const StepMotion& motion) {
   static constexpr std::array<std::array<std::size_t, 3>, 3> place{
@@ -133,7 +134,7 @@ SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
   return result;
 }
 
-/// Gravity in the axes after every step.
+/// Gravity in the child frame of each step.
 std::vector<ExVector3> gravity_by_step(Tree& tree) {
   const ExVector3& g = *tree.derivation().lagrangian.gravity;
   std::vector<ExVector3> result;
@@ -145,7 +146,7 @@ std::vector<ExVector3> gravity_by_step(Tree& tree) {
   return result;
 }
 
-/// Mass and first moment of what a step carries, in the axes after it.
+/// Mass and first moment of a step's subtree, in the step's child frame.
 struct MassMoment {
   ex mass = 0;
   ExVector3 moment{0, 0, 0};
@@ -156,7 +157,7 @@ void accumulate(VectorAlgebra& algebra, const MassMoment& from, MassMoment& to) 
   to.moment = algebra.add(to.moment, from.moment);
 }
 
-/// About the origin before the step, in the axes there.
+/// Re-expressed in the parent frame of the step, about its origin.
 MassMoment to_parent(Tree& tree, std::size_t index, const MassMoment& c) {
   MassMoment result{c.mass, tree.to_parent(index, c.moment)};
   const TreeStep& step = tree.step(index);
@@ -228,7 +229,7 @@ TreeForces tree_momentum(Tree& tree) {
   const Telling momenta = algebra.telling("momentum");
   return tree.pull_back(on_steps<SpatialForce>(tree, [&](const RigidBody& body) {
     const Twist& twist = twists[*body.step];
-    // Momentum about the com, so the inertia has to be about it too.
+    // I w is about the com if the inertia is; the lever term then refers it to the origin.
     SpatialForce momentum;
     momentum.moment = spin_momentum(algebra, body, twist.spin);
     momentum.force = momentum_of(algebra, body, twist);
@@ -252,7 +253,7 @@ Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
     terms.push_back(half * algebra.dot(spin, twist.spin));
     if (!has_mass(body)) continue;
     if (body.about_origin) {
-      // 1/2 m v_O^2 + v_O.(w x h), the rest is in the inertia.
+      // 1/2 m v^2 + v.(w x h) with v of the origin; 1/2 w.I w about the origin contains the rest.
       const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
       const ExVector3 linear = algebra.scaled(half * body.mass, twist.velocity);
       terms.push_back(algebra.dot(twist.velocity, algebra.add(linear, turning)));
@@ -296,7 +297,7 @@ TreeForces tree_gravity(Tree& tree) {
   VectorAlgebra& algebra = tree.algebra;
   for (std::size_t k = 0; k < tree.size(); ++k) {
     const Telling weight = tree.telling("weight", k);
-    // -(weight) and its moment about the origin of the step.
+    // Minus the weight, and its moment about the origin of the step.
     SpatialForce lift;
     lift.force = algebra.scaled(-carried[k].mass, g[k]);
     lift.moment = algebra.cross(g[k], carried[k].moment);

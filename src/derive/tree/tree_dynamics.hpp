@@ -1,17 +1,17 @@
-// Twists, momenta and kinetic energies, inertial forces and weights of bodies in frames, each
-// linear in the number of steps. In the axes after each step, with w the angular velocity, v the
-// velocity of the origin, and a its acceleration less gravity (uniform gravity is an upward
-// acceleration of the base):
+// Twists, momenta, kinetic energies, inertial forces and weights of bodies in frames. The cost of
+// each is linear in the number of steps. All vectors are in the child frame of their step: w is
+// the angular velocity, v the velocity of the origin, and a its acceleration less gravity (uniform
+// gravity is equivalent to an upward acceleration of the base):
 //
 //     turn          w = R^T w_p + s,   w' = R^T w_p' + (R^T w_p) x s + s'
-//                   v = R^T v_p,       a = R^T a_p              s: spin of the turn itself
+//                   v = R^T v_p,       a = R^T a_p              s: spin of the joint
 //     translation   w = w_p,           v = v_p + w x p + p'
 //                   a = a_p + U p + 2 w x p' + p'',   U = [w']x + [w]x [w]x
 //     body          T = 1/2 m v_c^2 + 1/2 w.I w,   v_c = v + w x c
 //                   F = m (a + U c),   N = I w' + w x I w + c x F
 //
-// The forces are pulled back from the leaves to the root: the component of the moment along the
-// axis is the generalized force on the angle (d'Alembert-Lagrange for poses, Euler-Poincare).
+// The forces are summed from the leaves to the root. The component of the moment along a joint's
+// axis is the generalised force on its angle (d'Alembert-Lagrange; for rotations Euler-Poincare).
 // Featherstone, Rigid Body Dynamics Algorithms (2008), chapters 2 and 5.
 #pragma once
 
@@ -19,37 +19,39 @@
 
 namespace elgen {
 
-/// Angular velocity and velocity of the origin of every step, along a direction of motion.
+/// Angular velocity of a step's child frame, and velocity of its origin. tree_twists() has one
+/// twist per step, along a direction of motion.
 struct Twist {
   ExVector3 spin{0, 0, 0};
   ExVector3 velocity{0, 0, 0};
 };
 [[nodiscard]] std::vector<Twist> tree_twists(Tree& tree, Tangent& along);
 
-/// Spin of step k itself: the velocities of a rotation where it moves, else the rate of the turn.
+/// Angular velocity of step k relative to its parent: the velocities of a rotation (0 if `along`
+/// does not move it), else relative_spin().
 [[nodiscard]] ExVector3 own_spin(Tree& tree, std::size_t k, Tangent& along);
 
-/// dT/dv of the bodies, as forces.
+/// dT/dv of the bodies, in the layout of generalised forces.
 [[nodiscard]] TreeForces tree_momentum(Tree& tree);
 
-/// 1/2 m v_c^2 + 1/2 w.I w of each body along a direction of motion.
+/// Terms of T = sum 1/2 m v_c^2 + 1/2 w.I w, along a direction of motion.
 [[nodiscard]] Terms tree_kinetic_energy(Tree& tree, Tangent& along);
 
-/// Whether there is a mass, or a first moment.
+/// True if the mass or the first moment h is not 0.
 [[nodiscard]] bool has_mass(const RigidBody& body);
 
-/// m v_c, or m v + w x h.
+/// m v_c, or m v + w x h if the inertia is about the origin.
 [[nodiscard]] ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body,
                                     const Twist& twist);
 
-/// Which derivatives of the motion an inertial force is made of.
+/// The two directions of differentiation that give an acceleration.
 struct Acceleration {
   Tangent& first;   ///< from pose to velocity
   Tangent& second;  ///< from velocity to acceleration
   bool with_gravity = false;
 };
 
-/// Motion of what is fixed to a step, in the axes after it.
+/// Motion of a step's child frame, expressed in that frame.
 struct StepMotion {
   ExVector3 spin{0, 0, 0};
   ExVector3 spin_rate{0, 0, 0};
@@ -59,26 +61,27 @@ struct StepMotion {
 };
 [[nodiscard]] std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleration);
 
-/// Where the base is: at rest, but for gravity.
+/// Motion of the world: at rest, with the acceleration -gravity if `with_gravity` is set.
 [[nodiscard]] StepMotion base_motion(Tree& tree, bool with_gravity);
 
-/// F and N of bodies fixed to steps.
+/// The sums of F and N over the bodies of each step.
 [[nodiscard]] std::vector<SpatialForce> inertial_forces_on_steps(
     Tree& tree, const std::vector<RigidBody>& bodies, const std::vector<StepMotion>& motions);
 
-/// Inertial forces (and weights) of the bodies.
+/// Generalised inertial forces of the bodies, less the weights if with_gravity is set.
 [[nodiscard]] TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration);
 
-/// dV/dq of the bodies' weights: with mu the mass and h the first moment of all that a step
-/// carries, in the axes after it, and g the gravity there,
+/// dV/dq of the bodies' weights. For the subtree of each step, in the step's child frame, mu is
+/// the mass, h the first moment, and g gravity:
 ///
 ///     parent   mu_p += mu,   h_p += R h + mu p
 ///     weight   F = -mu g,    N = g x h        (on the side of M a)
 ///
-/// pulled back as the component along each step.
+/// The generalised force is the component of (F, N) along the motion of the step.
 [[nodiscard]] TreeForces tree_gravity(Tree& tree);
 
-/// -m gravity.p of each body.
+/// Terms of V = -sum m gravity.p: one for each step without parent, and one for each body fixed to
+/// the world.
 [[nodiscard]] Terms tree_potential_energy(Tree& tree);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Columns at home, then up the tree.
+// Products of columns and twists, mapped from variables of the tree to velocities.
 #include "derive/tree/tree_matrices.hpp"
 
 namespace elgen {
@@ -7,14 +7,14 @@ using GiNaC::ex;
 
 namespace {
 
-/// Adds a J-weighted entry of a matrix over variables to the matrix over velocities.
+/// Maps matrices over variables x of the tree to matrices over velocities, by J = dx/dq.
 class VelocityProjection {
  public:
   VelocityProjection(Tree& tree, const std::vector<TreeVariable>& variables) : tree_(tree) {
     for (const TreeVariable& variable : variables) rows_.push_back(jacobian_row(tree, variable));
   }
 
-  /// M_x += entry at (k, l), to J^T M_x J.
+  /// Adds J^T E J; the only non-zero entry of E is `entry` at (k, l).
   void add(std::size_t k, std::size_t l, const ex& entry) {
     if (entry.is_zero()) return;
     for (const Coefficient& row : rows_[k]) {
@@ -24,7 +24,7 @@ class VelocityProjection {
     }
   }
 
-  /// M_x += entry at (k, l), to J^T M_x dJ/dt.
+  /// Adds J^T E dJ/dt; the only non-zero entry of E is `entry` at (k, l).
   void add_rate(std::size_t k, std::size_t l, const ex& entry) {
     Tangent& frozen = tree_.derivation().frozen;
     for (const Coefficient& column : rows_[l]) {

@@ -1,24 +1,23 @@
-// Matrices of bodies in frames, by composite inertias: one column for every angle and offset,
-// passed on to the steps below it.
+// Mass matrix, Coriolis matrix and derivatives of inverse dynamics of bodies in frames, by
+// composite inertias.
 //
-// A variable x of the tree (an angle, one component of an offset, a velocity of a rotation) moves
-// everything its step carries with the unit twist S. With composites at its step:
+// A variable x of the tree (an angle, a component of an offset, or a velocity of a rotation) moves
+// the subtree of its step with the unit twist S. With the composites I and B of that subtree:
 //
-//     M_kl = S_l . (I_k S_k)                                     l below k
+//     M_kl = S_l . (I_k S_k)                                     l an ancestor of k
 //     C_lk = S_l . (I_k S'_k + B_k S_k),   C_kl = (I_k S_k) . S'_l + (B_k^T S_k) . S_l
 //
-// S' is the rate of S as seen from the world, twist x S, and B = [A 0; -[P]x 0] the part of the
-// momentum's rate that is linear in the twist, with P = m v + w x h and
-// A = [Sigma w]x - I [w]x - [h]x [v]x of each body, Sigma = 1/2 tr(I) 1 - I. Then C is that of the
-// Christoffel symbols: for a mass point m dp/dq^T d/dt(dp/dq). Echeandia, Wensing, Numerical
+// S' = twist x S is the rate of S as seen from the world. B = [A 0; -[P]x 0] is the part of the
+// momentum rate that is linear in the twist, with P = m v + w x h and
+// A = [Sigma w]x - I [w]x - [h]x [v]x of each body, Sigma = 1/2 tr(I) 1 - I. This C belongs to the
+// Christoffel symbols; for a mass point it is m dp/dq^T d/dt(dp/dq). Echeandia, Wensing, Numerical
 // Methods to Compute the Coriolis Matrix and Christoffel Symbols for Rigid-Body Systems (2021).
 //
 // Variables x(q, t) are mapped to coordinates by J = dx/dq: M = J^T M_x J, and
 // C = J^T (C_x J + M_x dJ/dt).
 //
-// Columns: what a unit twist of one variable asks of everything it carries, passed on to the steps
-// below. The mass matrix, the Coriolis matrix and the derivatives of inverse dynamics are products
-// of such columns with the unit twists met on the way to the root.
+// A column is a wrench on the subtree of one variable, such as I_k S_k. It is passed towards the
+// root; its products with the twists of the variables on that path are entries of the matrices.
 #pragma once
 
 #include <functional>
@@ -28,23 +27,23 @@
 
 namespace elgen {
 
-/// A unit twist (angular; linear) in the axes after a step.
+/// A variable of the tree, and its unit twist (spin; velocity) in the child frame of its step.
 struct TreeVariable {
   std::uint32_t step = 0;
   ExVector3 spin{0, 0, 0};
   ExVector3 velocity{0, 0, 0};
   GiNaC::ex value = 0;                               ///< x(q, t)
-  std::optional<std::uint32_t> velocity_index = {};  ///< of a rotation instead of x
+  std::optional<std::uint32_t> velocity_index = {};  ///< for a rotation, which has no x
 };
 
-/// One entry of dx/dq.
+/// An entry of dx/dq, along one velocity.
 struct Coefficient {
   std::size_t velocity = 0;
   GiNaC::ex value = 0;
 };
 
-/// Variables that depend on coordinates, steps ascending. Quaternions written over coordinates have
-/// none: then `is_complete` is false, and matrices are derived from forces.
+/// Variables that depend on coordinates, by ascending step. A quaternion given by expressions of
+/// coordinates has no variables: `is_complete` is then false, and matrices come from forces.
 struct TreeVariables {
   std::vector<TreeVariable> list = {};
   bool is_complete = true;
@@ -52,15 +51,14 @@ struct TreeVariables {
 
 [[nodiscard]] TreeVariables tree_variables(const Tree& tree);
 
-/// dx/dq without its zeros.
+/// The non-zero entries of dx/dq.
 [[nodiscard]] std::vector<Coefficient> jacobian_row(Tree& tree, const TreeVariable& variable);
 
-/// Whether no entry of any row depends on coordinates or time.
+/// True if no entry of the row depends on coordinates or time.
 [[nodiscard]] bool is_constant(const Definitions& definitions, const std::vector<Coefficient>& row);
 
-/// With S the unit twist of a variable, I and B the composites (see above), v and a the
-/// twist and acceleration of the step before, v_own that of its own step, and f the force on all
-/// that is carried:
+/// S is the unit twist of a variable; I, B and f are the composites of its subtree and the wrench
+/// on it; v and a are the twist and acceleration of the parent step, v_own the twist of the step:
 ///
 ///     S'  = v_own x S    rate of S             R1 = v x S,   R2 = a x S + v x R1
 enum class ColumnKind : unsigned char {
@@ -71,7 +69,7 @@ enum class ColumnKind : unsigned char {
   by_velocity,  ///< I (R1 + S') + 2 B S
 };
 
-/// The motions (angular; linear) of a variable that columns are multiplied with.
+/// The twists of a variable that columns are multiplied with.
 enum class UnitKind : unsigned char {
   unit,    ///< S
   rate,    ///< S'
@@ -79,8 +77,8 @@ enum class UnitKind : unsigned char {
   second,  ///< R2
 };
 
-/// Columns of `upper` where its way to the root meets `lower`, in the axes of `lower`'s home.
-/// `is_mutual`: both belong to one step, and the pair comes in both orders.
+/// Columns of variable `upper`, passed towards the root as far as variable `lower`, in the frame of
+/// the Home of `lower`. `is_mutual`: two variables of one step, visited in both orders.
 struct ColumnPair {
   std::size_t upper = 0;
   std::size_t lower = 0;
@@ -92,22 +90,24 @@ class TreeColumns {
  public:
   TreeColumns(Tree& tree, const std::vector<TreeVariable>& variables, const Acceleration& by);
 
-  /// Calls for every variable with itself, its step's others, and every variable below.
+  /// Visits each variable with itself, with the other variables of its step, and with the variables
+  /// of all ancestor steps.
   void for_each_pair(const std::vector<ColumnKind>& kinds,
                      const std::function<void(const ColumnPair&)>& visit);
 
-  /// Motion . column.
+  /// Scalar product of a twist of the variable with the column.
   [[nodiscard]] GiNaC::ex along(std::size_t variable, UnitKind kind, const SpatialForce& column);
 
  private:
-  /// A step's motion and what it carries, in the axes before it, or after it for rotations.
+  /// Spatial quantities of a step, expressed in its parent frame, or for rotations in its child
+  /// frame.
   struct Home {
     CompositeInertia inertia = {};
     CompositeRate rate = {};
-    Twist own = {};          ///< of the step itself
-    Twist below = {};        ///< of the step before
-    StepMotion motion = {};  ///< of the step before
-    SpatialForce carried = {};
+    Twist own = {};             ///< of the step itself
+    Twist below = {};           ///< of the parent step
+    StepMotion motion = {};     ///< of the parent step
+    SpatialForce carried = {};  ///< on the subtree
   };
 
   [[nodiscard]] const Home& home(const TreeVariable& variable);
@@ -129,9 +129,9 @@ class TreeColumns {
   const std::vector<TreeVariable>& variables_;
   Acceleration by_;
   std::vector<std::vector<std::size_t>> on_step_;  ///< variables of each step
-  std::vector<bool> has_below_;                    ///< whether the way to the root meets any
+  std::vector<bool> has_below_;                    ///< true if an ancestor step has variables
   std::vector<CompositeInertia> inertias_;
-  // On first demand, of every step:
+  // By step, computed at the first use:
   std::vector<Twist> twists_;
   std::vector<CompositeRate> rates_;
   std::vector<StepMotion> motions_;
@@ -142,24 +142,25 @@ class TreeColumns {
 /// Entries of an n_v x n_v matrix that may differ from zero, by row and column.
 using SparseMatrix = std::map<std::pair<std::size_t, std::size_t>, GiNaC::ex>;
 
-/// entries += matrix, of n columns.
+/// entries += matrix; `entries` is row-major with n columns.
 void add(const SparseMatrix& matrix, Vector& entries, std::size_t n);
 
 [[nodiscard]] SparseMatrix tree_mass_matrix(Tree& tree);
 [[nodiscard]] SparseMatrix tree_coriolis_matrix(Tree& tree);
 
-/// Whether every variable is linear in the coordinates, with constant coefficients.
+/// True if the variables are complete, and dx/dq of each is constant.
 [[nodiscard]] bool has_linear_variables(Tree& tree);
 
-/// d tau/dq and d tau/dv of the inertial forces and weights; for linear variables. With
-/// R1 = v x S, R2 = a x S + v x R1 (v, a of the step below, gravity an acceleration of the base):
+/// d tau/dq and d tau/dv of the inertial forces and weights, if has_linear_variables(). With
+/// R1 = v x S, R2 = a x S + v x R1 (v, a of the parent step, gravity an acceleration of the base):
 ///
-///     dtau_k/dq_l = (I_k S_k).R2_l + 2 (B_k^T S_k).R1_l         l below k, or k
+///     dtau_k/dq_l = (I_k S_k).R2_l + 2 (B_k^T S_k).R1_l         l an ancestor of k, or k
 ///     dtau_l/dq_k = S_l.(I_k R2_k + 2 B_k R1_k + S_k x* f_k)
-///     dtau_k/dv_l = (I_k S_k).(R1_l + S'_l) + 2 (B_k^T S_k).S_l,   and so on
+///     dtau_k/dv_l = (I_k S_k).(R1_l + S'_l) + 2 (B_k^T S_k).S_l
+///     dtau_l/dv_k = S_l.(I_k (R1_k + S'_k) + 2 B_k S_k)
 ///
-/// For a rotation d/dq is along the rotation vector in its own axes. Singh, Russell, Wensing,
-/// Efficient Analytical Derivatives of Rigid-Body Dynamics (2022).
+/// For a rotation, d/dq is the derivative along the rotation vector in its child frame. Singh,
+/// Russell, Wensing, Efficient Analytical Derivatives of Rigid-Body Dynamics (2022).
 struct TreeDerivatives {
   SparseMatrix by_position = {};
   SparseMatrix by_velocity = {};
