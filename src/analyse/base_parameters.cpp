@@ -21,14 +21,14 @@ using cln::cl_R;
 
 constexpr std::uint64_t seed_of_states = 1;
 
-/// Floats have so many digits beside the 64 of Real; smaller entries than `least_entry` are 0.
+/// Digits of floats, in addition to the 64 digits of Real. Entries below `least_entry` are 0.
 constexpr unsigned more_digits = 96;
 const cl_R& least_entry() {
   static const cl_R value = power_of_ten(-100);
   return value;
 }
 
-/// Residues: the first row with an entry has the pivot.
+/// Elimination over residues. The pivot is in the first row with a non-zero entry.
 struct ResiduePivot {
   using Number = cl_MI;
   static constexpr EchelonForm form = EchelonForm::reduced;
@@ -48,18 +48,18 @@ struct ResiduePivot {
   }
 };
 
-/// Twice as many rows as columns, and some for columns that few rows have.
+/// States for twice as many rows as columns, and 8 more for columns that are 0 in most rows.
 std::size_t states_for(std::size_t rows, std::size_t columns) {
   return 2 * (columns + rows - 1) / rows + 8;
 }
 
-/// The matrix of the regressor comes first of its fields.
+/// The number of entries of Y, which is the first field of the regressor.
 std::size_t entries_of_matrix(const Function& regressor) {
   return regressor.fields.front().entries.size();
 }
 
-/// Takes the rows of an echelon form as base parameters. `number` gives a factor as a real number,
-/// or none.
+/// Stores the rows of an echelon form as base parameters. `number` converts a factor to a real
+/// number; if it returns none, the result is false.
 template <class Field, class ToNumber>
 bool take(const Echelon<Field>& echelon, const ToNumber& number, BaseParameters& found) {
   std::vector<bool> has_effect(found.parameters.size());
@@ -80,7 +80,7 @@ bool take(const Echelon<Field>& echelon, const ToNumber& number, BaseParameters&
   return true;
 }
 
-/// False where a constant or a function is not of the field.
+/// Returns false if an entry of Y has no residue, or if a factor is not rational.
 bool find_by_residues(const CheckedModel& checked, const Program& program,
                       const Function& regressor, BaseParameters& found) {
   Sampler draw(seed_of_states);
@@ -103,8 +103,8 @@ bool find_by_residues(const CheckedModel& checked, const Program& program,
   return are_rational;
 }
 
-/// Rows of Y at a drawn state in long floats, each with a largest entry of 1. None where it has no
-/// value.
+/// Rows of Y at a drawn state in long floats, each scaled to a largest entry of 1. None if Y has no
+/// value there.
 std::optional<std::vector<cl_R>> sampled_rows(const CheckedModel& checked, const Program& program,
                                               const Function& regressor, const State& state) {
   static const cln::float_format_t digits = cln::float_format(64 + more_digits);
@@ -146,7 +146,7 @@ bool find_by_samples(const CheckedModel& checked, const Program& program, const 
       [](const cl_R& factor) { return std::optional(factor); }, found);
 }
 
-/// pi_k + sum factor pi_j at the values of the model, where it has them.
+/// Sets the value pi_k + sum factor pi_j of each base parameter, if all parameters have values.
 void add_values(const CheckedModel& checked, BaseParameters& found) {
   const OracleValues values =
       oracle_values(checked.model, {.kind = OutputKind::regressor_parameters},

@@ -1,5 +1,5 @@
-// Solves linear equations in closed form, and searches roots of others in boxes. Newton's method
-// starts at the middles of undecided boxes.
+// Solves linear equations in closed form, and searches the roots of other equations in boxes.
+// Newton's method refines roots; it starts at the middles of boxes.
 #include "analyse/block_roots.hpp"
 
 #include <fmt/format.h>
@@ -25,11 +25,11 @@ constexpr double turn_above = 0x1.921fb54442d19p2;  // more than 2 pi
 /// Undecided boxes closer than this many of their lengths are joined.
 constexpr double neighbourhood = 10;
 
-/// The limits of Newton starts in a search, and of reported undecided boxes.
+/// The limit of Newton starts in open boxes, and the limit of places that undecided boxes form.
 constexpr std::size_t most_starts = 64;
 constexpr std::size_t most_places = 16;
 
-/// The highest order of zeros that is tried.
+/// The highest order of a zero that is recognised.
 constexpr std::uint32_t most_order = 8;
 
 /// The angle in (-pi, pi].
@@ -88,8 +88,8 @@ class BlockSearch {
     return with_entries(system_.residual(), entries);
   }
 
-  /// Solves an equation without coordinates, whose only root has no values. It is proved to be 0 by
-  /// rational values of the parameters, not by 64 digits.
+  /// An equation without coordinates either has no root, or one root without values. Rational
+  /// values of the parameters prove that it is 0; 64 digits do not.
   BlockRoots constant_equation() {
     const Real value = evaluate(system_.program, rows_, start())[0];
     if (value.is_defined() && !is_near(value, Real(), root_digits)) return std::move(result_);
@@ -138,8 +138,8 @@ class BlockSearch {
                       system_.state);
   }
 
-  /// The operations per box: f twice, its values and slopes for every unknown, and the products of
-  /// Krawczyk's test.
+  /// The operations per box: two evaluations of f, values and slopes of f for every unknown, and
+  /// the products of Krawczyk's test.
   [[nodiscard]] std::uint64_t enclosures_of_box() const {
     const std::uint64_t n = unknowns_.coordinates.size();
     return 1 + square_.instructions.size() * (2 * n + 2) + 2 * n * n * n;
@@ -172,7 +172,7 @@ class BlockSearch {
     return at;
   }
 
-  /// Chooses at most as many equations as unknowns, first those of the velocities of the unknowns.
+  /// Chooses at most one equation per unknown; equations of the unknowns' velocities come first.
   void choose_rows() {
     chosen_rows_ = block_.rows;
     std::stable_partition(chosen_rows_.begin(), chosen_rows_.end(), [this](std::uint32_t row) {
@@ -181,7 +181,7 @@ class BlockSearch {
     if (chosen_rows_.size() > along_.size()) chosen_rows_.resize(along_.size());
   }
 
-  /// The root to which iterations from there converge.
+  /// The root to which Newton's method converges from `first`.
   [[nodiscard]] std::optional<Arguments<Real>> reached_from(const Arguments<Real>& first) const {
     return refined(system_.model, system_.program, square_, first, along_);
   }
@@ -190,7 +190,7 @@ class BlockSearch {
     if (const auto root = reached_from(first)) add(*root);
   }
 
-  /// Adds the root of a box, or an undecided place if iterations lead elsewhere.
+  /// Adds the root of a box. If Newton's method leaves the box, the box is undecided.
   void add_root_of(const Box& box) {
     const auto root = reached_from(middle_of(box));
     if (root && is_in_box(box, *root)) {
@@ -214,7 +214,7 @@ class BlockSearch {
   void add(Arguments<Real> root) {
     for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
       Real& q = root.q[unknowns_.coordinates[i]];
-      // A turn is searched beyond the range to find chart breaks.
+      // An angle is searched over a whole turn, beyond its range, to find chart breaks.
       if (unknowns_.kinds[i] == SearchKind::turn) q = reduced(q);
       if (unknowns_.kinds[i] == SearchKind::range && !lives_at(i, q)) return;
     }
@@ -243,7 +243,7 @@ class BlockSearch {
     });
   }
 
-  /// Joins undecided boxes that touch each other. Boxes within a box with one root are dropped.
+  /// Joins undecided boxes that touch each other. Boxes inside a box with one root are dropped.
   [[nodiscard]] std::vector<Box> together(const BoxSearch& found) const {
     std::vector<Box> places;
     for (const Box& box : found.undecided) {
@@ -255,7 +255,7 @@ class BlockSearch {
     return places;
   }
 
-  /// Joins a box to those that it touches, or to all if there are too many places to report.
+  /// Joins a box with all places that it touches, or with every place if they are too many.
   static void join(std::vector<Box>& places, Box whole) {
     const bool is_crowded = places.size() >= most_places;
     const auto joins = [&](const Box& place) {
@@ -270,7 +270,7 @@ class BlockSearch {
     places.push_back(std::move(whole));
   }
 
-  /// Whether one box contains another or, with slack, meets it.
+  /// True if `outer` contains `inner`; with slack, if the boxes intersect or nearly touch.
   static bool holds(const Box& outer, const Box& inner, int slack) {
     for (std::size_t i = 0; i < outer.size(); ++i) {
       const double length = neighbourhood * (inner[i].high - inner[i].low);
@@ -282,8 +282,8 @@ class BlockSearch {
     return true;
   }
 
-  /// Adds the plain root of a place if there is one. The place is decided if this root is a zero of
-  /// one coordinate, of any order, and no other root is there.
+  /// Adds the plain root of a place, if it exists. The place is undecided, unless it has one
+  /// coordinate and this root, a zero of any order, is proved to be its only root.
   void judge(const BoxedEquations& equations, const Box& place) {
     if (const auto root = plain_root(place)) {
       add(*root);
@@ -309,7 +309,8 @@ class BlockSearch {
     }
   }
 
-  /// The multiples of a quarter turn, or zeros, in a place, if they solve the equations.
+  /// A point of the place whose angles are multiples of a quarter turn and whose other coordinates
+  /// are 0, if it exists. add() tests whether it solves the equations.
   [[nodiscard]] std::optional<Arguments<Real>> plain_root(const Box& place) const {
     Arguments<Real> root = start();
     for (std::size_t i = 0; i < place.size(); ++i) {
@@ -345,7 +346,7 @@ class BlockSearch {
   Unknowns unknowns_ = {};
   std::vector<std::uint32_t> along_ = {};        ///< velocities of the unknowns
   std::vector<std::uint32_t> chosen_rows_ = {};  ///< at most one per unknown
-  std::vector<Fraction> forms_ = {};             ///< of the rows, if all have one
+  std::vector<Fraction> forms_ = {};             ///< closed forms of the rows that have one
   Function rows_ = {};
   Function square_ = {};  ///< the chosen rows
   BlockRoots result_ = {};

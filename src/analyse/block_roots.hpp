@@ -27,7 +27,7 @@ struct RestSystem {
   }
 };
 
-/// Roots of one block: values of its coordinates in order.
+/// The roots of one block, each with the values of the block's coordinates in order.
 struct BlockRoots {
   bool is_identity = false;  ///< an equation without coordinates is 0 = 0 for all parameters
   std::vector<std::vector<CoordinateAtRest>> roots = {};
@@ -36,17 +36,17 @@ struct BlockRoots {
   std::uint64_t boxes = 0;
   std::uint64_t enclosures = 0;
   std::uint64_t starts = 0;
-  std::string_view limit = {};  ///< that ended the search: "boxes" or "enclosures"
+  std::string_view limit = {};  ///< that ended the search: "boxes" or "enclosures"; else empty
 };
 
 /// E531: a coordinate has no range. The search stops at the limits of boxes and enclosures.
 [[nodiscard]] Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block,
                                              const Limits& most);
 
-/// The first nonzero derivative of a row at a root in one coordinate. Lower ones are exactly 0 at
-/// the values of the parameters.
+/// The first derivative of a row by one coordinate that is not 0 at a root. The row and its lower
+/// derivatives are exactly 0 there, at the values of the parameters.
 struct RootOrder {
-  std::uint32_t order = 1;  ///< of the zero
+  std::uint32_t order = 1;  ///< of the derivative, which is the multiplicity of the root
   Fraction derivative = {};
 };
 [[nodiscard]] std::optional<RootOrder> root_order(RestSystem& system, std::uint32_t row,

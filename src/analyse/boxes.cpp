@@ -1,5 +1,5 @@
-// Tests a box slightly larger than the searched one, so that a solution on the border of two boxes
-// is inside of both.
+// Krawczyk's test uses a slightly enlarged box, so that a solution on the border of two boxes is
+// inside both.
 #include "analyse/boxes.hpp"
 
 #include <Eigen/LU>
@@ -19,8 +19,8 @@ double length(const Enclosure& x) { return x.high - x.low; }
 /// The relative enlargement of a tested box on each side.
 constexpr double margin = 0.05;
 
-/// All undecided boxes are refined by this factor before any is refined further, so that they
-/// enclose a line of solutions closely when the limit is reached.
+/// The resolution decreases by this factor after all boxes have reached it. So boxes along a curve
+/// of solutions have equal sizes when the limit is reached.
 constexpr double refinement = 16;
 
 Box enlarged(const Box& box) {
@@ -38,7 +38,7 @@ Box middle_of(const Box& box) {
   return result;
 }
 
-/// None if the boxes do not meet.
+/// None if the boxes do not intersect.
 std::optional<Box> intersection(const Box& x, const Box& y) {
   Box result;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -114,7 +114,7 @@ class Search {
     open.push_back(std::move(half));
   }
 
-  /// The longest side relative to that of the domain.
+  /// The index of the longest side, relative to the sides of the domain.
   [[nodiscard]] std::size_t longest_side(const Box& box) const {
     std::size_t longest = 0;
     for (std::size_t i = 1; i < size_; ++i) {
@@ -125,8 +125,8 @@ class Search {
     return longest;
   }
 
-  /// K(box) for the first equations, as many as unknowns; none if J has no inverse or a value is
-  /// undefined.
+  /// K(box) of the first n equations, n the number of unknowns; none if J has no inverse, or if a
+  /// value is undefined.
   [[nodiscard]] std::optional<Box> krawczyk(const Box& box) const {
     if (rows_ < size_) return std::nullopt;
     const std::optional<std::vector<Enclosure>> slopes = slopes_on(box);

@@ -1,4 +1,4 @@
-// Compares the pivots of M with those at a state where all coordinates are shifted.
+// Compares the pivots of M at a state with its pivots after a shift of all coordinates.
 #include "analyse/chart_breaks.hpp"
 
 #include <algorithm>
@@ -20,8 +20,8 @@ State beside(State state, std::size_t coordinate) {
   return state;
 }
 
-/// Whether M loses a pivot that it has after a shift of all coordinates. At a root of 58 digits
-/// less than 1e-50 of a lost pivot remains.
+/// True if a pivot of M is 0 that is not 0 after a shift of all coordinates. A root has 58 digits,
+/// so less than 1e-50 of a lost pivot remains.
 bool is_chart_broken(const RestProgram& rest, const State& state) {
   State moved = state;
   for (std::size_t i = 0; i < moved.q.size(); ++i) moved = beside(std::move(moved), i);
@@ -45,7 +45,7 @@ std::vector<cl_R> mass_at(const RestProgram& rest, const State& state) {
 
 bool breaks_chart(const RestProgram& rest, const RestPoint& point,
                   std::vector<ChartBreak>& breaks) {
-  // Coordinates that no equation holds stand at their start, where the chart may break by chance.
+  // A coordinate in no equation has its start value, at which the chart may break by chance.
   State elsewhere = point.state;
   for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
     if (point.coordinates[i].is_any) elsewhere = beside(std::move(elsewhere), i);

@@ -1,4 +1,5 @@
-// Chart breaks: points of rest with a singular M, where equations of motion fail.
+// Chart breaks: solutions of the equations at rest at which M is singular, so that the equations of
+// motion fail there.
 #pragma once
 
 #include <vector>
@@ -9,14 +10,14 @@
 
 namespace elgen {
 
-/// The numbers of values, 0 for undefined ones.
+/// The values as real numbers; undefined values become 0.
 [[nodiscard]] std::vector<cln::cl_R> numbers_of(const std::vector<Real>& values);
 
 /// M at a state of rest, row-major.
 [[nodiscard]] std::vector<cln::cl_R> mass_at(const RestProgram& rest, const State& state);
 
-/// Whether M is singular at a point. Adds the coordinates that cause it to `breaks`, once each:
-/// those whose shift alone makes M regular, else all in the equations at rest.
+/// True if M is singular at a point. Adds the coordinates that cause it to `breaks`, each once: a
+/// coordinate whose shift alone makes M regular; else every coordinate in the equations at rest.
 [[nodiscard]] bool breaks_chart(const RestProgram& rest, const RestPoint& point,
                                 std::vector<ChartBreak>& breaks);
 

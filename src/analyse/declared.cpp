@@ -1,6 +1,6 @@
-// Judges [[equilibrium]] entries by closed forms of the residual and of det(x M - K) at the point.
-// If these do not decide, the balance is taken from inspect() at sampled states, where frequencies
-// are compared in 64 digits.
+// Checks [[equilibrium]] entries by closed forms of the residual and of det(x M - K) at the point.
+// If the forms do not decide, the balance has been tested by inspect() at the states of
+// sampled_equilibrium(). At these states frequencies are compared in 64 digits.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,11 +20,11 @@ namespace {
 
 using cln::cl_R;
 
-/// Larger determinants of closed forms exceed their budget.
+/// Larger determinants exceed the budget of closed forms.
 constexpr std::size_t most_rows = 8;
 
-/// Expands by the first row, with minors stored by their sets of columns. Elimination divides
-/// forms, and would exceed the budget sooner.
+/// Laplace expansion by the first row; minors are memoised by their sets of columns. Elimination
+/// would divide forms and exceed the budget sooner.
 Value determinant(Arithmetic& at, const std::vector<Value>& matrix, std::size_t n) {
   std::vector<Value> minors(std::size_t{1} << n);
   minors[0] = fraction_of(cln::cl_RA(1));
@@ -51,7 +51,8 @@ Real determinant(const std::vector<Real>& matrix, std::size_t n) {
   return echelon.is_defined() ? echelon.determinant() : Real::undefined();
 }
 
-/// The cosine and sine are known for an angle k pi +- acos(c) or asin(c), but not for others.
+/// The replacement of a coordinate. For an angle rest +- acos(c) or rest +- asin(c), it has the
+/// cosine and sine by the addition theorem.
 Replacement replacement_of(Arithmetic& at, const Algebra& algebra, const Fraction& value) {
   Replacement result{value};
   if (!value.denominator.empty()) return result;
@@ -100,7 +101,8 @@ std::vector<Real> slopes_at(const Model& model, const Program& moving, const Arg
   return slopes;
 }
 
-/// Compares both polynomials at n + 1 values of x, to 30 digits of the larger one.
+/// Compares det(x M - K) with det M (x - w1^2) (x - w2^2) … at n + 1 values of x, to 30 digits.
+/// None if a value is undefined.
 std::optional<bool> has_frequencies_at(const Model& model, const Program& moving,
                                        const Equilibrium& declared, const State& state) {
   static const cl_R noise = power_of_ten(-30);
@@ -169,7 +171,8 @@ class DeclaredEquilibrium {
     return closed_form(forms_, model_, checked_.scene.specialisation.fixed, expression);
   }
 
-  /// Finds the residual and K at the point; empty if a form is unknown.
+  /// Computes the residual, M and K at the point. They remain empty if a coordinate of the point
+  /// has no closed form, and for models with rotations.
   void find_forms() {
     const ClosedFunction* const bias = closed(OutputKind::bias);
     const ClosedFunction* const inputs = closed(OutputKind::input_matrix);
@@ -211,7 +214,7 @@ class DeclaredEquilibrium {
   bool has_frequencies() {
     const std::size_t n = size();
     if (stiffness_.size() != n * n || n > most_rows) return false;
-    const Value x = at_.leaf(Opcode::acceleration, 0);  // a leaf that is in no equation at rest
+    const Value x = at_.leaf(Opcode::acceleration, 0);  // a leaf in no equation at rest
     std::vector<Value> pencil;
     for (std::size_t i = 0; i < n * n; ++i) {
       pencil.push_back(at_.subtract(at_.multiply(x, mass_[i]), stiffness_[i]));
@@ -224,7 +227,7 @@ class DeclaredEquilibrium {
     return difference && difference->numerator.empty();
   }
 
-  /// Judges by numbers, and keeps the first wrong state.
+  /// Compares frequencies at sampled states. The first state at which they differ is the witness.
   void judge_frequencies(const std::vector<State>& points, JudgedEquilibrium& result) const {
     result.frequencies = ClaimStatus::open;
     for (const State& point : points) {
@@ -255,7 +258,7 @@ std::vector<JudgedEquilibrium> judge_equilibria(const CheckedModel& checked,
   std::vector<JudgedEquilibrium> result;
   const bool is_exact = !checked.model.approximation && checked.model.open_values.empty();
   if (checked.model.equilibria.empty() || !is_exact) return result;
-  const Program moving = written(recursive, Reader::code);  // contains no cancelled leaf
+  const Program moving = written(recursive, Reader::code);  // without leaves that cancel
   ClosedForms forms = present(moving);
   for (const Equilibrium& declared : checked.model.equilibria) {
     result.push_back(DeclaredEquilibrium(checked, moving, forms, declared)());

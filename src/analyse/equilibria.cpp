@@ -1,4 +1,4 @@
-// Equilibria of a system are all combinations of equilibria of its blocks.
+// The equilibria of a system are all combinations of the equilibria of its blocks.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ class EquilibriumSearch {
     return std::move(result_);
   }
 
-  /// Judges the start alone.
+  /// Analyses only the given state, which must be an equilibrium (else E532).
   Result<Equilibria> at_start() {
     if (Diagnostics errors = prepare(); !errors.empty()) return errors;
     if (Diagnostics errors = unbalanced(); !errors.empty()) return errors;
@@ -80,8 +80,8 @@ class EquilibriumSearch {
   }
 
  private:
-  /// Gives closed forms to coordinates in no equation at rest: they stay at their start, and those
-  /// at multiples of a quarter turn get a form.
+  /// Coordinates in no equation at rest keep their start value. If this is 0, or for an angle a
+  /// multiple of a quarter turn, it gets a closed form.
   void name_free_coordinates(RestPoint& point) {
     for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
       CoordinateAtRest& coordinate = point.coordinates[i];
@@ -125,7 +125,7 @@ class EquilibriumSearch {
   }
 
   [[nodiscard]] Diagnostics unbalanced() const {
-    // Starts have 60 digits or more. Sums of forces lose a few.
+    // Start values have 60 digits or more. Sums of forces lose a few digits.
     static const cl_R tolerance = power_of_ten(-40);
     const std::vector<Real> residual =
         evaluate(rest_.program, rest_.residual(), arguments_at<Real>(state_));
@@ -158,7 +158,7 @@ class EquilibriumSearch {
     return exact_root(system.forms, rows, unknowns, arguments_at<Real>(state_)).value_or(numbers);
   }
 
-  /// Orders plain values by value, then others by magnitude.
+  /// Orders plain values by value, then all other values by magnitude.
   static bool comes_before(const std::vector<CoordinateAtRest>& x,
                            const std::vector<CoordinateAtRest>& y) {
     static const cl_R noise = power_of_ten(-40);
@@ -182,7 +182,7 @@ class EquilibriumSearch {
         return model_.coordinates[coordinate].rotation.has_value();
       });
       for (const std::uint32_t coordinate : block.coordinates) {
-        // If the chart breaks somewhere in the turn, only the range counts.
+        // If the chart breaks within a turn, only the declared range is searched.
         const Coordinate& searched = model_.coordinates[coordinate];
         const bool is_periodic = !(searched.singular && searched.range) &&
                                  std::ranges::none_of(rows_, [&](const Occurrence& row) {
@@ -198,7 +198,7 @@ class EquilibriumSearch {
   void describe() {
     const Function* const potential = find_function(moving_, OutputKind::potential_energy);
     if (potential == nullptr) return;
-    // At rest W is V0 unless the kinetic energy has a term without rates.
+    // At rest W is V0, unless the kinetic energy has a term T0 without velocities.
     Program both{rest_.program.leaves, moving_.constants, {*potential}};
     ClosedForms known = present(both);
     const auto& v0 = known.functions[0].fields[0].entries[0];
@@ -216,7 +216,7 @@ class EquilibriumSearch {
                              roots.undecided.end());
   }
 
-  /// Makes all combinations. The last block varies fastest.
+  /// Adds a point for each combination of roots. The root of the last block varies fastest.
   Diagnostics make_points(RestSystem& system) {
     std::size_t count = 1;
     for (const BlockRoots& block : roots_) {
@@ -293,7 +293,7 @@ class EquilibriumSearch {
     }
   }
 
-  /// Notes that K = 0 along a coordinate, exactly at the values of the parameters.
+  /// Notes the leading term of W along a coordinate with K = 0, exactly at the parameters' values.
   void note_degenerate(RestSystem& system, const RestBlock& block, const CoordinateAtRest& root,
                        const RestPoint& point, RestConditions& here) {
     const std::uint32_t coordinate = block.coordinates[0];
@@ -324,7 +324,7 @@ class EquilibriumSearch {
   Equilibria result_ = {};
 };
 
-/// The start, with inputs given by their laws, or 0.
+/// The start. Inputs have the values of their laws, or 0.
 Result<State> start_of(const CheckedModel& checked) {
   const Model& model = checked.model;
   State state = nominal_state(model, checked.scene);
@@ -337,7 +337,7 @@ Result<State> start_of(const CheckedModel& checked) {
   return state;
 }
 
-/// The state of an [[equilibrium]]; its open coordinates are at their start.
+/// The state of an [[equilibrium]]; coordinates that it does not set have their start value.
 Result<State> state_at(const CheckedModel& checked, const std::string& name) {
   Result<State> state = start_of(checked);
   if (!state || name.empty()) return state;
@@ -361,7 +361,7 @@ Result<EquilibriumSearch> search_of(const AnalysisInput& input) {
   const CheckedModel& checked = input.checked;
   const Result<State> state = input.about ? state_at(checked, *input.about) : start_of(checked);
   if (!state) return state.diagnostics;
-  Program moving = written(input.recursive, Reader::code);  // contains no cancelled leaf
+  Program moving = written(input.recursive, Reader::code);  // without leaves that cancel
   Result<RestProgram> rest = rest_program(moving, state->u);
   if (!rest) return rest.diagnostics;
   return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *state);

@@ -14,7 +14,7 @@ namespace {
 
 using FormEchelon = Echelon<FormField>;
 
-/// sum over unknowns of x_u coefficient_u = 0, over the parameters.
+/// sum_u x_u coefficient_u = 0 for the unknowns x_u; coefficients contain parameters only.
 using Equation = FormEchelon::Row;
 
 class Conditions {
@@ -54,8 +54,8 @@ class Conditions {
   [[nodiscard]] std::vector<Equation> equations() && { return std::move(equations_); }
 
  private:
-  /// Notes whether atoms are independent. Powers 0 and 1 of one root are, but sqrt(a) sqrt(b) may
-  /// be a third root, a root of sines and cosines a sine, and the root of a square no root.
+  /// Notes whether the atoms are independent. Powers 0 and 1 of a single root are independent. But
+  /// sqrt(a) sqrt(b) may be a third root, and a root of sines and cosines may be a sine.
   void note(AtomId id) {
     if (algebra_.atoms[id].kind != AtomKind::root) {
       is_complete_ = is_complete_ && is_independent(algebra_, id);
@@ -78,7 +78,7 @@ class Conditions {
 
   using Denominator = std::map<std::uint32_t, std::int32_t>;
 
-  /// Repeats, as squares of roots may have denominators of their own.
+  /// Repeats, because squares of roots may introduce new denominators.
   bool clear_denominators(std::vector<Value>& row) {
     for (;;) {
       Denominator common;
@@ -113,7 +113,7 @@ class Conditions {
   std::vector<Equation> equations_ = {};
 };
 
-/// Sets unknowns that stand alone in an equation to 0, and removes them from the others.
+/// Sets the unknown of each equation with one term to 0, and removes it from all other equations.
 std::vector<Equation> with_zeros_apart(std::vector<Equation> equations) {
   std::set<std::size_t> zeros;
   for (bool is_done = false; !is_done;) {

@@ -12,15 +12,16 @@
 
 namespace elgen {
 
-/// Closed forms as numbers of generators.hpp and of Echelon; none if the budget is exceeded. Pivots
-/// are taken from the shortest row.
+/// Closed forms as the number type of generators.hpp and of Echelon. A form that exceeds the budget
+/// is none. The pivot of a column is in the shortest row.
 class FormField : public Arithmetic {
  public:
   using Number = Value;
   using Candidates = std::vector<PivotCandidate<Value>>;
   static constexpr EchelonForm form = EchelonForm::reduced;
 
-  /// 4e6 term products take less than two seconds.
+  /// `work`: limit of term products; the default takes less than two seconds. `terms`: limit of
+  /// terms in a form.
   explicit FormField(Algebra& algebra, std::size_t work = 4'000'000, std::size_t terms = 60'000)
       : Arithmetic(algebra, work, terms) {}
 
@@ -36,15 +37,15 @@ class FormField : public Arithmetic {
   }
 };
 
-/// The leaves themselves as a point, with R.
+/// The point whose q, v, a and t are the leaves, with the given R.
 [[nodiscard]] MotionPoint<Value> leaf_point(FormField& field, const Model& model,
                                             const std::vector<Value>& residual);
 
 /// Generators with coefficients in the parameters.
 struct ExactGenerators {
   std::vector<std::vector<Fraction>> basis = {};
-  /// There are no other generators, as the occurring functions (leaves, sines, cosines and at most
-  /// one root) are independent, unless the root is one of a square.
+  /// No other generators exist, because the functions that occur (leaves, sines, cosines and at
+  /// most one root) are independent. Not proved for a root of a square, see `has_root`.
   bool is_complete = false;
   bool has_root = false;
 };

@@ -1,6 +1,7 @@
-// The equation of one angle is a polynomial in z = e^(iq), whose factors z - 1, z + 1, z - i, z + i
-// are divided out; what is left of degree 2 is c0 (z^2 + 1) + c1 z or c0 (1 - z^2) + c1 z. A pivot
-// of linear equations is a coefficient that is not 0 at the values of the parameters.
+// The equation of one angle is a polynomial in z = e^(iq). Its factors z - 1, z + 1, z - i, z + i
+// are divided out. A quotient c0 (z^2 + 1) + c1 z gives cos(q), and c0 (1 - z^2) + c1 z gives
+// sin(q). A pivot of linear equations is a coefficient that is not 0 at the values of the
+// parameters.
 #include "analyse/exact_roots.hpp"
 
 #include <cln/integer.h>
@@ -22,19 +23,19 @@ namespace {
 
 using cln::cl_RA;
 
-/// Whether two angles are equal up to whole turns.
+/// True if two angles are equal up to whole turns.
 bool is_same_angle(const Real& x, const Real& y) {
   return is_near(cos(x), cos(y)) && is_near(sin(x), sin(y));
 }
 
-/// Searches for one coordinate, or for any.
+/// A search for one coordinate; by default for any coordinate.
 LeafSearch search_of(const Algebra& algebra, std::optional<std::uint32_t> coordinate) {
   return {algebra, [coordinate](const Atom& leaf) {
             return leaf.leaf == Opcode::coordinate && (!coordinate || leaf.index == *coordinate);
           }};
 }
 
-/// The k of an atom power that equals e^(i k q); none for other atoms.
+/// k, if a power of an atom is e^(i k q) with integer k; none for other atoms.
 std::optional<std::int32_t> sinusoid_power(const Algebra& algebra, const AtomPower& power,
                                            std::uint32_t coordinate) {
   const Atom& atom = algebra.atoms[power.atom];
@@ -47,7 +48,7 @@ std::optional<std::int32_t> sinusoid_power(const Algebra& algebra, const AtomPow
   return static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(multiple)));
 }
 
-/// Coefficients of z^0, z^1, …; none if the coordinate occurs in other ways.
+/// Coefficients of z^0, z^1, …. None if the coordinate also occurs outside of e^(i k q).
 using Coefficients = std::vector<Polynomial>;
 
 std::optional<Coefficients> in_sinusoids(const Algebra& algebra, const Polynomial& sum,
@@ -114,7 +115,7 @@ std::optional<KnownSinusoid> sinusoid_of(Arithmetic& arithmetic, Coefficients co
   return value ? std::optional(KnownSinusoid{*value, is_cosine}) : std::nullopt;
 }
 
-/// The closed form of a root of an equation in one unknown, given its number.
+/// The closed form of a root of an equation in one unknown, from the root's value in 64 digits.
 class OneUnknown {
  public:
   OneUnknown(ClosedForms& forms, const Arguments<Real>& root, std::uint32_t coordinate)
@@ -135,7 +136,7 @@ class OneUnknown {
  private:
   [[nodiscard]] const Real& number() const { return root_.q[coordinate_]; }
 
-  /// Picks the angle that equals the root.
+  /// Of the two angles with this cosine or sine, the angle that equals the root.
   std::optional<CoordinateAtRest> angle(const KnownSinusoid& sinusoid) {
     const FunctionId inverse = sinusoid.is_cosine ? FunctionId::acos : FunctionId::asin;
     const Value square = arithmetic_.multiply(sinusoid.value, sinusoid.value);
@@ -172,7 +173,7 @@ class OneUnknown {
   Arithmetic arithmetic_;
 };
 
-/// A multiple of a quarter turn for an angle, 0 for other coordinates.
+/// The root if it is 0 or, for an angle, a multiple of a quarter turn; else none.
 std::optional<CoordinateAtRest> plain_value(Algebra& algebra, SearchKind kind, const Real& root) {
   Arithmetic arithmetic(algebra);
   if (is_near(root, Real())) return CoordinateAtRest{false, 0, Fraction{}};
@@ -196,7 +197,7 @@ bool is_solved(Algebra& algebra, const std::vector<Fraction>& rows,
 
 // Linear equations.
 
-/// Closed forms at values of the parameters. A pivot is nonzero at these values.
+/// Closed forms, with pivots that are not 0 at the values of the parameters.
 class FormsAt : public FormField {
  public:
   FormsAt(Algebra& algebra, const Arguments<Real>& at)
@@ -211,8 +212,8 @@ class FormsAt : public FormField {
     return is_near(number(fraction), Real());
   }
 
-  /// The first pivot. A column whose entries are 0 only at these values stays open, since 64 digits
-  /// do not prove that they are 0.
+  /// The first candidate that is not 0 in 64 digits. If all candidates are 0 in 64 digits, the
+  /// elimination is undecided, because this does not prove that they are 0.
   [[nodiscard]] const PivotCandidate<Value>* best(const Candidates& candidates, std::size_t) {
     for (const PivotCandidate<Value>& candidate : candidates) {
       if (!vanishes(**candidate.entry)) return &candidate;
@@ -228,11 +229,11 @@ class FormsAt : public FormField {
   bool is_open_ = false;
 };
 
-/// Columns: the unknowns from last to first, so that pivots leave the first ones arbitrary; then
-/// the constant term.
+/// Columns: the unknowns from last to first, so that the first unknowns remain arbitrary; then the
+/// constant term.
 using RestEchelon = Echelon<FormsAt>;
 
-/// The unknown of the pivot that was removed from this row.
+/// The value of the unknown whose pivot was removed from this row.
 std::optional<CoordinateAtRest> solved_for(FormsAt& field, const RestEchelon::Row& row,
                                            const std::vector<std::uint32_t>& unknowns) {
   const std::size_t n = unknowns.size();
@@ -273,7 +274,7 @@ std::optional<LinearSolution> solution_of(FormsAt& field, std::vector<RestEchelo
   return solution;
 }
 
-/// Multiplies a row by the powers of unknowns that divide it, and notes these in `poles`.
+/// Multiplies a row by the powers of unknowns in its denominators, and notes these in `poles`.
 Value without_poles(Algebra& algebra, const Fraction& row, const Unknowns& unknowns,
                     std::set<std::uint32_t>& poles) {
   Monomial powers;
@@ -290,7 +291,7 @@ Value without_poles(Algebra& algebra, const Fraction& row, const Unknowns& unkno
   return Arithmetic(algebra).multiply(row, fraction_of(Polynomial{{powers, Gaussian{1, 0}}}));
 }
 
-/// Whether an unknown is 0 that divides an equation.
+/// True if an unknown that occurs in a denominator is 0.
 bool is_at_pole(const LinearSolution& solution, const Unknowns& unknowns,
                 const std::set<std::uint32_t>& poles) {
   for (std::size_t i = 0; i < solution.values.size(); ++i) {

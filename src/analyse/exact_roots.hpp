@@ -2,11 +2,13 @@
 // the empty sum with them.
 //
 //     0, pi, +-pi/2      in any number of coordinates
-//     +-acos(c), asin(c), pi - asin(c)     of one angle, if the equation without the above roots
-//                                          is a multiple of cos(q) - c or sin(q) - c
+//     +-acos(c), asin(c), pi - asin(c)     of one angle, if the equation divided by the factors of
+//                                          the roots above is a multiple of cos(q) - c or
+//                                          sin(q) - c
 //     -b/a                                 of one coordinate, if the equation is a q + b
 //
-// Equations that are linear in all unknowns, as those of masses on springs, are solved at once.
+// Equations that are linear in all unknowns, such as equations of masses on springs, are solved
+// together by elimination.
 #pragma once
 
 #include <optional>
@@ -18,21 +20,22 @@
 
 namespace elgen {
 
-/// Unknown coordinates of some equations, with their kinds of search.
+/// The unknown coordinates of some equations, and the kind of search for each.
 struct Unknowns {
   std::vector<std::uint32_t> coordinates = {};
   std::vector<SearchKind> kinds = {};
 };
 
-/// The closed forms of a root, one per unknown; none if it has none of these.
+/// The closed forms of a root, one per unknown; none if the root has none of the forms above.
 [[nodiscard]] std::optional<std::vector<CoordinateAtRest>> exact_root(
     ClosedForms& forms, const std::vector<Fraction>& rows, const Unknowns& unknowns,
     const Arguments<Real>& root);
 
-/// The general solution of equations linear in the unknowns, up to factors of their powers as for
-/// orbits (p^2/(m r^3) = m mu/r^2). Some unknowns are arbitrary, the others are expressions of
-/// them. `is_solvable` is false if there is no solution. None if the equations are not linear, or
-/// if a form exceeds the budget or is 0 in 64 digits without being the empty sum.
+/// The general solution of equations that are linear in the unknowns, after powers of unknowns are
+/// cleared from denominators, as for orbits (p^2/(m r^3) = m mu/r^2). Some unknowns are arbitrary,
+/// the others are expressions of the arbitrary unknowns. `is_solvable` is false if no solution
+/// exists. None if the equations are not linear, if a form exceeds the budget, or if a form is 0 in
+/// 64 digits but not the empty sum.
 struct LinearSolution {
   bool is_solvable = true;
   std::vector<CoordinateAtRest> values = {};
@@ -42,11 +45,11 @@ struct LinearSolution {
                                                             const Unknowns& unknowns,
                                                             const Arguments<Real>& at);
 
-/// The values that replace the unknowns. Arbitrary unknowns stay.
+/// Replacements of the unknowns by their closed forms. Unknowns without a form are kept.
 [[nodiscard]] Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
                                            const std::vector<CoordinateAtRest>& values);
 
-/// Whether a form contains the coordinate, or any.
+/// True if a form contains the coordinate; by default, if it contains any coordinate.
 [[nodiscard]] bool holds_coordinate(const Algebra& algebra, const Fraction& form,
                                     std::optional<std::uint32_t> coordinate = {});
 

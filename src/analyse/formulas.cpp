@@ -1,5 +1,5 @@
-// The divisors of a form are its negative powers and its denominator; its program is that of its
-// graph. Values are put in term by term; every atom is made anew of its arguments, once.
+// The divisors of a form are its negative powers and its denominator. A substitution goes term by
+// term and rebuilds every atom that contains a replaced leaf from its substituted arguments.
 #include "analyse/formulas.hpp"
 
 #include <cln/integer.h>
@@ -16,7 +16,7 @@ namespace {
 
 using cln::cl_RA;
 
-/// x + i y over real x, y.
+/// x + i y with real x, y.
 Value complex_form(Arithmetic& arithmetic, const Value& x, const Value& y) {
   const Fraction i = fraction_of(Polynomial{{Monomial{}, Gaussian{0, 1}}});
   return arithmetic.add(x, arithmetic.multiply(y, i));
@@ -84,7 +84,7 @@ class Substituting {
     return std::nullopt;
   }
 
-  /// The power; none for 0 to a negative power.
+  /// base^exponent; none for a negative power of 0.
   Value powered(const Value& base, std::int32_t exponent) {
     if (!base || (exponent < 0 && base->numerator.empty())) return std::nullopt;
     return arithmetic_.power(base, exponent);
@@ -95,7 +95,7 @@ class Substituting {
     const cl_RA multiple = cl_RA(exponent) / atom.divisor;
     const std::optional<CosineAndSine> known = known_sinusoids(atom);
     if (known && cln::denominator(multiple) == 1) {
-      // e^(-i q) is cos q - i sin q, without the reciprocal of a sum.
+      // cos q - i sin q for e^(-i q) avoids the reciprocal of a sum.
       const Value sine =
           cln::minusp(multiple) ? arithmetic_.negate(known->sine) : Value(known->sine);
       const cln::cl_I power = cln::abs(cln::numerator(multiple));
@@ -108,7 +108,7 @@ class Substituting {
     return complex_form(arithmetic_, cosine, sine);
   }
 
-  /// The cosine and sine of a leaf, if given; none for other arguments.
+  /// The cosine and sine of the atom's leaf, if its replacement has them.
   [[nodiscard]] std::optional<CosineAndSine> known_sinusoids(const Atom& atom) const {
     const Atom* const leaf = leaf_within(algebra_, atom);
     if (leaf == nullptr) return std::nullopt;

@@ -1,5 +1,4 @@
-// Formulas: closed forms taken apart, with values in the place of leaves, and as programs and
-// numbers.
+// Formulas: divisors of closed forms, substitution of values for leaves, and numeric evaluation.
 //
 //     m R (g cos(theta) - R W^2 cos(2 theta))   at theta = pi   ->   -m R (g + R W^2)
 #pragma once
@@ -21,25 +20,25 @@
 
 namespace elgen {
 
-/// Whether a form contains more than numbers and pi.
+/// True if the numerator of a form contains more than numbers and pi.
 [[nodiscard]] bool holds_leaves(const Algebra& algebra, const Fraction& form);
 
-/// The powers with negative exponents in the monomials of a form, made positive.
+/// The smallest monomial whose product with the numerator of a form has no negative exponents.
 [[nodiscard]] Monomial divisor_powers(const Fraction& form);
 
 /// The smallest product that clears all divisors of a form: negative powers in its monomials, and
 /// its denominator.
 [[nodiscard]] Value divisor_of(Algebra& algebra, const Fraction& form);
 
-/// A form as a program of one value; none where it is too long.
+/// A form as a program of one value; none if it is too long.
 [[nodiscard]] std::optional<Linearised> form_program(const LeafNames& leaves,
                                                      const Algebra& algebra, const Fraction& form);
 
-/// The value in 64 digits; undefined if there is none, or the form is too long.
+/// The value in 64 digits; undefined if the form has no value or is too long.
 [[nodiscard]] Real value_of(const Algebra& algebra, const Fraction& form,
                             const Arguments<Real>& at);
 
-/// Which atoms of an algebra hold leaves of one sort.
+/// Finds the atoms and forms that contain a wanted leaf; the results for atoms are memoised.
 class LeafSearch {
  public:
   /// `is_wanted` selects leaves.
@@ -76,24 +75,24 @@ class LeafSearch {
   std::map<AtomId, bool> known_ = {};
 };
 
-/// The value that replaces a leaf. The cosine and sine of an angle such as acos(c) are given, to
-/// avoid functions of functions.
+/// The value that replaces a leaf. For an angle such as acos(c), `sinusoids` are its cosine and
+/// sine, so that no cos(acos(c)) arises.
 struct Replacement {
   Fraction value = {};
   std::optional<CosineAndSine> sinusoids = {};
 };
-/// Replacements by kind and number.
+/// Replacements by kind and index of the leaf.
 using Replacements = std::map<std::pair<Opcode, std::uint32_t>, Replacement>;
 
-/// The form with these values; none if the form is none, is undefined there (a denominator becomes
-/// 0), or exceeds the budget.
+/// The form after the replacements; none if the form is none, if a denominator becomes 0, or if the
+/// result exceeds the budget.
 [[nodiscard]] Value substituted(Algebra& algebra, const Value& form,
                                 const Replacements& replacements);
 
-/// The leaf that the argument of a function is a multiple of; null where it is none.
+/// The leaf x if the function's argument is a numeric multiple of x, else null.
 [[nodiscard]] const Atom* leaf_within(const Algebra& algebra, const Atom& function);
 
-/// The values of all parameters; none if one is no rational number.
+/// Replacements of all parameters by their values; none if a value is not rational.
 [[nodiscard]] std::optional<Replacements> parameter_values(const std::vector<cln::cl_R>& values);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Both roots are written over one divisor, with their common factor in front, unless the radicand
-// is a square.
+// Both values w^2 of a block of two share one divisor, with their common factor in front. They are
+// written separately if the radicand is a square.
 #include "analyse/frequencies.hpp"
 
 #include <cln/integer.h>
@@ -74,9 +74,10 @@ class FrequencyForms {
     if (middle && square) add_pair(all, *middle, *square);
   }
 
-  /// middle -+ sqrt(square) with their common divisor d and common factor s: s (middle d/s -+
-  /// sqrt(square d^2/s^2))/d. Two formulas if the radicand is a square; both signs occur, so
-  /// that of the root does not matter.
+  /// middle -+ sqrt(square) with the common divisor d and the common factor s:
+  ///     s (middle d/s -+ sqrt(square d^2/s^2))/d
+  /// If the radicand is a square, two formulas without root; the sign of the root is arbitrary,
+  /// because both signs occur.
   void add_pair(std::vector<SquaredFrequency>& all, const Fraction& middle,
                 const Fraction& square) {
     if (square.numerator.empty()) {
@@ -103,7 +104,7 @@ class FrequencyForms {
     if (above && root) all.push_back({*above, root, s, d});
   }
 
-  /// The sum with rational coefficients whose square is x; none if there is none.
+  /// A sum with rational coefficients whose square is x, if it exists.
   static std::optional<Fraction> sum_squared_to(const Fraction& x) {
     const Gaussian& lead = x.numerator.rbegin()->second;
     cln::cl_RA root;
@@ -114,7 +115,7 @@ class FrequencyForms {
     return sum ? std::optional(fraction_of(scaled(*sum, {root, 0}))) : std::nullopt;
   }
 
-  /// The smallest form that clears the divisors of x and makes its coefficients whole.
+  /// The smallest form that clears the divisors of x and makes its coefficients integers.
   Fraction whole_divisor_of(const Fraction& x) {
     cln::cl_I whole = 1;
     for (const auto& [monomial, coefficient] : x.numerator) {

@@ -2,16 +2,17 @@
 //
 //     dq = A q + b + c t for coordinates other than rotations,  dt constant
 //     dv = A v + c,  da = A a
-//     for a rotation a turn  eta = R^T s + b  in its axes,  dw = w x b,  d(w') = w' x b
+//     for a rotation with matrix C (body to world) a turn by eta = C^T s + b in body axes,
+//     dw = w x b,  d(w') = w' x b
 //
 // Let R = d/dt dL/dv - dL/dq (plus [w]x dL/dw for rotations). A change is a symmetry (dL is a total
 // derivative) if and only if
 //
 //     dR + A^T R = 0    for all q, v, a, t;  for a rotation A = -[b]x
 //
-// since Q = dq - dt v satisfies E(X L) = X E(L) + D_Q^* E(L) with Euler's operator E (Olver,
-// Applications of Lie Groups to Differential Equations, 2nd ed., sec. 5.3). No ansatz for F in dL =
-// dF/dt is needed.
+// because the characteristic Q = dq - dt v satisfies E(X L) = X E(L) + D_Q^* E(L) with Euler's
+// operator E (Olver, Applications of Lie Groups to Differential Equations, 2nd ed., sec. 5.3). No
+// ansatz for F in dL = dF/dt is needed.
 #pragma once
 
 #include <array>
@@ -35,8 +36,8 @@ struct GeneratorClass {
     }
   }
 
-  std::vector<std::uint32_t> coordinates = {};  ///< not of rotations, by numbers in q
-  std::vector<std::uint32_t> velocities = {};   ///< of these
+  std::vector<std::uint32_t> coordinates = {};  ///< indices in q, without rotations
+  std::vector<std::uint32_t> velocities = {};   ///< of `coordinates`, in the same order
   struct Place {
     std::uint32_t first_coordinate = 0;
     std::uint32_t first_velocity = 0;
@@ -58,7 +59,7 @@ struct GeneratorClass {
   [[nodiscard]] std::size_t time() const { return world_turn(rotations.size(), 0); }
 };
 
-/// A point of a motion, as numbers or closed forms, with R by velocity.
+/// A point of a motion and R at this point, as numbers or closed forms.
 template <class Number>
 struct MotionPoint {
   std::vector<Number> q = {};
@@ -68,7 +69,7 @@ struct MotionPoint {
   std::vector<Number> residual = {};
 };
 
-/// The slopes of R at a point: n x n, row-major, along the motion of each velocity.
+/// dR/dq N, dR/dv and dR/da at a point, n x n, row-major; and dR/dt, n entries.
 template <class Number>
 struct ResidualSlopes {
   std::vector<Number> by_position = {};
@@ -103,7 +104,7 @@ std::array<typename Field::Number, axis_count> world_axis(
   return row;
 }
 
-/// x times the j-th unit vector: the j-th column of [x]x.
+/// The cross product of x and the j-th unit vector: column j of [x]x. x starts at `first`.
 template <class Field>
 std::array<typename Field::Number, axis_count> across(Field& field,
                                                       const std::vector<typename Field::Number>& x,
@@ -126,7 +127,7 @@ struct PointChange {
   std::vector<Number> transposed = {};
 };
 
-/// The change by the generator with these unknowns.
+/// The change of `at` by the generator with the unknowns x.
 template <class Field>
 PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass& all,
                                               const MotionPoint<typename Field::Number>& at,
@@ -185,8 +186,8 @@ typename Field::Number with_slopes(Field& field, typename Field::Number to,
   return to;
 }
 
-/// dR_i + (A^T R)_i for each unknown: n rows of `all.size()` entries. The unknowns of a symmetry
-/// make each row sum to 0.
+/// The coefficients of all unknowns x in dR_i + (A^T R)_i: n rows of `all.size()` entries. For a
+/// symmetry, the product of each row with x is 0.
 template <class Field>
 std::vector<std::vector<typename Field::Number>> conditions(
     Field& field, const GeneratorClass& all, const MotionPoint<typename Field::Number>& at,

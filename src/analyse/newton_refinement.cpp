@@ -1,4 +1,4 @@
-// Newton's method moves quaternions along their tangents and scales them to length 1.
+// Newton's method changes quaternions along their tangents and scales them to length 1.
 #include "analyse/newton_refinement.hpp"
 
 #include <algorithm>
@@ -32,8 +32,8 @@ std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
   return rates;
 }
 
-/// df/dx of the entries of a function, row-major, along each of so many directions, of which
-/// `point` sets the k-th, all 0 before.
+/// The derivatives of the entries of a function along `columns` directions, row-major.
+/// point(k, direction) sets direction k, which is 0 before.
 template <class Point>
 std::vector<Real> slopes_along(const Program& program, const Function& function,
                                const Arguments<Real>& at, std::size_t columns, const Point& point) {

@@ -19,8 +19,8 @@ namespace elgen {
 [[nodiscard]] std::vector<Real> velocity_slopes(const Program& program, OutputKind kind,
                                                 const Arguments<Real>& at);
 
-/// The solution of f = 0 near the arguments, where only coordinates of these velocities move; none
-/// if the numbers of entries and velocities differ, or after 200 steps without convergence.
+/// The solution of f = 0 near `start`; only the coordinates of the velocities `along` change. None
+/// if the numbers of entries and velocities differ, if df/dq is singular, or after 200 steps.
 [[nodiscard]] std::optional<Arguments<Real>> refined(const Model& model, const Program& program,
                                                      const Function& function,
                                                      Arguments<Real> start,

@@ -26,13 +26,13 @@ PointOfCircle turned(const PointOfCircle& a, const PointOfCircle& b) {
 
 PointOfCircle mirrored(const PointOfCircle& a) { return {a.cosine, -a.sine}; }
 
-/// ((1 - s^2), 2 s)/(1 + s^2)
+/// The point ((1 - s^2), 2 s)/(1 + s^2) of the unit circle.
 PointOfCircle point_of(const cl_MI& s) {
   const cl_MI scale = cln::recip(integer(1) + s * s);
   return {(integer(1) - s * s) * scale, integer(2) * s * scale};
 }
 
-/// The quarter turns that a constant is; none of others.
+/// k modulo 4, if the constant is k pi/2 with integer k; else none.
 std::optional<int> quarter_turns(const ConstantForm& form) {
   if (form.kind == ConstantKind::pi) return 2;
   if (form.kind != ConstantKind::product) return std::nullopt;
@@ -127,7 +127,7 @@ LeafValues<Residue> drawn_leaves(const Model& model, const Program& program, Sam
     leaves.parameters[i].value = residue_of(cln::the<cln::cl_RA>(value));
     if (cln::zerop(value)) leaves.parameters[i].angle = {integer(1), integer(0)};
   }
-  // The point of the sphere of which s, t, u are the stereographic projection.
+  // A random unit quaternion: the inverse of the stereographic projection at a random point s.
   for (const Rotation& rotation : model.rotations) {
     const std::array<cl_MI, 3> s{residue_of(draw.number()), residue_of(draw.number()),
                                  residue_of(draw.number())};
@@ -153,7 +153,8 @@ cl_MI residue_of(const cln::cl_RA& number) {
          cln::recip(residue_field()->canonhom(cln::denominator(number)));
 }
 
-/// The first remainder below the bound in Euclid's algorithm of the prime and the residue.
+/// Rational reconstruction: Euclid's algorithm of prime and residue, up to the first remainder
+/// below the bound.
 std::optional<cln::cl_RA> rational_of(const cl_MI& residue) {
   const cl_I bound = cln::ash(cl_I(1), 250);
   cl_I before = prime();

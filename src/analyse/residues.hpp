@@ -1,5 +1,6 @@
-// Residues: values of functions modulo a prime, at states of random residues. An angle is a residue
-// with a point (cosine, sine) of the circle beside it, which is all that polynomials tell of it.
+// Residues: values of functions modulo a prime, at states of random residues. An angle has a random
+// residue and a random point (cosine, sine) of the circle. The two need not match, because no
+// polynomial relates an angle to its cosine and sine.
 #pragma once
 
 #include <cln/modinteger.h>
@@ -19,8 +20,8 @@ namespace elgen {
 /// n/d modulo the prime.
 [[nodiscard]] cln::cl_MI residue_of(const cln::cl_RA& number);
 
-/// The one rational number with numerator and denominator below 2^250 that has the residue; none
-/// where there is none.
+/// The unique rational number with numerator and denominator below 2^250 that has this residue, if
+/// it exists.
 [[nodiscard]] std::optional<cln::cl_RA> rational_of(const cln::cl_MI& residue);
 
 struct PointOfCircle {
@@ -28,14 +29,14 @@ struct PointOfCircle {
   cln::cl_MI sine;
 };
 
-/// Without a value it has none that is known.
+/// A member is none if it is unknown, such as the value of pi or the angle of most numbers.
 struct Residue {
   std::optional<cln::cl_MI> value = {};
   std::optional<PointOfCircle> angle = {};
 };
 
-/// The entries of a function at a random state, parameters at their values; undefined entries where
-/// a constant or a function is not of the field.
+/// The entries of a function at a random state, with the parameters of the model. An entry has no
+/// value if it depends on an irrational constant, a root or a function other than sine and cosine.
 [[nodiscard]] std::vector<Residue> residues_of(const Model& model, const Program& program,
                                                const Function& function, Sampler& draw);
 

@@ -45,7 +45,7 @@ std::vector<Ref> entries_at_rest(const RestRules& rules, const Program& program,
   return entries_of(function, fold<Ref>(rules, program, function));
 }
 
-/// Appends a function of these entries, with the shape of the function of this kind.
+/// Appends a function with these entries and the shape of the function of this kind in `shapes`.
 void append_function(Program& program, const Program& shapes, OutputKind kind,
                      const Expressions& expressions) {
   Function function = unfilled(*find_function(shapes, kind));
@@ -71,8 +71,8 @@ Expressions residual_of(const Program& moving, const std::vector<cln::cl_R>& inp
   return residual;
 }
 
-/// A value as a sum of integer multiples of coordinates, plus terms without coordinates, if it is
-/// such a sum.
+/// A value as a sum of rational multiples of coordinates and other terms. `all` has the coordinates
+/// of all terms, `number` the value of a rational constant.
 struct Tracked {
   std::map<std::uint32_t, cl_RA> multiples = {};
   std::optional<cl_RA> number = {};
@@ -85,7 +85,7 @@ void unite(Occurrence& to, const Occurrence& from) {
   to.has_time = to.has_time || from.has_time;
 }
 
-/// The value of a nonlinear function, whose operands occur outside of sines and cosines.
+/// The result of a nonlinear function of x: the coordinates in x.multiples are outside sinusoids.
 Tracked used(const Tracked& x) {
   Tracked result;
   result.all = x.all;
@@ -108,7 +108,7 @@ Tracked scaled(Tracked x, const cl_RA& factor) {
   return x;
 }
 
-/// The rules of fold.hpp.
+/// Rules for fold(): which coordinates a value depends on.
 struct OccurrenceRules {
   [[nodiscard]] Tracked constant(const Constant& constant) const {
     Tracked result;

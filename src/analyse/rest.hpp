@@ -1,4 +1,4 @@
-// Rest: the equations of a system at rest, and the coordinates in each.
+// Rest: the equations of a system at rest, and the coordinates in each equation.
 //
 //     r(q) = bias(q, 0) - B(q) u = 0,    given u         M(q)        W(q) = V0 - T0
 #pragma once
@@ -21,23 +21,23 @@ struct RestProgram {
   [[nodiscard]] const Function& residual() const { return program.functions[0]; }
 };
 
-/// `moving` has bias, mass_matrix and energy_function, and input_matrix if there are inputs, whose
-/// values are `inputs`. E530: an entry has no value at rest.
+/// `moving` has bias, mass_matrix and energy_function, and input_matrix if the model has inputs.
+/// `inputs` are the values of u. E530: an entry has no value at rest.
 [[nodiscard]] Result<RestProgram> rest_program(const Program& moving,
                                                const std::vector<cln::cl_R>& inputs);
 
 /// The coordinates on which a value depends.
 struct Occurrence {
   std::set<std::uint32_t> coordinates = {};
-  std::set<std::uint32_t> outside_sinusoids = {};  ///< not only in e^(i k q) with integer k
+  std::set<std::uint32_t> outside_sinusoids = {};  ///< also outside of e^(i k q), k an integer
   bool has_time = false;
 };
 
-/// One for each entry of a function.
+/// The coordinates in each entry of a function.
 [[nodiscard]] std::vector<Occurrence> occurrences(const Program& program, const Function& function);
 
-/// Equations of rest that share coordinates, with these. A block without coordinates is one
-/// constant equation.
+/// Equations at rest that share coordinates, and these coordinates. A block without coordinates is
+/// one constant equation.
 struct RestBlock {
   std::vector<std::uint32_t> rows = {};         ///< by velocity
   std::vector<std::uint32_t> coordinates = {};  ///< ascending
@@ -46,7 +46,8 @@ struct RestBlock {
 /// The independent blocks. Coordinates in no equation are in no block.
 [[nodiscard]] std::vector<RestBlock> rest_blocks(const std::vector<Occurrence>& rows);
 
-/// The inputs at a state of rest: 0, or their laws, which must be numbers there (else E606).
+/// The inputs at an equilibrium: 0, or the values of their laws. E606: a law depends on more than
+/// parameters, or has no value.
 [[nodiscard]] Result<std::vector<cln::cl_R>> inputs_of(const CheckedModel& checked,
                                                        const State& state);
 

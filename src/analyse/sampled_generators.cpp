@@ -17,27 +17,27 @@ namespace {
 using cln::cl_R;
 
 constexpr std::uint64_t seed = 1;
-/// The limit of draws per state, as states outside of domains have no value.
+/// The limit of draws per state: states outside the domain of a function have no value.
 constexpr std::size_t draws_per_state = 20;
 
-/// The noise of numbers scaled to 1.
+/// Numbers scaled to 1 that are smaller are 0 in elimination.
 const cl_R& noise() {
   static const cl_R value = power_of_ten(-100);
   return value;
 }
 
-/// Entries of a row scaled to 1 that are smaller are rounding errors.
+/// Entries of a row scaled to 1 that are smaller are rounding errors of the samples.
 const cl_R& rounding() {
   static const cl_R value = power_of_ten(-125);
   return value;
 }
 
-/// R = M a + bias - dD/dv + Q, where bias contains dD/dv and -Q.
+/// R = M a + bias - dD/dv + Q; bias contains dD/dv and -Q, which thus cancel.
 constexpr std::array<std::pair<OutputKind, int>, 3> parts{{{OutputKind::inverse_dynamics, 1},
                                                            {OutputKind::dissipation, -1},
                                                            {OutputKind::applied_force, 1}}};
 
-/// Sums a quantity by velocity over the parts that the program has.
+/// Sums part(kind) over the outputs of `parts` that the program has; one entry per velocity.
 template <class Part>
 std::vector<Real> sum_of_parts(const Program& program, std::size_t n, const Part& part) {
   std::vector<Real> sum(n);
@@ -79,7 +79,7 @@ ResidualSlopes<Real> slopes_at(const ExactValues& values) {
   return slopes;
 }
 
-/// A row in floats of 160 digits with largest entry 1, as exact numbers would grow in elimination.
+/// A row in floats of 160 digits with largest entry 1; exact numbers would grow in elimination.
 /// None if an entry is undefined.
 std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
   static const cln::float_format_t digits = cln::float_format(64 + sampling_digits);
@@ -106,8 +106,8 @@ std::vector<cl_R> column_scales(const std::vector<std::vector<cl_R>>& rows, std:
   return scales;
 }
 
-/// A basis of the null space of the rows. The last nonzero entry of each vector is 1. Columns are
-/// scaled, so that 0 is recognised in any unit.
+/// A basis of the null space of the rows. The last non-zero entry of each vector is 1. Columns are
+/// scaled, so that the test for 0 does not depend on units.
 std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>& rows,
                                             std::size_t unknowns) {
   const std::vector<cl_R> scales = column_scales(rows, unknowns);
@@ -129,7 +129,7 @@ std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>
   return basis;
 }
 
-/// The scaled conditions at a state, without undefined ones.
+/// The scaled conditions at a state, without undefined conditions.
 std::vector<std::vector<cl_R>> rows_at(const CheckedModel& checked, const Program& moving,
                                        const GeneratorClass& all, const State& state) {
   ExactValues values({checked.model, checked.scene, moving}, state);
@@ -195,7 +195,7 @@ std::vector<SampledGenerators> generators_elsewhere(const CheckedModel& checked,
   std::vector<SampledGenerators> found;
   for (std::size_t turn = 0; turn < draws_per_state && found.size() < sets; ++turn) {
     Sampler draw(seed + turn);
-    // Odd turns of states reach all of the ranges that parameters declare.
+    // In odd turns, drawn_state() draws parameters from their whole declared ranges.
     const State state = drawn_state(checked.model, checked.scene, draw, 2 * turn + 1);
     auto here = sampled_generators(checked, moving, state);
     if (here) found.push_back(std::move(*here));

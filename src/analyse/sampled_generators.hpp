@@ -1,5 +1,5 @@
 // The symmetries at the values of the parameters, from conditions at random states in 160 digits.
-// All symmetries satisfy these conditions, so that none is missed.
+// Every symmetry satisfies these conditions, so none is missed.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@ using RealField = Operators<Real>;
 
 struct SampledGenerators {
   std::vector<std::vector<cln::cl_R>> basis = {};
-  std::vector<State> states = {};                 ///< of the samples
-  std::vector<std::vector<cln::cl_R>> rows = {};  ///< conditions there
+  std::vector<State> states = {};                 ///< the sampled states
+  std::vector<std::vector<cln::cl_R>> rows = {};  ///< conditions at these states
 };
 
 /// Samples random states with the parameters of `resting`. `moving` has the functions of
@@ -34,17 +34,16 @@ struct SampledGenerators {
                                                                   const Program& moving,
                                                                   const State& resting);
 
-/// Generators at up to three random sets of the parameters that are not fixed; empty if they have
-/// no values. Cost: three times that of sampled_generators(), or up to 20 times if ranges leave the
-/// domain.
+/// Generators at up to three random sets of the parameters that are not fixed. A set without values
+/// is omitted. Cost: three calls of sampled_generators(), or up to 20 if ranges leave the domain.
 [[nodiscard]] std::vector<SampledGenerators> generators_elsewhere(const CheckedModel& checked,
                                                                   const Program& moving);
 
-/// Whether a generator satisfies conditions sampled at other values of the parameters.
+/// True if a generator satisfies conditions that were sampled at other values of the parameters.
 [[nodiscard]] bool solves(const SampledGenerators& sampled,
                           const std::vector<cln::cl_R>& generator);
 
-/// The point of a state, with R.
+/// The point of a motion at a state, with R.
 [[nodiscard]] MotionPoint<Real> sampled_point(ExactValues& values);
 
 }  // namespace elgen

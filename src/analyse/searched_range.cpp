@@ -1,4 +1,4 @@
-// A range of an angle also contains its values plus whole turns.
+// A range of an angle also contains its angles shifted by whole turns.
 #include "analyse/searched_range.hpp"
 
 #include "numbers/exact_number.hpp"
@@ -18,7 +18,7 @@ Real turned_above(const Real& angle, const Real& lowest) {
 }
 
 const Interval* searched_range(const Coordinate& coordinate, SearchKind kind) {
-  // A range is a whole turn if pi is typed with three digits or more: [-3.14, 3.14].
+  // [-3.14, 3.14] counts as a whole turn: users type pi with three digits or more.
   static const cl_R turn = cln::cl_RA(628) / 100;
   if (!coordinate.range || (kind != SearchKind::range && kind != SearchKind::turn)) return nullptr;
   const cl_R length = coordinate.range->high - coordinate.range->low;

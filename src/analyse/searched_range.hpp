@@ -1,4 +1,4 @@
-// Searched ranges: where coordinates of equilibria are searched.
+// Searched ranges: the ranges in which the coordinates of equilibria are searched.
 #pragma once
 
 #include "elgen/analyse.hpp"
@@ -7,21 +7,21 @@
 
 namespace elgen {
 
-/// Solutions in 64 digits that agree to so many decimal places are one. Two simple ones would be
-/// closer than the widths of their boxes.
+/// Solutions in 64 digits that agree to this many decimal places are the same. Two different simple
+/// solutions cannot be that close, because their boxes are wider.
 inline constexpr long root_digits = 25;
 
 /// 2 pi.
 [[nodiscard]] const Real& whole_turn();
 
-/// The first angle not below `lowest`, to root_digits, that differs from `angle` by whole turns.
+/// The smallest angle >= `lowest`, to root_digits, that differs from `angle` by whole turns.
 [[nodiscard]] Real turned_above(const Real& angle, const Real& lowest);
 
-/// The searched range of a coordinate; null if it has none or a whole turn.
+/// The searched range of a coordinate; null if it has no range, or if the range is a whole turn.
 [[nodiscard]] const Interval* searched_range(const Coordinate& coordinate, SearchKind kind);
 
-/// Whether the range contains a value between `highest` - width and `highest`, up to whole turns of
-/// angles.
+/// True if the range intersects [highest - width, highest], for angles up to whole turns. True also
+/// without a range.
 [[nodiscard]] bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& highest,
                                const Real& width = {});
 

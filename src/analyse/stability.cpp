@@ -1,7 +1,7 @@
-// Natural systems have normal modes, by Eigen's self-adjoint solver in doubles; of each w^2 the
-// Rayleigh quotient in 64 digits, whose error is the square of that of the shape. Others have
-// poles. D is taken for dissipative where its second derivatives at v = 0 are constants and make a
-// positive semidefinite matrix.
+// Natural systems have normal modes. Eigen's self-adjoint solver gives the shapes in doubles. w^2
+// is the Rayleigh quotient in 64 digits, whose error is the squared error of the shape. All other
+// systems have poles. D counts as dissipative if dD/dv does not depend on q, and d2D/dv2 at v = 0
+// is positive semidefinite.
 #include "analyse/stability.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -30,16 +30,17 @@ using Matrix = Eigen::MatrixXd;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Poles = std::vector<std::complex<double>>;
 
-/// Values of w^2 that differ by less than this share of the largest are equal; smaller ones are 0.
+/// Values of w^2 that differ by less than this fraction of the largest are equal. Components of a
+/// shape below this fraction of the largest are 0.
 constexpr double equal_share = 1e-9;
 
-/// Real parts below this share of the largest pole may be rounding errors: a triple pole is
-/// accurate to the third root of the precision of doubles.
+/// Real parts below this fraction of the largest pole may be rounding errors: the relative error of
+/// a triple pole is the cube root of the machine epsilon.
 constexpr double pole_noise = 1e-5;
 
-// The linear equations in doubles.
+// Linear equations in doubles.
 
-/// Row-major numbers in so many rows, nearest doubles.
+/// The matrix with this number of rows, from row-major numbers rounded to doubles.
 Matrix matrix_of(const std::vector<cl_R>& values, std::size_t rows) {
   std::vector<double> numbers;
   for (const cl_R& value : values) numbers.push_back(ScalarTraits<double>::from_real(value));
@@ -92,7 +93,7 @@ cl_R quadratic_form(const std::vector<cl_R>& matrix, const std::vector<cl_R>& x)
   return sum;
 }
 
-/// Scales the largest component to 1, the first one of equals.
+/// Scales a shape so that its largest component (the first, if several are equal) is 1.
 void scale_shape(std::vector<double>& shape) {
   double largest = 0;
   for (const double x : shape) largest = std::max(largest, std::abs(x));
@@ -105,8 +106,8 @@ void scale_shape(std::vector<double>& shape) {
   }
 }
 
-/// Changes the basis of the shapes of one w^2, so that each shape has a component that is 0 in all
-/// others.
+/// Reduces the shapes of a multiple w^2 to echelon form: each shape has a component that is 0 in
+/// all other shapes.
 void reduce_shapes(std::vector<NormalMode>& modes, std::size_t first, std::size_t count) {
   const std::size_t n = modes[first].shape.size();
   std::vector<double> shapes;
@@ -124,13 +125,13 @@ void reduce_shapes(std::vector<NormalMode>& modes, std::size_t first, std::size_
   }
 }
 
-/// Whether the linear equations have no terms in x', and K is symmetric.
+/// True if the linear equations have no terms in x', and K is symmetric.
 bool is_natural(const RestPoint& point) {
   return is_zero_matrix(point.damping) && is_symmetric(point.stiffness, point.state.v.size());
 }
 
-/// The modes of a natural system with positive definite M, by ascending w^2. Each w^2 is right in
-/// 64 digits up to the squared error of its shape in doubles; below 1e-20 of the largest it is 0.
+/// The modes of a natural system with positive definite M, by ascending w^2. The error of w^2 is
+/// the squared error of its shape in doubles. Below 1e-20 of the largest, w^2 is set to 0.
 std::vector<NormalMode> normal_modes(const RestPoint& point) {
   const std::size_t n = point.state.v.size();
   const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(matrix_of(point.stiffness, n),
@@ -180,7 +181,7 @@ Poles poles_of(const std::vector<NormalMode>& modes) {
   return poles;
 }
 
-/// The eigenvalues of the state matrix, the fastest first; empty where M is singular.
+/// The eigenvalues of the state matrix, by descending magnitude; empty if M is singular.
 Poles poles_of(const RestPoint& point) {
   const Matrix a = state_matrix(point);
   if (!a.allFinite()) return {};
@@ -194,7 +195,7 @@ Poles poles_of(const RestPoint& point) {
   return poles;
 }
 
-/// Judges by the signs of real parts. Growth rates of conjugate poles are listed once.
+/// Sets the verdict from the signs of the real parts. A conjugate pair has one growth rate.
 void judge_by_poles(const Poles& poles, StabilityVerdict& verdict) {
   double largest = 0;
   for (const auto& pole : poles) largest = std::max(largest, std::abs(pole));
@@ -257,7 +258,7 @@ bool none_holds(const Program& moving, OutputKind kind, const Holds& holds) {
 
 bool holds_coordinates(const Occurrence& entry) { return !entry.coordinates.empty(); }
 
-/// Eliminates in 64 digits. A row and column of a zero pivot must be zero.
+/// Eliminates in 64 digits. The row and column of a zero pivot must be zero.
 bool is_positive_semidefinite(std::vector<cl_R> a, std::size_t n) {
   const cl_R noise = largest_of(a) * power_of_ten(-40);
   for (std::size_t k = 0; k < n; ++k) {
@@ -307,7 +308,7 @@ bool is_positive_definite(const std::vector<cl_R>& matrix,
 }
 
 bool is_conservative(const Program& moving, const State& state) {
-  // The energy of a point that is moved with t may be free of t.
+  // E alone does not suffice: for a point with a prescribed motion, E may be free of t.
   const bool is_free_of_time = std::ranges::all_of(
       std::array{OutputKind::bias, OutputKind::mass_matrix, OutputKind::energy_function},
       [&](OutputKind kind) {

@@ -1,4 +1,5 @@
-// Stability of a state of rest: by Lagrange and Dirichlet if energy decides, else by poles.
+// Stability of an equilibrium: by the theorem of Lagrange and Dirichlet if it applies, else by
+// poles.
 #pragma once
 
 #include <vector>
@@ -7,25 +8,25 @@
 
 namespace elgen {
 
-/// The conditions under which a strict minimum of W = V0 - T0 is stable: L is free of t, no force Q
-/// acts, and D is dissipative at the point.
+/// The data that the theorem of Lagrange and Dirichlet needs: a strict minimum of W = V0 - T0 is
+/// stable if is_conservative().
 struct RestConditions {
   bool is_conservative = false;
   std::size_t free_count = 0;  ///< coordinates in no equation at rest
-  /// Coordinates that are alone in their equations and have K exactly 0.
+  /// Leading terms of W along coordinates that are alone in their equation and have K = 0 exactly.
   std::vector<LeadingTerm> degenerate = {};
   std::vector<bool> is_positive = {};  ///< of the coefficients of `degenerate`
 };
 
-/// Whether W = V0 - T0 decides by Lagrange and Dirichlet: L is free of t, and the only forces are D
-/// >= 0 and inputs whose B does not depend on q. `state` has the parameters and inputs.
+/// True if a minimum of W = V0 - T0 decides stability: L does not contain t, D >= 0 at v = 0, no
+/// force Q acts, and the inputs are 0 or B does not depend on q. `state` has parameters and inputs.
 [[nodiscard]] bool is_conservative(const Program& moving, const State& state);
 
 [[nodiscard]] StabilityVerdict stability_of(const RestPoint& point,
                                             const RestConditions& conditions);
 
-/// Whether a symmetric matrix without the rows and columns of `left_out` is positive definite: each
-/// pivot in 64 digits exceeds 1e-25 of its diagonal entry, or of that in `usual`.
+/// True if a symmetric matrix, without the rows and columns `left_out`, is positive definite: in 64
+/// digits each pivot exceeds 1e-25 times its diagonal entry in `usual` (default: in the matrix).
 [[nodiscard]] bool is_positive_definite(const std::vector<cln::cl_R>& matrix,
                                         const std::vector<std::uint32_t>& left_out = {},
                                         const std::vector<cln::cl_R>& usual = {});

@@ -1,5 +1,5 @@
-// Finds a basis by closed forms, else by sampling. For each vector it derives the integral, and
-// proves dL = dF/dt directly for L = v.dL/dv - E.
+// Finds a basis of generators by closed forms, else by sampling. For each generator, computes the
+// conserved quantity and proves dL = dF/dt, with L = v.dL/dv - E.
 #include <cln/integer.h>
 #include <fmt/format.h>
 
@@ -32,7 +32,7 @@ struct MotionForms {
   const Program& program;
   ClosedForms& forms;
 
-  /// Zeros if there is no such function.
+  /// The entries of a function, or `count` zeros if the program does not have it.
   [[nodiscard]] Entries entries(OutputKind kind, std::size_t count = 1) const {
     for (std::size_t i = 0; i < program.functions.size(); ++i) {
       if (program.functions[i].kind != kind) continue;
@@ -133,7 +133,7 @@ bool keeps_lagrangian_at(const Subject& subject, const Algebra& algebra, const G
   return figure && *figure < noise;
 }
 
-/// Whether dL is 0 at all states, which makes F 0.
+/// True if dL = 0 at all states; then F = 0.
 bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Generator& generator,
                       const std::vector<State>& states) {
   return with_digits(sampling_digits, [&] {
@@ -143,7 +143,7 @@ bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Gene
   });
 }
 
-/// Unknowns as fractions if they agree to 35 digits, else rounded to six digits.
+/// Each unknown as a simple fraction that agrees to 35 digits, else rounded to six digits.
 Generator simple_generator(const std::vector<cl_R>& numbers, bool& is_rounded) {
   static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
   static const cl_RA near = power_of_ten(-35);
@@ -181,7 +181,7 @@ void add_rates(FormField& field, const MotionForms& motion, const Entries& displ
   symmetry.loss = std::move(loss);
 }
 
-/// Whether a generator with rational unknowns satisfies all sets.
+/// True if a generator with rational unknowns satisfies the conditions of all sets.
 bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& generator) {
   std::vector<cl_R> numbers;
   for (const Fraction& entry : generator) {
@@ -192,7 +192,8 @@ bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& gen
   });
 }
 
-/// T + V - E = 2 T0 + T1. Without T1 its rate is 0 if it contains neither q nor t.
+/// True if E is conserved, but T + V is not: T + V - E = 2 T0 + T1 with T1 = 0 is constant unless
+/// it contains q or t. False if T1 is not 0.
 bool loses_energy(Symmetries& found, const MotionForms& motion) {
   const bool has_time = std::ranges::any_of(
       found.all, [](const Symmetry& symmetry) { return symmetry.kind == SymmetryKind::time; });
@@ -245,7 +246,7 @@ class SymmetrySearch {
       residual[i] = field.add(residual[i], field.subtract(force[i], dissipation[i]));
     }
     const auto exact = exact_generators(result_.forms, model_, open_values_, residual);
-    // Samples find symmetries that the root of a square hides.
+    // The root of a square can hide symmetries from closed forms, but not from samples.
     const bool is_open =
         exact && exact->has_root && sampled_ && sampled_->basis.size() > exact->basis.size();
     result_.is_complete = exact && exact->is_complete && !is_open;
@@ -254,7 +255,7 @@ class SymmetrySearch {
       const std::size_t count = set.basis.size();
       result_.sampled_elsewhere = std::min(count, result_.sampled_elsewhere.value_or(count));
     }
-    // Relations between functions that closed forms do not know hide symmetries.
+    // Closed forms miss symmetries that need an unknown relation between functions.
     const std::size_t hidden = result_.sampled_elsewhere.value_or(0);
     result_.is_exact = exact && (result_.is_complete || hidden <= exact->basis.size());
     if (result_.is_exact) return exact->basis;
@@ -314,7 +315,7 @@ class SymmetrySearch {
     return lagrangian_.emplace(std::move(sum));
   }
 
-  /// F of dL = dF/dt.
+  /// F with dL = dF/dt; none if it is not found.
   Value total_of(const PointChange<Value>& change, const Fraction& time) {
     if (!lagrangian()) return std::nullopt;
     LeafRates moved{{}, {}, {}, open_values_, time};
@@ -348,7 +349,7 @@ class SymmetrySearch {
   std::vector<Fraction> rates_ = {};  ///< dq/dt; empty if it is v
   std::optional<Value> lagrangian_ = {};
   std::optional<SampledGenerators> sampled_ = {};
-  std::vector<SampledGenerators> elsewhere_ = {};  ///< if they are needed
+  std::vector<SampledGenerators> elsewhere_ = {};  ///< empty if the exact basis is complete
   std::set<std::size_t> rounded_ = {};
   Symmetries result_ = {};
   MotionForms motion_{model_, moving_, result_.forms};

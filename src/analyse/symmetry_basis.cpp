@@ -1,4 +1,4 @@
-// Common rotations of all points replace the basis vectors of which they are combinations.
+// Replaces basis vectors by common rotations of all points that are their linear combinations.
 #include "analyse/symmetry_basis.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using cln::cl_RA;
 
 bool is_zero_form(const Fraction& x) { return x.numerator.empty(); }
 
-/// The last unknown that is not 0: it is free, since pivots come before it.
+/// The last non-zero unknown. It is a free unknown of the echelon form, since pivots precede it.
 std::size_t free_unknown(const Generator& solution) {
   std::size_t last = 0;
   for (std::size_t u = 0; u < solution.size(); ++u) {
@@ -60,7 +60,7 @@ class BasisChange {
     replaced_.push_back({parts.front(), dimension, wanted});
   }
 
-  /// Replaces them at the end, since the new vectors are combinations of the old ones.
+  /// Replaces all vectors at the end, because the new vectors are combinations of the old vectors.
   void apply(const GeneratorClass& all) {
     for (const CommonRotation& taken : replaced_) {
       for (std::size_t i = 0; i < basis_.size(); ++i) {
@@ -77,7 +77,7 @@ class BasisChange {
     Generator rotation = {};
   };
 
-  /// wanted = sum over parts of wanted_free basis_part
+  /// Tests wanted = sum over i in `parts` of wanted[free_i] basis_i.
   [[nodiscard]] bool is_solution(const Generator& wanted, const std::vector<std::size_t>& parts) {
     Arithmetic arithmetic(forms_.algebra);
     for (std::size_t u = 0; u < wanted.size(); ++u) {
@@ -92,8 +92,8 @@ class BasisChange {
     return true;
   }
 
-  /// Subtracts a multiple of a common rotation so that points at one place stay there: of two
-  /// bodies, the turn of one about the other is left.
+  /// Subtracts a multiple of a common rotation, so that coinciding points do not move. For two
+  /// bodies, the rotation of one body about the other remains.
   void make_relative(const GeneratorClass& all, const CommonRotation& taken, Generator& generator) {
     const std::size_t dimension = taken.dimension;
     const Generator& rotation = taken.rotation;

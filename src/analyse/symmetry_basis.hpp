@@ -1,4 +1,4 @@
-// The symmetries of a system in a basis with meaning in mechanics.
+// A basis of symmetries with mechanical meaning: translations, common rotations, boosts, time.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,13 @@ namespace elgen {
 /// The unknowns of a generator in the order of the class.
 using Generator = std::vector<Fraction>;
 
-/// Replaces basis vectors by common rotations of all pairs, or triples, of coordinates if these are
-/// symmetries. Each vector has a last unknown that is 0 in all others.
+/// Replaces basis vectors by common rotations of all pairs, or triples, of coordinates, if these
+/// rotations are symmetries. Requires that the last non-zero unknown of each vector is 0 in all
+/// other vectors.
 void prefer_common_rotations(ClosedForms& forms, const GeneratorClass& all,
                              std::vector<Generator>& basis);
 
-/// The generator times the smallest product that clears the divisors of its unknowns.
+/// The generator, multiplied by the smallest product that clears the divisors of its unknowns.
 [[nodiscard]] Generator without_divisors(ClosedForms& forms, Generator generator);
 
 [[nodiscard]] SymmetryKind kind_of(ClosedForms& forms, const GeneratorClass& all,

@@ -1,5 +1,5 @@
-// Integrates one variable after another. After the part of v_k is subtracted, the rest does not
-// contain v_k.
+// Integrates the coefficient of each v_k by q_k and subtracts the integral's rate; the rest does
+// not contain v_k any more. Finally the rest is integrated by t.
 #include "analyse/total_integral.hpp"
 
 #include "analyse/formulas.hpp"
@@ -52,7 +52,7 @@ class Integral {
   }
 
  private:
-  /// c x^n e^(r x): e^(r x) sum_k (-1)^k n!/(n-k)! x^(n-k)/r^(k+1).
+  /// The integral of x^n e^(r x) is e^(r x) sum_k (-1)^k n!/(n-k)! x^(n-k)/r^(k+1).
   Value of_term(const Monomial& monomial, const Gaussian& coefficient) {
     const AtomId own = leaf_.numerator.begin()->first[0].atom;
     std::int32_t n = 0;
@@ -99,7 +99,7 @@ class Integral {
     return arithmetic_.divide(arithmetic_.add(a, turned), square);
   }
 
-  /// k a for exp(a x)^k and k b for (e^(i b x))^k; none for other functions of x.
+  /// The rate k a of exp(a x)^k, or k b of (e^(i b x))^k; none for other functions of x.
   Value exponential_rate(const AtomPower& power) {
     const Atom atom = forms_.algebra.atoms[power.atom];  // a copy, as atoms may be added
     const bool is_real = atom.kind == AtomKind::call && atom.function == FunctionId::exp;
