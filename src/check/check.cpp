@@ -1,9 +1,9 @@
 // check: the syntax of a model and a scene -> Model and Scene.
 //
-// The order matters and is written here only: sizes, names, then every expression (so that all may
-// refer forward), then what is judged of resolved expressions: cycles, ingredients, degrees, units;
-// last the scene. Errors are collected throughout; a stage that could only repeat earlier ones is
-// skipped.
+// The order of the steps matters and is fixed only here. Sizes and names come first, then every
+// expression, so that all may refer forward. Resolved expressions are checked for cycles,
+// ingredients, degrees and units. The scene is last. Errors are collected throughout; a step that
+// could only repeat earlier errors is skipped.
 #include "check/entries/entries.hpp"
 #include "check/expressions/expand.hpp"
 #include "check/expressions/open_functions.hpp"
@@ -26,7 +26,7 @@ struct RowReader {
   void (*read)(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 };
 
-/// Reads the instances of these entries, in the order of the file.
+/// Reads the instances of the given entries, in the order of the file.
 void read_entries(Context& context, const std::vector<Instance>& instances,
                   const std::vector<RowReader>& readers) {
   for (const auto& [entry, scope, target] : instances) {
@@ -38,7 +38,7 @@ void read_entries(Context& context, const std::vector<Instance>& instances,
   }
 }
 
-/// Each entry after those that it takes units or axes from.
+/// Reads each entry after the entries that provide its units or axes.
 void resolve_entries(Context& context, const FileSyntax& syntax) {
   const std::vector<Instance> instances = expand_entries(context, syntax);
   if (context.beyond_limits) return;
@@ -62,7 +62,7 @@ void resolve_entries(Context& context, const FileSyntax& syntax) {
   check_output_names(context.model, context.report);
 }
 
-/// The arguments of outputs beside q, by what their values are made of.
+/// Sets the arguments of each output besides q, from the ingredients of its values.
 void note_arguments(Model& model, const std::vector<Traits>& traits) {
   for (UserOutput& output : model.outputs) {
     for (const ExpressionId value : output.values) {
@@ -75,8 +75,8 @@ void note_arguments(Model& model, const std::vector<Traits>& traits) {
   }
 }
 
-/// Closed forms are read once it is known which outputs the model has, then judged with the rest,
-/// as is the point a scene expands about.
+/// Closed forms are read once the outputs of the model are known, and then the expansion point of
+/// the scene. Both are checked with all other expressions.
 void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene_syntax,
            const SceneOptions& options, Scene& scene) {
   const bool has_order = check_cycles(context);
@@ -98,7 +98,7 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene_s
   check_units(context);
 }
 
-/// Takes out what the scene holds; its requests are put to the model that is left.
+/// Eliminates the held variables; the scene's requests are then checked against the reduced model.
 void reduce_model(Context& context) {
   context.model = variant_of(std::move(context.model));
   while (context.constants.size() < context.model.expressions.size()) {

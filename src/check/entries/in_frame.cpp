@@ -1,4 +1,4 @@
-// From the axes of a frame to the world.
+// Positions, inertias and twists of entries given in the axes of a frame.
 #include "check/entries/in_frame.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace elgen {
 namespace {
 
-/// I_com = I_origin - m (c.c 1 - c c^T), as xx yy zz xy xz yz, or zz alone.
+/// I_com = I_origin - m (c.c 1 - c c^T); entries xx yy zz xy xz yz, in a plane zz alone.
 std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
                                     ExpressionId mass) {
   const Vector3& c = body.com.at;

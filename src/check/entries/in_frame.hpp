@@ -1,5 +1,5 @@
-// Quantities given in the axes of a frame, expressed in those of the world as well: the oracle and
-// everything that needs positions reads them there.
+// Converts entries given in the axes of a frame to the world, the axes that the oracle and every
+// user of positions read.
 #pragma once
 
 #include "check/expressions/node_builder.hpp"
@@ -7,17 +7,18 @@
 
 namespace elgen {
 
-/// R x + origin.
+/// R x + origin of the frame.
 [[nodiscard]] Vector3 world_position(NodeBuilder& nodes, const PlaceInFrame& place);
 
-/// com and inertia of the body are in the axes of `local`'s frame, and stay so there; com, spin and
-/// inertia about the com follow from it.
+/// Sets com, spin and the inertia about the com from `local`, whose com and inertia are in the axes
+/// of its frame. Keeps `local` in the body.
 void put_in_frame(Context& context, BodyInFrame local, Body& body);
 
-/// One to three components, and the 0 for those that are not there.
+/// One to three components, padded with 0 to three.
 [[nodiscard]] Vector3 padded(const std::vector<ExpressionId>& components);
 
-/// The pose as values and the twist (angular velocity; velocity of the origin) of a frame's output.
+/// Sets the pose [R p] (row-major) and the twist (angular velocity, velocity of the origin) of a
+/// frame's output.
 void write_frame_output(Context& context, UserOutput& output);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Constraints: an entry becomes one Constraint for each of its equations.
+// Constraints: an entry becomes one Constraint for each equation.
 //
 //     name = "loop", coincide = ["P", "Q"]      ->   loop_x: x(P) - x(Q), loop_y: y(P) - y(Q)
 //     name = "loop", equation = ["a = b", …]    ->   loop_1: a - b, …
@@ -72,8 +72,8 @@ class ConstraintReader {
                         in_backticks(key.value.span) + " is negative: errors would grow");
   }
 
-  /// A row for each component that both points have. A point that is not known counts as a usual
-  /// one: too few equations would be a second error.
+  /// Adds a row for each component that both points have. An unknown point counts as a point of the
+  /// model's dimension, since too few equations would be a second error.
   void read_points(const ValueSyntax& list) {
     if (list.items.size() != 2) {
       context_.report.add(Code::E104, list.span,
@@ -122,7 +122,7 @@ class ConstraintReader {
     }
     std::vector<Constraint>& rows = context_.model.constraints;
     const auto same = std::ranges::find(rows, row.identifier, &Constraint::identifier);
-    // Two entries of one name are told so already.
+    // Two entries with the same name are already reported.
     if (same != rows.end() && covered_text(same->span) != covered_text(row.span)) {
       context_.report.add({Code::E203, row.span,
                            in_backticks(row.name) + " is already the name of an equation", "",
@@ -137,7 +137,7 @@ class ConstraintReader {
   Constraint blank_;
 };
 
-/// Whether angles or a quaternion that move turn the frame, or one that carries it.
+/// Whether a variable angle or a quaternion turns the frame or one of its ancestors.
 bool may_turn(const Context& context, std::optional<std::uint32_t> frame) {
   for (; frame; frame = context.model.frames[*frame].parent) {
     for (const FrameStep& step : context.model.frames[*frame].steps) {
@@ -148,7 +148,7 @@ bool may_turn(const Context& context, std::optional<std::uint32_t> frame) {
   return false;
 }
 
-/// The point whose rate dot(x(P)) is the whole expression.
+/// The point P if the whole expression is the rate dot(x(P)).
 std::optional<std::uint32_t> point_at_rest(const Model& model, ExpressionId value) {
   const Expression& node = model.expressions[value];
   if (node.kind != ExpressionKind::time_derivative) return std::nullopt;
@@ -157,7 +157,7 @@ std::optional<std::uint32_t> point_at_rest(const Model& model, ExpressionId valu
   return inner.index;
 }
 
-/// E541 at the second component of a point.
+/// E541 at the second velocity equation on a point of a turning frame.
 void warn_of_material_points(Context& context) {
   std::vector<std::uint32_t> held;
   for (const Constraint& row : context.model.constraints) {

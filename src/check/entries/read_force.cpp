@@ -1,4 +1,4 @@
-// Forces on velocities, at points and on frames, and the outputs a model declares.
+// Forces on velocities, at points and on frames; outputs that a model declares.
 #include <array>
 
 #include "check/entries/entries.hpp"
@@ -25,14 +25,14 @@ void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeyS
   }
 }
 
-/// The frame that a key names, or what is usual.
+/// The frame that a key names, or the default `usual`.
 std::optional<std::uint32_t> axes_of(ValueReader& values, const EntrySyntax& entry,
                                      std::string_view name, std::optional<std::uint32_t> usual) {
   const KeySyntax* key = entry.find(name);
   return key == nullptr ? usual : values.frame_or_world(key->value);
 }
 
-/// The components as written, turned into the axes of a frame, or of the world.
+/// The components as written, converted to the axes of a frame, or of the world.
 std::vector<ExpressionId> turned_to(std::optional<std::uint32_t> axes, const Force& force,
                                     Context& context) {
   NodeBuilder nodes(context, force.span);
@@ -80,7 +80,7 @@ void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
   if (force.from_frame) force.reaction = turned_to(force.from_frame, force, context);
 }
 
-/// So many inputs from one on, as leaves.
+/// Leaves of `count` consecutive inputs.
 std::vector<ExpressionId> leaves(Context& context, std::uint32_t first, std::uint32_t count,
                                  const Span& span) {
   NodeBuilder nodes(context, span);
@@ -89,7 +89,7 @@ std::vector<ExpressionId> leaves(Context& context, std::uint32_t first, std::uin
   return all;
 }
 
-/// A point that nothing names, at the origin of a frame.
+/// Adds an unnamed point at the origin of a frame.
 std::uint32_t origin_of(Context& context, std::uint32_t frame, const Span& span) {
   Point point;
   point.name = context.model.frames[frame].name;
@@ -106,7 +106,7 @@ std::uint32_t origin_of(Context& context, std::uint32_t frame, const Span& span)
 
 constexpr std::array<std::string_view, 3> force_places{"on", "at", "frame"};
 
-/// Exactly one of `on`, `at` and `frame`; null after an error.
+/// The only key among `on`, `at` and `frame`; null after an error.
 const KeySyntax* place_of(const EntrySyntax& entry, Report& report) {
   const auto [first, second] = first_two(entry, force_places);
   if (first == nullptr) {
@@ -117,7 +117,7 @@ const KeySyntax* place_of(const EntrySyntax& entry, Report& report) {
   return nullptr;
 }
 
-/// [R p] row by row, and the twist in the axes asked for.
+/// [R p] row by row, and the twist in the requested axes.
 void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput& output) {
   Context& context = values.context();
   output.frame = values.reference(entry.find("frame")->value, SymbolKind::frame);

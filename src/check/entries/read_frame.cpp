@@ -1,12 +1,13 @@
-// Frames: their steps from the parent as the file gives them, and the pose in the world as
-// expressions over the parent's.
+// Frames: their steps from the parent as given in the file, and the pose in the world as
+// expressions in the parent's pose.
 //
-//     x_parent = translate + R x,   R by one of
+//     x_parent = translate + R x, with R from one of
 //       rotate      R1(angle1) R2(angle2) ..., each about an axis of the frame reached so far
 //       rpy         Rz(y) Ry(p) Rx(r)
-//       dh          standard Rz(theta) Tz(d) Tx(a) Rx(alpha), modified Rx(alpha) Tx(a) Rz(theta)
-//       Tz(d) quaternion  (w, x, y, z), Hamilton, frame to parent, divided by its squared length
-//       rotation    the same of a coordinate, whose length is one
+//       dh          standard Rz(theta) Tz(d) Tx(a) Rx(alpha),
+//                   modified Rx(alpha) Tx(a) Rz(theta) Tz(d)
+//       quaternion  (w, x, y, z), Hamilton, frame to parent, divided by its squared length
+//       rotation    the quaternion of a coordinate, whose length is 1
 #include <algorithm>
 
 #include "check/entries/entries.hpp"
@@ -20,7 +21,7 @@
 namespace elgen {
 namespace {
 
-/// Rodrigues: cos 1 + sin [n]x + (1 - cos) n n^T
+/// Rodrigues: R = cos 1 + sin [n]x + (1 - cos) n n^T
 Matrix3 turn_matrix(NodeBuilder& nodes, const FrameStep& step) {
   const ExpressionId cosine = nodes.call(FunctionId::cos, step.angle);
   const ExpressionId sine = nodes.call(FunctionId::sin, step.angle);
@@ -45,7 +46,7 @@ Matrix3 turn_matrix(NodeBuilder& nodes, const FrameStep& step) {
   return result;
 }
 
-/// The homogeneous quadratic form of (w, e): (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x.
+/// R = (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x of (w, e), divided by w^2 + e.e if `is_scaled`.
 Matrix3 quaternion_matrix(NodeBuilder& nodes, const std::array<ExpressionId, 4>& q,
                           bool is_scaled) {
   std::array<ExpressionId, 4> squares{};
@@ -72,7 +73,7 @@ Matrix3 quaternion_matrix(NodeBuilder& nodes, const std::array<ExpressionId, 4>&
   return result;
 }
 
-/// [w]x = R^T dR/dt: w_x = sum_k R_k2 dR_k1/dt and so on round.
+/// [w]x = R^T dR/dt: w_x = sum_k R_kz dR_ky/dt, and cyclic permutations.
 Vector3 spin(NodeBuilder& nodes, const Matrix3& rotation) {
   const auto column = [&](std::size_t j) {
     return Vector3{rotation[j], rotation[3 + j], rotation[6 + j]};
@@ -86,8 +87,8 @@ Vector3 spin(NodeBuilder& nodes, const Matrix3& rotation) {
   return result;
 }
 
-/// The angular velocity of a step against what came before it, in the axes after it: n dangle/dt;
-/// 2 (w de/dt - dw/dt e - e x de/dt)/|q|^2 of a quaternion (w, e); the rates of a rotation.
+/// Angular velocity of a step relative to the axes before it, in the axes after it. Turn: n
+/// dangle/dt. Quaternion (w, e): 2 (w de/dt - dw/dt e - e x de/dt)/|q|^2. Rotation: its velocities.
 Vector3 turning_of(NodeBuilder& nodes, const Model& model, const FrameStep& step) {
   Vector3 result{};
   if (step.rotation) {
@@ -129,7 +130,7 @@ Vector3 turning_of(NodeBuilder& nodes, const Model& model, const FrameStep& step
 ///               (0, 0, dot(q))
 void write_motion(Context& context, Frame& frame) {
   NodeBuilder nodes(context, frame.span);
-  // The motion of the parent by its names, not as copies.
+  // The parent's motion is referred to by name, not copied.
   Matrix3 rotation = frame.parent ? rotation_of(nodes, *frame.parent) : nodes.identity();
   Vector3 origin = frame.parent ? vector_of(nodes, *frame.parent, frame_origin) : Vector3{};
   Vector3 turning = frame.parent ? vector_of(nodes, *frame.parent, frame_turning) : Vector3{};
@@ -161,7 +162,7 @@ const RootRequest length_request{{place::position, place::of_configuration}, fin
 constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "quaternion",
                                                        "rotation"};
 
-/// The key that turns the frame; null where there is none, or after E112 where there are two.
+/// The key that turns the frame; null if it has none, and after E112 if it has two.
 const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
   const auto [first, second] = first_two(entry, orientations);
   if (second == nullptr) return first;
@@ -170,7 +171,7 @@ const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
   return nullptr;
 }
 
-/// E104.
+/// False after E104.
 bool has_count(const ValueSyntax& value, std::size_t count, const std::string& noun,
                Report& report) {
   if (value.items.size() == count) return true;
@@ -180,7 +181,7 @@ bool has_count(const ValueSyntax& value, std::size_t count, const std::string& n
   return false;
 }
 
-/// The axis of unit length, exactly: irrational components keep their form.
+/// The axis scaled to unit length, exactly: irrational components keep their expressions.
 std::optional<Vector3> unit_axis(ValueReader& values, const ValueSyntax& axis) {
   Context& context = values.context();
   NodeBuilder nodes(context, axis.span);
@@ -245,7 +246,7 @@ class FrameReader {
     frame_.steps.push_back(step);
   }
 
-  /// A number of more than a turn, 2 pi < 7, is meant in degrees.
+  /// A number above one turn (2 pi < 7) is probably in degrees.
   void note_degrees(const ValueSyntax& value, ExpressionId angle) {
     const Expression& e = context_.model.expressions[angle];
     if (e.kind != ExpressionKind::number || cln::abs(e.number) <= 7) return;
@@ -278,7 +279,7 @@ class FrameReader {
     }
   }
 
-  /// The turn about and the shift along one axis commute.
+  /// Adds a turn about an axis and a shift along it, which commute.
   void add_screw(std::size_t axis, std::optional<ExpressionId> angle,
                  std::optional<ExpressionId> length) {
     if (angle) add_turn(axis, *angle);
@@ -343,7 +344,7 @@ void read_frame(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
 
 namespace {
 
-/// `blamed` is what the file says there.
+/// E516 at the expression `blamed` unless all components are 0.
 void require_zero(Context& context, const std::vector<ExpressionId>& components,
                   ExpressionId blamed, const std::string& moves) {
   const auto is_zero = [&](ExpressionId id) { return context.constants[id] == 0; };
@@ -371,7 +372,7 @@ void check_step(Context& context, const FrameStep& step) {
 }  // namespace
 
 void check_plane(Context& context) {
-  // Vectors of three components there are refused as such.
+  // In a planar model, vectors of three components are already errors.
   if (context.dimension != 2 || context.report.errors() > 0) return;
   for (const Frame& frame : context.model.frames) {
     for (const FrameStep& step : frame.steps) check_step(context, step);

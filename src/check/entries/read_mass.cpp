@@ -1,4 +1,4 @@
-// Points and bodies: where mass is, and how it turns.
+// Points and bodies: masses, positions, spins and inertias.
 #include <algorithm>
 
 #include "check/entries/entries.hpp"
@@ -40,7 +40,7 @@ class BodyReader {
       report_.add(Code::E112, spin->key_span, "a body has `frame` or `spin`, not both");
     }
     frame_ = values_.frame_or_world(frame);
-    // Where no vector has told yet, one moment of inertia does.
+    // If no vector has set the dimension yet, a single moment of inertia means planar.
     const KeySyntax* inertia = entry_.find("inertia");
     const std::uint32_t known = values_.context().dimension;
     const bool has_one_moment = inertia != nullptr && (inertia->value.kind != ValueKind::list ||
@@ -95,7 +95,7 @@ class BodyReader {
     if (count == 3) body_.inertia.resize(6, no_expression);
   }
 
-  /// A spin says how a body turns, not about which point of it.
+  /// `spin` is an angular velocity; it defines no origin.
   void refuse_origin() {
     report_.add(Code::E112, entry_.find("inertia_about")->key_span,
                 "without a `frame` the body has no origin for its inertia to be about",
@@ -123,7 +123,7 @@ class BodyReader {
   std::optional<std::uint32_t> frame_ = {};
 };
 
-/// Reads the lines that pages draw from a point.
+/// Reads the lines that a page draws from a point to other places.
 void read_joints(ValueReader& values, const EntrySyntax& entry, Point& point) {
   const KeySyntax* const joined_to = entry.find("joined_to");
   if (joined_to == nullptr) {

@@ -1,4 +1,4 @@
-// The tables that are not repeated: [model], [define], [gravity], [energy], [outputs].
+// Tables that are not repeated: [model], [define], [gravity], [energy], [outputs].
 #include <algorithm>
 #include <array>
 

@@ -15,7 +15,7 @@
 namespace elgen {
 namespace {
 
-/// Nothing in a model where every unit is 1: what is in its own units is not judged.
+/// None if every unit of the model is 1, because units are not checked then.
 std::optional<Unit> unit_of(const EntrySyntax& entry, Context& context) {
   const KeySyntax* key = entry.find("unit");
   if (key == nullptr) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<Unit> unit_of(const EntrySyntax& entry, Context& context) {
   return context.has_units ? unit : std::nullopt;
 }
 
-/// E104: a list is what rotations start with.
+/// E104 for a list, which only a rotation takes as its start.
 cln::cl_R start_constant(ValueReader& values, const ValueSyntax& value) {
   if (value.kind == ValueKind::list) {
     values.context().report.add(Code::E104, value.span, "a list, but the coordinate is one number");
@@ -44,7 +44,7 @@ void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coord
 }
 
 void check_wrap(Context& context, const EntrySyntax& entry, const Coordinate& coordinate) {
-  // rad is 1, and a model in which all units are has none.
+  // The unit of rad is 1; without units in the model, the coordinate has none.
   const bool is_angle = coordinate.unit.value_or(*find_unit("rad")) == *find_unit("rad");
   if (!coordinate.wrap || is_angle) return;
   context.report.add(
@@ -76,7 +76,7 @@ void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& 
   if (coordinate.unit) velocity.unit = *coordinate.unit / *find_unit("s");
 }
 
-/// 1/2 J v^2 is an energy.
+/// [J] from the energy 1/2 J v^2.
 std::optional<Unit> armature_unit(const Coordinate& coordinate) {
   if (!coordinate.unit) return std::nullopt;
   const Unit rate = *coordinate.unit / *find_unit("s");

@@ -1,5 +1,5 @@
 // Points of rest: the variables that a key names, and its value in their unit. An [[equilibrium]]
-// has a condition and the squared frequencies of small motions, too.
+// may also have a condition and the squared frequencies of small oscillations.
 #include "check/entries/stated_point.hpp"
 
 #include <string_view>
@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-/// "q" and "q[2]" both name q[2].
+/// "q" and "q[2]" both denote q[2].
 bool is_named(const std::string& full_name, std::string_view name) {
   return full_name == name || full_name.substr(0, full_name.find('[')) == name;
 }
@@ -52,7 +52,7 @@ constexpr PointTable inputs_there{
 constexpr Place condition_place{"a condition", place::parameters_only};
 constexpr Place frequency_place{"a squared frequency", place::parameters_only};
 
-/// { left, sign, right } as the parser gives it.
+/// Reads { left, sign, right } of the parser; the condition is `excess` > 0 or >= 0.
 Condition read_condition(ValueReader& values, const ValueSyntax& value) {
   const ExpressionSyntax& left = value.find("left")->value.expression;
   const ExpressionSyntax& right = value.find("right")->value.expression;

@@ -1,5 +1,5 @@
-// Points of rest as files give them: `{ theta = "acos(g/(R*Omega^2))", u = 0 }`, in an
-// [[equilibrium]] of a model and in `about` of a scene.
+// Points of rest in files: `{ theta = "acos(g/(R*Omega^2))", u = 0 }`, in an [[equilibrium]] of a
+// model and in `about` of a scene.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace elgen {
 
-/// A table of values at a point: which names it takes, and the error that others get.
+/// A table of values at a point: the names it takes, and the error for any other name.
 struct PointTable {
-  Place place = {};  ///< of a value
+  Place place = {};  ///< of each value
   bool takes_coordinates = true;
   bool takes_inputs = true;
   Code otherwise = Code::E612;
 };
 
-/// The variables of the Model that a name means: "q" and "q[2]" both mean q[2].
+/// The variables of the Model that a name denotes: "q" and "q[2]" both include q[2].
 struct Variables {
   std::vector<std::uint32_t> coordinates = {};
   std::vector<std::uint32_t> inputs = {};
@@ -27,12 +27,12 @@ struct Variables {
   [[nodiscard]] bool empty() const { return coordinates.empty() && inputs.empty(); }
 };
 
-/// Nothing after an error: the name is unknown, or of a rotation.
+/// Empty after an error: the name is unknown, or belongs to a rotation.
 [[nodiscard]] Variables find_variables(Context& context, const PointTable& table,
                                        const std::string& name, const Span& span);
 
-/// Reads one key of the table into the point, whose lists have the sizes of the model's; the
-/// variables that got the value.
+/// Reads one key of the table into the point, whose lists have the sizes of the model's lists.
+/// Returns the variables that get the value.
 Variables read_point_value(ValueReader& values, const PointTable& table, const KeySyntax& key,
                            StatedPoint& point);
 

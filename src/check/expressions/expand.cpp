@@ -1,4 +1,4 @@
-// Expansion: declares all names first, then lists the instances whose expressions are to be
+// Expansion: declares all names first, then lists the instances whose expressions are still to be
 // resolved.
 #include "check/expressions/expand.hpp"
 
@@ -44,13 +44,13 @@ const EntryKind* find_kind(std::string_view entry) {
   return found == entry_kinds.end() ? nullptr : &*found;
 }
 
-/// The names among which one of this kind is unique.
+/// The namespace in which a name of this kind must be unique.
 DeclaredNames& namesakes(Context& context, SymbolKind kind) {
   if (kind == SymbolKind::frame) return context.frames;
   return kind == SymbolKind::equilibrium ? context.equilibria : context.symbols;
 }
 
-/// The number of components decides the dimension; it is known before any expression is.
+/// The number of components of `at` sets the dimension before any expression is resolved.
 void note_dimension(Model& model, const EntrySyntax& entry, std::uint32_t point) {
   const KeySyntax* at = entry.find("at");
   if (at != nullptr && at->value.items.size() == 2) model.points[point].dimension = 2;
@@ -92,7 +92,7 @@ class Expander {
   std::vector<Instance> take() { return std::move(instances_); }
 
  private:
-  /// E906, E907; false where the limit is reached.
+  /// False after E906 or E907, if the limit is reached.
   bool within_limits(SymbolKind kind, const Span& span) {
     const bool is_coordinate = kind == SymbolKind::coordinate;
     const std::uint64_t limit =
@@ -106,7 +106,7 @@ class Expander {
     return false;
   }
 
-  /// False where nothing more should be added.
+  /// False if the expansion should stop.
   bool add_instance(const EntrySyntax& entry, const EntryKind& kind, const Scope& scope) {
     NewName name;
     name.span = entry.span;
@@ -129,7 +129,7 @@ class Expander {
            namesakes(context_, kind.kind).declare(name, kind.kind, target, context_.report);
   }
 
-  /// An entry that has declared its names; false where it could not.
+  /// Adds the instance of an entry that has declared its own names; false if that failed.
   bool add_declared(const EntrySyntax& entry, const Scope& scope,
                     const std::optional<std::uint32_t>& target) {
     if (target) {
@@ -149,10 +149,10 @@ class Expander {
   Context& context_;
   std::vector<Instance> instances_;
   std::uint64_t coordinates_ = 0;
-  std::uint64_t definitions_ = 0;  ///< also points, bodies and the like
+  std::uint64_t definitions_ = 0;  ///< also points, bodies and all other entries
 };
 
-/// A running index that is also a name of the model would hide it.
+/// E203: a running index would hide a name of the model.
 void check_indices(Context& context, const EntrySyntax& entry) {
   const KeySyntax* repetition = entry.find("for");
   if (repetition == nullptr) return;
@@ -180,7 +180,7 @@ std::vector<Instance> expand_entries(Context& context, const FileSyntax& syntax)
     }
     expander.expand(entry);
   }
-  // All names are known only now.
+  // Indices are checked last, because now all names are known.
   for (const EntrySyntax& entry : syntax.entries) check_indices(context, entry);
   return expander.take();
 }

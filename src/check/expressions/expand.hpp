@@ -1,4 +1,4 @@
-// Expansion: entries of the file, repetitions included, as a list of instances that declare names.
+// Expansion: entries of the file, with their repetitions, become instances that declare names.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct Instance {
   std::uint32_t target = 0;
 };
 
-/// Declares every name of the model, so that expressions may refer forward, and adds an empty
-/// coordinate, point, … to the Model for each. E2xx, E906, E907.
+/// Declares every name of the model, so that expressions may refer forward. Appends an empty
+/// coordinate, point, … to the Model for each instance. E2xx, E906, E907.
 ///
 ///     [[point]] for = "i in 1..2", name = "p[i]"   ->   p[1] with i = 1, p[2] with i = 2
 [[nodiscard]] std::vector<Instance> expand_entries(Context& context, const FileSyntax& syntax);

@@ -1,4 +1,4 @@
-// Nodes that check writes itself. Operands come first, as everywhere in the arena.
+// Operands precede their users, as everywhere in the arena.
 #include "check/expressions/node_builder.hpp"
 
 #include <cln/real.h>
@@ -88,7 +88,7 @@ ExpressionId NodeBuilder::call(FunctionId function, ExpressionId argument) {
       push({.kind = ExpressionKind::function, .function = function, .operands = {argument}});
   const auto& value = context_.constants[id];
   if (!value) return id;
-  // The sine of k pi/2 is known to 100 digits; that it is exactly -1, 0 or 1 is not seen there.
+  // sin(k pi/2) is a float of 100 digits; the arithmetic does not see that it is exact: -1, 0 or 1.
   const cln::cl_I nearest = cln::round1(*value);
   if (cln::abs(*value - nearest) >= power_of_ten(5 - constant_digits)) return id;
   return number(nearest);

@@ -1,4 +1,4 @@
-// NodeBuilder: nodes of the arena that check writes itself, such as the pose of a frame.
+// NodeBuilder: appends the nodes that check itself generates, such as the pose of a frame.
 #pragma once
 
 #include <cln/rational.h>
@@ -13,8 +13,8 @@ namespace elgen {
 
 using Matrix3 = std::array<ExpressionId, 9>;  ///< row-major
 
-/// Appends nodes, all with one span. Zeros, ones and exact constants fold away, so that what
-/// vanishes is never written; sines and cosines of quarter turns are exact.
+/// Appends nodes, all with one span. Zeros, ones and exact constants are folded, so that vanishing
+/// terms never enter the arena. Sines and cosines of multiples of pi/2 are exact.
 class NodeBuilder {
  public:
   NodeBuilder(Context& context, const Span& span) : context_(context), span_(span) {}
@@ -49,11 +49,12 @@ class NodeBuilder {
   Span span_;
 };
 
-/// The nine entries of the frame's rotation, and three numbers of it, by their names.
+/// Nodes that name the nine entries of a frame's rotation matrix, or three of its components from
+/// `first` on.
 [[nodiscard]] Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame);
 [[nodiscard]] Vector3 vector_of(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first);
 
-/// Components in the axes of `from` (none: the world) as components in those of `to`: R_to^T R_from
+/// Converts components in the axes of `from` (none: the world) to the axes of `to`: R_to^T R_from
 /// x.
 [[nodiscard]] Vector3 turned(NodeBuilder& nodes, const Vector3& x,
                              std::optional<std::uint32_t> from, std::optional<std::uint32_t> to);

@@ -1,4 +1,4 @@
-// Open functions: the names of their values, and what closes them.
+// Open functions: the names of their values, and the expressions that close them.
 #include "check/expressions/open_functions.hpp"
 
 #include <algorithm>
@@ -54,7 +54,8 @@ void close_by_sample(Context& context, const EntrySyntax& function) {
       in_backticks(name) + " is " + in_backticks(sample->value.span) + " here, its sample");
 }
 
-/// The derivatives of a function of n arguments, in the order of their numbers.
+/// Argument indices of the first and second derivatives of a function of n arguments, in the order
+/// of declaration.
 std::vector<std::vector<std::uint32_t>> derivatives(std::uint32_t n) {
   std::vector<std::vector<std::uint32_t>> all;
   for (std::uint32_t i = 0; i < n; ++i) all.push_back({i});
@@ -71,7 +72,7 @@ std::string derivative_name(const std::string& function, const std::vector<std::
   return name;
 }
 
-/// Arguments of the key `of`, at most as many as a function has.
+/// Number of arguments in the key `of`, at most `most_arguments`.
 std::uint32_t argument_count(const EntrySyntax& entry) {
   const KeySyntax* of = entry.find("of");
   const std::size_t given = of == nullptr ? 0 : of->value.items.size();
@@ -110,8 +111,9 @@ void add_rates(const Model& model, const Expression& differentiated, std::set<Mo
   }
 }
 
-/// All that an expression reads. d/dt e reads the rates of the coordinates in e; whether it reads
-/// the coordinates too depends on e (d/dt x does not), so that they count only if `inside_rates`.
+/// The variables that an expression depends on. d/dt e depends on the rates of the coordinates in
+/// e. It may depend on the coordinates too, but d/dt x does not; they are included only if
+/// `inside_rates`.
 std::set<Moving> moving_in(const Model& model, ExpressionId root, bool inside_rates) {
   constexpr LeafSet kinds = Opcode::coordinate | Opcode::velocity | Opcode::time;
   std::set<Moving> all;
@@ -171,7 +173,7 @@ std::optional<std::uint32_t> declare_function(Context& context, const EntrySynta
       declare(name.base, is_closed ? SymbolKind::definition : SymbolKind::open_value, number);
   for (const std::vector<std::uint32_t>& by : derivatives(argument_count(entry))) {
     const std::string text = derivative_name(name.base, by);
-    // Names of a function that is refused, which is said once, are not unknown, too.
+    // A refused function is reported once; its derivatives are not reported as unknown names.
     if (!is_declared) context.symbols.mark_failed(text);
     is_declared = is_declared && (is_closed ? declare(text, SymbolKind::closed_derivative, 0)
                                             : declare(text, SymbolKind::open_derivative,

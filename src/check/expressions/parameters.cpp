@@ -1,5 +1,5 @@
-// Parameters: NAME = number, string or { value, unit, min, max, assume, size, latex, doc }; with
-// `size` the value is one number for all elements or a list.
+// A parameter is NAME = number, string or { value, unit, min, max, assume, size, latex, doc }. With
+// `size`, the value is one number for all elements or a list.
 #include "check/expressions/parameters.hpp"
 
 #include "check/expressions/units.hpp"
@@ -70,7 +70,7 @@ class ParameterReader {
     }
   }
 
-  /// A missing end lies beyond every number a scalar holds.
+  /// The array has a range only if both ends are given; check_value also uses a single end.
   void read_range(const ValueSyntax& table) {
     const KeySyntax* low = table.find("min");
     const KeySyntax* high = table.find("max");
@@ -152,7 +152,8 @@ bool add_elements(Context& context, const NewName& array, std::int64_t count, bo
   declared.span = array.span;
   model.parameter_arrays.push_back(std::move(declared));
   context.bounds.resize(model.parameter_arrays.size());
-  // An array whose name is refused, which is said once, has all its elements: readers index them.
+  // A refused name is reported once; the array still has all its elements, since readers index
+  // them.
   bool is_declared = true;
   for (std::int64_t i = 0; i < count; ++i) {
     const NewName name{array.base, is_array ? std::optional(i + 1) : std::nullopt, array.span};

@@ -1,5 +1,5 @@
-// Parameters: [parameters] -> Model::parameters and Model::parameter_arrays. And the sizes of their
-// arrays, [sizes] -> Context::sizes.
+// Parameters: [parameters] -> Model::parameters and Model::parameter_arrays. The sizes of their
+// arrays: [sizes] -> Context::sizes.
 #pragma once
 
 #include "check/names/context.hpp"
@@ -8,26 +8,26 @@
 
 namespace elgen {
 
-/// Declares the sizes of the model, then sets them as the scene and at last as the options say.
+/// Declares the sizes of the model. The scene overrides them, and the options override the scene.
 /// `scene` may be null. E605, E606, E201, E318.
 void read_sizes(Context& context, const FileSyntax& model, const FileSyntax* scene,
                 const SceneOptions& options);
 
-/// Adds a parameter with its elements, without values; false after E203, E204, E205 or E211.
+/// Adds a parameter array with its elements, without values; false after E203, E204, E205 or E211.
 [[nodiscard]] bool add_elements(Context& context, const NewName& array, std::int64_t count,
                                 bool is_array);
 
-/// The same of a key, with its `size`. E209, E907.
+/// Adds the parameter of a key, with its `size`. E209, E907.
 void declare_parameter(Context& context, const KeySyntax& key);
 
-/// The parameters that NAME (all elements) or NAME[i] stands for; none after E602.
+/// The parameters with the name NAME (all elements) or NAME[i]; none after E602.
 [[nodiscard]] std::vector<std::uint32_t> named_parameters(Context& context, const std::string& name,
                                                           const Span& span,
                                                           const std::string& hint = {});
 
-/// Holds a value of a parameter, the model's own or that of a scene, against what the model says
-/// of it: E112 where `assume` denies it, since the algebra relies on that; E518, a warning, where
-/// it is beyond `min` or `max`.
+/// Compares a value from the model or the scene with the parameter's declaration. E112 if it
+/// violates `assume`, on which the simplification relies. E518, a warning, if it violates `min` or
+/// `max`.
 void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& value,
                  const Span& span);
 

@@ -1,5 +1,5 @@
-// Places: walks every root and reports the nodes that bring in what its place does not take. A
-// cycle is printed from the entry that stands first in the file.
+// Walks the nodes of every root and reports each node that introduces a forbidden ingredient. A
+// cycle is printed from its first entry in the file.
 #include "check/expressions/places.hpp"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ Code code_of(Ingredient ingredient, const Place& place) {
   return place.otherwise;
 }
 
-/// Whether the node itself, not one of its operands, brings the ingredient in.
+/// Whether the ingredient comes from the node itself, not from one of its operands.
 bool brings_in(const Expression& node, const std::vector<Traits>& traits, ExpressionId id,
                Ingredient ingredient) {
   if ((traits[id].ingredients & ingredient) == 0) return false;
@@ -60,7 +60,7 @@ bool brings_in(const Expression& node, const std::vector<Traits>& traits, Expres
   return true;
 }
 
-/// How the place takes what was meant; "" if it does not.
+/// Hint: an allowed way to express the intended quantity; "" if there is none.
 std::string_view way_round(const Place& place, Ingredient ingredient) {
   const bool is_constraint =
       place.noun == place::position_equation || place.noun == place::velocity_equation;
@@ -102,7 +102,7 @@ void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpr
   }
 }
 
-/// A function with a kink may have a place, its rate has none.
+/// A place may allow a function with a kink, but never its rate.
 void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits,
                           WrittenExpression& root) {
   const unsigned kinks = traits[root.value].ingredients & uses_kink;
@@ -128,7 +128,7 @@ Named named(const Row& row) {
   return {row.name, row.span};
 }
 
-/// The entry that a node stands for, if that has a name and expressions of its own.
+/// The named entry that a node refers to; none if the node is no name.
 std::optional<Named> named_by(const Model& model, const Expression& node) {
   if (node.kind != ExpressionKind::named) return std::nullopt;
   switch (node.named) {

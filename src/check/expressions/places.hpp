@@ -1,5 +1,5 @@
-// Places: what may stand where. Positions are made of coordinates and time, energies of no input,
-// and so on; nothing stands in its own expression.
+// Places: the ingredients that each kind of expression may contain. A position may contain
+// coordinates and time, an energy no input. No name may occur in its own definition.
 #pragma once
 
 #include <vector>
@@ -27,11 +27,11 @@ inline constexpr std::string_view velocity_equation = "a constraint on velocitie
 
 }  // namespace place
 
-/// False after E206, which prints a cycle of definitions, prescribed functions, points and frames:
-/// `a -> b -> a`.
+/// False after E206, which prints a cycle of definitions, prescribed functions, points, bodies and
+/// frames: `a -> b -> a`.
 [[nodiscard]] bool check_cycles(Context& context);
 
-/// E315, E319, E502, E506: each ingredient that does not belong, at the node that brings it in.
+/// E315, E319, E502, E506: each forbidden ingredient, at the node that introduces it.
 void check_places(Context& context, const std::vector<Traits>& traits);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Resolver, calls: the functions of functions.def, those of composite_functions.def, those of
-// resolve_motion.cpp and resolve_sum.cpp, and those that are expanded here:
+// Resolver, calls: the functions of functions.def, composite_functions.def, resolve_motion.cpp and
+// resolve_sum.cpp, and the functions that are expanded here:
 //
 //     dot(q) -> rate    delta(i, j) -> 0 or 1    p(q) -> momentum
 #include <algorithm>
@@ -27,7 +27,7 @@ const Resolver::Composite* find_composite(std::string_view name) {
   return found == composites.end() ? nullptr : &*found;
 }
 
-/// Read once; the table's own text is right.
+/// Parses each definition once; the definitions of the table have no errors.
 const ExpressionSyntax& syntax_of(std::string_view definition) {
   static std::map<std::string_view, ExpressionSyntax> read;
   const auto known = read.find(definition);
@@ -36,7 +36,8 @@ const ExpressionSyntax& syntax_of(std::string_view definition) {
   return read.emplace(definition, *parse_expression(source, Limits{})).first->second;
 }
 
-/// The definition with the call's arguments in place of x and y, all of it at the call.
+/// The definition with the call's arguments substituted for x and y; every node has the call's
+/// span.
 ExpressionSyntax written_out(ExpressionSyntax definition, const ExpressionSyntax& call) {
   if (definition.kind == SyntaxKind::name) {
     if (definition.text == "x") return call.operands[0];
@@ -62,7 +63,8 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
   if (call.text == #name) return rule(call);
 #include "check/names/expanded_functions.def"
 #undef ELGEN_EXPANDED
-  if (call.text == "p") return resolve_momentum(call);  // a model may have a `p` of its own
+  // not in the table, since a model may declare a `p`
+  if (call.text == "p") return resolve_momentum(call);
   const bool converts_degrees =
       call.text == "deg" || call.text == "radians" || call.text == "deg2rad";
   context_.report.add(
@@ -91,7 +93,7 @@ std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& c
                .span = call.span});
 }
 
-/// stumpff(x, k) with k other than 0; that of 0 is cos(x).
+/// stumpff(x, k); for k = 0 this is cos(x).
 std::optional<ExpressionId> Resolver::resolve_stumpff(const ExpressionSyntax& call) {
   constexpr std::int64_t largest_order = 40;
   if (!has_arity(call, 2)) return std::nullopt;

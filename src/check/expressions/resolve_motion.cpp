@@ -1,11 +1,12 @@
 // Resolver, places and frames:
 //
-//     x(P)         component of a place: a point, the origin of a frame, the com of a body in one
-//     vx(P, G)     component along an axis of G of the velocity of a place against the world
-//     wx(F)        component of the angular velocity of a frame, or of the frame of a body, against
-//                  the world: along the world's axis
-//     wx(F, G)     along that of G
+//     x(P)            component of a place: a point, the origin of a frame, the com of a body
+//     vx(P, G)        velocity of a place against the world, component along an axis of G
+//     wx(F)           angular velocity of F against the world, component along an axis of the world
+//     wx(F, G)        the same, component along an axis of G
 //     axis(F, i, j)   component i in the world of axis j of F: R_ij
+//
+// F and G are frames, or bodies in a frame. A body has a place only if it is in a frame.
 #include <fmt/format.h>
 
 #include <array>
@@ -17,7 +18,7 @@
 namespace elgen {
 namespace {
 
-/// 0 for x, wx and vx.
+/// Index of the axis: 0 for x, wx and vx.
 std::uint32_t axis_of(const ExpressionSyntax& call) {
   return static_cast<std::uint32_t>(call.text.back() - 'x');
 }
@@ -26,7 +27,7 @@ bool is_named(const DeclaredName* symbol, SymbolKind kind) {
   return symbol != nullptr && symbol->kind == kind;
 }
 
-/// None: the world.
+/// None for the world.
 template <class Frame>
 std::optional<std::uint32_t> number_of(const Frame& frame) {
   return frame.is_world ? std::nullopt : std::optional(frame.index);
@@ -105,7 +106,7 @@ bool Resolver::has_axis(const ExpressionSyntax& call, std::uint32_t dimension, b
   return false;
 }
 
-/// A root of its own where there is nothing.
+/// `no_expression` cannot be a root, so a new node 0 replaces it.
 std::optional<ExpressionId> Resolver::or_zero(ExpressionId id, const Span& span) {
   return id == no_expression ? push_number(0, span) : std::optional(id);
 }

@@ -1,5 +1,5 @@
-// Resolver, names: time, pi, running indices and sizes (as numbers), what the model declares, and
-// the energy where it has a place.
+// Resolver, names: time, pi, running indices and sizes (as numbers), declared names, and the energy
+// if the place allows it.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -15,7 +15,7 @@ constexpr std::string_view energy_function = "energy_function";
 
 std::string_view energy_symbol() { return leaf_row(Opcode::energy).symbol; }
 
-/// The expression that the name of such a symbol stands for, without its index and place.
+/// A new node for a symbol of this kind; the caller sets index and span. None if it is no number.
 std::optional<Expression> named(SymbolKind kind) {
   const auto leaf = [](Opcode of) { return Expression{.kind = ExpressionKind::leaf, .leaf = of}; };
   const auto name = [](NamedKind of) {
@@ -45,7 +45,7 @@ bool is_function_name(const std::string& name) {
   return std::ranges::find(functions, name) != functions.end();
 }
 
-/// The numbers that can be written instead of a name that is no number.
+/// Hint on a name that is not a number: the numbers that belong to it.
 std::string numbers_of(const std::string& name, SymbolKind kind) {
   if (kind == SymbolKind::point) return "its components are `x(" + name + ")` and so on";
   if (kind == SymbolKind::rotation) {
@@ -55,7 +55,7 @@ std::string numbers_of(const std::string& name, SymbolKind kind) {
   return "";
 }
 
-/// `theta` of theta_dot, thetadot, dtheta, dot_theta, theta_ddot, and how many times it is dotted.
+/// `theta` of theta_dot, thetadot, dtheta, dot_theta, theta_ddot, and the number of dots.
 struct DottedName {
   std::string base;
   int dots = 0;
@@ -83,7 +83,7 @@ std::optional<DottedName> dotted_name(const std::string& name, const DeclaredNam
   return std::nullopt;
 }
 
-/// How what the name means is written: a rate, a degree; "" where it is neither.
+/// Hint on how to write a rate or an angle in degrees, if the name suggests it; "" otherwise.
 std::string way_to_write(const ExpressionSyntax& name, const DeclaredNames& symbols) {
   if (name.text == "deg" || name.text == "degrees") return std::string(degrees_hint);
   const auto dotted = dotted_name(name.text, symbols);

@@ -1,5 +1,6 @@
-// Resolver, sums: sum(i, a, b, e) -> e[a] + … + e[b], 0 if b < a. Terms that differ in a rational
-// factor only are one term, since each of ten thousand would be differentiated and compared:
+// Resolver, sums: sum(i, a, b, e) -> e[a] + … + e[b], and 0 if b < a. Terms that differ only in a
+// rational factor are merged: otherwise each of ten thousand terms would be differentiated and
+// compared:
 //
 //     1*k*x + 2*k*x + 3*k*x + y   ->   6*k*x + y
 #include <algorithm>
@@ -12,7 +13,8 @@
 namespace elgen {
 namespace {
 
-/// Terms that one text makes are of few kinds, or each is of its own.
+/// The terms of a sum are of few kinds, or each is of a different kind; beyond this number terms
+/// are not merged.
 constexpr std::size_t most_kinds = 16;
 
 /// number * factors / divisors
@@ -21,14 +23,14 @@ struct ScaledProduct {
   cln::cl_RA number = 1;
   std::vector<ExpressionId> factors = {};
   std::vector<ExpressionId> divisors = {};
-  bool is_added = false;  ///< its number includes that of another term
+  bool is_added = false;  ///< `number` includes the factor of another term
 };
 
 class LikeTerms {
  public:
   explicit LikeTerms(Context& context) : context_(context) {}
 
-  /// Adds the term that was resolved last; `begin` is the first of its nodes.
+  /// Adds the term that was resolved last; `begin` is its first node.
   void add(ExpressionId term, std::size_t begin) {
     const bool is_tried = kinds_.size() <= most_kinds;
     if (is_tried && add_products(term)) return context_.truncate(begin);
@@ -36,8 +38,8 @@ class LikeTerms {
     if (!is_tried) others_.push_back(term);
   }
 
-  /// The operands of the sum at `span`. If no two terms are alike, these are the terms as they are.
-  /// Terms that cancel become a difference, whose units and place are judged.
+  /// The operands of the sum at `span`; the original terms if none were merged. Terms that cancel
+  /// become a difference, so that their units and place are still checked.
   [[nodiscard]] std::vector<ExpressionId> terms(const Span& span) {
     if (std::ranges::none_of(kinds_, &ScaledProduct::is_added)) return terms_;
     const bool is_whole_sum = kinds_.size() == 1 && others_.empty();
@@ -58,7 +60,7 @@ class LikeTerms {
     return context_.model.expressions[id];
   }
 
-  /// False if the nodes of the term are needed: one of its products is the first of its kind.
+  /// False if one product of the term is the first of its kind, so that its nodes are needed.
   bool add_products(ExpressionId term) {
     if (node(term).kind == ExpressionKind::add) {
       bool are_known = true;
@@ -69,7 +71,7 @@ class LikeTerms {
     }
     ScaledProduct product{.term = term};
     multiply(product, term, false);
-    // Check reports a quotient by 0 later, at the text of the quotient.
+    // A division by 0 is reported later, at the text of the quotient.
     const bool divides_by_zero = std::ranges::any_of(product.divisors, [this](ExpressionId id) {
       return node(id).kind == ExpressionKind::number;
     });
@@ -124,9 +126,9 @@ class LikeTerms {
   }
 
   Context& context_;
-  std::vector<ExpressionId> terms_ = {};   ///< with nodes in the model
-  std::vector<ScaledProduct> kinds_ = {};  ///< by which later terms are found
-  std::vector<ExpressionId> others_ = {};  ///< terms after `most_kinds`
+  std::vector<ExpressionId> terms_ = {};   ///< terms whose nodes are in the model
+  std::vector<ScaledProduct> kinds_ = {};  ///< one product per kind; later terms are merged into it
+  std::vector<ExpressionId> others_ = {};  ///< terms after `most_kinds`, not merged
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Resolver, operators and numbers. Names are in resolve_name.cpp, calls in resolve_call.cpp.
+// Resolver: operators and numbers. resolve_name.cpp has the names, resolve_call.cpp the calls.
 #include "check/expressions/resolver.hpp"
 
 #include <cln/real_ring.h>
@@ -22,7 +22,7 @@ ExpressionKind kind_of(SyntaxKind kind) {
   }
 }
 
-/// 6 of (x^2)^3; 1 of what is no power.
+/// The product of nested exponents: 6 for (x^2)^3, 1 for a node that is no power.
 cln::cl_RA exponent_of(const Model& model, ExpressionId id) {
   cln::cl_RA product = 1;
   while (model.expressions[id].kind == ExpressionKind::power) {
@@ -109,7 +109,7 @@ std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& powe
   const std::optional<ExpressionId> base = resolve(power.operands[0]);
   const std::optional<cln::cl_RA> exponent = resolve_exponent(power.operands[1]);
   if (!base || !exponent || !check_exponent(*exponent, power.operands[1].span)) return std::nullopt;
-  // A power of a power is one power, of the product of the exponents.
+  // (x^a)^b is the power x^(a b), so the product must be within the limit too.
   const cln::cl_RA product = *exponent * exponent_of(context_.model, *base);
   if (product != *exponent && !check_exponent(product, power.span)) return std::nullopt;
   return push({.kind = ExpressionKind::power,
@@ -118,8 +118,8 @@ std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& powe
                .span = power.span});
 }
 
-/// Drops the exponent's own nodes again. Where exponents nest, reports only the outermost that is
-/// no constant: in x^y^z it is y^z.
+/// Removes the exponent's nodes again. Of nested exponents that are not constant, only the
+/// outermost is reported: y^z in x^y^z.
 std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exponent) {
   std::vector<Expression>& arena = context_.model.expressions;
   const std::size_t size = arena.size();

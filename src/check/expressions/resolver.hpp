@@ -1,4 +1,4 @@
-// Resolver: an expression as written -> nodes of the Model's arena. Its only verb is resolve().
+// Resolver: converts the syntax of an expression to nodes of the Model's arena.
 #pragma once
 
 #include <cln/rational.h>
@@ -16,28 +16,29 @@ namespace elgen {
 
 inline constexpr std::string_view degrees_hint = "angles are in rad: 30 degrees are `30*pi/180`";
 
-/// Resolves names, expands sums and components of points, folds exact constants, and finds
-/// constants without a value. Every node keeps the span it was written at, so leaves are not
-/// shared.
+/// Resolves names, expands sums and components of points, folds exact constants, and reports
+/// constants without a value. Every node keeps its span in the file, so leaves are not shared.
 ///
 ///     sum(i, 1, 2, m[i]*x[i])   ->   add(multiply(m[1], x[1]), multiply(m[2], x[2]))
 ///     v2(P)                     ->   add(power(dot(P.x), 2), power(dot(P.y), 2))
 ///     p(x)                      ->   the momentum dL/d(dot(x)), a leaf
 class Resolver {
  public:
-  /// `allowed`: what the place of the expression takes. `E` is a name where that is the energy.
+  /// `allowed`: the ingredients that the place allows. If the energy is one of them, `E` is its
+  /// name.
   Resolver(Context& context, Scope& scope, Ingredients allowed = 0)
       : context_(context), scope_(scope), allowed_(allowed) {}
 
-  /// Nothing after an error. Operands precede their users; the nodes of one call are consecutive.
+  /// None after an error. Operands precede their users; the nodes of one call are consecutive.
   std::optional<ExpressionId> resolve(const ExpressionSyntax& expression);
 
-  /// The index in the Model of `name` or `name[i]`. E208, and `absent` where there is no such
-  /// element.
+  /// The index in the Model of `name` or `name[i]`. E208 for a missing or superfluous index;
+  /// `absent` if no element has this index.
   std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol,
                                        Code absent = Code::E207);
 
-  /// The declaration of a name of a kind; null after E201, which also covers names of another form.
+  /// The declaration of a name of this kind; null after E201. `has_form`: the expression has the
+  /// form of such a name.
   const DeclaredName* declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,
                                std::string_view shown);
 
@@ -82,7 +83,7 @@ class Resolver {
   std::optional<ExpressionId> resolve_sum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_delta(const ExpressionSyntax& call);
 
-  /// An entry that has a place, and the first of its components.
+  /// An entry with a position, and the number of its first position component.
   struct ResolvedPlace {
     NamedKind kind = NamedKind::point;
     std::uint32_t index = 0;

@@ -1,4 +1,4 @@
-// Rotations: four names of q, three of v, and the keys that such a coordinate takes.
+// Rotations: four names in q, three names in v, and the keys of such a coordinate.
 #include "check/expressions/rotations.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ bool declare_components(Context& context, const Rotation& rotation) {
   return true;
 }
 
-/// The constants of a list of this many; nothing after E104.
+/// The constants of a list with `count` items; none after E104.
 std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const ValueSyntax& value,
                                                 std::size_t count) {
   if (value.kind != ValueKind::list || value.items.size() != count) {
@@ -91,7 +91,7 @@ void read_start(ValueReader& values, const ValueSyntax& table, const Rotation& r
   }
 }
 
-/// A quaternion is a pure number.
+/// E403: a quaternion is dimensionless.
 void check_unit(Context& context, const EntrySyntax& entry) {
   const KeySyntax* key = entry.find("unit");
   const std::optional<Unit> unit =
@@ -155,7 +155,7 @@ void check_rotations(Context& context) {
       first = &frame;
     }
   }
-  // A frame with an error of its own may be what is missed.
+  // After other errors, the frame of this rotation may just not have been read.
   for (std::size_t i = 0; i < turned.size() && context.report.errors() == 0; ++i) {
     if (turned[i] != nullptr) continue;
     const Rotation& rotation = model.rotations[i];

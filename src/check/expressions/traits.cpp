@@ -1,6 +1,6 @@
-// Traits: one pass over the arena; the degree of a sum is the largest of its terms (the lowest one
-// the least), of a product the sum of its factors; in a denominator, a function or a broken power
-// only degree 0 is a polynomial.
+// One pass over the arena. The degree of a sum is the largest of its terms (the lowest degree is
+// the smallest); the degree of a product is the sum over its factors. A denominator, a function's
+// argument or the base of a fractional power is polynomial only if its degree is 0.
 #include "check/expressions/traits.hpp"
 
 #include <cln/integer.h>
@@ -14,7 +14,7 @@ namespace {
 
 Traits leaf(Ingredients ingredients) { return {ingredients, 0, 0, 0, false}; }
 
-/// 0 has no terms, so they are of any degree.
+/// 0 has no terms, so its lowest degree is the largest possible.
 Traits nothing() {
   Traits traits;
   traits.lowest_rate_degree = not_polynomial;
@@ -45,7 +45,7 @@ Traits product(const Traits& a, const Traits& b) {
   return result;
 }
 
-/// The traits of a function of an argument: no polynomial in anything the argument contains.
+/// Traits of a function: it is no polynomial in the rates and inputs of its argument.
 Traits opaque(Traits argument) {
   argument.rate_degree = argument.rate_degree > 0 ? not_polynomial : 0;
   argument.lowest_rate_degree = 0;
@@ -56,7 +56,7 @@ Traits opaque(Traits argument) {
 Traits power(const Traits& base, const cln::cl_RA& exponent) {
   if (cln::denominator(exponent) != 1 || cln::minusp(exponent)) return opaque(base);
   Traits result;
-  // Degrees saturate, so a few factors tell as much as all of them.
+  // Degrees saturate at 3, so four factors give the same result as more.
   const long factors = cln::cl_I_to_long(cln::min(cln::numerator(exponent), cln::cl_I(4)));
   for (long i = 0; i < factors; ++i) result = product(result, base);
   return result;

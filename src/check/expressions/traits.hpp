@@ -1,4 +1,4 @@
-// Traits: what each expression is made of, and its degree in the rates and inputs, judged by
+// Traits: the ingredients of each expression, and its degree in the rates and inputs, by its
 // structure.
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace elgen {
 
-/// Degrees count up to `not_polynomial`, which stands for anything above 2 as well.
+/// Degrees saturate at `not_polynomial`, which also covers every degree above 2.
 inline constexpr std::uint8_t not_polynomial = 3;
 
 struct Traits {
   Ingredients ingredients = 0;
   std::uint8_t rate_degree = 0;
-  std::uint8_t lowest_rate_degree = 0;  ///< every term has at least this one
+  std::uint8_t lowest_rate_degree = 0;  ///< the smallest degree of all terms
   std::uint8_t input_degree = 0;
-  bool input_times_rate = false;  ///< an input has a coefficient that depends on rates
+  bool input_times_rate = false;  ///< the coefficient of an input depends on rates
 };
 
 /// Traits of every expression of a model without cycles.

@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// A unit that the language does not have, as a multiple of one that it has.
+/// A unit outside the language, as a multiple of a unit of the language.
 struct MultipleRow {
   std::string_view name;
   std::string_view factor;
@@ -38,7 +38,8 @@ constexpr std::array<MultipleRow, 16> multiples{{{"deg", "pi/180", "rad"},
                                                  {"mH", "0.001", "H"},
                                                  {"uF", "1e-6", "F"}}};
 
-/// The value in the unit that there is, where it is known and in this unit alone.
+/// Hint with the value in a unit of the language; only the conversion factor if the value is
+/// unknown.
 std::string converted(const MultipleRow& row, const ValueSyntax* value) {
   const std::string factor(row.factor);
   const std::string unit(row.unit);
@@ -50,8 +51,7 @@ std::string converted(const MultipleRow& row, const ValueSyntax* value) {
          (is_sum ? ")" : "") + "\", unit = \"" + unit + "\"`";
 }
 
-/// "kg*m" of "kgm": two units without the sign between them; else nothing. A name that starts
-/// with m is meant as milli.
+/// "kg*m" for "kgm": two units without an operator; "" otherwise. An initial m is read as milli.
 std::string as_product(std::string_view name) {
   if (name.starts_with('m')) return {};
   for (std::size_t i = 1; i < name.size(); ++i) {
@@ -61,7 +61,7 @@ std::string as_product(std::string_view name) {
   return {};
 }
 
-/// How to write an unknown unit; `value` is in it alone, or not known.
+/// Hint on an unknown unit. `value` is the value in this unit alone, or null.
 std::string hint_on(std::string_view name, const ValueSyntax* value) {
   const auto* const multiple = std::ranges::find(multiples, name, &MultipleRow::name);
   if (multiple != multiples.end()) return converted(*multiple, value);

@@ -1,9 +1,9 @@
 // Units of expressions: one pass over the arena.
 //
-// Numbers are pure, but 0 has any unit; what touches a leaf without a unit is not known and not
-// compared, and a model without any unit is not judged at all. After an error the node counts as
-// not known, so that one mistake is reported once. A value that names nothing is in the unit of its
-// place.
+// Numbers are dimensionless, but 0 has any unit. The unit of an expression with a leaf without a
+// unit is unknown and not compared. A model without units is not checked. After an error the node's
+// unit is unknown, so that one mistake is reported once. A value without names is in the unit of
+// its place.
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ InferredUnit declared(const std::optional<Unit>& unit) {
   return unit ? known(*unit) : InferredUnit{};
 }
 
-/// Nothing where it is not known, or any.
+/// The unit if it is known; none if it is unknown or arbitrary.
 std::optional<Unit> certain(const InferredUnit& inferred) {
   return inferred.known == Known::yes ? std::optional(inferred.unit) : std::nullopt;
 }
@@ -42,7 +42,7 @@ InferredUnit quotient(const InferredUnit& a, const InferredUnit& b) {
 
 InferredUnit rate(const InferredUnit& base) { return quotient(base, known("s")); }
 
-/// A pure number, as far as the argument is known.
+/// Dimensionless, unless the argument's unit is unknown.
 InferredUnit ratio(const InferredUnit& argument) {
   return argument.known == Known::no ? InferredUnit{} : known(Unit{});
 }
@@ -151,7 +151,8 @@ class UnitInference {
     return {};
   }
 
-  /// A multiplier times the rate of its equation is a power.
+  /// The multiplier times the rate of a position equation, or times a velocity equation, is a
+  /// power.
   [[nodiscard]] InferredUnit of_multiplier(const Constraint& constraint) const {
     return quotient(known(constraint.is_position ? "J" : "W"), units_[constraint.value]);
   }
@@ -187,7 +188,7 @@ class UnitInference {
     }
   }
 
-  /// A declared unit wins over what the value of a prescribed function says.
+  /// A declared unit overrides the unit of the prescribed function's value.
   [[nodiscard]] InferredUnit of_prescribed(std::uint32_t index) const {
     const std::optional<Unit>& unit = context_.prescribed_units[index];
     return unit ? known(*unit) : units_[model_.prescribed[index].value];
@@ -204,7 +205,7 @@ class UnitInference {
     return result;
   }
 
-  /// The unit all operands share. E401 at the first that differs.
+  /// The unit that all operands share. E401 at the first operand with another unit.
   InferredUnit common(const Expression& node, std::string_view what) {
     InferredUnit result{Known::any, {}};
     ExpressionId first = no_expression;
@@ -258,13 +259,13 @@ class UnitInference {
     return own.empty() ? function_row(node.function).name : own;
   }
 
-  /// The term without its sign: b of `a - b`.
+  /// The term without its sign: b in `a - b`.
   [[nodiscard]] ExpressionId unsigned_term(ExpressionId id) const {
     const Expression& term = model_.expressions[id];
     return term.kind == ExpressionKind::negate ? term.operands[0] : id;
   }
 
-  /// Where two terms differ, a number in the one without a unit may need a unit.
+  /// If two terms differ, a number in the dimensionless term may lack a unit.
   [[nodiscard]] std::string hint_on_pure(ExpressionId a, ExpressionId b) const {
     if (units_[a].unit == Unit{}) return unnamed_number_hint(model_, a);
     return units_[b].unit == Unit{} ? unnamed_number_hint(model_, b) : "";
@@ -313,7 +314,7 @@ bool uses_units(const FileSyntax& model) {
 
 void check_units(Context& context) {
   if (context.has_units) UnitInference(context).run();
-  // Beside errors a note would only distract.
+  // After errors, notes would only distract.
   if (context.report.errors() > 0) return;
   if (context.has_units) note_plain_numbers(context);
   note_missing_units(context);

@@ -9,8 +9,8 @@ namespace elgen {
 
 namespace {
 
-/// The expression and what it is written of, in the order of the file; names are not entered, nor
-/// the arguments of open functions.
+/// The expression and its subexpressions, in the order of the file, without the expressions behind
+/// names and the arguments of open functions.
 std::vector<ExpressionId> written_parts(const Model& model, ExpressionId expression) {
   std::vector<ExpressionId> parts{expression};
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -24,7 +24,7 @@ std::vector<ExpressionId> written_parts(const Model& model, ExpressionId express
   return parts;
 }
 
-/// The unit as it is written there: rad, not 1.
+/// `unit` is the declared text: rad, not 1.
 UnitDeclaration declared_here(const std::string& name, const std::string& unit, const Span& span) {
   return {span, in_backticks(name) + " is declared here, in " + unit};
 }

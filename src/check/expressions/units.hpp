@@ -1,6 +1,6 @@
-// Units: what `kg*m^2/s`, `N/(m*s)`, `m^(1/2)` and `1` mean; units of expressions, inferred from
-// the leaves, compared where terms meet and where a place asks; and what messages say of them:
-// hints beside an error, and notes where nothing is wrong.
+// Units: reads unit texts such as `kg*m^2/s`, `N/(m*s)`, `m^(1/2)` and `1`. Infers the units of
+// expressions from their leaves; compares the terms of sums, and each value with its place. Writes
+// hints and notes about units.
 #pragma once
 
 #include <optional>
@@ -14,38 +14,39 @@
 
 namespace elgen {
 
-/// The unit a string names; nothing after E402. `*` and `/` bind from left to right. `value` is
-/// what is given in it, where that is known.
+/// The unit that a text denotes; none after E402. `*` and `/` associate to the left. `value`, if
+/// known, is the value in this unit; the hint converts it.
 [[nodiscard]] std::optional<Unit> read_unit(const ValueSyntax& unit, Report& report,
                                             const ValueSyntax* value = nullptr);
 
 /// Whether a variable or parameter has a unit other than 1; otherwise units are not checked.
 [[nodiscard]] bool uses_units(const FileSyntax& model);
 
-/// E401, E403, E404, a note E405 of values that name nothing, and one E520 that lists what has no
-/// unit. The model has no cycles.
+/// Reports E401, E403, E404, a note E405 on values without names, and one note E520 that lists the
+/// entries without a unit. The model must have no cycles.
 void check_units(Context& context);
 
-/// A unit of what stands in a place, or in a part of it.
+/// The text of a unit in messages about the place: N*m for forces, J for others.
 [[nodiscard]] std::string unit_text_in(const Place& place, const Unit& unit);
 
-/// "" unless a number stands in the expression, beside names, that should have a unit.
+/// Hint on the first non-zero number in the expression, which may lack a unit; "" if there is none.
 [[nodiscard]] std::string unnamed_number_hint(const Model& model, ExpressionId expression);
 
-/// A name and its unit, where it is declared.
+/// The declaration of a name with a unit, as the related location of an error.
 struct UnitDeclaration {
   Span span = {};
   std::string message = {};  ///< "`k` is declared here, in N/m"
 };
 
-/// The first parameter of the expression has it, else its first coordinate or input.
+/// The declaration of the first parameter with a unit; otherwise of the first coordinate, input or
+/// open function with a unit.
 [[nodiscard]] std::optional<UnitDeclaration> unit_declaration(const Model& model,
                                                               ExpressionId expression);
 
-/// E405: the first value that names nothing, and how many more there are.
+/// E405: the first value without names, and the number of further values without names.
 void note_plain_numbers(Context& context);
 
-/// E520: names of what has no unit, each once, and where the first of them is declared.
+/// E520: the name of each entry without a unit, at the declaration of the first.
 void note_missing_units(Context& context);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Values: reads the values of keys as roots, constants, units and references.
+// ValueReader, and the dimension of the vectors in a file.
 #include "check/expressions/values.hpp"
 
 #include <cln/float.h>
@@ -17,10 +17,10 @@ cln::cl_R rounded(const cln::cl_R& value) {
                             : cln::cl_R(cln::cl_float(value, cln::float_format(constant_digits)));
 }
 
-/// The origin of the world, as lines of drawings name it.
+/// The name of the world's origin in `joined_to`.
 constexpr std::string_view origin = "origin";
 
-/// Made of numbers and pi only.
+/// Whether the nodes are only numbers, pi and operations on them.
 bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, ExpressionId last) {
   return std::none_of(nodes.begin() + first, nodes.begin() + last + 1, [](const auto& node) {
     return node.kind == ExpressionKind::leaf || node.kind == ExpressionKind::named;
@@ -169,7 +169,7 @@ bool ValueReader::is_vector(const ValueSyntax& value) {
 
 namespace {
 
-/// How many vectors have so many components.
+/// Number of vectors in the file, by number of components.
 std::array<std::size_t, 4> counted_vectors(const FileSyntax& model) {
   constexpr std::array<std::string_view, 4> vectors{"at", "com", "translate", "vector"};
   std::array<std::size_t, 4> counts{};
@@ -256,7 +256,7 @@ ExpressionSyntax difference(const ExpressionSyntax& larger, const ExpressionSynt
 std::optional<ExpressionSyntax> residual(const ValueSyntax& equation) {
   const KeySyntax* const left = equation.find("left");
   const KeySyntax* const right = equation.find("right");
-  if (left == nullptr || right == nullptr) return std::nullopt;  // reported when it was parsed
+  if (left == nullptr || right == nullptr) return std::nullopt;  // reported by the parser
   const ExpressionSyntax& other = right->value.expression;
   const bool is_zero = other.kind == SyntaxKind::number && cln::zerop(other.value);
   if (is_zero) return left->value.expression;

@@ -1,4 +1,4 @@
-// wrench_input: names and units of the inputs that one entry declares.
+// Names and units of the inputs that one entry declares.
 #include "check/expressions/wrench_input.hpp"
 
 #include <array>

@@ -1,12 +1,12 @@
-// Inputs that are forces of the world: a wrench on a frame, or a force on a point. One entry
-// declares several of them, and the forces that they are components of:
+// Inputs that are external forces: a wrench on a frame, or a force at a point. One entry declares
+// an input for each component, and the forces with these components:
 //
 //     wrench = "hand"    f[1] … f[3] torque in N*m, f[4] … f[6] force in N at the frame's origin
 //     at = "toe"         f[1] … f[3] force in N
 //
-// along the axes of the world, or of the frame that `in` names; in a plane a torque has one
-// component, and a force two. The order is that of the twist of an [[output]] with that frame, so
-// that the columns of B are its Jacobian transposed.
+// The axes are the world's, or those of the frame that `in` names. In a plane a torque has one
+// component, and a force has two. The order is the same as in the twist of an [[output]] with this
+// frame, so the columns of B are its Jacobian transposed.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,12 @@ namespace elgen {
 
 [[nodiscard]] bool is_wrench_input(const EntrySyntax& entry);
 
-/// Adds the inputs, called NAME[1], NAME[2], …; the first one. E112 where the entry is repeated, or
-/// names `on` or `unit` too.
+/// Adds the inputs NAME[1], NAME[2], …; returns the index of the first. E112 if the entry is
+/// repeated, or also has `on` or `unit`.
 std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntrySyntax& entry,
                                                   const NewName& name);
 
-/// How many of the inputs are components of a torque, and of a force.
+/// Number of inputs that are torque components, and that are force components.
 struct WrenchComponents {
   std::uint32_t torque = 0;
   std::uint32_t force = 0;

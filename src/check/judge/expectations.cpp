@@ -1,4 +1,4 @@
-// Expectations: closed forms as matrices of expressions, row-major, or by entry:
+// Expectations: closed forms as row-major matrices of expressions, complete or by entry:
 //
 //     gravity_entry = { for = "i in 1..2", value = "m[i]*g" }   ->   gravity = [m[1]*g, m[2]*g]
 //     equations = ["m*dot(dot(x)) = -k*x"]                      ->   m*dot(dot(x)) - -k*x
@@ -17,7 +17,7 @@ namespace elgen {
 namespace {
 
 constexpr std::string_view entry_suffix = "_entry";
-/// The field of forward_dynamics that a file names as if it were an output.
+/// A field of forward_dynamics that files name like an output.
 constexpr std::string_view multipliers = "multipliers";
 constexpr Place closed_form{"a closed form", place::anything};
 constexpr Place closed_form_of_momenta{"a closed form", place::anything | uses_momentum};
@@ -58,7 +58,7 @@ Rows rows_of(const ValueSyntax& value) {
   return rows;
 }
 
-/// By what it is, not by its size: the mass matrix of one coordinate is one. (So is a pose.)
+/// By kind, not by size: the mass matrix of one coordinate is a matrix. A pose is a matrix too.
 bool is_matrix(const OutputRequest& request) {
   return request.columns > 1 || has_columns(field_row(request.kind, ""));
 }
@@ -75,7 +75,7 @@ std::string found_shape(const Rows& rows) {
   return is_ragged ? "rows of different lengths" : shape(rows.size(), columns) + " entries";
 }
 
-/// Nothing after an error of require_request.
+/// None after an error of require_request.
 std::optional<ExpectedField> require(Context& context, std::string_view name, const Span& span) {
   const Model& model = context.model;
   const bool is_field = name == multipliers && !model.constraints.empty();
@@ -88,7 +88,7 @@ std::optional<ExpectedField> require(Context& context, std::string_view name, co
   return expected;
 }
 
-/// A closed form without its entries.
+/// An expectation without its entries.
 Expectation blank(const ExpectedField& expected, const Span& span) {
   Expectation expectation;
   expectation.output = expected.request.name;
@@ -100,7 +100,7 @@ Expectation blank(const ExpectedField& expected, const Span& span) {
   return expectation;
 }
 
-/// The index of the entry that a scope stands at: indices count from 1 in files. E517.
+/// The row-major index of the entry at the running indices, which count from 1 in files. E517.
 std::optional<std::size_t> index_in(const OutputRequest& request,
                                     const std::vector<RangeSyntax>& ranges, const Scope& scope,
                                     const Span& span, Report& report) {
@@ -130,7 +130,7 @@ bool check_complete(Expectation& expectation, const Span& span, Report& report) 
 
 class ExpectationReader {
  public:
-  /// Outputs are known at a state, or else at all of them.
+  /// `at`: the state of the expected values; none: they hold in all states.
   ExpectationReader(Context& context, const std::optional<StatedState>& at)
       : context_(context), values_(context), at_(at) {}
 
@@ -147,7 +147,7 @@ class ExpectationReader {
   }
 
  private:
-  /// Expressions about the motion, of no output.
+  /// Reads `conserved` or `equations`, which are no outputs.
   void read_column(const KeySyntax& key, const Place& place) {
     Expectation expectation;
     expectation.output = key.key;
@@ -188,7 +188,7 @@ class ExpectationReader {
     keep(std::move(expectation));
   }
 
-  /// Numbers at a state are a table: nobody forgot their names.
+  /// Numbers at a state come from a table, so they get no E405 for numbers without names.
   void forget_unit() {
     if (at_ && !context_.roots.empty() && context_.roots.back().plain_numbers) {
       context_.roots.back().unit.reset();
@@ -200,7 +200,7 @@ class ExpectationReader {
     if (!context_.beyond_limits) context_.model.expectations.push_back(std::move(expectation));
   }
 
-  /// The place and the unit of an entry of the output.
+  /// The place and the expected unit of an entry of the output.
   RootRequest request_for(const ExpectedField& expected, std::size_t index) const {
     const auto& [output, field, first] = expected;
     const EntryPlace place{output.kind, field, index / output.columns, index % output.columns};
@@ -248,7 +248,7 @@ class ExpectationReader {
       const ExpressionId entry =
           ValueReader(context_, scope).root(value.value, request_for(expected, *index));
       forget_unit();
-      // Grown as needed: a form beyond the limit of nodes ends long before its last entry.
+      // Grow lazily: a form over the node limit stops long before its last entry.
       expectation.entries.resize(std::max(expectation.entries.size(), *index + 1), no_expression);
       expectation.entries[*index] = entry;
       return entry != no_expression;
@@ -265,8 +265,8 @@ class ExpectationReader {
   const std::optional<StatedState>& at_;
 };
 
-/// Reads one closed form with few nodes; one that needs more is dropped again, but what was wrong
-/// with it until then is reported.
+/// Reads one closed form with at most 4096 nodes. A larger form is removed again, but the errors
+/// found before the limit are reported.
 void read_small(Context& context, const std::optional<StatedState>& at, const KeySyntax& key) {
   constexpr std::uint64_t few_nodes = 4096;
   const std::size_t nodes = context.model.expressions.size();
@@ -285,7 +285,7 @@ void read_small(Context& context, const std::optional<StatedState>& at, const Ke
   }
 }
 
-/// Whether a node below the entry is missing: because of an error, or as the z of a planar point.
+/// Whether the entry contains the zero node: after an error, or as the z of a planar point.
 bool has_failed(const Model& model, ExpressionId entry) {
   return std::ranges::count(reached(model, {entry}), no_expression) > 0;
 }

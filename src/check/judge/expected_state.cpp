@@ -1,4 +1,4 @@
-// The state of an [[expect]]: what its keys `at` and `within` say.
+// The state of an [[expect]]: its keys `at` and `within`.
 //
 //     at = { theta = 0.1, "dot(theta)" = 2, m = 0.3 }   ->   coordinate 0: 1/10, velocity 0: 2, …
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace elgen {
 namespace {
 
-/// Every leaf that a function may take, as models write it, without a value.
+/// Every leaf that a function may take, with its name in models and without a value.
 std::vector<std::pair<std::string, StatedLeaf>> stated_leaves(const Model& model) {
   LeafNames names = leaf_names(model);
   name_taken(Opcode::momentum, names);
@@ -29,7 +29,7 @@ std::vector<std::pair<std::string, StatedLeaf>> stated_leaves(const Model& model
   return leaves;
 }
 
-/// E201, E319.
+/// E201 for an unknown name, E319 for a value that is not constant.
 std::vector<StatedLeaf> read_leaves(Context& context, const std::vector<KeySyntax>& keys) {
   using Named = std::pair<std::string, StatedLeaf>;
   const std::vector<Named> known = stated_leaves(context.model);
@@ -73,7 +73,7 @@ std::optional<StatedState> read_stated_state(Context& context, const EntrySyntax
     context.report.add(Code::E112, at->key_span, "no output is given at this state",
                        "`conserved` and `equations` are about all states");
   }
-  // A table of doubles keeps as many digits.
+  // The default tolerance 1e-12 fits tables of doubles.
   StatedState state{read_leaves(context, at->value.entries), power_of_ten(-12)};
   if (within == nullptr) return state;
   state.within = ValueReader(context).constant(within->value).value_or(state.within);

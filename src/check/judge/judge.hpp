@@ -1,4 +1,4 @@
-// Judge: whether resolved entries have equations of motion. Reads their closed forms: [[expect]] ->
+// Checks whether resolved entries have equations of motion. Reads closed forms: [[expect]] ->
 // Model::expectations.
 #pragma once
 
@@ -14,26 +14,28 @@ namespace elgen {
 /// E112, E503, E504, E509, E513, E514, E515; sets Model::quadratic, uses_time and may_drift.
 void check_mechanics(Context& context, const std::vector<Traits>& traits);
 
-/// Which velocities are in some energy: T, L, or the motion of a point or body with mass.
+/// By velocity: whether it occurs in T or L, in the motion of a point or body with mass, or has an
+/// armature.
 [[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
 
-/// Writes sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 by Stumpff's functions if a is a multiple
-/// of a coordinate, in equations and outputs. Fills Model::typed.
+/// Rewrites sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 as Stumpff functions in equations and
+/// outputs, if a is a multiple of a coordinate. Fills Model::typed.
 void write_quotients(Context& context);
 
-/// E535, E536, E539 of the constraints of a model that is reduced.
+/// E535, E536, E539 for the constraints of a reduced model.
 void check_constraints(Context& context);
 
-/// The state of an [[expect]] that has one. E112, E201, E319.
+/// The state of an [[expect]]; none if it has no `at`. E112, E201, E319.
 [[nodiscard]] std::optional<StatedState> read_stated_state(Context& context,
                                                            const EntrySyntax& entry);
 
-/// E540: an equation of [[expect]] that holds no acceleration, or too few of them.
+/// E540: an equation of [[expect]] contains no acceleration, or there are fewer equations than
+/// accelerations.
 void check_equations(Context& context, const std::vector<Traits>& traits);
 
-/// Resolves every closed form and compares its shape with that of the output. Closed forms of sized
-/// models grow faster than the model, so that those of more than 4096 nodes are kept only where
-/// `large`. E517, E601, E603, E505, and those of states.
+/// Resolves every closed form and compares its shape with the output's. Closed forms of sized
+/// models grow faster than the model, so forms with more than 4096 nodes are kept only if `large`.
+/// E517, E601, E603, E505, and the errors of read_stated_state.
 void read_expectations(Context& context, const FileSyntax& syntax, bool large);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Mechanics: degrees of the energies in the rates, forces affine in the inputs, and that everything
-// that may move has kinetic energy.
+// Mechanics: degrees of the energies in the rates, forces affine in the inputs, and kinetic energy
+// for every velocity.
 #include <algorithm>
 
 #include "check/judge/judge.hpp"
@@ -8,7 +8,6 @@
 namespace elgen {
 namespace {
 
-/// Whether the point or body has kinetic energy.
 bool has_energy(const Point& point) { return point.mass.has_value(); }
 bool has_energy(const Body& body) { return body.mass.has_value() || !body.inertia.empty(); }
 
@@ -21,7 +20,7 @@ bool has_masses(const Model& model) {
 
 using Expressions = std::vector<ExpressionId>;
 
-/// Whether the equations or outputs hold a root by itself. Frames, names and points without mass
+/// Whether the equations or outputs contain a root directly. Frames, names and points without mass
 /// count only if another root refers to them.
 bool is_in_equations(const Model& model, const Root& root) {
   switch (root.entity.kind) {
@@ -43,7 +42,7 @@ bool is_in_equations(const Model& model, const Root& root) {
   return true;
 }
 
-/// All that the equations and outputs are made of, and what forces do work along.
+/// All expressions in the equations and outputs, and the motions on which forces do work.
 Expressions in_equations(const Model& model) {
   Expressions all =
       roots_if(model, [&model](const Root& root) { return is_in_equations(model, root); });
@@ -54,7 +53,7 @@ Expressions in_equations(const Model& model) {
   return all;
 }
 
-/// Whether some kinetic energy is not of second degree in the rates, or V not of degree 0.
+/// True if T or a spin has terms of lower degree in the rates, V depends on rates, or L is given.
 bool finds_drift(const Model& model, const std::vector<Traits>& traits) {
   const Energies& e = model.energies;
   const auto lowest = [&](ExpressionId id) { return traits[id].lowest_rate_degree; };
@@ -95,10 +94,10 @@ class MechanicsCheck {
  private:
   [[nodiscard]] const Span& span(ExpressionId id) const { return model_.expressions[id].span; }
 
-  /// Checks the degree of an energy, or of a component of a spin: T is quadratic in spins.
+  /// Checks the degree of an energy, or of a spin component (T is quadratic in spins).
   void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
                     const std::string& rule) {
-    // Ingredients that have no place in an energy are reported as such.
+    // Ingredients that an energy must not contain are reported by check_places.
     constexpr unsigned misplaced = uses_kink | uses_input | uses_acceleration | uses_open_rate |
                                    uses_open_derivative | uses_momentum;
     if (!energy || (traits_[*energy].ingredients & misplaced) != 0 ||
@@ -125,7 +124,7 @@ class MechanicsCheck {
     }
   }
 
-  /// An input acts by its `on` or where a force names it: both would count it twice.
+  /// An input acts through `on` or through a force; both would count it twice.
   void check_inputs(ExpressionId value) {
     if ((traits_[value].ingredients & uses_input) == 0) return;
     for (const ExpressionId id : reached(model_, {value})) {
@@ -177,7 +176,7 @@ class MechanicsCheck {
   const std::vector<Traits>& traits_;
 };
 
-/// The terms of the kinetic energy as the model writes them.
+/// Subexpressions of the kinetic energy, as the model writes it.
 Expressions in_energies(const Model& model) {
   return reached(model, roots_if(model, [](const Root& root) {
                    const bool is_of_body = root.entity.kind == EntityKind::body;
@@ -186,7 +185,7 @@ Expressions in_energies(const Model& model) {
                  }));
 }
 
-/// The terms that are differentiated there by time, and the places of masses.
+/// Subexpressions differentiated by time in the energies, and the positions of masses.
 Expressions differentiated(const Model& model, const Expressions& energies) {
   Expressions roots;
   std::ranges::copy_if(energies, std::back_inserter(roots), [&](ExpressionId id) {
@@ -215,7 +214,7 @@ std::vector<bool> moving_velocities(const Model& model) {
   const auto mark_rates = [&](const Expressions& all) {
     for (const ExpressionId id : all) {
       const Expression& node = model.expressions[id];
-      // E502 says what is wrong with an acceleration.
+      // An acceleration is reported as E502, so it counts as a rate here.
       const bool is_rate = is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration);
       if (is_rate) moving[node.index] = true;
     }
@@ -236,7 +235,7 @@ std::vector<bool> moving_velocities(const Model& model) {
 
 namespace {
 
-/// By constraint, whether nothing in it moves.
+/// By constraint: true if it contains no coordinate and no rate.
 std::vector<bool> at_rest(const Model& model, const std::vector<Traits>& traits) {
   std::vector<bool> marks;
   for (const Constraint& constraint : model.constraints) {
@@ -246,7 +245,7 @@ std::vector<bool> at_rest(const Model& model, const std::vector<Traits>& traits)
   return marks;
 }
 
-/// Reports an equation that is wrong whatever the state is.
+/// E535 for an equation that is wrong in every state.
 void check_equation(Context& context, const Constraint& constraint, const Traits& traits) {
   const Span& span = constraint.equation_span;
   if (!constraint.is_position && traits.rate_degree > 1) {
@@ -257,7 +256,7 @@ void check_equation(Context& context, const Constraint& constraint, const Traits
   }
 }
 
-/// A part of the model or of the scene that knows of no constraints.
+/// E539: a part of the model or scene does not support constraints.
 void refuse_beside_constraints(Context& context, const Span& span, const std::string& what,
                                const std::string& instead) {
   context.report.add({Code::E539, span, what + " does not go with constraints", instead,

@@ -1,12 +1,12 @@
-// Quotients that are 0/0 if a coordinate is 0 become Stumpff's functions, which have values there:
+// Quotients that are 0/0 at coordinate 0 become Stumpff functions, which have values there:
 //
 //     L*(1 - cos(q))/q        ->   L*q*stumpff(q, 2)
 //     sin(kappa*L)/kappa      ->   stumpff(kappa*L, 1)*L
 //     x + L/q - L/q*cos(q)    ->   x + L*q*stumpff(q, 2)
 //
-// by sin(a) = a stumpff(a, 1) and X - X cos(a) = X a^2 stumpff(a, 2), a = c q. This comes before
-// any derivation, since derivatives of such quotients are not recognised. Nodes of the arena change
-// in place, so that references to them stay valid; Model::typed keeps the old ones.
+// by sin(a) = a stumpff(a, 1) and X - X cos(a) = X a^2 stumpff(a, 2), with a = c q. This precedes
+// any derivation, since derivatives of these quotients are not recognised. Nodes of the arena
+// change in place, so that references stay valid; Model::typed keeps the original nodes.
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -26,14 +26,14 @@ struct PowerFactor {
   int order = 0;
 };
 
-/// sin(argument), or with order 2 `whole` - `whole` cos(argument).
+/// sin(argument); with order 2, `whole` - `whole` cos(argument).
 struct VanishingFactor {
   ExpressionId argument = 0;
   int order = 1;
   std::optional<ExpressionId> whole = {};
 };
 
-/// The expression that a definition stands for.
+/// The expression behind a name, through nested definitions.
 ExpressionId followed(const Model& model, ExpressionId id) {
   while (is_name(model.expressions[id], NamedKind::definition)) {
     id = model.definitions[model.expressions[id].index].value;
@@ -41,7 +41,7 @@ ExpressionId followed(const Model& model, ExpressionId id) {
   return id;
 }
 
-/// Leaves and numbers are not shared in the arena.
+/// Leaves and numbers are compared by value, because the arena does not share them.
 bool is_same(const Model& model, ExpressionId x, ExpressionId y) {
   const Expression& a = model.expressions[x];
   const Expression& b = model.expressions[y];
@@ -50,8 +50,8 @@ bool is_same(const Model& model, ExpressionId x, ExpressionId y) {
                     a.operands.empty());
 }
 
-/// A product of powers, through definitions. Longer products are left alone: a product
-/// of definitions may have exponentially many factors.
+/// A product of powers, with definitions expanded. Long products are not rewritten: expanded
+/// definitions may have exponentially many factors.
 class Product {
  public:
   explicit Product(const Model& model) : model_(model) {}
@@ -146,7 +146,7 @@ class Product {
   std::size_t visits_ = 0;
 };
 
-/// X and -X cos(a) as X (1 - cos(a)).
+/// Recognises X and -X cos(a) as X (1 - cos(a)).
 std::optional<VanishingFactor> versine(const Model& model, ExpressionId whole, ExpressionId part) {
   Product quotient(model, part);
   quotient.multiply(whole, -1);
@@ -176,8 +176,8 @@ void multiply_series(Product& product, const VanishingFactor& factor) {
   product.add({factor.argument, 1, factor.order});
 }
 
-/// A factor sin(a) or 1 - cos(a) with a multiple a of the coordinate, if possible of the wanted
-/// order, and its base.
+/// A factor sin(a) or 1 - cos(a), with a a multiple of the coordinate, and the base that it comes
+/// from. A factor of the wanted order is preferred.
 std::optional<std::pair<ExpressionId, VanishingFactor>> factor_with(const Product& product,
                                                                     std::uint32_t coordinate,
                                                                     int wanted) {
@@ -192,8 +192,8 @@ std::optional<std::pair<ExpressionId, VanishingFactor>> factor_with(const Produc
   return found;
 }
 
-/// Cancels a coordinate in the denominator against factors that vanish with it. None if it would
-/// stay there.
+/// Cancels a coordinate in the denominator against factors that vanish with it. None if some power
+/// of it would remain.
 std::optional<Product> without_divisor(Product product, std::uint32_t coordinate) {
   while (product.exponent_of(coordinate) < 0 && !product.is_long()) {
     const int wanted = product.exponent_of(coordinate) < -1 ? 2 : 1;
@@ -217,8 +217,8 @@ std::optional<Product> cancelled(const Model& model, ExpressionId id) {
   return result;
 }
 
-/// The terms X and -X cos(a) as X a^2 stumpff(a, 2). None if they are other terms, or if a
-/// coordinate would stay in the denominator.
+/// The terms X and -X cos(a) as X a^2 stumpff(a, 2). None if the terms do not match, or if a
+/// coordinate would remain in the denominator.
 std::optional<Product> joined(const Model& model, ExpressionId whole, ExpressionId part) {
   const auto factor = versine(model, whole, part);
   if (!factor) return std::nullopt;
@@ -228,8 +228,8 @@ std::optional<Product> joined(const Model& model, ExpressionId whole, Expression
   return product;
 }
 
-/// The sum with terms X and -X cos(a) joined that hold 1/q; none if there are no such terms. Sums
-/// of more quotients are left alone, since each is compared with every other.
+/// The sum with each pair X and -X cos(a) merged if both contain 1/q; none if no pair matches. Each
+/// quotient is compared with every other, so longer sums are not rewritten.
 std::optional<ExpressionId> joined_sum(NodeBuilder& nodes, const Model& model, ExpressionId id) {
   constexpr std::size_t most_quotients = 100;
   std::vector<ExpressionId> terms = model.expressions[id].operands;
@@ -251,7 +251,7 @@ std::optional<ExpressionId> joined_sum(NodeBuilder& nodes, const Model& model, E
   return is_changed ? std::optional(nodes.add(terms)) : std::nullopt;
 }
 
-/// The node that stands for a product or a sum, by series; none if it is written as it was.
+/// A new node with Stumpff functions for a product or a sum; none if nothing changes.
 std::optional<ExpressionId> by_series(NodeBuilder& nodes, const Model& model, ExpressionId id) {
   const ExpressionKind kind = model.expressions[id].kind;
   if (kind == ExpressionKind::add) return joined_sum(nodes, model, id);

@@ -1,8 +1,8 @@
-// Constants: numbers, pi and functions of them, evaluated to find what has no value before anything
-// is derived, and to keep exact what is exact.
+// Constants are evaluated before anything is derived: to report expressions without a value, and to
+// keep exact values exact.
 //
-// Where digits cancel, or an angle is large, a constant is evaluated again with more. Sizes are
-// bounded (10^±10000, 4096 exact digits) before anything is computed, so that no constant hangs.
+// If digits cancel or an angle is large, a constant is evaluated again with more digits. Sizes are
+// bounded (10^±10000, 4096 exact digits), so that no constant hangs.
 #include "check/names/constants.hpp"
 
 #include <cln/integer.h>
@@ -19,7 +19,8 @@ using cln::cl_R;
 using cln::cl_RA;
 using Operands = std::vector<EnclosedNumber>;
 
-/// Digits of the floats: more than are kept, doubled until the kept ones are right.
+/// Digits of the floats: at first 20 more than are kept, then doubled until the kept digits are
+/// right.
 constexpr int first_digits = constant_digits + 20;
 constexpr int most_digits = 30'000;
 
@@ -29,7 +30,8 @@ ConstantOutcome failure(Code code, std::string message, std::optional<std::size_
 
 ConstantOutcome too_large() { return failure(Code::E914, "is beyond 10^±10000"); }
 
-/// `number`, where x may be that number and is known well beside `scale`.
+/// `number` exactly, if the enclosure of x contains it and its error is at most 1e-60 `scale`; x
+/// otherwise.
 EnclosedNumber settled(const EnclosedNumber& x, int number, const cl_R& scale) {
   static const cl_RA known_well = power_of_ten(-60);
   const bool may_be = cln::abs(x.value - number) <= x.error;
@@ -93,7 +95,7 @@ Enclosed computed(const Expression& node, const Operands& x, const EnclosedArith
   }
 }
 
-/// Errors of what these digits do not tell may grow beyond all floats.
+/// The error bound of a value with too few digits may overflow the largest float.
 Enclosed evaluated(const Expression& node, const Operands& x, const EnclosedArithmetic& with) {
   try {
     return computed(node, x, with);
@@ -116,7 +118,7 @@ ConstantOutcome outcome_without(NoValue why) {
   return {};
 }
 
-/// To the digits that constants are kept to.
+/// The relative error is at most 10^-constant_digits.
 bool is_known(const EnclosedNumber& x) {
   static const cl_RA share = power_of_ten(-constant_digits);
   return x.error <= share * cln::abs(x.value);

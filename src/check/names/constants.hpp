@@ -1,4 +1,4 @@
-// Constants: the values of expressions made of numbers, pi and functions of them.
+// Values of constant expressions: numbers, pi and functions of them.
 #pragma once
 
 #include <cln/real.h>
@@ -13,52 +13,55 @@
 
 namespace elgen {
 
-/// Why a constant has no (usable) value. `operand` says where: the denominator, or the whole.
+/// Why a constant has no usable value. `operand` is the index of the operand at fault, such as a
+/// zero denominator; none: the whole expression.
 struct ConstantFailure {
   Code code = Code::E313;
   std::string message;
   std::optional<std::size_t> operand = {};
 };
 
-/// A value, or why there is none, or neither where so many digits do not tell.
+/// A value, a failure, or neither: undecided at this precision.
 struct ConstantOutcome {
   std::optional<EnclosedNumber> value = {};
   std::optional<ConstantFailure> failure = {};
 };
 
-/// Digits constants are kept to.
+/// Decimal digits to which constants are kept.
 inline constexpr int constant_digits = 100;
 
-/// Value of one node from its operands, in floats of so many digits. A value that differs from 0 by
-/// no more than its error is an exact 0: sin(pi), 2-sqrt(4).
+/// Value of one node from the values of its operands, in floats of `digits` decimal digits. A sum
+/// or function value becomes an exact 0 if its enclosure contains 0 and is narrow enough: sin(pi),
+/// 2-sqrt(4).
 [[nodiscard]] ConstantOutcome evaluate_constant(const Expression& node,
                                                 const std::vector<EnclosedNumber>& operands,
                                                 int digits);
 
-/// Values of the constant expressions of an arena, kept beside it.
+/// Values of the constant expressions of an arena, by ExpressionId.
 class Constants {
  public:
-  /// The value of the first expression of the arena that has not had its turn, which its operands
-  /// have had; `failure` where there is none.
+  /// Evaluates arena[size()] from the values of its operands, which precede it. Returns the
+  /// failure, if any.
   std::optional<ConstantFailure> append(const std::vector<Expression>& arena);
   void truncate(std::size_t size) { values_.resize(size); }
   [[nodiscard]] std::size_t size() const { return values_.size(); }
 
-  /// An exact rational where it is one, else a float good to constant_digits; nothing where the
-  /// expression is no constant.
+  /// An exact rational, or else a float good to constant_digits; none if the expression is not
+  /// constant.
   [[nodiscard]] std::optional<cln::cl_R> operator[](ExpressionId id) const {
     return values_[id] ? std::optional(values_[id]->value) : std::nullopt;
   }
 
  private:
-  /// The outcome of a node, its operands evaluated again to as many digits.
+  /// Evaluates a node in `digits` digits; its inexact operands are evaluated again if these are
+  /// more than the first digits.
   [[nodiscard]] ConstantOutcome at(const std::vector<Expression>& arena, const Expression& node,
                                    int digits) const;
 
   std::vector<std::optional<EnclosedNumber>> values_;
 };
 
-/// Decimal digits of numerator and denominator, whichever has more.
+/// Decimal digits of the numerator or the denominator, whichever has more.
 [[nodiscard]] std::size_t digit_count(const cln::cl_RA& number);
 
 inline constexpr std::size_t largest_exact_digits = 4096;

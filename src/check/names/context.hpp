@@ -1,4 +1,4 @@
-// Context: what the parts of check share while a Model is being built.
+// Context: state that the readers and checks of this folder share while a Model is being built.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace elgen {
 
-/// The ingredients of an expression are bits: first the kinds of leaves, then the others.
+/// Each ingredient of an expression is one bit: first the kinds of leaves, then other properties.
 [[nodiscard]] constexpr std::uint32_t ingredient_bit(LeafKind kind) {
   return std::uint32_t{1} << static_cast<unsigned>(kind);
 }
@@ -43,42 +43,43 @@ enum Ingredient : std::uint32_t {
 };
 using Ingredients = std::uint32_t;
 
-/// Where an expression stands: what it may be made of, and which error says that it may not.
+/// The context of an expression in the file: its allowed ingredients, and the error for all others.
 struct Place {
   std::string_view noun;  ///< "a position"
   Ingredients allowed = 0;
   Code otherwise = Code::E319;
-  bool is_force = false;  ///< messages say N*m, not J
+  bool is_force = false;  ///< messages give the unit N*m, not J
 };
 
-/// One expression of the file in the arena: the nodes [first, value], its place and its unit. Nodes
-/// that check adds itself are in none of them: neither their place nor their units are judged.
+/// One expression of the file: its nodes [first, value] in the arena, its place and its unit. Nodes
+/// that check itself appends belong to no WrittenExpression, so their place and unit are not
+/// checked.
 struct WrittenExpression {
   ExpressionId first = 0;
   ExpressionId value = 0;
   Place place = {};
-  std::optional<Unit> unit = {};  ///< that the place asks for; none: any
-  bool misplaced = false;      ///< made of what its place does not take; its unit is not judged too
-  bool plain_numbers = false;  ///< it names nothing: its numbers are in the unit of its place
+  std::optional<Unit> unit = {};  ///< expected by the place; none: any unit
+  bool misplaced = false;         ///< contains a forbidden ingredient; its unit is not checked
+  bool plain_numbers = false;     ///< its numbers are in the unit of its place
 };
 
-/// The first node of every arena: the number 0, for what is absent (the z of a planar point) or
-/// could not be resolved. It has no root, so nothing is ever said about it.
+/// The first node of every arena: the number 0. It replaces an absent value (the z of a planar
+/// point) and an expression with an error. It is no root, so no error is ever reported about it.
 inline constexpr ExpressionId no_expression = 0;
 
-/// `min` and `max` of a parameter; either may be given alone.
+/// `min` and `max` of a parameter; either may be absent.
 struct ParameterBounds {
   std::optional<cln::cl_R> minimum = {};
   std::optional<cln::cl_R> maximum = {};
 };
 
-/// The expression that takes the place of an open function.
+/// The expression that replaces an open function.
 struct Closure {
   const ValueSyntax* value = nullptr;
-  bool is_of_scene = false;  ///< otherwise it is the model's own sample
+  bool is_of_scene = false;  ///< false: the model's own sample
 };
 
-/// An expression that a function left open may be, and the arguments of the function.
+/// The arguments of a [[function]], and the expression of its sample or of the scene.
 struct FunctionExpression {
   std::vector<ExpressionId> arguments = {};
   ExpressionId value = no_expression;
@@ -87,8 +88,8 @@ struct FunctionExpression {
 struct Context {
   explicit Context(const Limits& the_limits) : limits(the_limits) { (void)append({}); }
 
-  /// Adds a node; one whose value is an exact number becomes that: 1/2 + 1/3 -> 5/6, sqrt(4) -> 2.
-  /// The failure of a constant without a value.
+  /// Appends a node. An exact constant is folded to a number: 1/2 + 1/3 -> 5/6, sqrt(4) -> 2.
+  /// Returns the failure of a constant that has no value.
   std::optional<ConstantFailure> append(Expression node) {
     std::vector<Expression>& arena = model.expressions;
     const Span span = node.span;
@@ -101,12 +102,11 @@ struct Context {
     return std::nullopt;
   }
 
-  /// The node that was added last.
   [[nodiscard]] ExpressionId last() const {
     return static_cast<ExpressionId>(model.expressions.size() - 1);
   }
 
-  /// Forgets the nodes from `size` on.
+  /// Removes the nodes from index `size` on.
   void truncate(std::size_t size) {
     model.expressions.resize(size);
     constants.truncate(size);
@@ -116,25 +116,26 @@ struct Context {
   Report report = {};
   Sizes sizes = {};
   DeclaredNames symbols = {};
-  DeclaredNames frames =
-      {};  ///< frames have names of their own: a body may be called like its frame
-  DeclaredNames equilibria = {};                              ///< likewise
-  std::map<std::string, Closure, std::less<>> closures = {};  ///< by name of the function
-  std::map<std::string, FunctionExpression, std::less<>> function_expressions = {};  ///< likewise
+  DeclaredNames frames = {};      ///< a separate namespace: a body may have the name of its frame
+  DeclaredNames equilibria = {};  ///< a separate namespace
+  std::map<std::string, Closure, std::less<>> closures = {};  ///< by function name
+  std::map<std::string, FunctionExpression, std::less<>> function_expressions =
+      {};  ///< by function name
   Model model = {};
   Constants constants = {};
-  /// Expression nodes (and steps to resolve one expression) before E908.
+  /// Largest number of nodes, and of steps to resolve one expression; beyond it E908.
   std::uint64_t node_limit = limits.derived_nodes;
-  bool beyond_limits = false;  ///< E906, E907 or E908 was reported; nothing more is resolved
+  bool beyond_limits = false;  ///< after E906, E907 or E908: no more expressions are resolved
   bool has_units = true;       ///< the model declares a unit other than 1
-  /// The number of components of most vectors of the model, or of the first one.
+  /// Number of components of most vectors of the model; without a majority, of the first vector.
   std::uint32_t dimension = 0;
-  bool is_planar = false;     ///< most vectors have two components, known before any is read
+  bool is_planar = false;     ///< most vectors have two components; known before the first is read
   Span model_span = {};       ///< the header `[model]`
   Span lagrangian_span = {};  ///< the key `L`
   std::vector<WrittenExpression> roots = {};
-  std::vector<ParameterBounds> bounds = {};                ///< by parameter array
-  std::vector<std::optional<Unit>> prescribed_units = {};  ///< as declared, by prescribed function
+  std::vector<ParameterBounds> bounds = {};  ///< by parameter array
+  /// declared units, by prescribed function
+  std::vector<std::optional<Unit>> prescribed_units = {};
 };
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Integer arithmetic of indices and sizes, done while repetitions are expanded:
+// Integer arithmetic on indices and sizes while repetitions are expanded:
 //
 //     for = ["i in 1..n", "j in i..n"]   with n = 2   ->   (1, 1) (1, 2) (2, 2)
 #include "check/names/integers.hpp"
@@ -35,7 +35,7 @@ std::optional<std::int64_t> literal_value(const ExpressionSyntax& literal, Repor
   return cln::cl_I_to_long(cln::numerator(literal.value));
 }
 
-/// Two at a time, so that no intermediate overflows.
+/// Combines two values at a time and checks each result, so that no intermediate overflows.
 template <class Combine>
 std::optional<std::int64_t> folded(const std::vector<std::int64_t>& values, Combine combine) {
   std::int64_t result = values.front();

@@ -1,4 +1,4 @@
-// Integer arithmetic of indices and sizes, and the repetitions written with it.
+// Integer arithmetic on indices and sizes, and the repetitions that use it.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ inline constexpr std::int64_t largest_integer = 1'000'000'000;
 
 using Sizes = std::map<std::string, std::int64_t, std::less<>>;
 
-/// The names in an index expression: sizes, and the running indices of the repetitions around it.
+/// The names in an index expression: sizes, and the running indices of the enclosing repetitions.
 class Scope {
  public:
   explicit Scope(const Sizes& sizes) : sizes_(&sizes) {}
@@ -38,7 +38,8 @@ class Scope {
   std::vector<std::pair<std::string, std::int64_t>> indices_ = {};
 };
 
-/// Value of integers, names of the scope, + - *, min and max. E201, E318.
+/// Value of an expression of integers, names in scope, +, -, *, min and max. E201 for an unknown
+/// name, E318 for any other expression.
 [[nodiscard]] std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression,
                                                         const Scope& scope, Report& report);
 
@@ -54,9 +55,9 @@ struct RangeSyntax {
 /// The ranges of a parsed `for`.
 [[nodiscard]] std::vector<RangeSyntax> read_repetition(const ValueSyntax& value);
 
-/// Calls `body` for every combination, the last range fastest; a later range may depend on earlier
-/// indices. Stops early, returning false, at the first error or where `body` returns false. E209
-/// where a range has no element.
+/// Calls `body` for every combination of indices, the last range fastest. The bounds of a range may
+/// depend on earlier indices. Returns false at the first error, or as soon as `body` does. E209 if
+/// a range has no element.
 bool repeat(std::span<const RangeSyntax> ranges, Scope& scope, Report& report,
             const std::function<bool()>& body);
 

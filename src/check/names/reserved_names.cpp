@@ -1,5 +1,5 @@
-// Which names a model may not give to its entries: they mean something else in expressions, or
-// would not compile as members of the emitted structs.
+// Reserved names have another meaning in expressions, or would not compile as members of the
+// emitted structs.
 #include "check/names/reserved_names.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr auto keywords = std::to_array<std::string_view>({
 #include "check/names/keywords.def"
 });
 
-/// Macros of the headers that are installed where elgen is built; sorted.
+/// Macros of the headers on the machine that builds elgen; sorted.
 constexpr auto library_macros = std::to_array<std::string_view>({
 #include "check/names/library_macros.def"
 });
@@ -27,7 +27,7 @@ constexpr std::array more_macros{"HUGE",  "OVERFLOW", "UNDERFLOW", "DOMAIN", "SI
 constexpr std::array macro_prefixes{"M_",    "FP_",  "MATH_",  "DBL_",  "FLT_",
                                     "LDBL_", "INT_", "EIGEN_", "ELGEN_"};
 
-/// Functions too, but told apart from variables by what they are called with.
+/// Functions whose names are not reserved: their arguments distinguish a call from a variable.
 constexpr std::array component_names{"x",  "y",  "z",  "vx",   "vy",    "vz",
                                      "wx", "wy", "wz", "axis", "lambda"};
 
@@ -45,7 +45,7 @@ bool has_macro_prefix(std::string_view name) {
   return std::ranges::any_of(macro_prefixes, starts);
 }
 
-/// Whether the word is in the file, except in lines with a unit: `J` is also the joule.
+/// Whether the word occurs in the file, except in lines with a unit: `J` is also the joule.
 bool is_in_file(const SourceText* source, std::string_view word) {
   if (source == nullptr) return false;
   const std::string_view text = source->text;
@@ -61,7 +61,7 @@ bool is_in_file(const SourceText* source, std::string_view word) {
   return false;
 }
 
-/// Without underscores in a row and at the end, and in lower case if it begins as macros do.
+/// Without repeated and trailing underscores; in lower case if it has the prefix of a macro.
 std::string usual_spelling(std::string_view name) {
   std::string result;
   for (const char c : name) {
@@ -111,7 +111,7 @@ std::string name_instead(std::string_view name, const Span& span) {
     return other != name && reserved_reason(other).empty() && !is_in_file(span.source, other);
   };
   const std::string usual = usual_spelling(name);
-  std::string found = name == "I" ? "J" : usual;  // the other letter of moments of inertia
+  std::string found = name == "I" ? "J" : usual;  // the other common letter for moments of inertia
   for (int k = 1; !is_free(found); ++k) found = usual + "_" + std::to_string(k);
   return in_backticks(found) + " is free";
 }

@@ -1,5 +1,5 @@
-// DeclaredNames: the one set of names of a model. Every declaration passes here, so that
-// duplicates, reserved names and names that would become one C++ identifier are found in one place.
+// Every declaration passes through declare(). It finds duplicates, reserved names and names that
+// would become the same C++ identifier.
 #include "check/names/symbols.hpp"
 
 #include <array>

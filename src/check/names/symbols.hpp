@@ -1,4 +1,4 @@
-// DeclaredNames: the one set of names of a model, with the elements of repeated names.
+// DeclaredNames: one namespace of a model, with the elements of indexed names.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace elgen {
 enum class SymbolKind : std::uint8_t {
   coordinate,
   rotation,              ///< elements 1 to 3: its velocities
-  quaternion_component,  ///< of a rotation; a name of q, but of no expression
+  quaternion_component,  ///< of a rotation; a name in q, but not allowed in expressions
   parameter,
   definition,
   prescribed,
   open_value,         ///< an open function
-  open_derivative,    ///< one of an open function
-  closed_derivative,  ///< one of a function that has an expression: no number
+  open_derivative,    ///< a derivative of an open function
+  closed_derivative,  ///< a derivative of a function that has an expression; it is no number
   point,
   frame,
   body,
@@ -35,13 +35,13 @@ enum class SymbolKind : std::uint8_t {
 
 [[nodiscard]] std::string_view noun(SymbolKind kind);
 
-/// The frame of everything that has no frame of its own.
+/// The inertial frame, and the default of every key that names a frame.
 inline constexpr std::string_view world = "world";
 
 /// "an input"
 [[nodiscard]] std::string with_article(std::string_view word);
 
-/// A name with one meaning, or (`is_array`) with one per index.
+/// A name with one meaning, or with one meaning per index if `is_array`.
 struct DeclaredName {
   SymbolKind kind = SymbolKind::parameter;
   bool is_array = false;
@@ -67,14 +67,14 @@ class DeclaredNames {
   /// False after E203, E204, E205 or E211. `target` is the index in the Model.
   bool declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report);
 
-  /// Marks a name whose declaration has an error of its own, so that its uses are not reported too.
+  /// Marks a name whose declaration has an error, so that its uses are not reported too.
   void mark_failed(const std::string& base) { failed_.insert(base); }
   [[nodiscard]] bool has_failed(std::string_view base) const { return failed_.count(base) > 0; }
 
   [[nodiscard]] const DeclaredName* find(std::string_view base) const;
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] std::vector<std::string> names(const std::vector<SymbolKind>& kinds) const;
-  /// "did you mean `m`? (parameter, line 20)", or nothing.
+  /// "did you mean `m`? (parameter, line 20)", or "".
   [[nodiscard]] std::string suggest(std::string_view word,
                                     const std::vector<std::string>& among) const;
 

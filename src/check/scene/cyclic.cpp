@@ -1,11 +1,11 @@
-// Routh: a cyclic coordinate is taken out, and its momentum, which stays, becomes a parameter.
+// Routh: a cyclic coordinate is eliminated, and its conserved momentum becomes a parameter.
 //
 //     before    q = (r, phi)    L = 1/2*m*(dot(r)^2 + r^2*dot(phi)^2) - V
 //     after     q = (r)         R = L - p_phi*dot(phi) at dot(phi) = p_phi/(m*r^2)
 //
-// Forces, inputs and D are judged here, by what they are made of. The text of L does not show
-// whether L changes with the coordinate: find_momenta() asks the oracle. In the model that is left,
-// the coordinate and its rate are 0.
+// Forces, inputs and D are checked here, by the variables in them. Whether L depends on the
+// coordinate cannot be seen in its text: find_momenta() asks the oracle. In the reduced model the
+// coordinate and its rate are 0.
 #include <utility>
 
 #include "check/scene/scene.hpp"
@@ -15,7 +15,7 @@ namespace elgen {
 
 namespace {
 
-/// Finds the entries that act on a coordinate, and those for the rest of the system that contain
+/// Finds the entries that act on a coordinate, and the entries of other coordinates that contain
 /// it.
 class ObstacleSearch {
  public:
@@ -60,7 +60,7 @@ class ObstacleSearch {
     }
   }
 
-  /// The components of a force, and those of its place along which it has one.
+  /// Checks the components of a force, and the position components along which the force is not 0.
   void check_place(const Force& force, const Vector3& place, const Expressions& components,
                    const std::string& name) {
     Expressions all = components;

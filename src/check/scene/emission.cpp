@@ -1,5 +1,5 @@
-// Emission: words of the choice table become enumerators, and what does not go together is refused
-// where it is written. The accuracy of batches has to be within what the scalars can give.
+// Emission: words of the choice table become enumerators. Incompatible keys are reported at their
+// place in the file. The accuracy of batches must be attainable in the scalars.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ LanguageId language_named(std::string_view name) {
 
 constexpr const char* leave_out = "leave the key out, or write `language = \"c++17\"`";
 
-/// Whether a language that is written for one scalar takes these.
+/// Whether a language that takes one scalar supports the requested scalars.
 bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
   if (numerics.scalars.size() != 1) return false;
   const ScalarKind scalar = numerics.scalars.front();
@@ -30,7 +30,7 @@ bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
          (scalar == ScalarKind::single_precision && !language.is_interpreted);
 }
 
-/// Keys that say how compiled code is laid out, or computes.
+/// E611 for keys that affect only compiled code.
 void refuse_of_compiled(const FileSyntax* syntax, const LanguageRow& language, Report& report) {
   const std::string name = in_backticks(language.name);
   const auto refuse = [&](const char* section, const char* key, const std::string& why) {
@@ -68,7 +68,7 @@ bool lists(const KeySyntax& key, std::string_view word) {
   return std::ranges::count(key.value.items, word, &ValueSyntax::text) > 0;
 }
 
-/// Code is always written.
+/// E112 if `header` is missing in `files`: code is always written.
 void read_files(const KeySyntax& key, Emission& emission, Report& report) {
   emission.equations = lists(key, "equations");
   emission.page = lists(key, "page");
@@ -185,7 +185,7 @@ void read_batch(Context& context, const FileSyntax* syntax, Scene& scene) {
 
 namespace {
 
-/// Why accelerations in float are none of an output; "" where they are.
+/// Why an output does not support accelerations in float; "" if it does.
 std::string lacks_accelerations(const OutputRequest& output) {
   const OutputRow& row = output_row(output.kind);
   if (!row.steps || row.differentiates) return in_backticks(output.name) + " is no `step`";

@@ -1,5 +1,5 @@
-// A scene holds variables: `[lock] NAME = { value, reaction }`, NAME a coordinate ("q[2]") or a
-// rotation, and `[routh] NAME = true`, or NAME = its momentum. The momentum becomes a parameter.
+// Variables that a scene holds: `[lock] NAME = { value, reaction }` for a coordinate ("q[2]") or a
+// rotation; `[routh] NAME = true`, or NAME = its momentum, which becomes a parameter.
 #include <algorithm>
 #include <utility>
 
@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-/// E208 or E612 of a key that names no coordinate and no rotation.
+/// E208 or E612 for a key that names neither a coordinate nor a rotation.
 void report_unknown_coordinate(Context& context, const KeySyntax& key) {
   const DeclaredNames& symbols = context.symbols;
   const DeclaredName* symbol = symbols.find(key.key);
@@ -70,7 +70,7 @@ class HeldReader {
  private:
   void read_lock(const KeySyntax& key) {
     const KeySyntax* value = key.value.find("value");
-    if (value == nullptr) return;  // reported when the file was parsed
+    if (value == nullptr) return;  // reported by the parser
     const std::optional<Held> held = held_variable(context_, key);
     if (!held) return;
     Lock lock{*held, {}};
@@ -94,7 +94,7 @@ class HeldReader {
     return id;
   }
 
-  /// Scaled to length 1: every stage may rely on it.
+  /// The quaternion scaled to length 1, on which every later stage relies.
   std::vector<ExpressionId> quaternion(const ValueSyntax& value) {
     std::vector<ExpressionId> components(quaternion_size, no_expression);
     if (value.kind != ValueKind::list || value.items.size() != quaternion_size) {
@@ -132,7 +132,7 @@ class HeldReader {
     model_.variant.cyclic.push_back(cyclic);
   }
 
-  /// False after E635 of what is no cyclic coordinate.
+  /// False after E635: the variable is a rotation or locked.
   bool is_free(const Held& held, const KeySyntax& key) {
     const std::string name = in_backticks(key.key);
     if (held.is_rotation) {
@@ -153,7 +153,7 @@ class HeldReader {
     return count == model_.velocities.size();
   }
 
-  /// None: not checked.
+  /// [J]/[v]; none if the velocity has no unit, so that the momentum is not checked.
   [[nodiscard]] std::optional<Unit> unit_of(const Cyclic& cyclic) const {
     const std::optional<Unit>& rate = model_.velocities[cyclic.velocity].unit;
     return rate ? std::optional(*find_unit("J") / *rate) : std::nullopt;

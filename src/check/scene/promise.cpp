@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// The leaves that states differ in, as models write them.
+/// The names of the state variables, as models write them.
 std::vector<std::string> names_of_states(const Model& model) {
   std::vector<std::string> names;
   const LeafNames leaves = leaf_names(model);

@@ -1,10 +1,10 @@
-// [approximate]: an order, a point, and which coordinates are small.
+// [approximate]: an order, an expansion point, and the small coordinates.
 //
 //     order = 3                      ->   order 3
 //     about = { q1 = "pi/2", q2 = 0 }     q1 and q2 are pi/2 and 0 at the point
-//     small = ["q2"]                      q2 is small; q1 is any angle, and inputs are any forces
+//     small = ["q2"]                      q2 is small; q1 and the inputs are arbitrary
 //
-// `about = "hanging"` takes the values of an equilibrium of the model.
+// `about = "hanging"` uses the values of an equilibrium of the model.
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ class ApproximationReader {
     result_.order = cln::cl_I_to_uint(cln::floor1(order));
   }
 
-  /// The values given, or those of an equilibrium of the model.
+  /// Reads the given values, or copies an equilibrium of the model.
   void read_point(const ValueSyntax& about) {
     if (about.kind == ValueKind::text) return take_equilibrium(about);
     ValueReader values(context_);
@@ -74,7 +74,8 @@ class ApproximationReader {
     }
   }
 
-  /// Locked coordinates are where the lock holds them, and those of [routh] anywhere.
+  /// Copies an equilibrium, except the values of locked coordinates (set by the lock) and of cyclic
+  /// coordinates (arbitrary).
   void take_equilibrium(const ValueSyntax& name) {
     const auto found = std::ranges::find(model_.equilibria, name.text, &Equilibrium::name);
     if (found == model_.equilibria.end()) {
@@ -164,7 +165,7 @@ class ApproximationReader {
   Context& context_;
   Model& model_;
   const EntrySyntax& entry_;
-  std::size_t errors_;  ///< before this table was read
+  std::size_t errors_;  ///< before this table is read
   Approximation result_ = {};
 };
 

@@ -1,4 +1,4 @@
-// read_independent: the velocities from which `completed` determines the others.
+// read_independent: the velocities from which `completed` computes all other velocities.
 #include <algorithm>
 
 #include "base/report.hpp"
@@ -7,7 +7,7 @@
 namespace elgen {
 namespace {
 
-/// The velocity of a coordinate, or the three of a rotation; none of other names.
+/// The velocity of a coordinate, or the three of a rotation; none for an unknown name.
 std::vector<std::uint32_t> velocities_named(const Model& model, const std::string& name) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {

@@ -1,4 +1,4 @@
-// read_options: the keys of `NAME = { … }` in `[outputs]`, of which each output takes some.
+// read_options: the keys of `NAME = { … }` in `[outputs]`; each output takes some of them.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// read_regressor: the parameters in which the forces of a model are affine, of which its regressor
-// has columns.
+// read_regressor: the parameters for which the regressor has columns. All forces are affine in
+// them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// A parameter of the regressor may stand in what is summed to tau: in energies and forces.
+/// A parameter of the regressor may occur only in the terms of tau: in energies and forces.
 bool is_summed(const Root& root) {
   return root.entity.kind == EntityKind::energy || root.entity.kind == EntityKind::force;
 }

@@ -1,5 +1,5 @@
-// The start of a run, word by word: "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]", "m=2"; and of
-// a state, "dot(dot(theta))=3", "t=1".
+// The start of a run, word by word: "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]", "m=2". A state
+// also has "dot(dot(theta))=3" and "t=1".
 #include <algorithm>
 #include <utility>
 
@@ -12,14 +12,14 @@
 namespace elgen {
 namespace {
 
-/// The numbers of a start that one name stands for, side by side.
+/// The consecutive start values that one name denotes.
 struct StartPlace {
   std::string name;
   std::uint32_t coordinate = 0;
-  std::uint32_t first = 0;  ///< of coordinates, or of velocities
+  std::uint32_t first = 0;  ///< index of a coordinate, or of a velocity
   std::uint32_t count = 1;
   bool is_rate = false;
-  bool is_stated = false;  ///< by its name, in StatedStart::others
+  bool is_stated = false;  ///< stored by name in StatedStart::others
 };
 
 std::vector<StartPlace> start_places(const Model& model) {
@@ -41,8 +41,8 @@ std::vector<StartPlace> start_places(const Model& model) {
   return places;
 }
 
-/// The places of a start, and the leaves that a state has besides. A coordinate may be called h: it
-/// comes before the step.
+/// The places of a start, then the other leaves of a state. A coordinate named h comes before the
+/// step h, so it is found first.
 std::vector<StartPlace> places_of_state(const Model& model) {
   std::vector<StartPlace> places = start_places(model);
   const auto none = static_cast<std::uint32_t>(model.coordinates.size());
@@ -136,7 +136,7 @@ class StartReader {
   StatedStart& stated_;
 };
 
-/// Gains are plain numbers, so the units of a law are not judged.
+/// Reads the law of an input. Gains are plain numbers, so the units of a law are not checked.
 void read_law(Context& context, const KeySyntax& key, Scene& scene) {
   const auto input = std::ranges::find(context.model.inputs, key.key, &Input::name);
   if (input == context.model.inputs.end()) {

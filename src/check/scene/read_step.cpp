@@ -1,4 +1,4 @@
-// Steps of a scene: their methods, orders and iterations, and models that a method is not for.
+// Steps of a scene: method, order, iterations, and the models that a method does not support.
 #include <cln/integer.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// The method that a word is nearest to, or all of them.
+/// Hint: the method with the name nearest to the word, or all methods.
 std::string method_hint(const std::string& word) {
   const std::vector<std::string> names = words_in(step_methods, &StepMethodRow::name);
   return suggestion(word, names,
@@ -97,7 +97,7 @@ void check_steps(Context& context, const std::vector<OutputRequest>& outputs) {
                           "`rk4`, with `projected` after each step, keeps to them",
                           model.constraints.front().span, "constrained here"});
     } else if (!model.rotations.empty() && context.report.errors() == 0) {
-      // Beside errors the model has also those that the scene locks.
+      // After other errors the model still contains the rotations that the scene locks.
       context.report.add(Code::E622, output.span,
                          fmt::format("`{}` is not for this system: `{}` is a rotation", method.name,
                                      model.rotations.front().name),

@@ -1,5 +1,4 @@
-// The requests of a scene file and options to a resolved model, part by part. `scene` and `syntax`
-// may be null.
+// Readers of scene files and options, one for each part. `scene` and `syntax` may be null.
 #pragma once
 
 #include <string>
@@ -12,96 +11,100 @@
 
 namespace elgen {
 
-/// Adds to what earlier steps have read into the scene. E103, E105, E112, E518, E601–E611, E620,
-/// E505, E108. An option given replaces what the scene says of the same.
+/// Reads the scene, except for the starts and laws, which are already read. E103, E105, E112, E518,
+/// E601–E611, E620, E505, E108. An option overrides the scene.
 void read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                 Scene& scene);
 
-/// E205, E204 of the namespace; E610 where the language is for one scalar and the scene asks for
-/// others; E611 for what the language, that of the options if they name one, does not have.
+/// The language of the options overrides the scene's. E204, E205: the namespace. E610: the language
+/// takes one scalar, and the scene requests others. E611: the language does not support a key.
 [[nodiscard]] Emission read_emission(Context& context, const FileSyntax* syntax,
                                      const SceneOptions& options, const Scene& scene);
 
-/// Sets Emission::batch, Numerics::trigonometry_error and has_library_sines. E611 where the
-/// language is not C++, E625 where the scalars or the accuracy are those of no batch.
+/// Sets Emission::batch, Numerics::trigonometry_error and has_library_sines. E611 if the language
+/// is not C++; E625 if batches do not support the scalars or the accuracy.
 void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 
-/// Sets Numerics::inner; float is for the outputs of the scene, not for those of the options. E611
-/// where the language is not C++, E628 where functions are not those of one state in double.
+/// Sets Numerics::inner. Float applies only to outputs of the scene, not of the options. E611 if
+/// the language is not C++; E628 if the scalar is not double alone, or an output or key does not
+/// support `inner`.
 void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                 Scene& scene);
 
-/// Sets what the entry of an output says besides its name and form. A value without keys says
-/// nothing. E103 for a key that the output does not take, and the errors of read_step.
+/// Reads the keys of an output's entry except name and form; an entry without keys sets nothing.
+/// E103 for a key that the output does not take, and the errors of read_step.
 void read_options(const Model& model, const ValueSyntax& entry, OutputRequest& output,
                   Report& report);
 
-/// Sets OutputRequest::step. E105 if the entry has no method, E620 if the method is unknown, E626
-/// if it does not iterate, or not so often, E647 if it does not have the order, E539 if it is to
-/// project and the model has no constraints.
+/// Sets OutputRequest::step. E105: no method; E620: unknown method; E626: iterations of an explicit
+/// method, or out of range; E647: the method lacks the order; E539: `projected` in a model without
+/// constraints.
 void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& output, Report& report);
 
-/// Symplectic methods know of no constraints (E539) and of no rotations (E622). What else they need
-/// is seen where M and the forces are derived.
+/// Symplectic methods support neither constraints (E539) nor rotations (E622). Their other
+/// conditions are checked when M and the forces are derived.
 void check_steps(Context& context, const std::vector<OutputRequest>& outputs);
 
-/// Sets Numerics::max_error and its ranges, those of the options last. E640, E630, E606.
+/// Sets Numerics::max_error and the ranges; those of the options are last. E640, E630, E606.
 void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                   Numerics& numerics);
 
 /// Fills Model::regressed. E602, E649.
 void read_regressor(Context& context, const FileSyntax* scene, const FixedParameters& fixed);
 
-/// The velocities for OutputRequest::independent. E612.
+/// Velocities for OutputRequest::independent, sorted. E612.
 [[nodiscard]] std::vector<std::uint32_t> read_independent(Context& context,
                                                           const FileSyntax* scene);
 
 /// Fills Model::approximation. E614.
 void read_approximation(Context& context, const FileSyntax* scene);
 
-/// --state: Coordinate::start_value, Velocity::start_rate and Scene::stated. E606, E612, and what
-/// is said of expressions.
+/// --state: sets Coordinate::start_value, Velocity::start_rate and Scene::stated. E606, E612, and
+/// the errors of expressions.
 void read_starts(Context& context, const SceneOptions& options, Scene& scene);
 
-/// --input: Scene::laws, which are judged with the expressions of the model. E201, E606.
+/// --input: sets Scene::laws, which are checked with the expressions of the model. E201, E606.
 void read_laws(Context& context, const SceneOptions& options, Scene& scene);
 
-/// --set: Parameter::value of what the scene does not fix. E602, E606, E112, E518.
+/// --set: sets Parameter::value if the scene does not fix it. E602, E606, E112, E518.
 void read_values(Context& context, const Scene& scene, const SceneOptions& options);
 
 /// Fills the lists of Model::variant, and adds the momenta of cyclic coordinates to the parameters.
-/// E208, E612, and what the values' expressions give; E615 of a lock; E635 of a cyclic coordinate:
-/// a rotation, a locked one, all of them, or the name of the momentum is taken.
+/// E208, E612, and the errors of the values. E615: a lock's value does not fit, or no coordinate
+/// remains. E635: a cyclic coordinate is a rotation or locked, no coordinate remains, or the name
+/// of the momentum is in use.
 void read_held(Context& context, const FileSyntax* scene);
 
-/// Sets Cyclic::momentum if the parameter is a momentum, which find_momenta() then leaves.
+/// Sets Cyclic::momentum if the parameter is a cyclic momentum; find_momenta() then does not
+/// compute it.
 void give_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value);
 
-/// Sets UserOutput::is_wanted. A scene without `[outputs]` wants all; otherwise an output is wanted
-/// if the scene or an option names one of its functions.
+/// Sets UserOutput::is_wanted. Without `[outputs]` in the scene all outputs are wanted; otherwise
+/// an output is wanted if the scene or an option names one of its functions.
 void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& options);
 
-/// Adds the outputs of a page that moves to a model: those of ShownValues that have values. Fills
-/// Scene::shown.
+/// Adds to a model the outputs that an animated page needs: each of ShownValues that has values.
+/// Fills Scene::shown.
 void add_shown_outputs(Model& model, Scene& scene);
 
-/// The model without what Model::variant lists: functions of time stand for locked coordinates, 0
-/// for cyclic ones. The model given is kept as `whole`. Where nothing is held it is returned as it
-/// is. Closed forms of [[expect]] and equilibria are those of the whole model and do not carry
-/// over.
+/// The reduced model: functions of time replace the locked coordinates of Model::variant, and 0 the
+/// cyclic coordinates. Its `variant.whole` is the given model. A model without held coordinates is
+/// returned unchanged. The closed forms of [[expect]] and the equilibria are removed, because they
+/// describe the whole model.
 [[nodiscard]] Model variant_of(Model whole);
 
 /// E635: an input, a force or D acts on a cyclic coordinate or contains it, L is not quadratic, or
-/// a lock wants its reaction. Of a model without cycles.
+/// a lock requests its reaction. The model must have no cycles.
 void check_routh(Context& context, const Scene& scene);
 
-/// An entry for which a coordinate is not cyclic: "the input `u` acts on it".
+/// Why a coordinate is not cyclic, and the entry at fault: "the input `u` acts on it".
 struct CyclicObstacle {
   std::string reason = {};
   Span span = {};
 };
 
-/// The inputs, forces and D of a model without cycles that act on a coordinate or contain it.
+/// The inputs, laws, forces and D that act on a coordinate or contain it. The model must have no
+/// cycles.
 [[nodiscard]] std::vector<CyclicObstacle> obstacles_of(const Model& model, const Scene& scene,
                                                        const Held& variable);
 

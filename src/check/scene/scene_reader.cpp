@@ -1,4 +1,4 @@
-// Scene: outputs in the order of the table, fixed parameters, scalars and emission.
+// Scene: outputs in the order of the output table, fixed parameters, scalars and emission.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ bool precedes(const OutputRequest& a, const OutputRequest& b) {
   return std::pair(a.kind, a.user) < std::pair(b.kind, b.user);
 }
 
-/// The canonical text of a scene and options; "" where there is neither.
+/// The canonical text of a scene and options; "" if both are absent.
 std::string canonical_text(const FileSyntax* scene, const SceneOptions& options) {
   std::string text = scene == nullptr ? "" : dump(*scene);
   for (const auto& [name, list] :
@@ -107,7 +107,7 @@ class SceneReader {
     check_steps(context_, scene_.outputs);
   }
 
-  /// The entry of a step in the scene that has this name, the standard one or a new one.
+  /// The scene's entry for the step with this name, either the standard name or a new one.
   const KeySyntax* step_named(const EntrySyntax* outputs, const std::string& name) const {
     if (outputs == nullptr) return nullptr;
     const bool is_standard = find_request(model_, name).has_value();
@@ -120,7 +120,7 @@ class SceneReader {
     return found == outputs->keys.end() ? nullptr : &*found;
   }
 
-  /// An output that an option names. The scene says the method of a step.
+  /// Adds an output that an option names. The method of a step comes from the scene.
   void request_named(const EntrySyntax* outputs, const Span& word) {
     const std::string name(covered_text(word));
     if (find_request(scene_, name) != nullptr) return;
@@ -131,13 +131,13 @@ class SceneReader {
     output->name = name;
   }
 
-  /// A run goes by it.
+  /// Adds the step with which a run integrates.
   void request_step(const StepSpec& chosen) {
     OutputRequest* const step = request(std::string(output_row(OutputKind::step).name), {});
     if (step != nullptr) step->step = chosen;
   }
 
-  /// A lock asks for it.
+  /// A lock with `reaction = true` adds the output `reaction`.
   void request_reaction() {
     if (!held_velocities(model_).empty()) {
       request(std::string(output_row(OutputKind::reaction).name),
@@ -145,7 +145,7 @@ class SceneReader {
     }
   }
 
-  /// `dynamics` has no equations of its own.
+  /// E603: `dynamics` only repeats other outputs, so at least one is needed.
   void check_dynamics() {
     const auto is_member = [](const OutputRequest& output) {
       return is_repeated(output.kind, output.takes);
@@ -196,7 +196,7 @@ class SceneReader {
 
   void check_function_names() {
     std::set<std::string> taken;
-    // A new name gives way to a standard one, whichever stands first.
+    // A renamed output with the name of a standard output is the duplicate, whichever comes first.
     for (const bool renamed : {false, true}) {
       for (const OutputRequest& output : scene_.outputs) {
         const bool is_renamed = output.name != standard_name(output);
@@ -224,7 +224,8 @@ class SceneReader {
     }
   }
 
-  /// NAME fixes all elements, NAME[i] one, "all" every parameter; without a value at the model's.
+  /// NAME fixes all elements, NAME[i] one element, "all" every parameter. Without `value`, the
+  /// model's value is used.
   void fix_named(const std::string& name, const Span& span, const ValueSyntax* value) {
     const bool fixes_all = name == "all" && value == nullptr;
     std::vector<std::uint32_t> targets(model_.parameters.size());

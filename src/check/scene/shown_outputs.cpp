@@ -1,5 +1,4 @@
-// shown_outputs: which outputs of a model are wanted, and the outputs that a page that moves adds
-// to those of a run.
+// Which outputs of a model are wanted, and the outputs that an animated page adds to a run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +13,8 @@
 namespace elgen {
 namespace {
 
-/// Under a name that no other output has; none without values. Laws and integrals may name t in a
-/// model whose equations do not.
+/// Adds an output with an unused name; nothing if `values` is empty. Laws and integrals may contain
+/// t even if the equations do not.
 void add_output(Model& model, Scene& scene, ShownValues shown, std::vector<ExpressionId> values,
                 LeafSet takes = {}) {
   if (values.empty()) return;
@@ -48,7 +47,7 @@ std::vector<ExpressionId> masses_of_places(const Model& model) {
   return masses;
 }
 
-/// The laws of the inputs that have one, in their order.
+/// The laws of inputs that have a law, in the order of the inputs.
 std::vector<ExpressionId> laws_of(const Model& model, const Scene& scene) {
   std::vector<ExpressionId> laws;
   for (const Input& input : model.inputs) {

@@ -1,10 +1,10 @@
-// variant: the variables that a scene holds leave the model. Locked coordinates become prescribed
-// functions, their rates those functions' rates; cyclic ones become 0.
+// Eliminates the variables that a scene holds. Locked coordinates become prescribed functions of
+// time, and their rates the rates of these functions; cyclic coordinates become 0.
 //
 //     before    q = (q1, q2)    T = 1/2*I1*dot(q1)^2 + 1/2*I2*dot(q2)^2     q1 locked at w*t
 //     after     q = (q2)        q1(t) = w*t, T = 1/2*I1*dot(q1)^2 + 1/2*I2*dot(q2)^2
 //
-// Nodes of the arena change their kind in place, so that whatever refers to them stays.
+// Nodes of the arena change kind in place, so that references to them stay valid.
 #include <algorithm>
 #include <utility>
 
@@ -15,8 +15,8 @@ namespace elgen {
 
 namespace {
 
-/// The prescribed functions that take the places of a held coordinate, of its rate and, where
-/// something names that, of its acceleration.
+/// Indices of the prescribed functions that replace a held coordinate, its rate and, if any node
+/// names it, its acceleration.
 struct HeldLeaf {
   std::uint32_t value = 0;
   std::uint32_t rate = 0;
@@ -27,7 +27,7 @@ Expression derivative_of(ExpressionId value, const Span& span) {
   return {.kind = ExpressionKind::time_derivative, .operands = {value}, .span = span};
 }
 
-/// Makes a node the name of a prescribed function.
+/// Turns a node into the name of a prescribed function.
 void rename(Expression& node, std::uint32_t prescribed) {
   node.kind = ExpressionKind::named;
   node.named = NamedKind::prescribed;
@@ -76,7 +76,7 @@ class VariantBuilder {
   }
 
  private:
-  /// d/dt s(t) has a name too: `rate` nodes have no operand to put it in.
+  /// ds/dt gets a name too: a velocity leaf has no operand for the derivative.
   void replace(std::uint32_t index, ExpressionId value, const Span& span) {
     const Coordinate& c = whole_.coordinates[index];
     HeldLeaf& held = replacements_[index];
@@ -94,7 +94,7 @@ class VariantBuilder {
     if (model_.uses_time) model_.may_drift = true;
   }
 
-  /// A moving lock carries energy: 1/2 J (ds/dt)^2.
+  /// A moving lock with armature J has energy: 1/2 J (ds/dt)^2.
   void add_armature(const Coordinate& coordinate, std::uint32_t rate) {
     const ExpressionId speed =
         append({.kind = ExpressionKind::named, .named = NamedKind::prescribed, .index = rate});
@@ -131,13 +131,13 @@ class VariantBuilder {
       const auto index = left_.velocities[node.index];
       index ? void(node.index = *index) : rewrite_rate(node);
     } else if (is_leaf(node, Opcode::input)) {
-      // One that leaves stands in forces alone that leave, too.
+      // A removed input occurs only in forces that are removed too.
       const auto index = left_.inputs[node.index];
       index ? void(node.index = *index) : void(node = {.number = 0, .span = node.span});
     }
   }
 
-  /// The rate or the acceleration of what is held. Rotations are locked at constants: 0.
+  /// Replaces the rate or acceleration of a held variable. Rotations are locked at constants: 0.
   void rewrite_rate(Expression& node) const {
     const Velocity& velocity = whole_.velocities[node.index];
     if (velocity.rotation) {
