@@ -23,7 +23,7 @@ std::size_t skip_digits(std::string_view text, std::size_t position) {
   return position;
 }
 
-/// Extends to the end of the word of number characters, for the message.
+/// Extends to the end of the characters of words and numbers, for the message.
 NumberExtent malformed(std::string_view text, std::size_t position) {
   const auto belongs = [](char c) { return is_word_character(c) || c == '.'; };
   while (belongs(at(text, position))) ++position;
@@ -36,7 +36,7 @@ bool is_radix_prefix(std::string_view text, std::size_t begin) {
   return at(text, begin) == '0' && radix && is_digit(at(text, begin + 2));
 }
 
-/// After a complete number: what must not follow it directly.
+/// Whether a character that must not follow a number directly follows at `end`.
 bool continues_badly(std::string_view text, std::size_t end) {
   const char next = at(text, end);
   const char after = at(text, end + 1);
@@ -129,7 +129,7 @@ std::string decimal_text(const cln::cl_RA& value) {
   if (!decimal || decimal->exponent >= 0) return number_text(value);
   std::string digits = integer_text(cln::abs(decimal->significand));
   const std::string sign = cln::minusp(value) ? "-" : "";
-  constexpr long most_places = 30;  // longer ones are read more easily with an exponent
+  constexpr long most_places = 30;  // longer decimals are easier to read with an exponent
   if (-decimal->exponent > most_places)
     return fmt::format("{}{}e{}", sign, digits, decimal->exponent);
   const auto places = static_cast<std::size_t>(-decimal->exponent);

@@ -1,6 +1,6 @@
 // TOML strings re-read from the file: basic "…" and """…""" with escapes, literal '…' and '''…'''.
-// Every decoded byte remembers its place, so that an error inside an expression is shown where it
-// is.
+// Every decoded byte keeps its position, so that an error inside an expression is shown at its
+// place in the file.
 #include "parse/decoded_text.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ Span make_span(const SourceText* source, std::size_t begin, std::size_t end) {
   return {source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
 }
 
-/// Reads the inside of one string token.
+/// Decodes the bytes inside the quotes of one string.
 class StringDecoder {
  public:
   explicit StringDecoder(const Span& token) {
@@ -38,7 +38,7 @@ class StringDecoder {
       if (escapes_ && here() == '\\') {
         read_escape();
       } else if (here() == '\r') {
-        ++position_;  // a line end is one line feed, whatever the file uses
+        ++position_;  // a line end is decoded as one line feed, also \r\n
       } else {
         copy_byte();
       }
@@ -89,7 +89,7 @@ class StringDecoder {
     position_ += digits;
   }
 
-  /// \" and \\ mean themselves.
+  /// \" and \\ decode to the character itself.
   static char plain_escape(char letter) {
     const std::size_t at = std::string_view("btnfre").find(letter);
     return at == std::string_view::npos ? letter : "\b\t\n\f\r\x1b"[at];

@@ -1,7 +1,8 @@
-// DecodedText: what a TOML string says, with the way back from each of its bytes to the file.
+// DecodedText: the decoded value of a TOML string, with the position in the file of each of its
+// bytes.
 //
-//     file     "1/2\u002ak"     pieces  [0,3) as it stands, [3,4) from the six bytes of the escape,
-//     decoded   1/2*k                   [4,5) as it stands
+//     file     "1/2\u002ak"     pieces  [0,3) copied, [3,4) from the six bytes of the escape,
+//     decoded   1/2*k                   [4,5) copied
 #pragma once
 
 #include <cstddef>
@@ -13,8 +14,8 @@
 
 namespace elgen {
 
-/// A run of decoded bytes and the bytes of the file it came from. Runs of one length on both sides
-/// are copies; others are escapes, which stand or fall as a whole.
+/// A run of decoded bytes and the bytes of the file that it comes from. A copy has the same length
+/// on both sides; an escape is indivisible.
 struct TextPiece {
   std::size_t begin = 0;  ///< in the decoded text
   std::size_t file_begin = 0;
@@ -28,8 +29,8 @@ struct DecodedText {
   std::vector<TextPiece> pieces = {};
   Span whole = {};  ///< inside the quotes
 
-  /// The bytes of the file behind decoded bytes [begin, end). An empty range lies just after the
-  /// byte before it, so that "something is missing here" points behind the last thing written.
+  /// The bytes of the file behind the decoded bytes [begin, end). An empty range is just after the
+  /// preceding byte, so that "something is missing here" points behind the last character.
   [[nodiscard]] Span span(std::size_t begin, std::size_t end) const;
 
  private:
@@ -38,11 +39,11 @@ struct DecodedText {
   [[nodiscard]] std::size_t file_end(std::size_t position) const;
 };
 
-/// Bytes of the file as they stand.
+/// The text of a span, copied byte by byte.
 [[nodiscard]] DecodedText copied_text(const Span& span);
 
-/// A TOML string of any of the four forms; `token` covers it with its quotes and must be
-/// well-formed (toml++ accepted it).
+/// Decodes a TOML string of any of the four forms. `token` includes the quotes and must be
+/// well-formed (toml++ has accepted it).
 [[nodiscard]] DecodedText decode_string(const Span& token);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Syntax to readable text, for stamps and tests: entries in file order, expressions fully
-// bracketed, so that they parse back to the same tree.
+// Syntax as readable text, for stamps and tests: entries in file order, expressions fully
+// parenthesised, so that they parse back to the same tree.
 #include <fmt/ranges.h>
 
 #include <string>

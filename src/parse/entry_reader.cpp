@@ -1,5 +1,5 @@
-// The tables of a file against the entry table: unknown and unsupported ones, `[x]` for `[[x]]`,
-// and those a file cannot do without.
+// Checks the tables of a file against the entry table: unknown and unsupported tables, `[x]`
+// instead of `[[x]]`, and missing required tables.
 #include "parse/entry_reader.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ bool is_array_of_tables(const TomlValue& value) {
          std::ranges::all_of(value.items, is_table);
 }
 
-/// The header of a table, or of the first of an array of tables.
+/// The header of a table, or of the first table of an array.
 const Span& header_of(const TomlValue& value) {
   return is_array_of_tables(value) ? value.items.front().span : value.span;
 }
@@ -63,7 +63,7 @@ class EntryReader {
     return row == rows_.end() ? nullptr : &*row;
   }
 
-  /// Keys of the top level hold no tables.
+  /// A top-level key never has a table as its value.
   [[nodiscard]] bool is_unknown_table(const TomlEntry& entry) const {
     return entry.value.kind == TomlKind::table || is_array_of_tables(entry.value);
   }
@@ -149,7 +149,7 @@ std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind, File
 
 namespace {
 
-/// Where the top-level key `model` has a value of this kind.
+/// The span of the top-level key `model` if its value has this kind.
 std::optional<Span> model_of_kind(const SourceText& source, TomlKind kind) {
   const Result<TomlValue> root = read_toml(source);
   if (!root) return std::nullopt;

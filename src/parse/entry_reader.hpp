@@ -1,22 +1,23 @@
-// Entries: the tables of a file, their keys checked against the key table.
+// Entries: the tables of a file, and their keys, checked against the key table.
 #pragma once
 
 #include "parse/value_reader.hpp"
 
 namespace elgen {
 
-/// The rows of one kind of file, by the names the file uses.
+/// The rows of one kind of file, with the entry names of the file.
 [[nodiscard]] std::vector<EntryRow> entry_rows_of(FileKind kind);
 
-/// The name of the entry of such a row in the key table: "scene.outputs".
+/// The name of the row's entry in the key table: "scene.outputs".
 [[nodiscard]] std::string table_entry(FileKind kind, const EntryRow& row);
 
-/// Top-level keys and entries in file order. E103–E109 and what the values report, into `reading`.
+/// Top-level keys and entries in file order. Reports E103–E109 and the errors of the values to
+/// `reading`.
 [[nodiscard]] std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind,
                                                     FileReading& reading);
 
-/// A table whose keys are the rows of `entry`. `label` is what messages call it:
-/// "`[[coordinate]]`"; `header` is where a missing key is reported.
+/// A table whose keys are the rows of `entry`. `label` is its name in messages: "`[[coordinate]]`".
+/// A missing key is reported at `header`.
 struct TableContext {
   std::string entry;
   std::string label;

@@ -6,7 +6,7 @@
 //     power   = primary [ "^" unary ]                  so -x^2 = -(x^2), x^-1, 2^3^2 = 2^(3^2)
 //     primary = number | name [ "[" sum "]" ] | name "(" [ sum { "," sum } ] ")" | "(" sum ")"
 //
-// Depth is counted on the way down, before the stack grows; a sum or product of any length is one
+// Depth is counted on the way down, before the stack grows. A sum or product of any length is one
 // node.
 #include "parse/expression_parser.hpp"
 
@@ -25,13 +25,13 @@ namespace {
 
 Span join(const Span& first, const Span& last) { return {first.source, first.begin, last.end}; }
 
-/// A subtree, and how many levels that count against the limit it holds.
+/// A subtree, and the number of its levels that count against the depth limit.
 struct Subtree {
   ExpressionSyntax tree;
   std::uint64_t levels = 0;
 };
 
-/// Nothing after an error, which `problem_` then holds.
+/// None after an error, which is then in `problem_`.
 using Step = std::optional<Subtree>;
 
 class ExpressionParser {
@@ -64,7 +64,7 @@ class ExpressionParser {
   Subtree node(SyntaxKind kind, const Token& token, std::deque<Subtree> operands) const;
   Subtree negated(const Token& minus, Subtree operand) const;
 
-  // These return whether parsing can go on.
+  // These functions return whether parsing can continue.
   bool enter(const Token& token);
   void leave() { --depth_; }
   bool close(TokenKind kind, const Token& opened);
@@ -129,7 +129,8 @@ Step ExpressionParser::product() {
   return node(SyntaxKind::multiply, star, std::move(factors));
 }
 
-/// Quotients of a chain nest to the left, where the way down has not counted them.
+/// A chain of quotients nests to the left; the recursion has not counted these levels, so they are
+/// checked here.
 Step ExpressionParser::quotient(const Token& token, Subtree numerator, Subtree denominator) {
   std::deque<Subtree> operands;
   operands.push_back(std::move(numerator));
@@ -260,7 +261,8 @@ Step ExpressionParser::bracketed() {
   return inner;
 }
 
-/// One operand of a sum or product is itself; a deque because growing a vector would copy subtrees.
+/// A sum or product of one operand is the operand itself. A deque, because growing a vector would
+/// copy subtrees.
 Subtree ExpressionParser::node(SyntaxKind kind, const Token& token,
                                std::deque<Subtree> operands) const {
   const bool chain = kind == SyntaxKind::add || kind == SyntaxKind::multiply;

@@ -1,4 +1,4 @@
-// The expression parser: decoded text to a tree, every node with its place in the file.
+// The expression parser: decoded text to a tree; every node has its span in the file.
 #pragma once
 
 #include "elgen/syntax.hpp"
@@ -6,10 +6,10 @@
 
 namespace elgen {
 
-/// The parser never recurses deeper, whatever the limit is (about 1 KiB of stack a level).
+/// Largest recursion depth, whatever the limit (about 1 KiB of stack per level).
 inline constexpr std::uint64_t deepest_expression = 1000;
 
-/// Reads bytes [begin, end) of `text`. At most one error: E3xx, E902, E903, E904.
+/// Parses bytes [begin, end) of `text`. At most one error: E3xx, E902, E903, E904.
 [[nodiscard]] Result<ExpressionSyntax> read_expression(const DecodedText& text, std::size_t begin,
                                                        std::size_t end, const Limits& limits);
 

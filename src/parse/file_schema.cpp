@@ -1,5 +1,5 @@
-// Each row of the key table becomes a key of an object, each of the entry table an object or a list
-// of such. Rows that are not supported yet are left out, as the reader refuses them.
+// Each row of the key table becomes a key of a JSON object; each row of the entry table becomes an
+// object or a list of objects. Unsupported rows are omitted, because the reader refuses them.
 #include <fmt/format.h>
 
 #include <string>
@@ -26,10 +26,10 @@ Json documented(Json schema, std::string_view doc) {
   return schema;
 }
 
-/// A value of this type of JSON: "string", "integer".
+/// Schema of a JSON type: "string", "integer".
 Json value_schema(std::string_view type) { return {{"type", type}}; }
 
-/// One of these words.
+/// One of the words.
 Json word_schema(const std::vector<std::string_view>& words) {
   Json schema;
   schema["enum"] = words;
@@ -40,14 +40,14 @@ Json list_schema(Json item, std::string_view doc = {}) {
   return documented({{"type", "array"}, {"items", std::move(item)}}, doc);
 }
 
-/// Any one of these.
+/// Matches any of the choices.
 Json choice_schema(const std::vector<Json>& choices) {
   Json schema;
   schema["anyOf"] = choices;
   return schema;
 }
 
-/// These keys; any other is refused, or is as `others` says.
+/// An object with these keys. Other keys are refused, or match `others`.
 Json object_schema(std::vector<SchemaKey> keys, std::string_view doc = {}, Json others = false) {
   Json properties = Json::object();
   Json required = Json::array();
@@ -61,7 +61,7 @@ Json object_schema(std::vector<SchemaKey> keys, std::string_view doc = {}, Json 
   return documented(std::move(schema), doc);
 }
 
-/// The file: `schema` under a title.
+/// The text of the file: `schema` with a title.
 std::string schema_text(std::string_view title, const Json& schema) {
   Json whole{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", title}};
   whole.update(schema);
@@ -76,7 +76,7 @@ Json expression_schema() {
   return schema;
 }
 
-/// A list of `count` items, or of any number.
+/// A list of `count` items, or of any length if `count` is 0.
 Json expressions_schema(std::size_t count = 0) {
   Json schema = list_schema(expression_schema());
   if (count == 0) return schema;
@@ -85,14 +85,14 @@ Json expressions_schema(std::size_t count = 0) {
   return schema;
 }
 
-/// A letter, letters and digits, perhaps an index.
+/// A letter, then letters, digits and underscores, with an optional index.
 Json name_schema() {
   Json schema = value_schema("string");
   schema["pattern"] = "^[A-Za-z][A-Za-z0-9_]*(\\s*\\[.+\\])?$";
   return schema;
 }
 
-/// [[axis, angle], ...]; an axis is a letter, perhaps signed, or three expressions.
+/// [[axis, angle], ...]; an axis is a letter, or three expressions.
 Json turns_schema() {
   Json axis = choice_schema({value_schema("string"), expressions_schema(3)});
   Json turn{{"type", "array"}};
@@ -166,12 +166,12 @@ Json schema_of(const KeyRow& row) {
   return {};
 }
 
-/// The outputs that any model may have, so that editors offer them; an [[output]] has its own name.
+/// The standard outputs, so that editors offer them; an [[output]] has a name of the model.
 void add_outputs(std::vector<SchemaKey>& keys) {
   const Json wanted{{"$ref", "#/properties/outputs/additionalProperties"}};
   for (const OutputRow& output : output_table()) {
     if (output.of_user) continue;
-    // Beside a reference nothing counts, so it stands alone.
+    // Draft 7 ignores keys next to `$ref`, so `allOf` wraps the reference.
     Json schema;
     schema["allOf"] = Json::array({wanted});
     schema["description"] = output.doc;
@@ -179,7 +179,7 @@ void add_outputs(std::vector<SchemaKey>& keys) {
   }
 }
 
-/// The keys of a table: of one entry of the key table.
+/// The keys of one entry of the key table.
 struct TableKeys {
   std::vector<SchemaKey> named = {};
   Json others = false;

@@ -1,4 +1,5 @@
-// Keys of one table: unknown, missing and unsupported ones, and the value of each as its row says.
+// Keys of one table: reports unknown, missing and unsupported keys, and reads each value by its
+// row.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -15,9 +16,9 @@ namespace elgen {
 
 namespace {
 
-// Texts of several parts
+// Texts with several parts
 
-/// An entry of the table that such a text becomes: bytes of the decoded text.
+/// One part of such a text: its key in the resulting table, and its bytes in the decoded text.
 struct KeyPart {
   const char* key;
   std::size_t begin = 0;
@@ -27,7 +28,7 @@ struct KeyPart {
 
 using KeyParts = std::vector<KeyPart>;
 
-/// A kind of such texts: its names in messages, and the error where it has no parts.
+/// A kind of such a text: its names in messages, and the error if it does not split.
 struct PartedText {
   std::string_view noun;
   std::string_view expected;
@@ -49,7 +50,7 @@ KeyParts split_repetition(const DecodedText& text) {
           {"high", dots + 2, text.text.size()}};
 }
 
-/// "a > b" to { left = a, sign = ">", right = b }; a second comparison is an error of its side.
+/// "a > b" to { left = a, sign = ">", right = b }. A second comparison is an error in its side.
 KeyParts split_condition(const DecodedText& text) {
   const std::size_t begin = text.text.find_first_of("<>");
   if (begin == std::string::npos) return {};
@@ -87,7 +88,7 @@ KeySyntax part_entry(const KeyPart& part, const DecodedText& text, FileReading& 
   return result;
 }
 
-/// E104; the error of the kind; errors of the parts.
+/// E104, the error of the kind, or the errors of the parts.
 ValueSyntax read_parts(const TomlValue& value, const PartedText& kind, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::table);
   if (value.kind != TomlKind::string) {
@@ -105,7 +106,7 @@ ValueSyntax read_parts(const TomlValue& value, const PartedText& kind, FileReadi
   return result;
 }
 
-/// One text, or a list of such: always a list.
+/// One text, or a list of texts; the result is always a list.
 ValueSyntax read_one_or_list(const TomlValue& value, const PartedText& kind, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
   if (value.kind != TomlKind::array) {
@@ -145,7 +146,7 @@ void report_unknown(const TomlEntry& key, const TableContext& table, FileReading
                  suggestion(key.key, candidates));
 }
 
-/// The hint: the first line of every file, or the words to choose from.
+/// Hint: the first line of every file, or the words of a choice.
 std::string hint_of_missing(const KeyRow& row) {
   if (row.key == "format") return "a file starts with `format = 1`";
   const std::vector<std::string_view> words = choice_words(row);
@@ -170,7 +171,7 @@ void report_choice(const ValueSyntax& value, const std::string& observed, const 
       std::string(hint_of_former_choice(row, value.text)));
 }
 
-/// One of the words of the choice table: E104.
+/// One word of the choice table, or E104.
 ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, FileReading& reading) {
   ValueSyntax result = read_text(value, reading);
   if (value.kind != TomlKind::string) return result;
@@ -275,7 +276,7 @@ std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const Ta
       result.push_back({entry.key, entry.key_span, read_by_type(entry, *row, reading)});
     }
   }
-  // A key that the unsupported one would have replaced is not reported as missing.
+  // An unsupported key may replace a required key, so then missing keys are not reported.
   if (all_supported) report_missing(entries, table, reading);
   return result;
 }

@@ -1,5 +1,5 @@
-// The key table: every entry and key of model and scene files, what its value is, and whether this
-// version reads it. The reader, its messages and the documentation follow these rows.
+// The key table: every entry and key of model and scene files, the type of its value, and whether
+// this version supports it. The reader, its messages and the documentation use these rows.
 #include <algorithm>
 #include <array>
 
@@ -11,13 +11,13 @@ namespace {
 
 constexpr bool optional = false;
 constexpr bool required = true;
-constexpr bool later = false;  ///< of `supported`
+constexpr bool later = false;  ///< value of `supported`: a later version reads the key
 constexpr bool drawn = true;
 
 using enum KeyType;
 
 constexpr auto key_rows = std::to_array<KeyRow>({
-    // a model file: what it names
+    // model file: header, variables, parameters, functions
     {"", "format", integer, required, true, "version of the file format: 1"},
 
     {"model", "name", name, required, true, "lower-case name; becomes the C++ namespace"},
@@ -67,7 +67,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"prescribed", "doc", text, optional, true, "one line"},
     {"prescribed", "for", repetition, optional, true, "repeats the entry"},
 
-    // coordinate systems that move
+    // moving frames
     {"frame", "name", name, required, true, "name of the frame"},
     {"frame", "parent", name, required, true, "world, or the frame it moves with"},
     {"frame", "translate", expression_list, optional, true, "its origin, in the parent's axes"},
@@ -84,7 +84,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"frame.dh", "d", expression, optional, true, "length along z"},
     {"frame.dh", "theta", expression, optional, true, "angle about z"},
 
-    // what moves, pulls and is wanted
+    // masses, forces, outputs, constraints, checks
     {"point", "name", name, required, true, "name of the point"},
     {"point", "at", expression_list, required, true, "its 2 or 3 coordinates, in the world"},
     {"point", "mass", expression, optional, true, "adds 1/2 m v^2 to T and its weight to V"},
@@ -178,7 +178,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"expect.*", "for", repetition, required, true, "the indices of the entry"},
     {"expect.*", "value", expression, required, true, "the entry at these indices"},
 
-    // a scene file
+    // scene file
     {"scene", "format", integer, required, true, "version of the file format: 1"},
     {"scene", "model", text, required, true, "path of the model, relative to the scene"},
     {"scene", "name", name, required, true, "files and namespace are called MODEL_NAME"},
@@ -288,7 +288,7 @@ constexpr auto choice_rows = std::to_array<ChoiceRow>({
 #undef ELGEN_LANGUAGE
 });
 
-/// Words that were choices once: what stands in their place.
+/// A former word of a choice, and the hint on its replacement.
 struct FormerChoice {
   ChoiceRow choice;
   std::string_view hint;

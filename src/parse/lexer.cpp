@@ -1,5 +1,5 @@
-// The lexer of the model language. Numbers, names, `+ - * / ^ ( ) [ ] ,`; everything else is named
-// in an error together with what the language writes for it.
+// The lexer of the model language: numbers, names, `+ - * / ^ ( ) [ ] ,`. Every other character is
+// an error, with a hint on how the language writes it.
 #include "parse/lexer.hpp"
 
 #include <fmt/format.h>
@@ -19,14 +19,14 @@ namespace elgen {
 
 namespace {
 
-/// A text of the language, and the characters that it stands for.
+/// A text of the language, and the characters that it replaces.
 struct ReplacementRow {
   std::string_view written;
   std::u32string_view characters;
 };
 
 constexpr std::array replacements{
-    // ASCII that other languages use
+    // ASCII characters from other languages
     ReplacementRow{"dot(x)", U"'"},
     ReplacementRow{"(", U"{"},
     ReplacementRow{")", U"}"},
@@ -84,14 +84,14 @@ constexpr std::array replacements{
     ReplacementRow{"Omega", U"\u03A9"},
 };
 
-/// Cyrillic letters that look like Latin ones, and those, in the same order.
+/// Cyrillic letters that look like Latin letters, and these Latin letters in the same order.
 constexpr std::u32string_view look_alikes =
     U"\u0410\u0412\u0415\u041A\u041C\u041D\u041E\u0420\u0421\u0422"
     U"\u0425\u0430\u0435\u043E\u0440\u0441\u0443\u0445\u0456\u0458";
 constexpr std::string_view latin_letters = "ABEKMHOPCTXaeopcyxij";
 static_assert(look_alikes.size() == latin_letters.size());
 
-/// Full-width forms stand at a fixed distance from their ASCII.
+/// Full-width characters have a fixed offset from their ASCII characters.
 bool is_full_width(char32_t c) { return c >= 0xFF01 && c <= 0xFF5E; }
 constexpr char32_t full_width_distance = 0xFEE0;
 
@@ -101,7 +101,7 @@ std::string_view script_name(char32_t c) {
   return "this character";
 }
 
-/// `pi` of U+03C0, `-` of U+2212 …; empty where there is nothing to suggest.
+/// `pi` for U+03C0, `-` for U+2212 …; "" if there is no replacement.
 std::string_view replacement(char32_t character) {
   const std::size_t letter = look_alikes.find(character);
   if (letter != std::u32string_view::npos) return latin_letters.substr(letter, 1);
@@ -111,7 +111,7 @@ std::string_view replacement(char32_t character) {
   return row == replacements.end() ? "" : row->written;
 }
 
-/// "write `pi`" for U+03C0 and so on.
+/// "write `pi`" for U+03C0.
 std::string replacement_hint(char32_t character) {
   if (is_full_width(character)) {
     return fmt::format("write `{}`", static_cast<char>(character - full_width_distance));
@@ -136,7 +136,7 @@ TokenKind symbol_kind(char c) {
   return static_cast<TokenKind>(static_cast<std::size_t>(TokenKind::plus) + at);
 }
 
-/// Suggests a replacement for ASCII characters that other languages use.
+/// Hint on an ASCII character of other languages.
 std::string ascii_hint(char32_t character) {
   switch (character) {
     case U'#':

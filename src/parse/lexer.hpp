@@ -1,5 +1,5 @@
-// Lexer: the text of an expression, one token at a time, so that errors come in reading order: the
-// token to be read and the one before it, with their places and texts.
+// Lexer: the tokens of an expression, one at a time, so that errors come in reading order. It keeps
+// the current and the previous token with their spans and texts.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ enum class TokenKind : std::uint8_t {
   open_index,   ///< [
   close_index,  ///< ]
   comma,
-  end,      ///< empty, just behind the last token
-  invalid,  ///< problem() says why
+  end,      ///< empty, at the end of the last token
+  invalid,  ///< problem() has the error
 };
 
 /// Bytes [begin, end) of the decoded text.
@@ -45,7 +45,7 @@ class Lexer {
   [[nodiscard]] const Token& current() const { return current_; }
   [[nodiscard]] bool at(TokenKind kind) const { return current_.kind == kind; }
 
-  /// Steps on and returns the token that was current.
+  /// Reads the next token, and returns the token that was current.
   Token advance();
 
   [[nodiscard]] std::string_view text(const Token& token) const;
@@ -68,7 +68,7 @@ class Lexer {
   Token invalid(Code code, std::size_t bytes, std::string message, std::string hint);
 
   const DecodedText* source_;
-  std::string_view bytes_;  ///< up to the end of the expression
+  std::string_view bytes_;  ///< of the text, up to the end of the expression
   std::size_t position_;
   std::size_t last_end_;
   std::optional<Diagnostic> problem_ = {};

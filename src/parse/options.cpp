@@ -1,4 +1,4 @@
-// Options of the command line as keys of a table, every piece with its place in the option:
+// Command-line options as keys of a table; every key and value has its span in the option:
 //
 //     "x=1, dot(x)=0, e=[1,0]"   ->   x = 1, "dot(x)" = 0, e = [1, 0]
 //     "x=-1..2"                  ->   x = [-1, 2]
@@ -20,7 +20,7 @@ Span trimmed(Span span) {
   return span;
 }
 
-/// The parts between commas that stand outside of brackets.
+/// The parts between commas outside brackets.
 std::vector<Span> split_at_commas(const Span& text) {
   std::vector<Span> words;
   int depth = 0;
@@ -72,7 +72,7 @@ class OptionReader {
     problems_.push_back({Code::E606, span, std::move(message), std::move(hint)});
   }
 
-  /// Whether it could be read.
+  /// False after an error.
   bool read_value(ValueSyntax& value) {
     if (type_ == KeyType::range) return read_range(value);
     const std::string_view text = covered_text(value.span);

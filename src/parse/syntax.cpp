@@ -1,5 +1,5 @@
-// Files and expressions to syntax trees: size and encoding first, then TOML, the format, the
-// entries.
+// Files and expressions to syntax trees: checks size and encoding, parses TOML, then checks the
+// format and the entries.
 #include "elgen/syntax.hpp"
 
 #include <fmt/format.h>
@@ -41,11 +41,11 @@ std::optional<Diagnostic> size_error(const SourceText& source, const Limits& lim
       "`--limit file_bytes=N` raises the limit"};
 }
 
-/// A file of another format has other keys, so this is the only error it gets.
+/// A file of another format has other keys, so no other error is reported.
 std::optional<Diagnostic> format_error(const TomlValue& root) {
   const TomlEntry* const entry = find_entry(root.entries, "format");
   if (entry == nullptr || entry->value.kind != TomlKind::number) {
-    return std::nullopt;  // missing, or of the wrong type: said with the other keys
+    return std::nullopt;  // missing or of the wrong type: reported with the other keys
   }
   const std::string& text = entry->value.text.text;
   if (text == "1") return std::nullopt;

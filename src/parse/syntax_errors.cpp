@@ -1,5 +1,5 @@
-// Errors of the grammar of expressions. Each names the token that was met; the hint says how the
-// thing that was probably meant is written.
+// Errors of the expression grammar. Each message names the current token; the hint gives the
+// correct spelling of the probable intention.
 #include "parse/syntax_errors.hpp"
 
 #include <fmt/format.h>

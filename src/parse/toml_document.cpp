@@ -1,6 +1,6 @@
-// TOML text to TomlValue: toml++ parses, every value is re-read at the place toml++ found it.
-// toml++ keeps tables sorted by key; here entries come back into file order. Keys that would
-// overflow its stack are found before it reads, and its errors get the hint for the usual mistake.
+// Converts TOML text to TomlValue: toml++ parses, then every value is re-read at its span. toml++
+// sorts tables by key, so entries are sorted back into file order. Keys that would overflow its
+// stack are found before it parses. Its errors get a hint on the probable mistake.
 #include "parse/toml_document.hpp"
 
 #include <fmt/format.h>
@@ -39,7 +39,7 @@ class TomlPositions {
     points_.push_back(static_cast<std::uint32_t>(text.size()));
   }
 
-  /// The byte offset of 1-based `line` and `column`; the end of the file for what lies beyond it.
+  /// The byte offset of 1-based `line` and `column`; a position beyond the file gives its end.
   [[nodiscard]] std::uint32_t offset(std::uint32_t line, std::uint32_t column) const {
     if (line == 0 || line > line_points_.size()) return points_.back();
     const std::size_t point = std::size_t{line_points_[line - 1]} + column - 1;
@@ -55,7 +55,8 @@ constexpr std::size_t most_key_parts = 100;
 
 bool is_key_character(char c) { return is_word_character(c) || c == '-'; }
 
-/// Just behind the quoted part at `begin`, or behind its quote where it is not closed on its line.
+/// Just behind the quoted part at `begin`, or behind its opening quote if it is not closed on its
+/// line.
 std::size_t skip_quoted(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   for (std::size_t i = begin + 1; i < text.size() && text[i] != '\n'; ++i) {
@@ -65,8 +66,8 @@ std::size_t skip_quoted(std::string_view text, std::size_t begin) {
   return begin + 1;
 }
 
-/// Where a dotted key of more than most_key_parts parts goes too far. toml++ limits nested values
-/// but not `a.b.c…`, which it frees recursively.
+/// The position at which a dotted key exceeds most_key_parts parts. toml++ limits nested values but
+/// not `a.b.c…`, which it frees recursively.
 std::optional<std::size_t> find_endless_key(std::string_view text) {
   std::size_t points = 0;
   bool after_part = false;
@@ -110,7 +111,8 @@ std::string message_of(std::string_view description) {
   return message;
 }
 
-/// The word at `offset` or just before it: toml++ stops in or after a number it cannot hold.
+/// The word at `offset` or just before it: toml++ stops in or after a number that it cannot
+/// represent.
 Span word_at(const SourceText& source, std::uint32_t offset) {
   std::uint32_t begin = offset;
   std::uint32_t end = offset;
@@ -119,14 +121,15 @@ Span word_at(const SourceText& source, std::uint32_t offset) {
   return {&source, begin, end};
 }
 
-/// One character, or nothing at the end of the file.
+/// The span of one character; empty at the end of the file.
 Span character_at(const SourceText& source, std::uint32_t offset) {
   if (offset >= source.text.size()) return {&source, offset, offset};
   const std::size_t bytes = std::max<std::size_t>(1, code_point_at(source.text, offset).bytes);
   return {&source, offset, offset + static_cast<std::uint32_t>(bytes)};
 }
 
-/// toml++ points at the second value of a key; the key says more. Headers stay as they are.
+/// The span for a redefinition: toml++ points at the second value of a key, but the key is clearer.
+/// For headers, its position is kept.
 Span redefined(const SourceText& source, std::uint32_t offset) {
   std::uint32_t end = offset;
   while (end > 0 && (source.text[end - 1] == ' ' || source.text[end - 1] == '=')) --end;
@@ -134,7 +137,7 @@ Span redefined(const SourceText& source, std::uint32_t offset) {
   return end < offset && key.begin < key.end ? key : character_at(source, offset);
 }
 
-/// The same key earlier in its table, at the start of a line.
+/// An earlier definition of the same key in its table, at the start of a line.
 std::optional<Span> first_definition(const SourceText& source, const Span& key) {
   const std::string_view name = covered_text(key);
   std::optional<Span> found;
@@ -190,8 +193,8 @@ bool is_decimal_token(std::string_view token) {
          digits.find_first_not_of(characters) == std::string_view::npos;
 }
 
-/// `description` is that of toml++, `offset` the byte it points at. E101; E109 for a decimal that
-/// TOML itself cannot hold.
+/// `description` is toml++'s message, `offset` its byte. E101, or E109 for a decimal outside TOML's
+/// range.
 Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
                       std::string_view description) {
   const Span word = word_at(source, offset);

@@ -1,8 +1,8 @@
-// TomlValue: a TOML file as a tree of its own, in file order, every piece with its exact place.
+// TomlValue: a TOML file as our own tree, in file order; every key and value has its exact span.
 //
-// toml++ checks the syntax and finds the tokens; numbers and strings are re-read from the file, so
-// that numbers are exact and every character of a string knows where it stands. Only
-// toml_document.cpp knows toml++.
+// toml++ checks the syntax and finds the tokens. Numbers and strings are re-read from the file, so
+// that numbers are exact and every character of a string has its position. Only toml_document.cpp
+// includes toml++.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,8 @@ struct TomlEntry;
 
 struct TomlValue {
   TomlKind kind = TomlKind::table;
-  Span span = {};         ///< the token with its quotes; of a table its header
-  DecodedText text = {};  ///< of a string; of a number as it stands
+  Span span = {};         ///< the token with its quotes; for a table, its header
+  DecodedText text = {};  ///< of a string; of a number, its text in the file
   bool boolean = false;
   std::vector<TomlValue> items = {};
   std::vector<TomlEntry> entries;  ///< in file order
@@ -36,15 +36,15 @@ struct TomlValue {
 
 struct TomlEntry {
   std::string key = {};
-  Span key_span = {};  ///< with its quotes
+  Span key_span = {};  ///< with the quotes of the key
   TomlValue value = {};
 };
 
-/// Null where no entry has this key.
+/// Null if no entry has this key.
 [[nodiscard]] const TomlEntry* find_entry(const std::vector<TomlEntry>& entries,
                                           std::string_view key);
 
-/// The root table. E101 malformed TOML (one error), E109 a number wider than TOML allows.
+/// The root table. E101: malformed TOML (only one error); E109: a number outside TOML's range.
 [[nodiscard]] Result<TomlValue> read_toml(const SourceText& source);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
 // Values whose type needs no table: expressions, names, lists, texts, booleans, integers. A value
-// that cannot be read leaves its error in the Reading, and an empty value, which nobody sees then.
+// with an error is reported to FileReading and returned empty; nobody uses it then.
 #include "parse/value_reader.hpp"
 
 #include <cln/integer_ring.h>
@@ -24,7 +24,7 @@ namespace elgen {
 
 namespace {
 
-/// A place in the text, in bytes, and what is wrong there.
+/// A range of bytes in a text, and the error message.
 struct LatexMistake {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -50,7 +50,7 @@ constexpr std::array commands{std::to_array<std::string_view>(
      // blanks
      "enspace", "quad", "thinspace"})};
 
-/// Characters that may follow a backslash: blanks, and characters that are markup without it.
+/// Characters that may follow a backslash: spaces, and markup characters.
 constexpr std::string_view escapes = ",:;! _{}&%#";
 constexpr std::string_view marks = "_^{}'.,:;+-*/=()[]|! \t";
 
@@ -77,8 +77,8 @@ std::optional<LatexMistake> mistake(std::string_view text, std::size_t begin, st
 }
 
 /// The first mistake of a symbol: it is empty, has a character or command that is not listed, or
-/// braces that do not match. Commands are letters, accents and fonts; none opens a file, defines
-/// another one, or ends what stands around the symbol.
+/// unmatched braces. The listed commands are letters, accents, fonts and signs; none opens a file,
+/// defines a command, or ends the surrounding markup.
 std::optional<LatexMistake> find_latex_mistake(std::string_view text) {
   if (text.find_first_not_of(" \t\n\r") == std::string_view::npos) {
     return LatexMistake{0, text.size(), "the symbol is empty"};
@@ -126,7 +126,7 @@ std::string described(const TomlValue& value) {
   return in_backticks(value.text.text);
 }
 
-/// The first character that is not seen. Blanks and line ends are seen by what they part.
+/// E113 at the first invisible character. Tabs and line ends are visible by their effect.
 void report_hidden(const DecodedText& text, FileReading& reading) {
   for (std::size_t i = 0; i < text.text.size();) {
     const CodePoint point = code_point_at(text.text, i);
@@ -140,7 +140,7 @@ void report_hidden(const DecodedText& text, FileReading& reading) {
   }
 }
 
-/// A CI runner obeys lines that begin so, wherever they are printed.
+/// E113: a CI runner executes log lines that begin with `::` as commands.
 void report_order(const DecodedText& text, FileReading& reading) {
   constexpr std::string_view order = "::";
   const std::size_t begin = text.text.find_first_not_of(" \t\r\n");
@@ -149,7 +149,7 @@ void report_order(const DecodedText& text, FileReading& reading) {
                  "`::` before a text is an order to the log of a CI");
 }
 
-/// A bare number, signed.
+/// A number without quotes, with its sign.
 void read_number(const TomlValue& value, ValueSyntax& result, FileReading& reading) {
   const std::string& text = value.text.text;
   const bool negative = text[0] == '-';
@@ -163,13 +163,14 @@ void read_number(const TomlValue& value, ValueSyntax& result, FileReading& readi
   result.expression.value = negative ? cln::cl_RA(-magnitude) : magnitude;
 }
 
-/// Whether the tree is all of the text: `q[i]`, not `(q)` or ` q`.
+/// Whether the name is the whole text: `q[i]`, not `(q)` or ` q`.
 bool is_name(const ExpressionSyntax& tree, const DecodedText& text) {
   return tree.kind == SyntaxKind::name && tree.token.begin == text.whole.begin &&
          tree.span.end == text.whole.end;
 }
 
-/// Errors that say more than "not a name": a letter of another alphabet, a mistake inside an index.
+/// Whether the error is clearer than "not a name": a non-ASCII letter, or a mistake inside an
+/// index.
 bool speaks_for_itself(const Result<ExpressionSyntax>& read, const DecodedText& text) {
   if (read || read.diagnostics.empty()) return false;
   return read.diagnostics.front().code == Code::E307 || text.text.find('[') != std::string::npos;

@@ -1,4 +1,4 @@
-// Values: turns a TOML value into a ValueSyntax, by the type of its key.
+// Values: converts a TOML value to a ValueSyntax, by the type of its key.
 #pragma once
 
 #include "elgen/syntax.hpp"
@@ -6,7 +6,7 @@
 
 namespace elgen {
 
-/// The state of reading a file: the limits, and where its errors go.
+/// The state of reading a file: the limits, and the diagnostics so far.
 struct FileReading {
   const Limits& limits;
   Diagnostics diagnostics = {};
@@ -14,13 +14,13 @@ struct FileReading {
   void report(Code code, const Span& span, std::string message, std::string hint = {});
 };
 
-/// A number or a string as an expression; E104 for anything else, E3xx and E9xx of the expression.
+/// A number or a string as an expression; E104 for any other type, E3xx and E9xx of the expression.
 [[nodiscard]] ValueSyntax read_expression_value(const TomlValue& value, FileReading& reading);
 
 /// A string as a name with or without an index; E104, E205.
 [[nodiscard]] ValueSyntax read_name(const TomlValue& value, FileReading& reading);
 
-/// A list of `count` expressions, of any number where `count` is 0; E104.
+/// A list of `count` expressions, of any length if `count` is 0; E104.
 [[nodiscard]] ValueSyntax read_list(const TomlValue& value, std::size_t count,
                                     FileReading& reading);
 
@@ -35,13 +35,13 @@ struct FileReading {
 [[nodiscard]] ValueSyntax read_boolean(const TomlValue& value, FileReading& reading);
 [[nodiscard]] ValueSyntax read_integer(const TomlValue& value, FileReading& reading);
 
-/// E104: "number `1` where a string is expected"; E109 where no decimal number stands.
+/// E104: "number `1` where a string is expected"; E109 if the value is no decimal number.
 void report_wrong_type(const TomlValue& value, std::string_view expected, FileReading& reading);
 
-/// Keeps the expression that was read, and what was wrong with it.
+/// Keeps the parsed expression and its errors.
 void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, FileReading& reading);
 
-/// A value of `kind` at the place of `value`: inside the quotes for strings.
+/// A value of `kind` with the span of `value`, for strings without the quotes.
 [[nodiscard]] ValueSyntax empty_value(const TomlValue& value, ValueKind kind);
 
 }  // namespace elgen
