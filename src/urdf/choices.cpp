@@ -1,5 +1,5 @@
-// Names of options -> joints that are held, and the order of the others. A robot that nothing holds
-// floats: its root link gets a joint of type floating, from a new root.
+// Names in options -> held joints, and the order of the other joints. A robot without a fixed base
+// floats: its root link gets a joint of type floating from a new root.
 #include "urdf/choices.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ std::vector<Span> listed_words(const SourcePointer& source) {
   return words;
 }
 
-/// 0, or the limit of the joint that is nearest to it.
+/// 0, or the nearest limit of the joint if its range excludes 0.
 FileNumber nearest_to_zero(const Joint& joint) {
   const auto& [lower, upper, velocity, effort] = joint.limit;
   const bool is_limited = joint.type != JointType::continuous && lower && upper;
@@ -57,7 +57,7 @@ class JointChooser {
   }
 
  private:
-  /// A joint that moves.
+  /// The moving joint of this name; null after E821.
   Joint* find(const Span& name) {
     const std::string text(covered_text(name));
     std::vector<std::string> names;
@@ -130,7 +130,7 @@ class JointChooser {
   Diagnostics found_ = {};
 };
 
-/// Where a joint is that mimics a held one: not a value where it mimics none.
+/// The position of a joint that mimics a held joint; none for other joints.
 std::optional<FileNumber> held_place(const Robot& robot, const Joint& joint) {
   if (!joint.mimic || !joint.moves() || !has_one_coordinate(joint.type)) return std::nullopt;
   const auto is_mimicked = [&](const Joint& other) {
@@ -143,7 +143,7 @@ std::optional<FileNumber> held_place(const Robot& robot, const Joint& joint) {
   return FileNumber{decimal_text(place), place, {}};
 }
 
-/// `wanted`, or with a number behind it where an element is called so.
+/// `wanted`, with a number appended if an element has this name.
 template <class Named>
 std::string free_name(const std::vector<Named>& elements, const std::string& wanted) {
   std::string name = wanted;

@@ -1,4 +1,4 @@
-// Choices: which joints move, as options of the command line say.
+// Choices: the joints that move, by command-line options.
 #pragma once
 
 #include "elgen/urdf.hpp"
@@ -6,24 +6,24 @@
 
 namespace elgen::urdf {
 
-/// `--joints` and `--weld JOINT[=VALUE]`. E821: a joint that is not there, or does not move; E804.
-/// E820: a joint that limits do not let be held at 0.
+/// Applies `--joints` and `--weld JOINT[=VALUE]`. E821: an unknown joint, or a joint that does not
+/// move; E804. E820: the limits of a joint exclude 0, so it is held at the nearest limit.
 [[nodiscard]] Diagnostics choose_joints(Robot& robot, const ImportOptions& options,
                                         const Limits& limits);
 
-/// Joints that mimic a held joint are held as well.
+/// Holds the joints that mimic a held joint.
 void weld_followers(Robot& robot);
 
 /// Whether `--weld massless` is among the options.
 [[nodiscard]] bool welds_massless(const ImportOptions& options);
 
-/// Holds joints that move no mass at 0: E820.
+/// Holds at 0 the joints that move no mass: E820.
 [[nodiscard]] Diagnostics weld_massless(Robot& robot, const LinkTree& tree);
 
-/// Adds a joint `base` of type floating from a new root link to `root`.
+/// Adds a new root link, and a joint `base` of type floating from it to `root`.
 void let_float(Robot& robot, std::size_t root);
 
-/// The joint by which a base without mass floats already.
+/// The joint by which a base without mass already floats; null if there is none.
 [[nodiscard]] const Joint* floating_joint(const Robot& robot, const LinkTree& tree);
 
 }  // namespace elgen::urdf

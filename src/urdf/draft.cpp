@@ -1,4 +1,4 @@
-// The text of a model file: what the robot is made of first, then the tables.
+// The text of a model file: first the links and joints of the robot as a comment, then the tables.
 #include "urdf/draft.hpp"
 
 #include <fmt/ranges.h>
@@ -19,9 +19,9 @@ constexpr std::string_view legend =
     "centre\n"
     "# of mass, Ixx ... its inertia about that. Zeros of the URDF are 0, not parameters.\n";
 
-/// Indented by its depth: a link, and the joint that carries it.
+/// A link, indented by its depth, and the joint that carries it.
 std::vector<std::string> tree_row(std::size_t depth, const Link& link, const std::string& joint) {
-  constexpr std::size_t deepest_indent = 20;  // a long chain would not fit on any line
+  constexpr std::size_t deepest_indent = 20;  // the lines of a long chain would be too long
   const std::string indent(2 * std::min(depth, deepest_indent), ' ');
   return {"  " + indent + link.name.text + "  ", joint};
 }
@@ -75,7 +75,7 @@ std::string dissipation_table(const std::vector<std::string>& terms) {
   return fmt::format("[energy]\nD = \"\"\"\n  {}\n\"\"\"\n", fmt::join(terms, "\n  + "));
 }
 
-/// In the order that was asked for, else in that of the tree.
+/// In the order of `--joints`, otherwise in the order of the tree.
 std::vector<std::string> texts(const Robot& robot, std::vector<JointTable> tables) {
   const auto rank = [&](const JointTable& table) { return robot.joints[table.joint].rank; };
   std::ranges::stable_sort(tables, {}, rank);

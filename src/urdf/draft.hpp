@@ -1,6 +1,5 @@
-// Draft: the tables of a model file, as the joints and links of a robot make them one after
-// another. Values are expressions of the model language, or the digits of numbers; "0" is what is
-// not there.
+// Draft: the tables of a model file, collected from the joints and links of a robot. Values are
+// expressions of the model language, or the digits of numbers; "0" means absent.
 #pragma once
 
 #include <array>
@@ -14,7 +13,7 @@
 
 namespace elgen::urdf {
 
-/// A position that a coordinate gives: factor*coordinate + offset; a constant where factor is "0".
+/// A position as a function of a coordinate: factor*coordinate + offset; constant if factor is "0".
 struct Coupling {
   std::string coordinate = {};
   std::string factor = "1";  ///< "1", "-1", "0" or parameters
@@ -27,19 +26,19 @@ struct Coupling {
   [[nodiscard]] std::string rate() const;  ///< factor*dot(coordinate)
 };
 
-// Expressions of the model language as text, with what is 0 or 1 left out.
+// Expressions of the model language as text; zero terms and factors of 1 are omitted.
 [[nodiscard]] std::string sum(const std::string& left, const std::string& right);
 [[nodiscard]] std::string negated(const std::string& expression);
 [[nodiscard]] std::string product(const std::string& factor, const std::string& expression);
 [[nodiscard]] std::string quotient(const std::string& expression, const std::string& divisor);
 
-/// A coordinate or an input of a joint.
+/// The table of a coordinate or an input, and its joint.
 struct JointTable {
   std::size_t joint = 0;
   TomlTable table;
 };
 
-/// Texts of tables, in the order of the file, and the terms of D.
+/// The texts of tables in the order of the file, and the terms of D.
 struct Draft {
   const Robot& robot;
   const LinkTree& tree;
@@ -50,12 +49,12 @@ struct Draft {
   std::vector<std::string> forces = {};
   std::vector<JointTable> inputs = {};
   std::map<std::size_t, Coupling> couplings = {};     ///< by joint
-  std::map<std::size_t, std::string> armatures = {};  ///< of the coordinates of joints
+  std::map<std::size_t, std::string> armatures = {};  ///< of the coordinates of joints, by joint
 };
 
 using Components = std::array<std::string, 3>;
 
-/// How a joint moves, in the axes of its origin.
+/// The motion of a joint, in the axes of its origin.
 struct JointMotion {
   Components translate = {"0", "0", "0"};
   std::vector<std::string> turn = {};  ///< at most one step
@@ -71,35 +70,35 @@ struct FrameDraft {
   std::string rotation = {};             ///< a coordinate of kind rotation
 };
 
-/// "x" of 0, "y" of 1, "z" of 2.
+/// "x" for 0, "y" for 1, "z" for 2.
 [[nodiscard]] std::string axis_letter(std::size_t axis);
 
 /// ["0", "0.1", "l"]
 [[nodiscard]] std::string vector_text(const Components& components);
 
-/// ["z", "-pi/2"], of an axis as a TOML value
+/// ["z", "-pi/2"]; `axis` is a TOML value.
 [[nodiscard]] std::string step_text(const std::string& axis, const std::string& angle);
 
-/// "0 0 1.57": as the file has it.
+/// "0 0 1.57", with the digits of the file.
 [[nodiscard]] std::string listed(const Vector& numbers);
 
-/// The components of a place; "c{}_arm" are the names of their parameters.
+/// The components of a position; "c{}_arm" gives the names of their parameters.
 [[nodiscard]] Components place_of(Glossary& glossary, std::string_view name, const Vector& xyz);
 
-/// The comments above a table, one a line.
+/// The comments above a table, one per line.
 [[nodiscard]] std::string comments(const std::vector<std::string>& lines);
 
-/// Constant turns, z y x: R = Rz(yaw) Ry(pitch) Rx(roll).
+/// Steps of a constant rotation, in the order z, y, x: R = Rz(yaw) Ry(pitch) Rx(roll).
 [[nodiscard]] std::vector<std::string> steps_of(const RollPitchYaw& rotation);
 
-/// The title, and "rpy in the URDF: 1.57079632679 0 0" where angles were rounded.
+/// The title; if angles were rounded, also "rpy in the URDF: 1.57079632679 0 0".
 [[nodiscard]] std::vector<std::string> frame_comments(const std::string& title,
                                                       const RollPitchYaw& rotation,
                                                       const Vector& rpy);
 
 [[nodiscard]] std::string frame_table(const FrameDraft& frame);
 
-/// Units of what belongs to a coordinate that turns or slides.
+/// Units of a revolute or prismatic coordinate, its rate, force and damping.
 struct JointUnits {
   std::string_view position;
   std::string_view rate;
@@ -109,22 +108,24 @@ struct JointUnits {
 
 [[nodiscard]] JointUnits units_of(JointType type);
 
-/// The position of a joint that turns or slides; parameters of a chain of mimics are added once.
+/// The position of a joint with one coordinate. A repeated call adds no parameters again.
 [[nodiscard]] const Coupling& coupling_of(Draft& draft, std::size_t joint);
 
-/// Adds what brakes such a joint, and the rotor that turns with it.
+/// Adds the damping, the friction and the rotor of such a joint.
 void draft_resistance(Draft& draft, std::size_t joint);
 
-/// Adds the coordinates, inputs, damping and friction of a joint.
+/// Adds the coordinates, inputs, damping and friction of a joint; returns its motion.
 [[nodiscard]] JointMotion draft_joint(Draft& draft, const Branch& branch);
 
-/// Adds the frame of the branch's child, after one for the joint's origin where one does not do.
+/// Adds the frame of the branch's child. If the joint slides and its origin is rotated, a frame for
+/// the origin comes first.
 void draft_frames(Draft& draft, const Branch& branch, const JointMotion& motion);
 
-/// Adds the body of a link in its frame, after a frame in its principal axes where it needs one.
+/// Adds the body of a link in its frame. If the inertia cannot be rotated exactly, a frame in the
+/// axes of the inertia comes first.
 void draft_body(Draft& draft, std::size_t link);
 
-/// The text of the model file of a robot without errors.
+/// The text of the model file; the robot must have no errors.
 [[nodiscard]] std::string model_text(const Robot& robot, const LinkTree& tree);
 
 }  // namespace elgen::urdf

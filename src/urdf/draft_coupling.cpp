@@ -1,5 +1,5 @@
-// A joint that turns or slides: its position by a coordinate, what brakes it, and its rotor; by
-// sums, products and quotients of short expressions.
+// A joint with one coordinate: its position, damping, friction and rotor. The terms are sums,
+// products and quotients of short expressions.
 #include <fmt/format.h>
 
 #include "base/toml_text.hpp"
@@ -19,7 +19,8 @@ std::string ratio_of(Draft& draft, std::size_t index, JointType other) {
   const Joint& joint = draft.robot.joints[index];
   const FileNumber& ratio = joint.mimic->multiplier;
   const std::string unit = ratio_unit(joint.type, other);
-  const bool is_sign = unit == "1" && cln::abs(ratio.value) == 1;  // 1 rad/m is no 1
+  // 1 rad/m has a unit, so it stays a parameter
+  const bool is_sign = unit == "1" && cln::abs(ratio.value) == 1;
   if (is_sign) return cln::minusp(ratio.value) ? "-1" : "1";
   return draft.glossary.parameter("ratio_" + draft.glossary.joint(index), ratio, unit);
 }
@@ -46,7 +47,7 @@ void draft_damping(Draft& draft, std::size_t index, const Coupling& coupling) {
       "1/2*{}*{}^2", damping, coupling.has_sign_only() ? plain : "(" + coupling.rate() + ")"));
 }
 
-/// Dry friction, made smooth: -friction*tanh(rate/stiction_rate).
+/// Dry friction, smoothed: -friction*tanh(rate/stiction_rate).
 void draft_friction(Draft& draft, std::size_t index, const Coupling& coupling) {
   const Joint& joint = draft.robot.joints[index];
   const std::string& name = draft.glossary.joint(index);
@@ -68,7 +69,7 @@ void draft_friction(Draft& draft, std::size_t index, const Coupling& coupling) {
   draft.forces.push_back(table.text());
 }
 
-/// J N^2 of a rotor, by the square of what the joint turns with its coordinate.
+/// Armature of a rotor: J N^2, times the squared factor between joint and coordinate.
 void draft_rotor(Draft& draft, std::size_t index, const Coupling& coupling) {
   const Joint& joint = draft.robot.joints[index];
   if (!has_rotor(joint)) return;
@@ -87,7 +88,7 @@ void draft_rotor(Draft& draft, std::size_t index, const Coupling& coupling) {
   sum_of_all = sum(sum_of_all, armature);
 }
 
-/// The place at which a joint is held.
+/// The position at which a joint is held.
 std::string weld_of(Draft& draft, std::size_t index) {
   const Joint& joint = draft.robot.joints[index];
   if (joint.type != JointType::prismatic) {
@@ -98,7 +99,7 @@ std::string weld_of(Draft& draft, std::size_t index) {
 
 std::string in_brackets(const std::string& expression) { return "(" + expression + ")"; }
 
-/// Blanks stand around the signs of a sum only; those within brackets are of another one.
+/// Only the signs of sums have spaces around them; spaces inside brackets belong to another sum.
 bool is_sum(const std::string& expression) {
   int depth = 0;
   for (const char c : expression) {

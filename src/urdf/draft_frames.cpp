@@ -1,4 +1,5 @@
-// A joint's origin and its motion as frames of the model, and an <inertial> as a body in its frame.
+// The origin and motion of a joint as frames of the model, and an <inertial> as a body in its
+// frame.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +47,7 @@ std::vector<std::string> inertia_of(Glossary& glossary, const std::string& link,
   return inertia;
 }
 
-/// Six inertias on two lines: first the diagonal.
+/// The entries of an inertia; six entries take two lines, with the diagonal first.
 std::string inertia_text(const std::vector<std::string>& inertia) {
   std::string text;
   for (std::size_t i = 0; i < inertia.size(); ++i) {
@@ -55,7 +56,7 @@ std::string inertia_text(const std::vector<std::string>& inertia) {
   return "[" + text + "]";
 }
 
-/// Adds a frame in the axes of the inertia; its name.
+/// Adds a frame in the axes of the inertia; returns its name.
 std::string add_axes(Draft& draft, const std::string& link, const Inertial& inertial,
                      const Components& com) {
   const RollPitchYaw rotation = rotation_of(inertial.origin.rpy, draft.robot.digits);

@@ -1,4 +1,4 @@
-// A joint: its coordinates, what drives it, and how it moves.
+// A joint: its coordinates, its inputs, and its motion.
 #include <fmt/format.h>
 
 #include "base/toml_text.hpp"
@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::string_view full_turn = "[\"-pi\", \"pi\"]";
 
-/// [-87, 87]; empty where there is no limit.
+/// [-87, 87]; "" if there is no limit.
 std::string symmetric_range(const std::optional<FileNumber>& limit) {
   if (!limit || limit->is_zero()) return {};
   return toml_list({toml_number("-" + limit->text), toml_number(limit->text)});
 }
 
-/// "sqrt(0.7^2 + 0.7^2)", or "1" where an oblique axis has exactly length 1.
+/// The length of an oblique axis: "sqrt(0.7^2 + 0.7^2)", or "1" if it is exactly 1.
 std::string length_of(const Vector& axis) {
   cln::cl_RA square = 0;
   std::string terms;
@@ -30,7 +30,7 @@ std::string length_of(const Vector& axis) {
   return square == 1 ? "1" : "sqrt(" + terms + ")";
 }
 
-/// At most one step.
+/// The step of a rotation about an axis; empty if the angle is "0".
 std::vector<std::string> turn_by(const std::string& angle, const Vector& xyz, AngleDigits digits) {
   if (angle == "0") return {};
   const Axis axis = axis_of(xyz, digits);
@@ -98,7 +98,7 @@ class JointDrafter {
     return coupling;
   }
 
-  /// `range` and `rates` are lists of TOML, or empty; so may be the symbol.
+  /// `symbol`, `range` and `rates` may be empty; the latter two are TOML lists.
   void add_coordinate(const std::string& name, std::string_view unit, const std::string& symbol,
                       const std::string& range, const std::string& rates = {}) {
     TomlTable table("[[coordinate]]");
@@ -126,7 +126,7 @@ class JointDrafter {
                    symmetric_range(limit.velocity));
   }
 
-  /// A torque or force on a coordinate.
+  /// Adds a torque or force on a coordinate.
   void add_input(const std::string& coordinate, bool turns, const std::string& limits = {}) {
     TomlTable table("[[input]]");
     table.add("name", toml_string(glossary_.claim((turns ? "tau_" : "f_") + coordinate, "input")));
@@ -138,7 +138,7 @@ class JointDrafter {
     draft_.inputs.push_back({branch_.joint, std::move(table)});
   }
 
-  /// A coordinate called NAME_end, in formulas as that of a body alone.
+  /// Adds a coordinate NAME_end; its symbol is the same as for a free body.
   std::string draft_free(const std::string& end, const std::string& unit,
                          const std::string& symbol) {
     const std::string name = glossary_.claim(name_ + "_" + end, "joint");

@@ -1,4 +1,4 @@
-// Takes an element apart, and remembers what was taken.
+// Reads attributes and children of an element, and notes the unread content.
 #include "urdf/element_reader.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace elgen::urdf {
 
 namespace {
 
-/// Spellings of XML itself, which say nothing about a robot.
+/// Attributes of XML itself, which do not describe the robot.
 bool belongs_to_xml(std::string_view name) {
   return name.starts_with("xmlns") || name.starts_with("xml:");
 }
@@ -47,7 +47,7 @@ const Extension* extension_of(const Element& element) {
   const std::string_view name(element.name);
   const auto row =
       std::ranges::find(extensions, name.substr(name.rfind(':') + 1), &Extension::name);
-  // A `<joint>` of `<ros2_control>` names one of the robot and has no type.
+  // A `<joint>` in `<ros2_control>` refers to a joint of the robot; it has no `type`.
   const bool names_other =
       name == "joint" &&
       std::ranges::find(element.attributes, "type", &Attribute::name) == element.attributes.end();
@@ -63,7 +63,7 @@ std::string child_text(const Element& parent, const Element& child) {
   return fmt::format("{} in `<{}>`", in_backticks("<" + child.name + ">"), parent.name);
 }
 
-/// E822 for the child, or for elements inside it; false if none changes the mechanics.
+/// E822 for the child, or for elements inside it; false if none affects the motion.
 bool warn_of_mechanics(const Element& parent, const Element& child, Diagnostics& found) {
   if (const Extension* extension = extension_of(child)) {
     found.push_back(lost(child.span, child_text(parent, child), extension->remedy));
@@ -76,7 +76,7 @@ bool warn_of_mechanics(const Element& parent, const Element& child, Diagnostics&
   return warned;
 }
 
-/// Whether an attribute that URDF does not have is a spring or a rotor: `stiffness="3"`.
+/// Whether a non-URDF attribute is a spring or a rotor: `stiffness="3"`.
 bool changes_mechanics(const Attribute& attribute, const Limits& limits) {
   if (!attribute.name.ends_with("stiffness") && attribute.name != "armature") return false;
   const Result<FileNumber> number = read_decimal(attribute.span, limits);

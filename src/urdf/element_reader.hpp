@@ -1,4 +1,4 @@
-// ElementReader: takes attributes and children from one element; what nobody took becomes a note.
+// ElementReader: reads attributes and children of one element; all unread content becomes a note.
 #pragma once
 
 #include <initializer_list>
@@ -15,19 +15,20 @@ class ElementReader {
   ElementReader(const Element& element, RobotReading& reading)
       : element_(element), reading_(reading) {}
 
-  /// The attribute's text, empty where it is absent.
+  /// The text of an attribute; empty if it is absent.
   Text text(std::string_view name);
-  /// The same; E803 where it is absent.
+  /// The text of an attribute; E803 if it is absent or empty.
   Text required_text(std::string_view name);
 
-  /// E804 where it is no number.
+  /// E804 if the attribute is no number.
   std::optional<FileNumber> number(std::string_view name);
   std::optional<FileNumber> required_number(std::string_view name);
 
-  /// Three numbers: E805 where there are not three. False, and unchanged, where they are not there.
+  /// Three numbers; E805 for another count, E804. False and `vector` unchanged if they are absent
+  /// or wrong.
   bool vector(std::string_view name, Vector& vector);
 
-  /// Reads the first child of this name, where there is one, and notes what `read` left of it.
+  /// Reads the first child of this name, if any, and notes the content that `read` did not read.
   template <class Read>
   void child(std::string_view name, const Read& read) {
     if (const Element* found = first_child(name)) {
@@ -36,7 +37,7 @@ class ElementReader {
       reader.note_the_rest();
     }
   }
-  /// The same; E803 where there is none.
+  /// Like child(); E803 if there is no such child.
   template <class Read>
   void required_child(std::string_view name, const Read& read) {
     if (first_child(name) == nullptr) report_missing("element", name);
@@ -45,11 +46,11 @@ class ElementReader {
   [[nodiscard]] const Span& span() const { return element_.span; }
   std::vector<const Element*> children(std::string_view name);
 
-  /// Takes what has no part in the motion, silently.
+  /// Marks attributes and children as read, because they do not affect the motion.
   void ignore(std::initializer_list<std::string_view> names);
 
-  /// E815 for every attribute and child that was not taken, or E822 if it, or an element inside it,
-  /// changes the mechanics.
+  /// E815 for every unread attribute and child; E822 instead if it, or an element inside it,
+  /// affects the motion.
   void note_the_rest() const;
 
  private:
@@ -63,7 +64,7 @@ class ElementReader {
   std::set<const void*> taken_ = {};
 };
 
-/// An `<origin>` among the children, or none.
+/// The `<origin>` among the children; zeros if there is none.
 [[nodiscard]] Pose read_origin(ElementReader& parent);
 
 }  // namespace elgen::urdf

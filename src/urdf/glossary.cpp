@@ -1,5 +1,5 @@
-// Coordinates are named first, then frames: where a joint and its link share a name, the joint
-// keeps it.
+// Coordinates get their names first, then frames: if a joint and its link have the same name, the
+// joint keeps it.
 #include "urdf/glossary.hpp"
 
 #include <fmt/ranges.h>
@@ -15,7 +15,7 @@ namespace elgen::urdf {
 
 namespace {
 
-/// A parameter is a member of a struct, whose initialisers call these.
+/// Parameters are members of a struct whose initialisers use these names.
 constexpr std::array<std::string_view, 5> names_of_headers{"Parameters", "Scalar", "constant",
                                                            "detail", "std"};
 
@@ -24,7 +24,7 @@ bool is_reserved(const std::string& name) {
          std::ranges::find(names_of_headers, name) != names_of_headers.end();
 }
 
-/// "q", "q1" and "q_1" are symbols as they are.
+/// "q", "q1" and "q_1" are short enough to be symbols.
 bool is_long(const std::string& name) { return name.size() > 1 && is_letter(name[1]); }
 
 /// m_1 or I_{xx,1}
@@ -100,7 +100,7 @@ std::string Glossary::symbol(std::size_t joint) const {
   return numbers_[joint].empty() ? "" : with_script("q", numbers_[joint]);
 }
 
-/// "Ixx_elbow" -> I_{xx,2}, "damping_elbow" -> \mathrm{damping}_2; empty for names not made so.
+/// "Ixx_elbow" -> I_{xx,2}, "damping_elbow" -> \mathrm{damping}_2; empty for names of another form.
 std::string Glossary::parameter_symbol(const std::string& name) const {
   const std::string& number = numbers_[open_.joint];
   const std::string& joint = joints_[open_.joint];
@@ -128,7 +128,8 @@ std::string Glossary::parameter(const std::string& name, const FileNumber& numbe
                                 const std::string& unit, const std::string& more) {
   if (number.is_zero()) return "0";
   const std::string claimed = names_.claim(name, "parameter");
-  const bool is_negative = number.text.front() == '-';  // then what `more` assumes is not so
+  // a negative value violates the assumption in `more`
+  const bool is_negative = number.text.front() == '-';
   std::vector<std::string> last;
   if (!more.empty() && !is_negative) last.push_back(more);
   const std::string symbol = parameter_symbol(name);

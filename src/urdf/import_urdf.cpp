@@ -19,7 +19,7 @@ void append(Diagnostics& to, const Diagnostics& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// A robot of one link, or of fixed joints alone, becomes a body that flies.
+/// A robot with a single link, or with fixed joints only, becomes a free body.
 Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked_for,
                                Diagnostics& found) {
   const Text& root = robot.links[tree.root].name;
@@ -36,7 +36,7 @@ Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked
   return make_tree(robot);
 }
 
-/// Options have no effect where something is wrong already.
+/// After other errors, options have no effect.
 Result<LinkTree> chosen_tree(Robot& robot, const ImportOptions& options, Diagnostics& found) {
   Result<LinkTree> tree = make_tree(robot);
   append(found, tree.diagnostics);
@@ -49,7 +49,7 @@ Result<LinkTree> chosen_tree(Robot& robot, const ImportOptions& options, Diagnos
   return floats ? floating_tree(robot, *tree, options.floating_base, found) : tree;
 }
 
-/// E802 alone says that a file is of another format, or to be expanded: the rest is dropped.
+/// If the file has another format or is not expanded, only E802 is reported.
 Diagnostics foreign_only(Diagnostics found) {
   std::erase_if(found, [](const Diagnostic& diagnostic) { return diagnostic.code != Code::E802; });
   return found;

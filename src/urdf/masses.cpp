@@ -1,4 +1,4 @@
-// masses: whatever joints move must have mass, and an inertia that a rigid body can have.
+// masses: every moving joint must move mass, and every inertia must belong to a rigid body.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 enum class Behind : unsigned char { everything, what_is_held };
 
-/// By link, whether it or a link that it carries has mass or inertia.
+/// By link: whether it, or a link that it carries, has mass or inertia.
 std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Behind behind,
                                 bool (Link::*has)() const = &Link::has_mass) {
   std::vector<bool> massive;
@@ -26,7 +26,7 @@ std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Behind
   return massive;
 }
 
-/// Whether a joint moves mass, or turns an inertia; by joint.
+/// By joint: whether it moves mass, or turns an inertia.
 std::vector<bool> movers(const Robot& robot, const LinkTree& tree, Behind behind) {
   const std::vector<bool> massive = massive_links(robot, tree, behind);
   const std::vector<bool> inert = massive_links(robot, tree, behind, &Link::has_inertia);
@@ -39,8 +39,8 @@ std::vector<bool> movers(const Robot& robot, const LinkTree& tree, Behind behind
   return result;
 }
 
-/// Whether a joint's coordinate moves mass: behind itself, or behind a joint that mimics it, or a
-/// rotor; by joint.
+/// By joint: whether its coordinate moves mass behind the joint itself or behind a joint that
+/// mimics it, or a rotor.
 std::vector<bool> joints_with_mass(const Robot& robot, const LinkTree& tree) {
   const std::vector<bool> moves = movers(robot, tree, Behind::everything);
   std::vector<bool> result(robot.joints.size());
@@ -71,9 +71,9 @@ bool are_zero(const auto& numbers) {
   return std::ranges::all_of(numbers, [](const FileNumber& x) { return x.is_zero(); });
 }
 
-/// Whether a link, or what fixed joints hold to it, has inertia about an axis through its origin:
-/// anything but points on the axis. Mass that other joints move is elsewhere, if only at times, and
-/// so may be what is turned.
+/// Whether a link, with the links fixed to it, has inertia about an axis through its origin. Only
+/// points on the axis have none. Mass behind a moving joint counts as inertia, because it may leave
+/// the axis; so does mass behind a fixed joint that is rotated or off the axis.
 class InertiaAbout {
  public:
   InertiaAbout(const Robot& robot, const LinkTree& tree, std::size_t axis)
@@ -114,7 +114,7 @@ class InertiaAbout {
   std::vector<bool> inert_;
 };
 
-/// Whether turning about the normal of a planar joint moves mass.
+/// Whether a rotation about the normal of a planar joint moves mass.
 bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& planar) {
   const std::size_t normal = *axis_of(robot.joints[planar.joint].axis, AngleDigits::rounded).along;
   const InertiaAbout about(robot, tree, normal);
@@ -122,7 +122,7 @@ bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& plana
   return is_rotor_alone || about.has(planar.child);
 }
 
-/// The mass that a joint moves: whether there is any, and whether it moves at once or further on.
+/// Whether a joint moves mass at all, and whether it moves some without another joint in between.
 struct MovedMass {
   bool has_mass = false;
   bool has_mass_at_once = false;
@@ -145,7 +145,7 @@ void check_joint(const Robot& robot, const Branch& branch, const MovedMass& move
   }
 }
 
-/// Links that fixed joints hold to the root, which is the world; whoever calls it so knows.
+/// E817: links with mass that are fixed to the root. A root with the name `world` is intended.
 void check_world(const Robot& robot, const LinkTree& tree, Diagnostics& found) {
   const Link& root = robot.links[tree.root];
   if (root.name.text == "world") return;

@@ -1,4 +1,4 @@
-// Numbers: C's decimal notation, which URDF files are written in, to that of TOML.
+// Converts C's decimal notation of URDF files to TOML's.
 #include "urdf/numbers.hpp"
 
 #include <cln/real.h>
@@ -27,7 +27,7 @@ bool take(std::string_view& rest, std::string_view any_of) {
   return true;
 }
 
-/// "e-3", or nothing where there is no exponent; not a value where it has no digits.
+/// "e-3", or "" without an exponent; none if the exponent has no digits.
 std::optional<std::string> take_exponent(std::string_view& rest) {
   if (!take(rest, "eE")) return std::string();
   std::string exponent = "e";
@@ -45,7 +45,7 @@ bool is_nonzero(const std::string& digits) {
   return digits.find_first_not_of('0') != std::string::npos;
 }
 
-/// The number without its sign as TOML writes it; not a value where `rest` is none.
+/// The number without its sign in TOML's notation; none if `rest` is no number.
 std::optional<std::string> spelled(std::string_view rest) {
   std::string whole = take_digits(rest);
   std::string fraction;

@@ -1,4 +1,4 @@
-// Numbers of a URDF: their digits, as TOML writes them, and their exact value; never a double.
+// Numbers of a URDF: their digits, as TOML writes them, and their exact values; never a double.
 #pragma once
 
 #include <cln/rational.h>
@@ -21,12 +21,12 @@ struct FileNumber {
   [[nodiscard]] bool is_zero() const { return text == "0"; }
 };
 
-/// The advice for a file that is still to be expanded.
+/// Hint on a file that xacro has not expanded yet.
 inline constexpr std::string_view xacro_remedy =
     "expand the file first: `xacro FILE > robot.urdf`, in ROS 2 `ros2 run xacro xacro FILE > "
     "robot.urdf`";
 
-/// xacro_remedy where the text holds what xacro would have replaced: "$(arg x)", "${pi/2}".
+/// xacro_remedy if the text contains a macro of xacro, "$(arg x)" or "${pi/2}"; "" otherwise.
 [[nodiscard]] std::string remedy_of(const Span& span);
 
 /// "inf", "-Infinity", "nan"
@@ -36,16 +36,16 @@ using Vector = std::array<FileNumber, 3>;
 
 [[nodiscard]] FileNumber decimal_of(int value);
 
-/// Only to find out what a number is near to; numbers that are kept stay decimals. Beyond the range
-/// of double everything is large or small alike.
+/// Only for comparisons with a tolerance; stored numbers stay decimals. Magnitudes above 1e9 become
+/// 1e9, magnitudes below 1e-27 become 0.
 [[nodiscard]] double approximate(const cln::cl_RA& value);
 
 [[nodiscard]] FileNumber negative(FileNumber number);
 
-/// The number that a span covers. E804: no decimal number, or not finite; E903, E904: limits.
+/// The number in a span. E804: no decimal number, or not finite; E903, E904: limits.
 [[nodiscard]] Result<FileNumber> read_decimal(const Span& span, const Limits& limits);
 
-/// The spans of the words a span covers.
+/// The spans of the words in a span.
 [[nodiscard]] std::vector<Span> words_of(const Span& span);
 
 }  // namespace elgen::urdf

@@ -1,7 +1,6 @@
-// <robot>: its links with their masses and inertias (shapes are no mechanics), its joints (how a
-// link moves in its parent, and what limits, brakes and drives it), and the rotors of its
-// transmissions. Elements that xacro would have expanded are refused, because what they stand for
-// is missing.
+// <robot>: links with masses and inertias (shapes do not affect the motion), joints with limits,
+// damping and friction, and the rotors of transmissions. Unexpanded elements of xacro are refused,
+// because their content is missing.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -14,7 +13,7 @@ namespace elgen::urdf {
 
 namespace {
 
-/// Once for all of them.
+/// E802 once, at the first macro.
 void refuse_macros(ElementReader& reader, const Element& root, Diagnostics& found) {
   bool is_first = true;
   for (const Element& child : root.children) {
@@ -29,7 +28,7 @@ void refuse_macros(ElementReader& reader, const Element& root, Diagnostics& foun
   }
 }
 
-/// Other formats of robots, by their root elements.
+/// Other robot formats, by their root elements.
 struct ForeignFormat {
   std::string_view element;
   std::string_view name;
@@ -98,7 +97,7 @@ FileNumber value_of(const Element& element, RobotReading& reading) {
   return ElementReader(element, reading).required_number("value").value_or(FileNumber{});
 }
 
-/// The rotor of a joint of the robot, as Drake's elements have it.
+/// The rotor of a joint, from the elements of Drake.
 void read_transmission(const Element& element, Robot& robot, RobotReading& reading) {
   const Element* actuator = child_of(&element, "actuator");
   const Element* inertia = child_of(actuator, "drake:rotor_inertia");
@@ -135,7 +134,7 @@ constexpr std::array types{
     TypeRow{JointType::floating, "floating"},   TypeRow{JointType::planar, "planar"},
 };
 
-/// Joints of Bullet and Drake that turn in all directions.
+/// Names of ball joints in Bullet and Drake.
 constexpr std::array<std::string_view, 2> balls{"spherical", "ball"};
 
 std::string type_hint(const std::string& type) {
@@ -152,7 +151,7 @@ JointType read_type(ElementReader& joint, RobotReading& reading) {
   const Text text = joint.required_text("type");
   const auto row = std::ranges::find(types, text.text, &TypeRow::word);
   if (row != types.end()) return row->type;
-  if (text.text.empty()) return JointType::fixed;  // E803 was said
+  if (text.text.empty()) return JointType::fixed;  // E803 is already reported
   reading.found.push_back({Code::E806, text.span,
                            fmt::format("{} is no type of joint", in_backticks(text.text)),
                            type_hint(text.text)});
@@ -184,7 +183,7 @@ void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
 
 constexpr const char* no_limit = "the model has no such limit";
 
-/// Limits are no part of the equations: one that cannot be means that there is none.
+/// Limits do not affect the equations, so an invalid limit is dropped with E814.
 std::optional<FileNumber> read_bound(ElementReader& limit, std::string_view name, bool is_signed,
                                      Diagnostics& found) {
   const Text text = limit.text(name);
@@ -222,7 +221,7 @@ void read_dynamics(ElementReader& reader, Joint& joint) {
   });
 }
 
-/// Damping and friction that the model does without: of joints with several coordinates.
+/// E822 for damping and friction of joints with several coordinates, which are not imported.
 void warn_of_dynamics(ElementReader& reader, const Joint& joint, Diagnostics& found) {
   reader.child("dynamics", [&](ElementReader& dynamics) {
     for (const char* const name : {"damping", "friction"}) {
@@ -236,7 +235,7 @@ void warn_of_dynamics(ElementReader& reader, const Joint& joint, Diagnostics& fo
   });
 }
 
-/// Robots whose grippers were made fixed keep the element.
+/// E815: robots whose gripper joints were changed to fixed keep the element.
 void note_mimic_of_fixed(ElementReader& reader, RobotReading& reading) {
   for (const Element* mimic : reader.children("mimic")) {
     reading.found.push_back({Code::E815, mimic->span,
@@ -280,7 +279,7 @@ Joint read_joint(const Element& element, RobotReading& reading) {
   return joint;
 }
 
-/// SDF and Drake have a world that no file declares.
+/// SDF and Drake have an implicit link `world`.
 void add_world(Robot& robot) {
   const auto is_world = [](const Link& link) { return link.name.text == "world"; };
   const auto hangs_on_it = [](const Joint& joint) { return joint.parent.text == "world"; };

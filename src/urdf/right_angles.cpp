@@ -1,5 +1,5 @@
-// How far poses are from those of the file, where angles are taken for right ones: bounds that hold
-// wherever the joints are.
+// Bounds on the change of poses by rounding angles to right angles. The bounds hold for all joint
+// positions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class RightAngles {
   }
 
  private:
-  /// The pose of a link, from that of its parent.
+  /// The change of a link's pose, from its parent's.
   void carry(const Branch& branch) {
     const Joint& joint = robot_.joints[branch.joint];
     PoseChange change = changes_[branch.parent];
@@ -61,7 +61,7 @@ class RightAngles {
     take(change);
   }
 
-  /// Counts them, too.
+  /// The change by a rotation; also counts the rounded angles.
   double turn_of(const Vector& rpy) {
     double change = 0.0;
     for (const Angle& angle : rotation_of(rpy, robot_.digits).rpy) {

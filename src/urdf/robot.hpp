@@ -1,5 +1,5 @@
-// Robot: a URDF file as written, numbers exact and with their digits, every piece with its span,
-// and what options make of it.
+// Robot: a URDF file as written, with exact numbers, their digits and all spans, and with the
+// changes by options.
 //
 // read_robot() checks what needs no knowledge of other elements; make_tree() (tree.hpp) the rest.
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace elgen::urdf {
 
-/// A text of the file, where a message may point.
+/// A text of the file, with the span for messages.
 struct Text {
   std::string text = {};
   Span span = {};
@@ -66,7 +66,7 @@ struct Mimic {
   FileNumber offset = {};
 };
 
-/// A motor's rotor, which turns gear_ratio times as fast as the joint.
+/// The rotor of a motor; it turns gear_ratio times as fast as the joint.
 struct Rotor {
   FileNumber inertia = {};
   FileNumber gear_ratio = decimal_of(1);
@@ -78,16 +78,16 @@ struct Joint {
   Text parent = {};
   Text child = {};
   Pose origin = {};
-  Vector axis = {decimal_of(1), decimal_of(0), decimal_of(0)};  ///< URDF's, where it has none
+  Vector axis = {decimal_of(1), decimal_of(0), decimal_of(0)};  ///< URDF's default
   Span axis_span = {};
   JointLimit limit = {};
   FileNumber damping = {};
   FileNumber friction = {};
   std::optional<Mimic> mimic = {};
   std::optional<Rotor> rotor = {};
-  std::optional<FileNumber> welded = {};  ///< the position it is held at
-  bool is_angle_welded = false;           ///< of a planar joint: only its lengths move
-  std::size_t rank = 0;                   ///< coordinates stand in this order
+  std::optional<FileNumber> welded = {};  ///< the position at which the joint is held
+  bool is_angle_welded = false;           ///< of a planar joint: only its lengths change
+  std::size_t rank = 0;                   ///< sort key of the coordinates
 
   [[nodiscard]] bool moves() const { return type != JointType::fixed && !welded; }
 };
@@ -99,8 +99,8 @@ struct Joint {
 
 struct Robot {
   std::string file = {};   ///< name of the file, without its folders
-  std::string name = {};   ///< the file's, where the robot has none
-  std::string model = {};  ///< what the model is called
+  std::string name = {};   ///< the file's name if the robot has none
+  std::string model = {};  ///< the name of the model
   Span span = {};          ///< `robot` in its tag
   bool is_of_xacro = false;
   AngleDigits digits = AngleDigits::rounded;
@@ -112,11 +112,11 @@ struct Robot {
   return std::ranges::any_of(robot.links, &Link::has_mass);
 }
 
-/// The limits and the diagnostics that reading a robot shares.
+/// Limits and diagnostics shared while a robot is read.
 struct RobotReading {
   const Limits& limits;
   Diagnostics& found;
-  std::string file = {};  ///< the name of the file; empty: that of the source
+  std::string file = {};  ///< the name of the file; empty: the source's name
 };
 
 /// E802 to E806, E811, E813, E814, E822; notes E815. Missing values keep their defaults.

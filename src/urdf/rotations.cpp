@@ -1,4 +1,4 @@
-// Quarter turns are signed permutations of the axes, so what they turn keeps its digits.
+// Quarter turns are signed permutations of the axes, so rotated numbers keep their digits.
 #include "urdf/rotations.hpp"
 
 #include <cln/float.h>
@@ -17,7 +17,7 @@ constexpr double tolerance = 1e-5;  // rad
 constexpr double right_angle = 1.5707963267948966;
 constexpr unsigned exact_digits = 40;
 
-/// How far a number is from a multiple of a right angle.
+/// Distance of a number from a multiple of a right angle, in rad.
 double distance(const cln::cl_RA& value, int right_angles) {
   const cln::float_format_t precision = cln::float_format(exact_digits);
   const cln::cl_R exact = cln::cl_float(value, precision);
@@ -31,14 +31,14 @@ std::string multiple_of_right_angle(int count) {
   return sign + (times == 1 ? "" : fmt::format("{}*", times)) + (size % 2 == 0 ? "pi" : "pi/2");
 }
 
-/// Row i of a signed permutation has `sign` in column `from`: component i of R x is sign * x[from].
+/// Row i of a signed permutation has `sign` in column `from`: (R x)[i] = sign * x[from].
 struct SignedAxis {
   std::size_t from = 0;
   int sign = 1;
 };
 using Permutation = std::array<SignedAxis, 3>;
 
-/// One quarter turn about an axis, after another rotation.
+/// A quarter turn about an axis, applied after another rotation.
 Permutation turned(const Permutation& before, std::size_t axis) {
   const std::size_t next = (axis + 1) % 3;
   const std::size_t last = (axis + 2) % 3;
@@ -58,7 +58,7 @@ Angle angle_of(const FileNumber& number, AngleDigits digits) {
   if (number.is_zero()) return {};
   if (digits == AngleDigits::kept) return {number.text, std::nullopt};
   const double angle = approximate(number.value);
-  constexpr double largest = 1e6;  // beyond, nobody means a multiple of a right angle
+  constexpr double largest = 1e6;  // larger angles are never meant as multiples of a right angle
   if (std::abs(angle) > largest) return {number.text, std::nullopt};
   const double count = std::round(angle / right_angle);
   if (std::abs(angle - count * right_angle) > tolerance) return {number.text, std::nullopt};

@@ -1,6 +1,7 @@
-// Constant rotations and axes. URDF writes a right angle as 1.57079632679, which is none: sine and
-// cosine of it are small numbers instead of 0, and the structure of the equations is lost. So what
-// is within 1e-5 rad of a right angle, or of an axis, is taken for it.
+// Constant rotations and axes. URDF files write a right angle as 1.57079632679. Its sine and cosine
+// are then small numbers instead of 0, and the structure of the equations is lost. Angles within
+// 1e-5 rad of a multiple of a right angle, and directions within 1e-5 rad of an axis, are therefore
+// rounded to it.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +12,14 @@
 
 namespace elgen::urdf {
 
-/// Whether what is near a right angle is taken for it.
+/// Whether angles and axes close to right angles are rounded.
 enum class AngleDigits : unsigned char { rounded, kept };
 
 struct Angle {
   std::string text = "0";                ///< "-pi/2", or the digits of the file
-  std::optional<int> quarter_turns = 0;  ///< where it is a multiple of a right angle
-  bool is_rounded = false;               ///< the file has other digits
-  double change = 0.0;                   ///< by that, rad
+  std::optional<int> quarter_turns = 0;  ///< if it is a multiple of a right angle
+  bool is_rounded = false;               ///< the file may have other digits
+  double change = 0.0;                   ///< by rounding, in rad
 
   [[nodiscard]] bool is_zero() const { return text == "0"; }
 };
@@ -34,7 +35,7 @@ struct RollPitchYaw {
 
 [[nodiscard]] RollPitchYaw rotation_of(const Vector& rpy, AngleDigits digits);
 
-/// R I R^T (xx yy zz xy xz yz), digit by digit; not a value unless all angles are quarter turns.
+/// R I R^T (xx yy zz xy xz yz), with the digits of I; none unless all angles are quarter turns.
 [[nodiscard]] std::optional<std::array<FileNumber, 6>> rotated(
     const RollPitchYaw& rotation, const std::array<FileNumber, 6>& inertia);
 
@@ -43,7 +44,7 @@ struct Axis {
   std::optional<std::size_t> along = {};  ///< 0 x, 1 y, 2 z
   bool is_reversed = false;               ///< along -x, -y, -z
   bool is_rounded = false;
-  double change = 0.0;  ///< by that, rad
+  double change = 0.0;  ///< by rounding, in rad
 };
 
 [[nodiscard]] Axis axis_of(const Vector& direction, AngleDigits digits);

@@ -1,4 +1,4 @@
-// Names become indices, and the joints a tree.
+// Converts names to indices, and joins the links to a tree.
 #include "urdf/tree.hpp"
 
 #include <fmt/format.h>
@@ -21,12 +21,13 @@ std::vector<std::string> names_of(const Indices& indices) {
   return names;
 }
 
-/// The error of a second element where there may be one; the first is shown as well.
+/// The error of a second element where only one is allowed; it also shows the first.
 Diagnostic second(Code code, const Span& span, std::string message, const Span& first) {
   return {code, span, std::move(message), {}, first, "the first is here"};
 }
 
-/// Every element by its name; E807 for the second of one name. Nameless ones were reported.
+/// The index of every element by its name; E807 for a duplicate. Missing names are already
+/// reported.
 template <class Named>
 Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Diagnostics& found) {
   Indices indices;
@@ -107,7 +108,7 @@ class TreeMaker {
 
   std::optional<std::size_t> link_of(const Text& name) {
     is_connected_ = is_connected_ && !name.text.empty();
-    if (name.text.empty()) return std::nullopt;  // E803 was said
+    if (name.text.empty()) return std::nullopt;  // E803 is already reported
     const auto link = links_.find(name.text);
     if (link != links_.end()) return link->second;
     found_.push_back({Code::E808, name.span,
@@ -165,7 +166,7 @@ class TreeMaker {
     if (left != reached.end()) report_loop(static_cast<std::size_t>(left - reached.begin()));
   }
 
-  /// Walks upwards from a link that hangs on no root: the path ends in a loop.
+  /// Walks upwards from a link that is not connected to a root; the path ends in a loop.
   void report_loop(std::size_t link) {
     std::set<std::size_t> seen;
     while (seen.insert(link).second) link = parent_of(link);
@@ -182,9 +183,9 @@ class TreeMaker {
     return links_.at(robot_.joints[*joint_above_[link]].parent.text);
   }
 
-  /// Whoever mimics itself by way of others has no coordinate to share.
+  /// E812: a joint that mimics itself through other joints has no coordinate to share.
   void follow_mimics(std::size_t index) {
-    constexpr int longest_chain = 100;  // every link of a chain is longer than the one before
+    constexpr int longest_chain = 100;  // the expressions grow with the length of the chain
     std::optional<std::size_t> at = tree_.mimicked[index];
     for (int length = 1; at && *at != index && length < longest_chain; ++length) {
       at = tree_.mimicked[*at];
@@ -203,7 +204,7 @@ class TreeMaker {
   Indices joints_;
   std::vector<std::optional<std::size_t>> joint_above_;  ///< by link
   std::vector<std::vector<std::size_t>> joints_below_;
-  bool is_connected_ = true;  ///< every joint names its links
+  bool is_connected_ = true;  ///< every joint has the names of its links
   LinkTree tree_ = {};
 };
 

@@ -1,5 +1,5 @@
-// LinkTree: which link hangs on which, in the order the model is written: parents first, and
-// otherwise in the order of the file.
+// LinkTree: the links as a tree, in the order of the model: parents first, otherwise in the order
+// of the file.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct Branch {
   std::size_t parent = 0;  ///< indices in Robot::links
   std::size_t child = 0;
   std::size_t depth = 0;  ///< joints between the root and the parent
-  bool moves = false;     ///< the child moves: a joint on its way to the root does
+  bool moves = false;     ///< a joint on the path from the root to the child moves
 };
 
 struct LinkTree {
@@ -23,7 +23,7 @@ struct LinkTree {
   std::vector<Branch> branches = {};
   std::vector<std::optional<std::size_t>> mimicked = {};  ///< by joint: the joint it mimics
 
-  /// The joint at the end of a chain of mimics, whose coordinate is shared.
+  /// The last joint of a chain of mimics; the chain shares its coordinate.
   [[nodiscard]] std::size_t leader(std::size_t joint) const {
     while (mimicked[joint]) joint = *mimicked[joint];
     return joint;
@@ -33,14 +33,14 @@ struct LinkTree {
   }
 };
 
-/// Fails unless the links form a tree (E807 to E809), or if a joint mimics in vain (E812).
+/// Fails if the links form no tree (E807 to E809) or a mimicked joint is invalid (E812).
 [[nodiscard]] Result<LinkTree> make_tree(const Robot& robot);
 
-/// E508, E810, E816, E817; E803 where nothing moves: masses that are missing, or in the wrong
-/// place.
+/// E508, E810, E816, E817: missing or misplaced masses and impossible inertias. E803: no link
+/// moves.
 [[nodiscard]] Diagnostics check_masses(const Robot& robot, const LinkTree& tree);
 
-/// E819, where angles or axes are not those of the file.
+/// E819 if angles or axes differ from the file.
 [[nodiscard]] Diagnostics note_right_angles(const Robot& robot, const LinkTree& tree);
 
 }  // namespace elgen::urdf

@@ -1,5 +1,5 @@
-// tinyxml2 parses in place: names and values are pointers into its copy of the text. So the place
-// of a piece is the difference of two pointers, once the first piece has been found in the source.
+// tinyxml2 parses in place: names and values are pointers into its copy of the text. Once the first
+// node is found in the source, the offset of any pointer is a difference of two pointers.
 #include "urdf/xml.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ Span span_at(const SourceText& source, std::size_t begin, std::size_t length) {
   return {&source, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(begin + length)};
 }
 
-/// A line without the blanks at its start.
+/// The span of a line without leading blanks.
 Span span_of_line(const SourceText& source, int line) {
   const auto last = static_cast<int>(source.line_starts.size());
   const std::string_view text =
@@ -60,16 +60,16 @@ std::size_t skip_blanks(std::string_view text, std::size_t position) {
   return std::min(text.find_first_not_of(" \t\r\n", position), text.size());
 }
 
-/// tinyxml2 compares every attribute with all before it.
+/// tinyxml2 compares every attribute with all previous attributes, at quadratic cost.
 constexpr std::size_t most_attributes = 1000;
 
-/// Behind the piece of text that begins at `position` and ends with `closing`.
+/// The position after the text that begins at `position` and ends with `closing`.
 std::size_t skip_piece(std::string_view text, std::size_t position, std::string_view closing) {
   const std::size_t end = text.find(closing, position + 1);
   return end == std::string_view::npos ? text.size() : end + closing.size();
 }
 
-/// Where an element has an attribute too many.
+/// The position of the first attribute beyond the limit in an element.
 std::optional<std::size_t> find_endless_element(std::string_view text) {
   std::size_t attributes = 0;
   bool is_inside = false;
@@ -91,8 +91,8 @@ std::optional<std::size_t> find_endless_element(std::string_view text) {
   return std::nullopt;
 }
 
-/// Where tinyxml2's copy of the text starts: its first node's text stands behind the node's opening
-/// characters.
+/// The start of tinyxml2's copy of the text, from the text of its first node, which follows the
+/// node's opening characters.
 const char* start_of_copy(const tinyxml2::XMLDocument& document, std::string_view text) {
   std::size_t first = skip_blanks(text, 0);
   if (text.substr(first, 3) == "\xEF\xBB\xBF") first = skip_blanks(text, first + 3);
@@ -126,7 +126,8 @@ class Copier {
     return span_at(source_, static_cast<std::size_t>(name - start_), std::string_view(name).size());
   }
 
-  /// In the source, entities and line ends may be longer than in the value: to the closing quote.
+  /// Entities and line ends may be longer in the source than in the value, so the span ends at the
+  /// closing quote.
   [[nodiscard]] Span value_span(const char* value) const {
     const auto begin = static_cast<std::size_t>(value - start_);
     const std::size_t end = source_.text.find(source_.text[begin - 1], begin);
