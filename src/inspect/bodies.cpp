@@ -1,12 +1,12 @@
-// E508: an inertia that no body has; a planar one is a number that is not negative.
-// E507: in the plane w = s(q, t).v + s0(q, t) must be d/dt of an angle(q, t).
+// E508: an inertia that no rigid body has; a planar inertia must not be negative. E507: in the
+// plane, w = s(q, t).v + s0(q, t) must be the time derivative of an angle(q, t).
 //
 // A function linear in the rates is a total time derivative iff its Euler-Lagrange expression
 //
 //     d/dt dw/dv_i - dw/dq_i = sum_j (ds_i/dq_j - ds_j/dq_i) v_j + ds_i/dt - ds0/dq_i
 //
-// vanishes identically: the curl and the time part in one. So the oracle is asked for the equation
-// of motion of the Lagrangian L = w.
+// vanishes identically: the curl and the time part in one. It is the equation of motion of the
+// Lagrangian L = w, which the oracle evaluates.
 #include <fmt/format.h>
 
 #include "elgen/inertia.hpp"
@@ -59,12 +59,12 @@ Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
   return bare;
 }
 
-/// Whether x is no more than the rounding of terms of the size of `scale` that cancel.
+/// Whether x is within the rounding error of cancelling terms of size `scale`.
 bool vanishes(const cl_R& x, const cl_R& scale) {
   return cln::abs(x) <= (1 + cln::abs(scale)) * power_of_ten(-50);
 }
 
-/// True where the Euler-Lagrange expression differs from zero at a sampled state.
+/// True if the Euler-Lagrange expression is not zero at a sampled state.
 bool has_curl(const Inspected& subject, ExpressionId spin) {
   const Model bare = with_lagrangian(subject.model, spin);
   for (unsigned seed = 0; seed < zero_samples; ++seed) {

@@ -1,11 +1,11 @@
-// E312, E313, E314, E910: constants without a value, and powers beyond all sizes, that show only
-// through names: definitions, functions of no t, components of points, fixed parameters, locks.
+// E312, E313, E314, E910: constants without a value, and too large powers, that only names reveal:
+// definitions, functions without t, components of points, fixed parameters, locks.
 //
-//     c = 2      asin(c)*x        the value of asin(c) is sought where it is used
+//     c = 2      asin(c)*x        the value of asin(c) is computed at its use
 //     x1 = x*x   x2 = x1*x1 ...   the degree is counted before anything is expanded
 //
-// check has evaluated what is written out. Here names are followed, operands before users, by the
-// same evaluate_constant(); what is known to too few digits proves nothing.
+// check has evaluated constants without names. Here names are followed, operands before users, with
+// the same evaluate_constant(). A value with too few known digits proves nothing.
 #include "check/names/constants.hpp"
 
 #include <cln/real_ring.h>
@@ -25,21 +25,21 @@ namespace {
 
 using cln::cl_R;
 
-/// Digits of pi and of roots: enough for a sine of what 300 decimal exponents reach.
+/// Digits of pi and of roots: enough for the sine of numbers up to 10^300.
 constexpr int most_digits = 400;
-/// With fewer a zero is not told from what cancelled.
+/// With fewer known digits, 0 cannot be distinguished from cancellation.
 constexpr int least_digits = 60;
 
-/// x^10000 leaves every scalar's range for all x that are not 1 to four digits.
+/// x^10000 leaves the range of every scalar, unless x is 1 to four digits.
 constexpr double largest_degree = 10'000;
 
-/// How far a product has grown: its degree in what varies, the digits of its numbers.
+/// The growth of a product: its degree in the variables, and the digits of its numbers.
 struct Growth {
   double degree = 0;
   double digits = 0;
 };
 
-/// A parameter that is fixed at an irrational value has fewer digits.
+/// A parameter that is fixed at an irrational value has only constant_digits.
 EnclosedNumber enclosed(const cl_R& fixed) {
   if (is_rational(fixed)) return {fixed, 0};
   return {cln::cl_float(fixed, cln::float_format(most_digits)),
@@ -58,7 +58,7 @@ double digits_of(const cl_R& number) {
   return is_unit ? 0 : static_cast<double>(digit_count(rational));
 }
 
-/// Whatever an open function is of.
+/// Whether the node has no operands to evaluate; the arguments of an open function do not count.
 bool is_last(const Expression& node) {
   return node.operands.empty() || node.kind == ExpressionKind::leaf;
 }
@@ -75,7 +75,7 @@ class NamedConstants {
         known_(model_.expressions.size()),
         growth_(model_.expressions.size()) {}
 
-  /// After all that it refers to.
+  /// Requires that all nodes that `id` refers to were visited.
   void visit(ExpressionId id) {
     const Expression& node = model_.expressions[id];
     const auto referred = references(model_, id);
@@ -90,7 +90,7 @@ class NamedConstants {
   Diagnostics take() { return std::move(found_); }
 
  private:
-  /// False where it has no value, which is then reported.
+  /// False if the node has no value; this is then reported.
   bool evaluate(ExpressionId id, const Expression& node) {
     if (is_leaf(node, Opcode::parameter)) {
       const auto& fixed = subject_.scene.specialisation.fixed;
@@ -143,7 +143,7 @@ class NamedConstants {
     growth = {};
   }
 
-  /// Products add, powers multiply, of a sum the largest term counts.
+  /// The growths of factors add, powers multiply, and the largest term of a sum counts.
   [[nodiscard]] Growth combined(const Expression& node) const {
     const bool adds = node.kind == ExpressionKind::multiply || node.kind == ExpressionKind::divide;
     Growth growth;
@@ -166,13 +166,13 @@ class NamedConstants {
     const bool is_operand = failure.operand && *failure.operand < node.operands.size();
     const Span span =
         is_operand ? model_.expressions[node.operands[*failure.operand]].span : node.span;
-    // Check refuses a number that is written out that long: this one came from an operation.
+    // check refuses a literal this long, so this number comes from an operation.
     const Code code = failure.code == Code::E914 ? Code::E910 : failure.code;
     found_.push_back({code, span, in_backticks(span) + " " + failure.message, values_in(node)});
     return false;
   }
 
-  /// "`c` is 2": the names in a node that has no value.
+  /// "`c` is 2": the values of the names in a node that has no value.
   [[nodiscard]] std::string values_in(const Expression& node) const {
     std::vector<std::string> values;
     std::vector<ExpressionId> stack(node.operands.rbegin(), node.operands.rend());
@@ -216,7 +216,7 @@ class NamedConstants {
 Diagnostics inspect_constants(const Inspected& subject) {
   NamedConstants names(subject);
   const Model& model = subject.model;
-  // Closed forms are judged where they are compared.
+  // Closed forms are checked later, when they are compared.
   const auto is_any = [](const Root&) { return true; };
   for (const ExpressionId id : reached(model, roots_if(model, is_any))) names.visit(id);
   return names.take();

@@ -1,9 +1,9 @@
 // E536: an equation whose row of A = dr/dv is 0 at every sampled state. E538: Newton's method finds
-// no pose from the start. E537: equations that follow from others.
+// no pose from the start. E537: an equation that follows from other equations.
 //
-// A is looked at where the constraints hold, from the start and from places around it: a rod that
-// another one makes redundant may do so there only. A combination of rows that is 0 is a null
-// vector of A^T; where each pose has one, the equations depend on each other.
+// A is evaluated at poses that meet the constraints, at the start and around it: a rod may be
+// redundant only there. A vanishing combination of rows is a null vector of A^T. If every pose has
+// one, the equations are dependent.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,10 +25,10 @@ using cln::cl_R;
 constexpr std::size_t other_pose_count = 3;
 constexpr unsigned pose_draws = 8;
 
-/// Whether a number is what rounding leaves of zero, in any unit.
+/// Whether a number is only rounding error, in any unit.
 bool is_nothing(const cl_R& x) { return cln::abs(x) < power_of_ten(-50); }
 
-/// Whether the row of A of each equation is 0 at every state that has one.
+/// By equation: whether its row of A is 0 at every sampled state at which A has a value.
 std::vector<bool> without_effect(const Inspected& subject) {
   const std::size_t n = subject.model.velocities.size();
   std::vector<bool> marks(subject.model.constraints.size(), true);
@@ -60,7 +60,8 @@ Diagnostics without_effects(const Inspected& subject) {
   return errors;
 }
 
-/// Whether Newton's method creeps towards a pose: it does so where A has not full rank.
+/// Whether Newton's method converges slowly towards a pose, because A does not have full rank
+/// there.
 bool creeps(const Model& model, const Assembly& at) {
   const OracleValues values =
       oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);
@@ -70,7 +71,7 @@ bool creeps(const Model& model, const Assembly& at) {
                      [](const cl_R& f) { return cln::abs(f) < power_of_ten(-12); });
 }
 
-/// Where coordinates and rates start; open functions have any values.
+/// Coordinates and rates at the start; open functions have random values.
 State full_start(const Inspected& subject) {
   State state = start_state(subject.model, subject.scene);
   state.f = sampled_state(subject, 0).f;
@@ -94,9 +95,10 @@ Diagnostic not_assembled(const Inspected& subject, const std::optional<Assembly>
           quotient.empty() ? "give the coordinates a `start` near a pose that exists" : quotient};
 }
 
-/// From anywhere, then from ever nearer to a pose, in turns with parameters of their own.
+/// Poses from random states, which come closer to the start with every second draw. These draws
+/// have the start's parameters, all others random parameters.
 std::vector<State> other_poses(const Inspected& subject, const State& start) {
-  constexpr unsigned turns = 3;  // every third draws lengths up to 1
+  constexpr unsigned turns = 3;  // seeds that are multiples of 3 draw lengths up to 1
   std::vector<State> poses;
   cl_R share = 1;
   for (unsigned draw = 0; draw < pose_draws && poses.size() < other_pose_count; ++draw) {
@@ -117,8 +119,8 @@ std::vector<State> other_poses(const Inspected& subject, const State& start) {
 
 using Combinations = std::vector<Vector>;
 
-/// The combinations of rows of A that are 0, each with an equation of factor 1 that no equation
-/// behind it takes part in; none where A has no value.
+/// The vanishing combinations of rows of A. The last equation of each combination is in no other
+/// combination. Empty if A has no value.
 Combinations zero_combinations(const Model& model, const State& pose) {
   const OracleValues a = oracle_values(model, {.kind = OutputKind::constraint_jacobian}, pose);
   if (!a) return {};
@@ -145,7 +147,7 @@ std::size_t last_of(const Vector& factors) {
   return last;
 }
 
-/// "2*rod - loop_x": what the last equation of a combination that is 0 equals.
+/// "2*rod - loop_x": the combination that equals the last equation.
 std::string sum_of_others(const Model& model, const Vector& factors) {
   const std::size_t last = last_of(factors);
   std::string text;
@@ -160,7 +162,7 @@ std::string sum_of_others(const Model& model, const Vector& factors) {
   return text.empty() ? "0" : text;
 }
 
-/// Reports the pose with the fewest: others may be dead centres.
+/// Reports the pose with the fewest combinations, because the other poses may be dead centres.
 Diagnostics redundant(const Model& model, const std::vector<Combinations>& at_poses) {
   const auto fewest =
       std::ranges::min_element(at_poses, {}, [](const Combinations& all) { return all.size(); });
@@ -189,7 +191,7 @@ Diagnostics redundant_equations(const Inspected& subject, const State& start) {
   return redundant(subject.model, at_poses);
 }
 
-/// The output of the scene that such a fault leaves without a value; null if there is none.
+/// The first output of the scene that has no value with this fault; null if there is none.
 const OutputRequest* output_with(const Scene& scene, WhenSingular fault) {
   const auto found = std::ranges::find(scene.outputs, fault, [](const OutputRequest& output) {
     return output_row(output.kind).when_singular;
@@ -197,7 +199,7 @@ const OutputRequest* output_with(const Scene& scene, WhenSingular fault) {
   return found == scene.outputs.end() ? nullptr : &*found;
 }
 
-/// Warns of inputs that no pose determines.
+/// E603 if the inputs of an output are determined at no pose.
 Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
   const OutputRequest* const wanted = output_with(subject.scene, WhenSingular::redundant_inputs);
   if (wanted == nullptr) return {};
@@ -208,8 +210,8 @@ Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
   return {redundant_inputs(*wanted)};
 }
 
-/// E603 where the columns of A of the dependent velocities have lower rank at every pose: "rank 1
-/// of 2".
+/// E603 if at every pose the columns of A of the dependent velocities lack full rank: "rank 1 of
+/// 2".
 Diagnostics undetermined_rest(const Inspected& subject, const State& start) {
   const OutputRequest* const wanted = output_with(subject.scene, WhenSingular::undetermined_rest);
   if (wanted == nullptr) return {};

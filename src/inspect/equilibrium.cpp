@@ -1,9 +1,10 @@
-// E613: an [[equilibrium]], or the point a scene expands about, is none. E614: something has no
-// expansion there.
+// E613: an [[equilibrium]], or the point about which a scene expands, is no equilibrium. E614:
+// energies or forces have no expansion there.
 //
-// Oracle at rest at the point, at several times and at parameter values that meet its condition:
-// rows of bias - B u must vanish, all of an [[equilibrium]], those of small coordinates of a scene.
-// Coordinates that are left open are anywhere.
+// The oracle evaluates the model at rest at the point, at several times and at parameter values
+// that meet the point's condition. The residual bias - B u must vanish: in all rows for an
+// [[equilibrium]], in the rows of small coordinates for a scene. Coordinates without a value are
+// arbitrary.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,34 +23,34 @@ namespace {
 
 using cln::cl_R;
 
-/// Exact and random; the first has the model's own values.
+/// Number of exact random samples; the first has the model's parameter values.
 constexpr unsigned equilibrium_samples = 4;
 
-/// Draws of parameters, until so many samples meet a condition.
+/// Largest number of parameter draws to find samples that meet a condition.
 constexpr unsigned condition_draws = 64;
 
-/// A point that is said to be one of rest.
+/// A point that is claimed to be an equilibrium.
 struct ClaimedRest {
   const StatedPoint& point;
   std::vector<std::uint32_t> rows = {};  ///< velocities whose equations must balance
   Span span = {};
-  std::string_view remedy = {};  ///< where it is one at some values of the parameters only
+  std::string_view remedy = {};  ///< hint if it rests at some parameter values only
 };
 
-/// The remainder bias - B u, row by row, and how large the terms are.
+/// The residual bias - B u, row by row, and the magnitude of its terms.
 struct Residual {
   std::vector<cl_R> rest;
   std::vector<cl_R> scale;
   std::vector<cl_R> input_matrix;  ///< row-major
 };
 
-/// The first at the parameters' own values, zeros too, the others elsewhere.
+/// Seed 0 has the parameters' own values, including zeros; other seeds vary them.
 State varied_state(const Inspected& subject, unsigned seed) {
   Sampler draw(seed);
   return drawn_state(subject.model, subject.scene, draw, seed);
 }
 
-/// The seeds of the first states whose parameters meet the condition of the point.
+/// The first seeds for which the parameters meet the condition of the point.
 std::vector<unsigned> sample_seeds(const Inspected& subject, const StatedPoint& point) {
   std::vector<unsigned> seeds;
   for (unsigned seed = 0; seed < condition_draws && seeds.size() < equilibrium_samples; ++seed) {
@@ -79,19 +80,19 @@ std::optional<Residual> balance_at(const Model& exact, const State& point, const
   return balance;
 }
 
-/// Whether every coordinate has a value, so that there is one point.
+/// Whether every coordinate has a value, so that the point is unique.
 bool is_complete(const StatedPoint& point) {
   const auto& values = point.coordinates;
   return std::find(values.begin(), values.end(), std::nullopt) == values.end();
 }
 
-// A number holds at one value of the parameters only.
+// A numeric input balances the forces only at the file's parameters; hence these hints.
 constexpr std::string_view remedy_of_scene =
     "write values by parameters, like `m*g`, or make these numbers: `[parameters] fixed = \"all\"`";
 constexpr std::string_view remedy_of_entry =
     "write values by parameters, like `m*g`; `when` says for which it is an equilibrium";
 
-/// "`u = 4.905` balances it" where one input acts on this row, and on no other.
+/// "`u = 4.905` balances it" if exactly one input acts on this row, and acts on no other row.
 std::string suggestion(const Inspected& subject, const ClaimedRest& claim, const Residual& balance,
                        std::size_t row, const State& point) {
   if (!is_complete(claim.point)) return {};
@@ -116,10 +117,10 @@ std::string suggestion(const Inspected& subject, const ClaimedRest& claim, const
                    : fmt::format("{} at the parameters' values; {}", balanced, claim.remedy);
 }
 
-/// `own_values`: whether the parameters have theirs, so that the figures mean something.
+/// `own_values`: the parameters have the model's values, so the residual is worth printing.
 Diagnostics unbalanced(const Inspected& subject, const ClaimedRest& claim, const Residual& balance,
                        const State& point, bool own_values) {
-  // The oracle's 60 digits less 20 for cancellation.
+  // The oracle has 60 digits; 20 may be lost to cancellation.
   static const cl_R tolerance = power_of_ten(-40);
   Diagnostics found;
   for (const std::uint32_t row : claim.rows) {
@@ -156,8 +157,8 @@ ClaimedRest claim_of(const Model& model, const Equilibrium& equilibrium) {
   return claim;
 }
 
-/// The diagnostics of the first sample that does not balance; none where no parameters that were
-/// drawn meet the condition.
+/// The diagnostics of the first sample that does not balance; none if no drawn parameters meet the
+/// condition.
 Diagnostics inspect_entry(const Inspected& subject, const Equilibrium& equilibrium) {
   const ClaimedRest claim = claim_of(subject.model, equilibrium);
   for (const unsigned seed : sample_seeds(subject, equilibrium)) {

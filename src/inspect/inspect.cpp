@@ -1,5 +1,5 @@
-// Inspection: one check after another. Most ask the oracle for values at sampled states; names that
-// are never used, inertias and points in an energy are read off the model.
+// Inspection: runs all checks in order. Most ask the oracle for values at sampled states; unused
+// names, inertias and points in an energy are read from the model.
 #include "elgen/inspect.hpp"
 
 #include <utility>
@@ -18,13 +18,13 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   add(inspect_unused(subject));
   add(inspect_left_out(subject));
   add(inspect_constants(subject));
-  // A model with a constant that has no value has none at sampled states, and one with a constant
-  // that is too large takes forever.
+  // A constant without a value leaves sampled states without values, and a too large constant takes
+  // too long.
   if (has_errors(all)) return all;
   add(inspect_inertias(subject));
   add(inspect_spins(subject));
   add(inspect_mass_matrix(subject));
-  // A matrix that is singular everywhere would be reported again at every special configuration.
+  // If M is singular everywhere, every special configuration would report it again.
   if (!has_errors(all)) add(inspect_charts(subject));
   if (!has_errors(all)) add(inspect_constraints(subject));
   if (!has_errors(all)) add(inspect_tasks(subject));
@@ -35,7 +35,7 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   add(inspect_smoothed(subject));
   if (!has_errors(all)) add(inspect_equilibria(subject));
   if (!has_errors(all)) add(inspect_equilibrium({model, scene}));
-  // Entries of a repetition make the same mistake each.
+  // All entries of a repetition have the same mistake, which is reported once.
   Report once;
   for (Diagnostic& diagnostic : all) once.add(std::move(diagnostic));
   return once.sorted();

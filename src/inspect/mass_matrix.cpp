@@ -1,15 +1,14 @@
-// Signs that no system has: E523 a negative mass, E524 an M that is regular, but not positive
-// definite, and E525 a dissipation below 0. Masses are read at the parameters' values, M and D at
-// sampled states. E501: a direction x with M x = 0 at every one of these is a motion without
-// kinetic energy.
+// Signs and rank of the mass matrix. E523: a mass is negative at the parameters' values. E524: at a
+// sampled state, M is regular but not positive definite. E525: D is negative at a sampled state.
+// E501: M x = 0 at every sampled state, so x is a motion without kinetic energy.
 //
-// One non-singular sample acquits, but for outputs that solve a diagonal entry that is zero at
-// every sample is an error, too. Otherwise the null space is named: by its vectors where they are
-// the same at every sample, by its dimension where they turn with the configuration.
+// One regular sample is enough to rule out a singular M. For outputs that solve with M, a diagonal
+// entry that is 0 at every sample is an error too. Otherwise the message names the null space: by
+// its vectors if they agree at all samples, by its dimension if they vary with the configuration.
 //
-// E511: configurations at which M loses rank though it is regular elsewhere: the chart breaks
-// there. A coordinate's `singular` factor says so itself. Otherwise angles are tried at the
-// multiples of a right angle and every coordinate at 0, the others being random.
+// E511: configurations at which M loses rank although it is regular elsewhere; the chart breaks
+// there. A coordinate's `singular` factor declares them. Otherwise we try angles at multiples of a
+// right angle and every coordinate at 0, with random values for all other coordinates.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +29,7 @@ namespace {
 using cln::cl_R;
 using Basis = std::vector<Vector>;
 
-/// Entry by entry, as they are read.
+/// Compares the entries as printed.
 bool agree(const Basis& x, const Basis& y) {
   return std::ranges::equal(x, y, [](const Vector& a, const Vector& b) {
     return std::ranges::equal(a, b, {}, readable, readable);
@@ -70,7 +69,7 @@ Diagnostic motion_without_energy(const Model& model, const Vector& x) {
           "too many coordinates, or a mass is missing"};
 }
 
-/// The dimension, and one direction at one configuration.
+/// The rank, and one motion without kinetic energy at one configuration.
 Diagnostic rank_deficit(const Model& model, const Basis& basis, const State& state) {
   const std::size_t n = model.velocities.size();
   std::string at;
@@ -83,8 +82,8 @@ Diagnostic rank_deficit(const Model& model, const Basis& basis, const State& sta
       "too many coordinates, or a mass is missing"};
 }
 
-/// The `candidates` whose diagonal entry is rounding beside its row: M is not positive definite,
-/// and its elimination fails.
+/// The `candidates` whose diagonal entry is rounding error relative to its row: M is not positive
+/// definite, and its factorisation fails.
 std::vector<std::size_t> without_energy(const MassSample& sample,
                                         const std::vector<std::size_t>& candidates) {
   const std::size_t n = sample.state.v.size();
@@ -96,8 +95,8 @@ std::vector<std::size_t> without_energy(const MassSample& sample,
   return result;
 }
 
-/// Only outputs that divide by M need a positive definite M. Where nothing
-/// asks for an output by name, the mistake is in the model: in T, where it is written.
+/// E501 for the first output that divides by M, and so needs a positive definite M. If no scene
+/// requests the output by name, the error is at the energy of the model.
 Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t>& rates) {
   const Model& model = subject.model;
   for (const OutputRequest& output : subject.scene.outputs) {
@@ -135,7 +134,7 @@ void check_mass(const Model& model, const State& state, const std::string& name,
                    fmt::format("the mass of `{}` is {}", name, as_typed(*value)), "sign mistake?"});
 }
 
-/// Each value takes a walk through the model: of long chains none is asked for.
+/// Each value costs a traversal of the model, so long chains are skipped.
 Diagnostics negative_masses(const Inspected& subject) {
   const Model& model = subject.model;
   if (model.velocities.size() > most_coordinates_sampled) return {};
@@ -147,7 +146,7 @@ Diagnostics negative_masses(const Inspected& subject) {
 }
 
 /// The first velocity, in the order of elimination, whose pivot of M = L D L^T is negative beyond
-/// rounding; none where M is singular before.
+/// rounding error; none if M is singular before it.
 std::optional<std::size_t> negative_pivot(const MassSample& sample) {
   const std::size_t n = sample.state.v.size();
   const Vector scales = row_scales(sample.matrix, n);
@@ -163,11 +162,11 @@ std::optional<std::size_t> negative_pivot(const MassSample& sample) {
   return std::nullopt;
 }
 
-/// E524 where M is neither positive definite nor singular there; nothing where a mass is negative.
+/// E524 if M is neither positive definite nor singular at the sample; none if a mass is negative.
 Diagnostics negative_kinetic_energy(const Inspected& subject, const MassSample& sample) {
   const Model& model = subject.model;
   const auto at = negative_pivot(sample);
-  // A negative mass is named as such.
+  // A negative mass is already reported as E523.
   if (!at || !negative_masses(subject).empty()) return {};
   const auto& written = model.energies.L ? model.energies.L : model.energies.T;
   const Span& span = written ? model.expressions[*written].span : model.velocities[*at].span;
@@ -191,7 +190,7 @@ bool contains(const std::optional<Interval>& range, const cl_R& value) {
 std::vector<SpecialValue> special_values(const Coordinate& coordinate) {
   std::vector<SpecialValue> values{{"0", 0}};
   if (is_angle(coordinate)) {
-    // The digits of pi leave sin(pi) below 1e-50, as null_space() asks.
+    // With 80 digits of pi, sin(pi) is below 1e-50, the threshold of null_space().
     const cl_R pi = cln::pi(cln::float_format(80));
     values.insert(values.end(), {{"pi/2", pi / 2}, {"-pi/2", -pi / 2}, {"pi", pi}});
   }
@@ -209,7 +208,7 @@ std::string breaking_values(const Inspected& subject, const MassSample& regular,
   const Vector scales = row_scales(regular.matrix, regular.state.v.size());
   std::string names;
   for (const SpecialValue& special : special_values(subject.model.coordinates[i])) {
-    // Nothing holds an angle in its range as a motion turns it.
+    // The motion may turn an angle out of its declared range, so all its special values are tried.
     const Coordinate& coordinate = subject.model.coordinates[i];
     if (!is_angle(coordinate) && !contains(coordinate.range, special.value)) continue;
     State state = regular.state;
@@ -253,7 +252,7 @@ Diagnostics inspect_mass_matrix(const Inspected& subject) {
 Diagnostics inspect_signs(const Inspected& subject) {
   const Model& model = subject.model;
   Diagnostics found = negative_masses(subject);
-  // D has one root. If it had several, their sum would have to be judged.
+  // D has one root; with several, their sum would have to be checked.
   for (const ExpressionId root : dissipation_roots(model)) {
     for (unsigned seed = 0; seed < zero_samples; ++seed) {
       const auto value = oracle_expression(model, root, sampled_state(subject, seed));

@@ -1,7 +1,7 @@
-// Notes read off the model and the scene, without a sampled state: E522 what is used nowhere (one
-// pass over the arena, before anything was locked, marks what is used), E619 the outputs that the
-// built-in scene `full` does without, one note per reason, and E627 a force with tanh, as it stands
-// in for dry friction, in a linearization asked for by name, and E616 inputs of locks.
+// Notes from the model and the scene, without sampled states. E522: unused parameters and inputs,
+// by one pass over the arena of the whole model. E619: outputs that the built-in scene `full`
+// omits, one note per reason. E616: inputs on locked coordinates. E627: a force with tanh, which
+// approximates dry friction, in a linearization that the scene requests by name.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// By index in the Model: whether a leaf of this kind stands in an expression.
+/// By index in the Model: whether any expression contains this leaf.
 std::vector<bool> used(const Model& model, Opcode kind) {
   std::vector<bool> marks(leaf_count(model, kind), false);
   for (const Expression& expression : model.expressions) {
@@ -61,7 +61,7 @@ Diagnostic note(const LeftOut& left_out) {
           "a smooth stand-in has them: `tanh(x/width)` for `sign(x)`"};
 }
 
-/// tanh of something with a rate in it.
+/// The first tanh of an expression with rates in a force.
 std::optional<Span> smoothed_friction(const Model& model) {
   for (const ExpressionId id : reached(model, roots_if(model, is_force))) {
     const Expression& node = model.expressions[id];
@@ -87,7 +87,7 @@ Diagnostics inspect_left_out(const Inspected& subject) {
   const Model& whole = whole_of(subject.model);
   const PlacesLeft inputs = variables_left(whole).inputs;
   for (std::size_t i = 0; i < whole.inputs.size();) {
-    // The components of a wrench are one entry, and one note.
+    // The components of a wrench are one entry, so they get one note.
     std::vector<std::string> names;
     const Span& span = whole.inputs[i].span;
     for (; i < whole.inputs.size() && whole.inputs[i].span.begin == span.begin; ++i) {

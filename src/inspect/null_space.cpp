@@ -34,7 +34,7 @@ std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales) {
     if (!cln::zerop(scale)) scaled[k] = matrix[k] / scale;
   }
   using ScaledRows = LargestPivot<cl_R, EchelonForm::reduced>;
-  ScaledRows field(power_of_ten(-50));  // sixty digits are right; ten of them may have cancelled
+  ScaledRows field(power_of_ten(-50));  // 60 digits are right; 10 may cancel
   return Echelon<ScaledRows>(field, scaled, columns, columns).kernel();
 }
 

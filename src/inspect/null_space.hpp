@@ -9,17 +9,17 @@ namespace elgen {
 
 using Vector = std::vector<cln::cl_R>;
 
-/// 1e-80: what is smaller beside other entries is a zero that the oracle's working digits rounded;
-/// no two inertias of one model differ so much.
+/// 1e-80: an entry below this share of the largest is rounding error of the oracle. The inertias of
+/// one model do not differ by such a factor.
 [[nodiscard]] const cln::cl_R& rounding_share();
 
-/// The largest magnitude in each row of a matrix of n columns, row-major; 0 where that is rounding
-/// beside the largest of all.
+/// The largest magnitude in each row of a row-major matrix with n columns; 0 if it is rounding
+/// error relative to the whole matrix.
 [[nodiscard]] Vector row_scales(const Vector& matrix, std::size_t n);
 
-/// A basis of {x : A x = 0}. Entries below 1e-50 of their row's scale are what cancellation left of
-/// zero; a row whose scale is 0 is zero. Each basis vector has one entry 1 where all the others
-/// have 0; behind it is nothing.
+/// A basis of {x : A x = 0}. Entries below 1e-50 of their row's scale are remainders of
+/// cancellation and count as 0; a row with scale 0 is zero. The basis is in reduced column echelon
+/// form: the last non-zero entry of each vector is 1 and unique to it.
 [[nodiscard]] std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales);
 
 }  // namespace elgen

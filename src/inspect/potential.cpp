@@ -1,21 +1,21 @@
-// E512: a mass that is pushed up. [gravity] along the last axis pulls up where that axis is drawn
-// upwards, as most models do; and where the written V uses a point's height, V must not fall
-// steadily as a point with a mass rises.
+// E512: a mass is pushed upwards. [gravity] with a positive last component pulls upwards in most
+// models, whose last axis is drawn upwards. If the written V uses a point's height, V must not fall
+// steadily as a point with mass rises.
 //
-// `Up` is against [gravity], else along the last component of the points. The point is raised by a
-// coordinate of its own, and dV/d(height) is sampled: negative and the same everywhere is a weight
-// with the wrong sign.
+// `up` is opposite to [gravity], or else the last axis of the point. The point gets an extra
+// coordinate that raises it, and dV/d(height) is sampled. If it is negative and the same at all
+// samples, V contains a weight with the wrong sign.
 //
-// E526: `[energy] V` holds the weight that [gravity] gives a mass already. E527: `[energy] T` holds
-// the kinetic energy that a mass has already.
+// E526: `[energy] V` contains a weight that [gravity] already adds. E527: `[energy] T` contains a
+// kinetic energy that a mass already adds.
 //
 //     W = -sum m gravity.p of the points and bodies       V as it is written
 //     K = sum 1/2 m v^2 of the points                     T as it is written
 //
-// Only the part of each that a mass brings in is kept, with and without gravity: their values at
-// the parameters' own less those with the mass, and with the parameters of gravity, at 0. Where V
-// has the same part as W, up to a constant, the weight stands in both; K and T alike. A mass
-// without a parameter takes V whole.
+// We compare only the parts that depend on a mass and on gravity: the energy, less its values with
+// the parameters of the mass, and with the parameters of gravity, set to 0. If V and W have the
+// same part up to a constant, the weight is counted twice; the same holds for T and K. Nothing is
+// subtracted for a mass or gravity without parameters.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
   return points;
 }
 
-/// Against gravity, or the last axis of the point.
+/// Opposite to gravity, or else along the last axis of the point.
 std::optional<Direction> upward(const Inspected& subject, const Point& point) {
   Direction up{0, 0, 0};
   if (!subject.model.gravity) {
@@ -76,7 +76,7 @@ ExpressionId number(Model& model, const cl_R& value) {
   return append(model, {.number = cln::rational(value)});
 }
 
-/// The model with one more coordinate that moves the point along `up`.
+/// A copy of the model with one more coordinate, which moves the point along `up`.
 Model liftable(const Model& model, std::uint32_t point, const Direction& up) {
   Model result = model;
   const std::uint32_t coordinate = append_coordinate(result, {});
@@ -92,7 +92,7 @@ Model liftable(const Model& model, std::uint32_t point, const Direction& up) {
   return result;
 }
 
-/// dV/d(lift) at a sampled state, all else at rest.
+/// dV/d(lift) at a sampled state, with all other rates 0.
 std::optional<cl_R> slope(const Model& liftable, ExpressionId potential, State state) {
   state.v.assign(liftable.velocities.size(), cl_R(0));
   state.a = state.v;
@@ -118,19 +118,19 @@ bool falls_steadily(const Inspected& subject, std::uint32_t point, const Directi
     const auto here = slope(lifted, *subject.model.energies.V, sampled_state(subject, seed));
     if (!here || *here >= 0) return false;
     if (!first) first = here;
-    // Equal to 50 digits: what a weight does and a spring does not.
+    // Equal to 50 digits: true for a weight, but not for a spring.
     if (cln::abs(*here - *first) > -*first * power_of_ten(-50)) return false;
   }
   return true;
 }
 
-/// 2 or 3; 0 where nothing has a place.
+/// 2 or 3; 0 if the model has no points and no bodies.
 std::uint32_t dimension_of(const Model& model) {
   if (!model.points.empty()) return model.points.front().dimension;
   return model.bodies.empty() ? 0 : model.bodies.front().dimension;
 }
 
-/// "y" or "z": the last axis of points and bodies, which most models draw upwards.
+/// E512 if gravity pulls along the last axis ("y" or "z"), which most models draw upwards.
 Diagnostics gravity_along_last_axis(const Inspected& subject) {
   const Model& model = subject.model;
   const std::uint32_t dimension = dimension_of(model);
@@ -144,7 +144,7 @@ Diagnostics gravity_along_last_axis(const Inspected& subject) {
            "a weight that pulls down is negative where the axis points up: sign mistake?"}};
 }
 
-// Energies that masses have already.
+// Energies that masses already add.
 
 Parameters weight_parameters(const Model& model, const std::vector<ExpressionId>& roots) {
   Parameters found;
@@ -155,7 +155,7 @@ Parameters weight_parameters(const Model& model, const std::vector<ExpressionId>
   return found;
 }
 
-/// A mass, and where it is.
+/// A mass and its position.
 struct Weight {
   std::string name;
   ExpressionId mass = 0;
@@ -173,7 +173,7 @@ std::vector<Weight> weights_of(const Model& model) {
   return weights;
 }
 
-/// -m gravity.p; nothing where it has no value.
+/// -m gravity.p; none if it has no value.
 std::optional<cl_R> energy_of(const Model& model, const Weight& weight, const State& state) {
   const auto mass = oracle_expression(model, weight.mass, state);
   if (!mass) return std::nullopt;
@@ -189,7 +189,7 @@ std::optional<cl_R> energy_of(const Model& model, const Weight& weight, const St
 
 using Energy = std::function<std::optional<cl_R>(const State&)>;
 
-/// The part of an energy that vanishes when the parameters of any one of these sets become 0.
+/// The part of an energy that vanishes if the parameters of any one set become 0.
 std::optional<cl_R> part_of(const Energy& energy, const std::vector<Parameters>& sets,
                             std::size_t count, const State& state) {
   if (count == 0) return energy(state);
@@ -200,7 +200,7 @@ std::optional<cl_R> part_of(const Energy& energy, const std::vector<Parameters>&
   return with_all && with_none ? std::optional(*with_all - *with_none) : std::nullopt;
 }
 
-/// At each of the sampled states, less that at the first: a constant is no force.
+/// The values at the sampled states less the value at the first, because a constant has no effect.
 std::vector<cl_R> differences(const Inspected& subject, const Energy& energy,
                               const std::vector<Parameters>& sets) {
   std::vector<cl_R> values;
@@ -228,7 +228,7 @@ bool are_equal(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
   return !is_zero;
 }
 
-/// Sums over all entries; none where `of_entry` has no value for one.
+/// The sum over all entries; none if `of_entry` has no value for an entry.
 template <class Entry, class Of>
 Energy sum_of(const std::vector<Entry>& entries, const Of& of_entry) {
   return [&entries, of_entry](const State& state) -> std::optional<cl_R> {
@@ -248,7 +248,7 @@ Energy written_as(const Model& model, ExpressionId expression) {
   };
 }
 
-/// Compares the shares of V that depend on gravity and on this mass, where these have parameters.
+/// Compares the parts of V and W that depend on the parameters of gravity and of this mass.
 bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights,
                     const Weight& weight) {
   const Model& model = subject.model;
@@ -265,7 +265,7 @@ bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights
   return are_equal(differences(subject, written, sets), differences(subject, given, sets));
 }
 
-/// 1/2 m v^2, 0 without a mass; nothing where it has no value.
+/// 1/2 m v^2, 0 without a mass; none if it has no value.
 std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, const State& state) {
   if (!point.mass) return cl_R(0);
   const auto mass = oracle_expression(model, *point.mass, state);
@@ -279,7 +279,7 @@ std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, co
   return *mass * square / 2;
 }
 
-/// Compares the shares of T that depend on the parameters of this mass.
+/// Compares the parts of T and K that depend on the parameters of this mass.
 bool is_given_twice(const Inspected& subject, const Point& point) {
   const Model& model = subject.model;
   const Parameters mass = weight_parameters(model, {*point.mass});

@@ -1,4 +1,4 @@
-// Quotients of sines and cosines that check left as they are, and that are 0/0 at a state.
+// Quotients of sines and cosines that check does not rewrite, and that are 0/0 at a state.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -11,15 +11,15 @@ namespace {
 
 using cln::cl_R;
 
-constexpr int largest_denominator = 999;  // what a reader still sees as a number
+constexpr int largest_denominator = 999;  // fractions with larger denominators are hard to read
 
 }  // namespace
 
 std::string readable(const cl_R& x) {
-  // The rounding that is left of 60 digits when terms of size 1 cancel.
+  // Rounding error of 60 digits after terms of size 1 have cancelled.
   if (cln::abs(x) < power_of_ten(-40)) return "0";
-  // Four digits more than are printed, and far nearer than the 1e-6 at which fractions of such
-  // denominators meet any number.
+  // Four digits more than are printed. Fractions with these denominators are within 1e-6 of any
+  // number, so a match within 1e-9 is no coincidence.
   const auto fraction = simple_fraction(x, largest_denominator, power_of_ten(-9));
   if (fraction) return number_text(*fraction);
   return fmt::format("{:.5g}", cln::double_approx(x));

@@ -1,4 +1,4 @@
-// Numbers as a reader expects them: 60 digits in, "1/3" or "0.70711" out.
+// Numbers as text for readers: 60 digits become "1/3" or "0.70711".
 #pragma once
 
 #include <cln/real.h>
@@ -7,11 +7,11 @@
 
 namespace elgen {
 
-/// The simplest fraction within 1e-9 of x where its denominator has at most three digits, else five
-/// digits; "0" for what is below 1e-40.
+/// The simplest fraction within 1e-9 of x if its denominator has at most three digits; otherwise
+/// five significant digits. "0" below 1e-40.
 [[nodiscard]] std::string readable(const cln::cl_R& x);
 
-/// The number as files have it, "16616.493" or "1/3"; of more characters than are read, readable().
+/// The exact number, "16616.493" or "1/3"; readable() if it has too many characters.
 [[nodiscard]] std::string as_typed(const cln::cl_R& x);
 
 }  // namespace elgen

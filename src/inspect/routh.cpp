@@ -1,7 +1,6 @@
-// Momenta of `[routh]`, and E635 where the coordinate they belong to is not cyclic. A slope of L
-// that is not 0 at one state proves that L changes with the coordinate; where it is 0 at all
-// sampled ones L is taken not to change, and what is derived is compared with the whole model
-// anyway.
+// Momenta of `[routh]`, and E635 if the coordinate of a momentum is not cyclic. If dL/dq is not 0
+// at one state, L depends on the coordinate. If it is 0 at all samples, we assume that L does not;
+// the derived functions are compared with the whole model anyway.
 #include <utility>
 
 #include "check/scene/scene.hpp"
@@ -27,7 +26,7 @@ std::string quoted_name(const Model& model, const Cyclic& cyclic) {
   return in_backticks(model.coordinates[cyclic.coordinate].name);
 }
 
-/// Whether dL/dq is more than rounding at a sampled state.
+/// Whether dL/dq exceeds rounding error at a sampled state.
 bool changes_lagrangian(const Inspected& subject, const Cyclic& cyclic) {
   const Model& model = subject.model;
   for (unsigned seed = 0; seed < cyclic_samples; ++seed) {
@@ -40,7 +39,7 @@ bool changes_lagrangian(const Inspected& subject, const Cyclic& cyclic) {
   return false;
 }
 
-/// Whether M_cc is singular wherever it has a value.
+/// Whether M_cc, the block of the cyclic velocities, is singular at every sample with a value.
 bool are_dependent(const Inspected& subject, const std::vector<Cyclic>& cyclic) {
   const Model& model = subject.model;
   bool was_singular = false;
@@ -77,7 +76,7 @@ Diagnostics not_cyclic(const Inspected& subject, const std::vector<Cyclic>& all)
   return errors;
 }
 
-/// The exact model in which cyclic coordinates move, and these by their numbers in it.
+/// The exact model before [routh], and the indices of the cyclic coordinates in it.
 struct MovingModel {
   Model model;
   std::vector<Cyclic> cyclic;
@@ -94,7 +93,7 @@ MovingModel moving_model(Model whole) {
   return {variant_of(std::move(whole)), std::move(all)};
 }
 
-/// The state at which a run starts.
+/// The state at the start of a run.
 State starting_state(const CheckedModel& checked, const Model& moving) {
   State state = start_state(moving, checked.scene);
   state.parameters = nominal_state(checked.model, checked.scene).parameters;

@@ -1,4 +1,4 @@
-// Sampled states: the model at its own values, moving anywhere.
+// Sampled states: the parameters of the model, with arbitrary motion.
 #include "inspect/samples.hpp"
 
 #include "numbers/exact_number.hpp"
@@ -8,10 +8,11 @@
 namespace elgen {
 namespace {
 
-constexpr unsigned attempts = 8;  // a model undefined at all of them has no domain worth the name
+/// A model without a value at this many states has practically no domain.
+constexpr unsigned attempts = 8;
 
-/// Whether a second look with twice the digits gives the same matrix: at large values an entry that
-/// is 0 on paper, cosh(x)^2 - sinh(x)^2 - 1, is what its terms leave of their rounding.
+/// Whether an evaluation with 64 more digits gives the same matrix. At large values an entry that
+/// is exactly 0, such as cosh(x)^2 - sinh(x)^2 - 1, may only be rounding error of its terms.
 bool has_digits(const Inspected& subject, const State& state,
                 const std::vector<cln::cl_R>& matrix) {
   static const cln::cl_R share = power_of_ten(-20);

@@ -1,4 +1,4 @@
-// Sampled states: exact, random but the same in every process, inside the declared ranges.
+// Sampled states: exact random numbers inside the declared ranges, the same in every process.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,16 @@
 
 namespace elgen {
 
-/// A number that vanishes at so many states vanishes: they are exact and random, one in 1e9 is a
-/// coincidence.
+/// A quantity that is 0 at this many states counts as 0. The states are exact and random, so a
+/// coincidence has a probability of about 1e-9.
 constexpr unsigned zero_samples = 3;
 
-/// Everything that moves as draw_motion() has it. Run-time parameters whose value is 0 are sampled
-/// too: zero is a default there, not a property of the system.
+/// A state by draw_motion(). Run-time parameters with the value 0 are drawn too, because 0 is often
+/// a default and no property of the system.
 [[nodiscard]] State sampled_state(const Inspected& subject, unsigned seed);
 
-/// A state at which M has a value, and M there, row-major; empty where a few attempts found none.
+/// A state at which M has a value, and M there (row-major); none if a few attempts found no such
+/// state.
 struct MassSample {
   State state;
   std::vector<cln::cl_R> matrix;

@@ -1,5 +1,5 @@
-// Messages about an output that is solved with a singular matrix, M (E501) or another one: the same
-// for the samples of inspect, the factorisation of derive and the nodes of lower.
+// Errors of outputs that solve with a singular matrix: M (E501) or another matrix. The samples of
+// inspect, the factorisation of derive and the nodes of lower share them.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// M_ii is 0, i the velocity of that name: M is singular, or at least not positive definite.
+/// M_ii is 0 for the velocity i of this name: M is singular, or at least not positive definite.
 [[nodiscard]] inline Diagnostic no_kinetic_energy(const OutputRequest& request,
                                                   const std::string& velocity) {
   return {Code::E501, request.span,
@@ -22,7 +22,7 @@ namespace elgen {
           "give it a mass, remove the coordinate, or do not ask for this output"};
 }
 
-/// A pivot of M is 0: that of this velocity, where it is known.
+/// A pivot of M is 0; `velocity` is the velocity of this pivot, if known.
 [[nodiscard]] inline Diagnostic singular_mass_matrix(const OutputRequest& request,
                                                      const std::string& velocity = {}) {
   const std::string at = velocity.empty() ? "" : fmt::format(" (`{}` has no pivot)", velocity);
@@ -32,7 +32,7 @@ namespace elgen {
           "too many coordinates, or a mass is missing"};
 }
 
-/// A pivot of A M^-1 A^T is 0: that of this constraint.
+/// A pivot of A M^-1 A^T is 0, in the row of this constraint.
 [[nodiscard]] inline Diagnostic redundant_constraint(const OutputRequest& request,
                                                      const std::string& constraint) {
   return {Code::E537, request.span,
@@ -49,7 +49,7 @@ namespace elgen {
                       request.name)};
 }
 
-/// A pivot of J M^-1 J^T is 0: that of this row of J.
+/// The pivot of J M^-1 J^T in this row is 0.
 [[nodiscard]] inline Diagnostic dependent_task(const OutputRequest& request, std::size_t row) {
   return {Code::E603, request.span,
           fmt::format("`{}` has no value: row {} of the Jacobian follows from those before it, "
@@ -57,7 +57,7 @@ namespace elgen {
                       request.name, row + 1)};
 }
 
-/// B^T G B is singular: the constraints leave the inputs too few ways to move.
+/// B^T G B is singular: the constraints leave fewer degrees of freedom than inputs.
 [[nodiscard]] inline Diagnostic redundant_inputs(const OutputRequest& request) {
   return {Code::E603, request.span,
           fmt::format("`{}` has no value: under the constraints some input moves nothing, or "
@@ -65,7 +65,7 @@ namespace elgen {
                       request.name)};
 }
 
-/// A pivot of B^T G B is 0: that of this input.
+/// A pivot of B^T G B is 0, in the row of this input.
 [[nodiscard]] inline Diagnostic redundant_input(const OutputRequest& request,
                                                 const std::string& input) {
   return {Code::E603, request.span,
@@ -74,8 +74,9 @@ namespace elgen {
                       request.name, input)};
 }
 
-/// The message that the matrix of an output besides M is singular. With a row, which derive knows
-/// from the pivot, it always exists; without, as lower asks, none says that M is the singular one.
+/// The error for an output whose singular matrix is not M. derive passes the row of the zero pivot;
+/// then the result always exists. lower passes no row; then no result means that M is the singular
+/// matrix.
 [[nodiscard]] inline std::optional<Diagnostic> singular_besides_mass(
     const OutputRequest& request, const std::optional<std::size_t>& row, const LeafNames& names) {
   switch (output_row(request.kind).when_singular) {
@@ -86,7 +87,7 @@ namespace elgen {
       break;
     case WhenSingular::redundant_inputs:
       if (!row) return redundant_inputs(request);
-      // A row is known of A M^-1 A^T alone, which is solved before the inputs are.
+      // A row is known only for A M^-1 A^T, which is solved before the inputs.
       return redundant_constraint(request, names.multipliers[*row]);
     case WhenSingular::redundant_constraint:
       if (row) return redundant_constraint(request, names.multipliers[*row]);

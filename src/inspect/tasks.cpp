@@ -1,5 +1,5 @@
-// E603: an [[output]] whose Jacobian has dependent rows at every sampled state, where the equation
-// of motion along it is asked for.
+// E603: an [[output]] whose Jacobian has dependent rows at every sampled state, if the scene
+// requests the equation of motion along it.
 #include <fmt/format.h>
 
 #include <algorithm>
