@@ -1,5 +1,6 @@
-// Dual: value + slope * epsilon with epsilon^2 = 0; a program evaluated on it gives its derivative
-// along one direction, exact to the base type. Nests: Dual<Dual<Real>> gives second derivatives.
+// Dual: value + slope * epsilon with epsilon^2 = 0. A program evaluated on duals gives its
+// derivative along one direction, exact to the base type. Dual<Dual<Real>> gives second
+// derivatives.
 #pragma once
 
 #include "elgen/leaves.hpp"
@@ -48,14 +49,14 @@ template <class Base>
   return {root, x.slope / (root + root)};
 }
 
-/// The tables of derivatives multiply by small integers.
+/// The derivatives in function_derivatives.def multiply by small integers.
 [[nodiscard]] inline Real operator*(const Real& x, int factor) { return x * Real(factor); }
 template <class Base>
 [[nodiscard]] Dual<Base> operator*(const Dual<Base>& x, int factor) {
   return {x.value * factor, x.slope * factor};
 }
 
-/// Base may be a built-in float: the functions of these stand in `interpreter`.
+/// If Base is a built-in floating type, its functions are in the namespace `interpreter`.
 #define ELGEN_DUAL_1(name, first, second)                               \
   template <class Base>                                                 \
   [[nodiscard]] Dual<Base> name(const Dual<Base>& argument) {           \
@@ -83,7 +84,7 @@ template <class Base>
 #undef ELGEN_DUAL_2
 #undef ELGEN_DUAL_1
 
-/// A point that moves with epsilon: values at `point`, slopes from `direction`.
+/// Leaves as duals: values from `point`, slopes from `direction`.
 template <class Base>
 [[nodiscard]] LeafValues<Dual<Base>> moving(const LeafValues<Base>& point,
                                             const LeafValues<Base>& direction) {

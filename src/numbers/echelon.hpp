@@ -1,10 +1,10 @@
-// Echelon: solves linear equations by elimination, over any field of numbers. Columns are taken
-// from left to right; the field says which row is the best pivot of a column, and what is 0.
+// Echelon: Gaussian elimination of linear equations over any field of numbers. It takes the columns
+// from left to right. The field chooses the pivot of a column and decides which numbers are 0.
 //
 //     2x + 4y + 6z                  x + 2y
 //      x + 2y + 4z   -- reduced ->           z     rank 2, kernel (-2, 1, 0)
 //
-// Rows hold their nonzero entries in the order of columns. No rows are exchanged.
+// Rows hold their nonzero entries in column order. No rows are exchanged.
 #pragma once
 
 #include <cln/float.h>
@@ -23,26 +23,26 @@
 namespace elgen {
 
 enum class EchelonForm : std::uint8_t {
-  upper,    ///< Gauss: a pivot leaves the rows that hold none yet
-  reduced,  ///< Gauss and Jordan: it becomes 1 and leaves all other rows
+  upper,    ///< Gauss: eliminates the pivot's column from all rows without a pivot
+  reduced,  ///< Gauss-Jordan: scales the pivot to 1 and eliminates its column from all other rows
 };
 
-/// A row that may hold the pivot of a column.
+/// A row without a pivot whose entry in the current column is not 0.
 template <class Number>
 struct PivotCandidate {
   std::size_t row = 0;
-  std::size_t length = 0;         ///< entries of the row
-  const Number* entry = nullptr;  ///< in the column
+  std::size_t length = 0;         ///< number of nonzero entries of the row
+  const Number* entry = nullptr;  ///< entry of the row in the current column
 };
 
-/// An entry of a row that is not 0.
+/// An entry of a row; Echelon drops entries that are 0.
 template <class Number>
 struct EchelonEntry {
   std::size_t column = 0;
   Number value = {};
 };
 
-/// In the order of their columns.
+/// Entries in column order.
 template <class Number>
 using EchelonRow = std::vector<EchelonEntry<Number>>;
 
@@ -57,14 +57,14 @@ template <class Number>
   return rows;
 }
 
-/// Null where the entry is 0.
+/// Null if the row has no entry in this column.
 template <class Number>
 [[nodiscard]] const Number* entry_of(const EchelonRow<Number>& row, std::size_t column) {
   const auto at = std::ranges::lower_bound(row, column, {}, &EchelonEntry<Number>::column);
   return at != row.end() && at->column == column ? &at->value : nullptr;
 }
 
-/// row - factor x other, with its zeros.
+/// row - factor * other; entries that become 0 are kept.
 template <class Field, class Number = typename Field::Number>
 [[nodiscard]] EchelonRow<Number> row_less_multiple(Field& field, EchelonRow<Number> row,
                                                    const Number& factor,
@@ -84,14 +84,14 @@ template <class Field, class Number = typename Field::Number>
   return result;
 }
 
-/// A Field has
+/// A Field provides
 ///
-///     Number, form                                     the latter an EchelonForm
+///     Number, form                                     `form` is an EchelonForm
 ///     integer(i), negate(x), multiply(x, y), divide(x, y)
 ///     reduce(x, factor, y)                             x - factor y
-///     is_zero(x)                                       such entries leave their rows
-///     is_defined(x)                                    else elimination ends
-///     best(candidates, column)                         null where the column has no pivot
+///     is_zero(x)                                       such entries are dropped
+///     is_defined(x)                                    elimination stops if it is false
+///     best(candidates, column)                         the pivot; null: the column has none
 ///
 /// Cost: at most rows x columns x rank operations.
 template <class Field>
@@ -103,34 +103,35 @@ class Echelon {
   struct Pivot {
     std::size_t row = 0;
     std::size_t column = 0;
-    Number value = {};  ///< before its row was divided by it
+    Number value = {};  ///< before its row is divided by it
   };
 
-  /// Eliminates the first `unknowns` columns; the columns behind them are right sides. The field
-  /// has to outlive the echelon.
+  /// Eliminates the first `unknowns` columns; the later columns are right-hand sides. Keeps a
+  /// reference to `field`.
   Echelon(Field& field, std::vector<Row> rows, std::size_t unknowns)
       : field_(field), rows_(std::move(rows)), unknowns_(unknowns), is_used_(rows_.size()) {
     for (Row& row : rows_) drop_zeros(row);
     for (std::size_t column = 0; is_defined_ && column < unknowns; ++column) eliminate(column);
   }
 
-  /// The same of a row-major matrix.
+  /// The same for a row-major matrix.
   Echelon(Field& field, const std::vector<Number>& matrix, std::size_t columns,
           std::size_t unknowns)
       : Echelon(field, echelon_rows(matrix, columns), unknowns) {}
 
-  /// Whether every number on the way was defined; else nothing else is known.
+  /// True if every number during the elimination was defined; otherwise no other result is valid.
   [[nodiscard]] bool is_defined() const { return is_defined_; }
 
   [[nodiscard]] std::size_t rank() const { return pivots_.size(); }
 
-  /// In the order of their columns.
+  /// In column order.
   [[nodiscard]] const std::vector<Pivot>& pivots() const { return pivots_; }
 
-  /// The row of a pivot, without it.
+  /// The row of a pivot without the pivot itself.
   [[nodiscard]] const Row& rest(const Pivot& pivot) const { return rows_[pivot.row]; }
 
-  /// Right sides of rows without a pivot: such an equation says 0 = right side.
+  /// Nonzero entries of the first right-hand side in rows without a pivot. Such a row says 0 =
+  /// entry, a contradiction.
   [[nodiscard]] std::vector<Number> contradictions() const {
     std::vector<Number> result;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -140,14 +141,15 @@ class Echelon {
     return result;
   }
 
-  /// x of A x = b, where b is the first right side; free unknowns are 0. None where there is none.
+  /// A solution of A x = b with all free unknowns 0; b is the first right-hand side. None if the
+  /// equations contradict each other.
   [[nodiscard]] std::optional<std::vector<Number>> solution() const {
     if (!contradictions().empty()) return std::nullopt;
     return substituted(unknowns_);
   }
 
-  /// A basis of A x = 0: of each free unknown the x in which it is 1 and the other free ones are 0.
-  /// The entries behind it are 0, too.
+  /// A basis of the null space A x = 0, with one vector per free unknown. The vector is 1 at its
+  /// free unknown, and 0 at the other free unknowns and at all later unknowns.
   [[nodiscard]] std::vector<std::vector<Number>> kernel() const {
     std::vector<bool> is_free(unknowns_, true);
     for (const Pivot& pivot : pivots_) is_free[pivot.column] = false;
@@ -161,7 +163,7 @@ class Echelon {
     return basis;
   }
 
-  /// The determinant of a square matrix.
+  /// The matrix must be square.
   [[nodiscard]] Number determinant() const {
     if (rank() < unknowns_) return field_.integer(0);
     Number product = field_.integer(1);
@@ -200,7 +202,7 @@ class Echelon {
     }
   }
 
-  /// Takes the pivot out of its row.
+  /// Removes the pivot from its row; the reduced form also divides the row by it.
   void prepare(Row& row, const Pivot& pivot) {
     std::erase_if(row, [&](const Entry& entry) { return entry.column == pivot.column; });
     if constexpr (Field::form == EchelonForm::reduced) {
@@ -209,7 +211,7 @@ class Echelon {
     }
   }
 
-  /// Subtracts the multiple of the pivot's row that makes the entry in the pivot's column 0.
+  /// Subtracts the multiple of the pivot's row that eliminates the entry in the pivot's column.
   void reduce(Row& row, const Pivot& pivot) {
     const auto at = std::ranges::lower_bound(row, pivot.column, {}, &Entry::column);
     if (at == row.end() || at->column != pivot.column) return;
@@ -220,7 +222,7 @@ class Echelon {
     drop_zeros(row);
   }
 
-  /// x of A x = this column, from the last pivot up; free unknowns are 0.
+  /// Back substitution: solves A x = column `right`, with all free unknowns 0.
   std::vector<Number> substituted(std::size_t right) const {
     std::vector<Number> x(unknowns_, field_.integer(0));
     for (auto pivot = pivots_.rbegin(); pivot != pivots_.rend(); ++pivot) {
@@ -244,7 +246,7 @@ class Echelon {
   std::vector<Pivot> pivots_ = {};
 };
 
-/// The operations of numbers that have operators.
+/// The operations of a field, for types with arithmetic operators.
 template <class T>
 struct Operators {
   using Number = T;
@@ -259,7 +261,7 @@ struct Operators {
     if constexpr (requires { x.is_defined(); }) return x.is_defined();
     return true;
   }
-  /// Exactly 0, as far as numbers of this type know.
+  /// False if the type cannot show that x is exactly 0.
   [[nodiscard]] static bool is_zero(const T& x) {
     if constexpr (std::is_floating_point_v<T>) return x == 0;
     if constexpr (std::is_base_of_v<cln::cl_R, T>) return cln::zerop(x);
@@ -270,15 +272,15 @@ struct Operators {
   }
 };
 
-/// Ordered numbers, of which the largest of a column is its best pivot.
+/// For ordered numbers: takes the largest entry of a column as pivot.
 template <class T, EchelonForm Form = EchelonForm::upper>
 class LargestPivot : public Operators<T> {
  public:
   using Candidates = std::vector<PivotCandidate<T>>;
   static constexpr EchelonForm form = Form;
 
-  /// Rounding leaves pivots and entries below these of 0. Where rows have scales, pivots are
-  /// compared relative to them.
+  /// Smaller pivots than `least_pivot` and smaller entries than `least_entry` are rounding errors
+  /// and count as 0. If `scales` has a scale for each row, pivots are compared relative to it.
   explicit LargestPivot(T least_pivot = T(0), T least_entry = T(0), std::vector<T> scales = {})
       : least_pivot_(std::move(least_pivot)),
         least_entry_(std::move(least_entry)),
@@ -315,8 +317,8 @@ class LargestPivot : public Operators<T> {
   std::vector<T> scales_;
 };
 
-/// Pivots on the diagonal alone, without a look at their size: D of L D L^T, entry by entry. Floats
-/// may be divided by 0, so that every row of a square matrix has its pivot.
+/// Takes every pivot from the diagonal, whatever its size, and so computes D of L D L^T. Floating
+/// types may divide by 0, so every row of a square matrix has its pivot.
 template <class T>
 struct DiagonalPivot : Operators<T> {
   static constexpr EchelonForm form = EchelonForm::upper;

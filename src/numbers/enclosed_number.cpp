@@ -1,4 +1,5 @@
-// Enclosed numbers: a float, and a bound that needs few digits.
+// Enclosed numbers: each operation is computed in floats of many digits, and its error bound in 17
+// digits.
 #include "numbers/enclosed_number.hpp"
 
 #include <cln/integer.h>
@@ -19,34 +20,36 @@ using cln::cl_I;
 using cln::cl_R;
 using cln::cl_RA;
 
-/// Digits left to the library's own rounding, which is a few units in the last place.
+/// Digits that cover CLN's own rounding errors of a few ulp.
 constexpr int guard_digits = 10;
 
-/// Larger arguments of exp, sinh and cosh have values beyond 10^±10000.
+/// Larger arguments of exp, sinh and cosh give values beyond 10^±10000.
 constexpr long largest_exponent = 23'025;
 
 cln::float_format_t bound_format() { return cln::float_format(17); }
 
 cl_R largest(const EnclosedNumber& x) { return cln::abs(x.value) + x.error; }
-/// The least magnitude; not above 0 where 0 is enclosed.
+/// The least magnitude; <= 0 if the enclosure contains 0.
 cl_R least(const EnclosedNumber& x) { return cln::abs(x.value) - x.error; }
 
-/// log(1 + x): the quotient of two values with the same relative error (W. Kahan).
+/// log(1 + x) = log(s) x/(s - 1) with s = 1 + x rounded. log(s) and s - 1 have nearly the same
+/// relative error, which cancels in the quotient (W. Kahan).
 cl_F logarithm_of_sum(const cl_F& x) {
   const cl_F sum = 1 + x;
   const cl_F kept = sum - 1;
   return cln::zerop(kept) ? x : cln::ln(sum) * x / kept;
 }
 
-/// e^x - 1
+/// e^x - 1 = 2 sinh(x/2) e^(x/2) for |x| <= 1, so that a small x loses no digits.
 cl_F exponential_less_one(const cl_F& x) {
   if (cln::abs(x) > cl_R(1)) return cln::exp(x) - 1;
   const cl_F half = x / 2;
   return cln::scale_float(cln::sinh(half) * cln::exp(half), 1);
 }
 
-/// c_k(x), k > 0: the series where its terms fall from the first one on; else c_1 = sin(x)/x,
-/// c_2 = 2 (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2. With an order below 0, that of i x.
+/// c_k(x) for k > 0; a negative `order` gives c_|order|(i x). Sums the power series if its terms
+/// decrease from the first one on. Otherwise c_1 = sin(x)/x, c_2 = 2 (sin(x/2)/x)^2, c_(n+2) =
+/// (1/n! - c_n)/x^2.
 cl_F stumpff_function(const cl_F& x, int order) {
   const int k = std::abs(order);
   const auto reciprocal_factorial = [&x](int n) {
@@ -71,12 +74,12 @@ cl_F stumpff_function(const cl_F& x, int order) {
   return value;
 }
 
-/// The k of stumpff(x, k).
+/// The order k of stumpff(x, k).
 int whole_number(const cl_R& k) { return cln::cl_I_to_int(cln::round1(k)); }
 
 bool is_zero(const EnclosedNumber& x) { return is_exact(x) && cln::zerop(x.value); }
 
-/// cos(x) within this of 0 is 0, where x is known that well.
+/// The angle is a pole of tan if cos(x) may be 0 and its error exceeds |cos(x)| by at most this.
 const cl_R& pole_distance() {
   static const cl_R distance = power_of_ten(-60);
   return distance;
@@ -97,18 +100,18 @@ EnclosedArithmetic::EnclosedArithmetic(int digits)
     : format_(cln::float_format(static_cast<std::uintptr_t>(digits))),
       roundoff_(cln::cl_float(power_of_ten(guard_digits - digits), bound_format())) {}
 
-/// Bounds need few digits; the last factor covers their own rounding.
+/// Adds the rounding error of `value`. The last factor covers the rounding of the bound itself.
 EnclosedNumber EnclosedArithmetic::rounded(const cl_R& value, const cl_R& error) const {
   const cl_F bound = cln::cl_float(error + roundoff_ * cln::abs(value), bound_format());
   return {value, bound + bound * cln::cl_float(power_of_ten(-15), bound_format())};
 }
 
-/// An argument as functions take it.
+/// The argument as a float, as CLN's functions need it.
 EnclosedNumber EnclosedArithmetic::floating(const EnclosedNumber& x) const {
   return is_rational(x.value) ? rounded(as_float(x.value), x.error) : x;
 }
 
-/// A function whose slope is at most `slope` on the enclosure of its argument.
+/// f(x), given |f'| <= slope on the enclosure of x.
 EnclosedNumber EnclosedArithmetic::sloped(FunctionId function, const EnclosedNumber& x,
                                           const cl_R& slope) const {
   const cl_F argument = as_float(x.value);
@@ -152,7 +155,7 @@ EnclosedNumber EnclosedArithmetic::square_root(const EnclosedNumber& x) const {
   return rounded(cln::sqrt(as_float(x.value)), x.error / cln::sqrt(as_float(least(x))));
 }
 
-/// x^(p/q), exact where the root is.
+/// x^(p/q); exact if the root is rational.
 Enclosed EnclosedArithmetic::power(const EnclosedNumber& x, const cl_RA& exponent) const {
   const cl_I q = cln::denominator(exponent);
   if (is_zero(x) && cln::plusp(exponent)) return EnclosedNumber{0, 0};
@@ -179,18 +182,18 @@ Enclosed EnclosedArithmetic::tangent(const EnclosedNumber& x) const {
   return sloped(FunctionId::tan, x, cln::recip(cosine * cosine));
 }
 
-/// asin or acos; the slope 1/sqrt(1 - x^2) has no bound at ±1, which must be exact.
+/// asin or acos. The slope 1/sqrt(1 - x^2) is unbounded at ±1, so x must be exact there.
 Enclosed EnclosedArithmetic::inverse_circular(FunctionId function, const EnclosedNumber& x) const {
   if (is_exact(x) && cln::abs(x.value) == 1) return sloped(function, x, 0);
   const EnclosedNumber sine = floating(x);
-  const cl_R square = (1 - x.value) * (1 + x.value);  // of the cosine
+  const cl_R square = (1 - x.value) * (1 + x.value);  // cos(asin x)^2
   const cl_R error = sine.error * (2 * cln::abs(x.value) + sine.error);
   if (square < -error) return NoValue::complex;
   if (square <= error) return NoValue::unknown;
   return sloped(function, sine, cln::recip(cln::sqrt(as_float(square - error))));
 }
 
-/// The angle of (x, y); none at the origin, and on the cut only where y is 0 exactly.
+/// The angle of (x, y). Undefined at the origin; unknown near the branch cut unless y is exactly 0.
 Enclosed EnclosedArithmetic::arc_tangent_2(const EnclosedNumber& y, const EnclosedNumber& x) const {
   if (is_zero(x) && is_zero(y)) return NoValue::undefined;
   const bool is_right = cln::plusp(x.value - x.error);
@@ -205,7 +208,7 @@ Enclosed EnclosedArithmetic::arc_tangent_2(const EnclosedNumber& y, const Enclos
   return rounded(value, (across.error + along.error) / distance);
 }
 
-/// log, or log1p.
+/// `function` is log or log1p.
 Enclosed EnclosedArithmetic::logarithm(FunctionId function, const EnclosedNumber& x) const {
   const EnclosedNumber argument = function == FunctionId::log ? x : sum(x, {1, 0});
   if (is_zero(argument)) return NoValue::undefined;
@@ -218,19 +221,20 @@ Enclosed EnclosedArithmetic::logarithm(FunctionId function, const EnclosedNumber
 Enclosed EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumber& x) const {
   const EnclosedNumber argument = floating(x);
   if (largest(argument) > largest_exponent) {
-    // ±1 to more digits than there are
+    // tanh and expm1 equal ±1 to all digits here.
     const bool is_flat =
         function == FunctionId::tanh || (function == FunctionId::expm1 && cln::minusp(x.value));
     return is_flat ? Enclosed(rounded(cln::signum(as_float(x.value)), 0)) : NoValue::too_large;
   }
   if (function == FunctionId::tanh) return sloped(function, argument, 1);
-  // On the left, where the others rise again.
+  // The slopes of exp and expm1 are largest at the right end; the slopes of sinh and cosh grow with
+  // |x|.
   const bool falls = function == FunctionId::exp || function == FunctionId::expm1;
   const cl_R end = falls ? argument.value + argument.error : largest(argument);
   return sloped(function, argument, 2 * cln::exp(cln::cl_float(end, bound_format())));
 }
 
-/// |c_k'| <= 1/(k + 1)! for k > 0, and sinh |x| for k < 0.
+/// |c_k'| <= 1/(k + 1)! for k > 0, and <= sinh |x| for k < 0.
 Enclosed EnclosedArithmetic::stumpff(const EnclosedNumber& x, const EnclosedNumber& k) const {
   const EnclosedNumber argument = floating(x);
   const bool grows = cln::minusp(k.value);
@@ -325,7 +329,7 @@ cln::cos_sin_t cos_sin_of(const cl_F& x) {
     cl_F x;
     cln::cos_sin_t both;
   };
-  constexpr std::size_t most = 16;  // angles of a few bodies, in one precision or two
+  constexpr std::size_t most = 16;  // angles of a few bodies, in one or two precisions
   thread_local std::deque<Known> latest;
   const auto known = std::ranges::find_if(latest, [&x](const Known& other) {
     return cln::float_digits(other.x) == cln::float_digits(x) && other.x == x;

@@ -1,10 +1,10 @@
-// Enclosed numbers: numbers that are known to within a bound, and the functions of functions.def on
+// Enclosed numbers: numbers known to within an error bound, and the functions of functions.def on
 // them, with their domains.
 //
 //     sin(10^30)  at 220 digits    ->    -0.0901169…  with an error of at most 1e-179
 //
-// Every operation adds what rounding costs, u |x|, to what the errors of its operands become, so
-// that a sign is known or is known to be open; where it is open, more digits may tell.
+// Every operation adds its rounding error, u |x|, to the propagated errors of its operands. The
+// sign of a number is therefore either certain or undecided. More digits may decide it.
 #pragma once
 
 #include <cln/float.h>
@@ -19,25 +19,25 @@ namespace elgen {
 
 /// |value - x| <= error for a number x.
 struct EnclosedNumber {
-  cln::cl_R value = 0;  ///< exact where it is rational and the error is 0, else a float
+  cln::cl_R value = 0;  ///< exact if rational and the error is 0; otherwise a float
   cln::cl_R error = 0;
 };
 
 [[nodiscard]] bool is_exact(const EnclosedNumber& x);
 [[nodiscard]] EnclosedNumber operator-(const EnclosedNumber& x);
 
-/// -1, 0 or 1; none where the enclosure holds 0 and more.
+/// -1, 0 or 1; none if the enclosure contains 0 and other numbers.
 [[nodiscard]] std::optional<int> sign_of(const EnclosedNumber& x);
 
 /// Why an operation has no value.
 enum class NoValue : std::uint8_t {
-  unknown,    ///< these digits do not tell
+  unknown,    ///< undecided at this precision
   undefined,  ///< 1/0, log(0), tan(pi/2)
   complex,    ///< sqrt(-1), asin(2)
   too_large,  ///< beyond 10^±10000
 };
 
-/// A number, or why there is none.
+/// A number, or the reason why it is missing.
 struct Enclosed {
   std::optional<EnclosedNumber> number = {};
   NoValue why = NoValue::unknown;
@@ -46,7 +46,8 @@ struct Enclosed {
   Enclosed(NoValue reason) : why(reason) {}
 };
 
-/// Operations in floats of so many digits; exact where the operands and the value are.
+/// Operations in floats of `digits` decimal digits. Rational operands with a rational result give
+/// an exact number if that result is known without rounding.
 class EnclosedArithmetic {
  public:
   explicit EnclosedArithmetic(int digits);
@@ -56,7 +57,7 @@ class EnclosedArithmetic {
   [[nodiscard]] EnclosedNumber product(const EnclosedNumber& x, const EnclosedNumber& y) const;
   [[nodiscard]] Enclosed reciprocal(const EnclosedNumber& x) const;
   [[nodiscard]] Enclosed power(const EnclosedNumber& x, const cln::cl_RA& exponent) const;
-  /// f(x), or f(x, y).
+  /// f(x), or f(x, y) for a function of two arguments.
   [[nodiscard]] Enclosed call(FunctionId function, const EnclosedNumber& x,
                               const EnclosedNumber& y) const;
 
@@ -79,20 +80,20 @@ class EnclosedArithmetic {
   cln::cl_R roundoff_;
 };
 
-/// f(x), or f(x, y), where it is a number known without computing: cos(0), log(1), hypot(3, 4).
+/// f(x) or f(x, y) if it is a rational number known without computing: cos(0), log(1), hypot(3, 4).
 /// Functions of one argument ignore y.
 [[nodiscard]] std::optional<cln::cl_RA> known_value(FunctionId function, const cln::cl_RA& x,
                                                     const cln::cl_RA& y);
 
-/// f(x), or f(x, y), inside the domain; CLN throws where its exponents end.
+/// f(x) or f(x, y) for arguments in the domain. CLN throws if the result exceeds its exponents.
 [[nodiscard]] cln::cl_R function_value(FunctionId function, const cln::cl_F& x, const cln::cl_F& y);
 
-/// Sine and cosine by CLN, which makes both at the cost of one. The latest are remembered: their
-/// derivatives, and other functions at a state, ask for them again. The thread remembers them, for
-/// `sin` and `cos` of Real take one number and know of no evaluation that could.
+/// Sine and cosine from CLN, which computes both at the cost of one. The latest results are cached,
+/// because derivatives and other functions at the same state need them again. The cache is
+/// thread-local: `sin` and `cos` of Real take one number and have no argument that could carry it.
 [[nodiscard]] cln::cos_sin_t cos_sin_of(const cln::cl_F& x);
 
-/// Exponents of ten beyond this one are too large for a constant.
+/// A constant with a larger decimal exponent is too large.
 inline constexpr double largest_decimal_exponent = 10'000;
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Interval arithmetic without a change of the rounding mode: the exact error of a rounded sum,
-// product, quotient or root is a number that has a sign, and the sign says which bound moves.
+// Interval arithmetic without changing the rounding mode. The rounding error of a sum, product,
+// quotient or root has a sign that can be computed. It says which bound must move outwards.
 #include "numbers/enclosure.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr Enclosure no_value{infinity, -infinity, Definedness::nowhere};
 double below(double x) { return std::nextafter(x, -infinity); }
 double above(double x) { return std::nextafter(x, infinity); }
 
-/// A result rounded to nearest, and the sign of exact - rounded.
+/// A result rounded to nearest, and a number with the sign of exact - rounded; NaN if unknown.
 struct Rounded {
   double value;
   double error;
@@ -40,10 +40,10 @@ Rounded rounded_sum(double x, double y) {
   return {sum, (x - (sum - back)) + (y - back)};
 }
 
-/// Below this a product or quotient may have an error that is no double.
+/// The rounding error of a smaller product or quotient may underflow.
 constexpr double smallest_product = 0x1p-960;
 
-/// 0 where one factor is: bounds that are infinite stand for numbers.
+/// 0 if a factor is 0, even if the other is infinite: infinite bounds enclose finite numbers only.
 Rounded rounded_product(double x, double y) {
   if (x == 0 || y == 0) return {0, 0};
   const double product = x * y;
@@ -71,7 +71,8 @@ Rounded rounded_root(double x) {
   return {root, std::fma(-root, root, x)};
 }
 
-/// The bounds of a finite number are not infinite.
+/// The enclosed numbers are finite, so a lower bound of +infinity is replaced by the largest
+/// double, and an upper bound of -infinity by the lowest.
 double lowest(double x) { return x == infinity ? std::numeric_limits<double>::max() : x; }
 double highest(double x) { return x == -infinity ? std::numeric_limits<double>::lowest() : x; }
 
@@ -79,7 +80,7 @@ Enclosure bounds(double low, double high, Definedness defined) {
   return {lowest(low), highest(high), defined};
 }
 
-/// Holds all of them.
+/// Encloses all corners.
 Enclosure hull(const std::array<Rounded, 4>& corners, Definedness defined) {
   double low = infinity;
   double high = -infinity;
@@ -94,12 +95,12 @@ Definedness both(const Enclosure& x, const Enclosure& y) { return std::max(x.def
 
 bool has_none(const Enclosure& x) { return x.defined == Definedness::nowhere; }
 
-/// Eight units of the last place of a value of a C library.
+/// Error bound for a value of a C library: 8 ulp.
 double error_of(double value) { return std::abs(value) * 0x1p-49 + 0x1p-1070; }
 double lower_value(double value) { return std::isfinite(value) ? value - error_of(value) : value; }
 double upper_value(double value) { return std::isfinite(value) ? value + error_of(value) : value; }
 
-/// f of a function that rises, within its range.
+/// f(x) for an increasing function f with values in [least, greatest].
 template <class F>
 Enclosure rising(const F& f, const Enclosure& x, double least = -infinity,
                  double greatest = infinity) {
@@ -108,7 +109,7 @@ Enclosure rising(const F& f, const Enclosure& x, double least = -infinity,
                 x.defined);
 }
 
-/// The part of x inside the domain of a function.
+/// The part of x inside the domain [least, greatest] of a function.
 Enclosure inside(const Enclosure& x, double least, double greatest) {
   if (has_none(x) || x.high < least || x.low > greatest) return no_value;
   const bool is_inside = x.low >= least && x.high <= greatest;
@@ -116,17 +117,18 @@ Enclosure inside(const Enclosure& x, double least, double greatest) {
           is_inside ? x.defined : Definedness::somewhere};
 }
 
-/// Whether x may hold first + k period, k an integer. The period is rounded: half a unit per turn.
+/// True if x may contain first + k period for an integer k. The slack covers the rounding error of
+/// the period, half an ulp per turn.
 bool may_hold(const Enclosure& x, double first, double period) {
   const auto turns = [&](double at) { return (at - first) / period; };
   const double slack = 0x1p-49 * (1 + std::abs(turns(x.low)) + std::abs(turns(x.high)));
   return std::floor(turns(x.high) + slack) >= turns(x.low) - slack;
 }
 
-/// Beyond this the ends of an interval are not placed among the turns.
+/// The position of a larger angle within its turn is too uncertain.
 constexpr double largest_angle = 1e9;
 
-/// Sine or cosine, whose greatest values stand at `top` + 2 k pi.
+/// Sine or cosine, with its maxima at top + 2 k pi.
 template <class F>
 Enclosure sinusoid(const F& f, const Enclosure& x, double top) {
   if (has_none(x)) return x;
@@ -235,7 +237,7 @@ Enclosure acos(const Enclosure& x) {
   return -rising([](double cosine) { return -std::acos(cosine); }, inside(x, -1, 1));
 }
 
-/// The angle turns one way along every edge of a box that does not hold the origin.
+/// In a box without the origin the angle is monotone along every edge, so the corners bound it.
 Enclosure atan2(const Enclosure& x, const Enclosure& y) {
   if (has_none(x) || has_none(y)) return no_value;
   if (y.low <= 0 && may_be(x, 0)) {
@@ -276,12 +278,12 @@ Enclosure hypot(const Enclosure& x, const Enclosure& y) {
                 upper_value(std::hypot(width.high, height.high)), both(x, y));
 }
 
-/// y is one whole number. c_k rises with |x| for k < 0 and falls for k > 2, c_1 up to 4.49; c_2 is
-/// half the square of c_1 at x/2.
+/// y must be a single integer. c_k increases with |x| for k < 0 and decreases for k > 2; c_1
+/// decreases up to 4.49. c_2 is half the square of c_1 at x/2.
 Enclosure stumpff(const Enclosure& x, const Enclosure& y) {
   constexpr double least_sinc = -0.2172337;
-  constexpr double far = 1e150;            // beyond, the square overflows
-  constexpr double more_errors = 0x1p-49;  // up to 17 u at k = -36
+  constexpr double far = 1e150;            // x^2 overflows beyond this
+  constexpr double more_errors = 0x1p-49;  // the error is up to 17 u, at k = -36
   if (has_none(x) || has_none(y)) return no_value;
   const Enclosure size = abs(x);
   if (y.low < 0) {
@@ -308,7 +310,7 @@ Enclosure abs(const Enclosure& x) {
   return {least, magnitude(x), x.defined};
 }
 
-/// A jump is no continuous value.
+/// A jump counts as `somewhere`: sign is not continuous at 0.
 Enclosure sign(const Enclosure& x) {
   if (has_none(x)) return x;
   const auto of = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };

@@ -1,11 +1,11 @@
-// Enclosure: a closed interval of doubles that holds all values of an expression on a box; the
+// Enclosure: a closed interval of doubles that contains all values of an expression on a box; the
 // scalar type of interval arithmetic.
 //
 //     [1, 2] - [0, 3]   ->   [-2, 2]            sin([1, 2])   ->   [0.8414…, 1]
 //
-// Sums, products, quotients and roots are rounded outwards by at most one place, and not at all
-// where they are exact; functions by 8 units of the last place, since C libraries may be off by
-// some. An operand times itself (the same object) is a square.
+// Sums, products, quotients and roots are rounded outwards by at most one ulp, and not at all if
+// they are exact and not tiny. Functions are widened by 8 ulp, because C libraries have errors of a
+// few ulp. An operand times itself (the same object) is a square.
 //
 // Source: R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, 2009.
 #pragma once
@@ -14,11 +14,11 @@
 
 namespace elgen {
 
-/// Whether an expression has a value, and is continuous, on the box.
+/// Whether an expression is defined and continuous on the box.
 enum class Definedness : std::uint8_t {
   everywhere,
-  somewhere,  ///< the bounds hold where there is a value
-  nowhere,    ///< there are no bounds
+  somewhere,  ///< the bounds hold at points with a value
+  nowhere,    ///< the bounds are empty
 };
 
 struct Enclosure {
@@ -30,7 +30,7 @@ struct Enclosure {
 /// [x, x]
 [[nodiscard]] inline Enclosure enclosure_of(double x) { return {x, x}; }
 
-/// Whether x may be a value; true where nothing is known.
+/// False if the enclosure excludes the value x.
 [[nodiscard]] bool may_be(const Enclosure& enclosure, double x);
 
 /// max |x|
@@ -52,7 +52,7 @@ struct Enclosure {
 #undef ELGEN_ENCLOSURE_2
 #undef ELGEN_ENCLOSURE_1
 
-/// The nearest doubles around an exact number.
+/// Encloses an exact number between the nearest doubles.
 template <>
 struct ScalarTraits<Enclosure> {
   [[nodiscard]] static Enclosure from_real(const cln::cl_R& value);

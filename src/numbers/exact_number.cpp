@@ -1,5 +1,5 @@
-// Significand times a power of the base. Texts are made by exact integer arithmetic only, so that
-// no locale and no libm decides a digit.
+// A Decimal is a significand times a power of ten. Texts use exact integer arithmetic only, so that
+// neither the locale nor libm changes a digit.
 #include "numbers/exact_number.hpp"
 
 #include <cln/dfloat.h>
@@ -27,7 +27,7 @@ Decimal without_trailing_zeros(cln::cl_I significand, long exponent) {
   }
 }
 
-/// How often `factor` divides n; n is left without it.
+/// Divides n by `factor` as often as possible; returns the number of divisions.
 long remove_factor(cln::cl_I& n, int factor) {
   long count = 0;
   for (cln::cl_I_div_t part = cln::truncate2(n, factor); cln::zerop(part.remainder);
@@ -46,7 +46,7 @@ long first_place(const cln::cl_RA& x) {
   return exponent;
 }
 
-/// A decimal as 3.14159…e0, with so many digits.
+/// 3.14159…e0 with `digits` significant digits.
 std::string scientific_text(const Decimal& decimal, std::size_t digits) {
   std::string text = integer_text(cln::abs(decimal.significand));
   const long exponent = static_cast<long>(text.size()) - 1 + decimal.exponent;
@@ -106,7 +106,7 @@ cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
 cln::cl_RA exact_value(double value) {
   if (!std::isfinite(value)) return 0;
   if (std::isnormal(value)) return cln::rational(cln::cl_DF(value));
-  // CLN has no denormals: they are counted in the smallest of them.
+  // CLN has no subnormals, so the value is counted in units of the smallest, 2^-1074.
   constexpr int smallest = 1074;
   const auto count = static_cast<long>(std::ldexp(value, smallest));
   return cln::cl_RA(count) * cln::expt(cln::cl_RA(2), -smallest);
@@ -142,7 +142,7 @@ std::string literal_text(const Decimal& decimal) {
   const std::string sign = negative ? "-" : "";
   std::string digits = integer_text(cln::abs(decimal.significand));
   const long point =
-      static_cast<long>(digits.size()) + decimal.exponent;  // before the first digit: 0
+      static_cast<long>(digits.size()) + decimal.exponent;  // 0: before the first digit
   if (point < -3 || point > 17) {
     const std::string fraction = digits.size() > 1 ? "." + digits.substr(1) : "";
     return fmt::format("{}{}{}e{}", sign, digits[0], fraction, point - 1);
@@ -165,7 +165,8 @@ std::string exact_text(const cln::cl_R& value) {
 }
 
 std::string number_text(const cln::cl_R& value) {
-  constexpr int printed_digits = 30;  // of 100: told apart by everything a file can say
+  // Of 100 digits: enough to distinguish any two numbers that a file can define
+  constexpr int printed_digits = 30;
   if (cln::zerop(value)) return "0";
   if (!is_rational(value)) {
     return scientific_text(rounded_decimal(value, printed_digits), printed_digits);

@@ -1,4 +1,4 @@
-// More digits: one sum per thread.
+// More digits: the counters of each thread.
 #include "numbers/more_digits.hpp"
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 namespace elgen {
 namespace {
 
-/// The digits that computations in this thread asked for, and those that arithmetic says were lost.
+/// Digits that computations in this thread requested, and digits that its arithmetic reported as
+/// lost or hidden.
 struct DigitsOfThread {
   unsigned asked = 0;
   unsigned lost = 0;
@@ -19,8 +20,8 @@ DigitsOfThread& digits_of_thread() {
   return digits;
 }
 
-/// Real agrees to 50 digits of 64 with a bound that knows the slope of a sine, and the oracle
-/// promises 60 of 95: so many may go.
+/// A computation may lose this many digits without being repeated. Checks need 50 of Real's 64
+/// digits, and the oracle promises 60 of its 95.
 constexpr unsigned spare_digits = 10;
 
 }  // namespace

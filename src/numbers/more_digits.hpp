@@ -1,27 +1,29 @@
-// More digits: while a computation runs, exact arithmetic has so many decimal digits more than by
-// itself: Real and the oracle alike. Where two exact values differ because their digits cancelled,
-// they do not with more of them; what differs still is different.
+// More digits: raises the precision of exact arithmetic (Real and the oracle) during a computation.
+// Two exact values that differ only because digits cancelled then agree. Values that still differ
+// are different.
 //
-// The count belongs to the thread and is no argument: numbers become floats deep below templates
-// over all scalars (ScalarTraits<Scalar>::from_real, the functions of functions.def), and Real is
-// the only scalar that has digits to choose. Every template between would have to pass them on.
+// The count belongs to the thread and is not an argument. Numbers become floats deep below
+// templates over all scalars (ScalarTraits<Scalar>::from_real, the functions of functions.def), and
+// Real is the only scalar with a variable precision. Every template in between would have to pass
+// the count on.
 #pragma once
 
 namespace elgen {
 
-/// Arithmetic asks for its digits here; computations ask for more of them below.
+/// Arithmetic reads its extra digits here. Computations request them by the functions below.
 class MoreDigits {
  public:
-  /// All that the running computations of this thread asked for.
+  /// The sum of all digits that the running computations of this thread requested.
   [[nodiscard]] static unsigned count();
 
-  /// Arithmetic tells of an angle with so many digits before its point.
+  /// Arithmetic reports an angle with this many digits before its decimal point.
   static void lose(unsigned digits);
 
-  /// Arithmetic tells of an exponential: a sum with it may hide terms so many digits smaller.
+  /// Arithmetic reports an exponential: in a sum with it, terms smaller by this many digits may
+  /// vanish.
   static void hide(unsigned digits);
 
-  /// The most digits that were told to hide() since the last call.
+  /// The largest argument of hide() since the last call of this function.
   [[nodiscard]] static unsigned hidden();
 
  private:
@@ -35,21 +37,22 @@ class MoreDigits {
   MoreDigits(const MoreDigits&) = delete;
   MoreDigits& operator=(const MoreDigits&) = delete;
 
-  /// Grows by what arithmetic has lost, where that is more than it can spare.
+  /// Requests the digits that arithmetic lost and returns true, if they are more than it can spare.
   [[nodiscard]] bool grow();
 
   unsigned digits_;
 };
 
-/// Evaluates a computation with so many digits more.
+/// Runs a computation with `digits` more digits.
 template <class Computation>
 auto with_digits(unsigned digits, const Computation& computation) {
   const MoreDigits more(digits);
   return computation();
 }
 
-/// Evaluates a computation again with as many digits more as it lost, until it has enough: an angle
-/// of 1e100 that is no rational has none of 64 digits behind the point, so that its sine has none.
+/// Repeats a computation with more digits until it has as many as arithmetic lost. Example: at 64
+/// digits an irrational angle of 1e100 has no digits after its decimal point, so its sine has none
+/// either.
 template <class Computation>
 auto with_enough_digits(const Computation& computation) {
   MoreDigits digits(0);

@@ -1,5 +1,5 @@
-// Random: SplitMix64. Own and tiny, because the standard distributions differ between libraries and
-// a seed must name the same states everywhere.
+// Random: the SplitMix64 generator. The standard distributions differ between libraries, but a seed
+// must give the same states everywhere.
 #pragma once
 
 #include <cln/rational.h>
@@ -15,10 +15,10 @@ class Random {
   [[nodiscard]] std::uint64_t next();
   /// In [low, high).
   [[nodiscard]] double uniform(double low, double high);
-  /// +-m 2^k with m in [1, 2) and k uniform in [low_exponent, high_exponent].
+  /// ±m 2^k with m uniform in [1, 2) and k uniform in [low_exponent, high_exponent].
   [[nodiscard]] double log_uniform(int low_exponent, int high_exponent);
-  /// k / 997 in [-1, 1] without 0: small enough to stay quick, no divisor in common with models'
-  /// decimals.
+  /// k / 997 in [-1, 1], k not 0. Small integers keep exact arithmetic fast, and 997 shares no
+  /// divisor with the decimals of models.
   [[nodiscard]] cln::cl_RA rational();
 
  private:

@@ -1,4 +1,5 @@
-// Real: CLN floats of 64 digits or more with the domain of every function guarded.
+// Real: CLN floats of 64 digits or more. Arguments outside the domain of a function give
+// `undefined`.
 #include "elgen/real.hpp"
 
 #include <cln/exception.h>
@@ -22,7 +23,7 @@ unsigned digits() { return basic_digits + MoreDigits::count(); }
 
 const cln::cl_F& number(const Real& x) { return x.value(); }
 
-/// f(x) where x is defined and in the domain, and the result within CLN's range of exponents.
+/// The result of `operation`; undefined outside the domain or beyond CLN's range of exponents.
 template <class Operation>
 Real guarded(bool in_domain, const Operation& operation) {
   if (!in_domain) return Real::undefined();
@@ -35,7 +36,8 @@ Real guarded(bool in_domain, const Operation& operation) {
 
 bool both(const Real& x, const Real& y) { return x.is_defined() && y.is_defined(); }
 
-/// x with so many digits more that reduction by a multiple of pi leaves as many as Real has.
+/// x with more digits: as many as it has before its point. After reduction by a multiple of pi, as
+/// many digits remain as Real has.
 cln::cl_F lengthened(const Real& x) {
   const auto exponent = std::max(std::int64_t{0}, std::int64_t{cln::float_exponent(number(x))});
   const auto before_point = static_cast<unsigned>(exponent / 3);
@@ -43,17 +45,18 @@ cln::cl_F lengthened(const Real& x) {
   return cln::cl_float(number(x), cln::float_format(digits() + before_point));
 }
 
-/// The largest exponent of an angle that is reduced: beyond the range of every built-in float.
+/// The largest binary exponent of an angle that is reduced; no built-in float has a larger one.
 constexpr std::int64_t maximal_angle_exponent = 20'000;
 
 bool is_periodic(FunctionId function) {
   return is_circular(function) || function == FunctionId::tan || function == FunctionId::stumpff;
 }
 
-/// The largest exponent of the argument of an exponential: CLN overflows beyond without a word.
+/// The largest binary exponent of an exponential's argument. Beyond it CLN overflows without an
+/// error.
 constexpr std::int64_t maximal_exponent = 30;
 
-/// tanh and expm1 far out: +-1 if that is the value in all digits.
+/// tanh or expm1 of a large argument, if it equals ±1 to all digits; otherwise none.
 std::optional<Real> limit_far_out(FunctionId function, const cln::cl_F& x) {
   const std::optional<FarValues>& far = function_row(function).far_values;
   if (!far || cln::float_exponent(x) < maximal_exponent) return std::nullopt;
@@ -84,7 +87,7 @@ Real called(FunctionId function, const Real& x, const Real& y) {
   const FunctionId far = far_out(function, cln::minusp(number(y)));
   if (const auto limit = limit_far_out(function, number(x))) return *limit;
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
-  if (function == FunctionId::atan2 && is_origin) return Real();  // as the C library has it
+  if (function == FunctionId::atan2 && is_origin) return Real();  // as in the C library
   return guarded(in_domain(far, number(x)), [&] {
     return function_value(function, is_periodic(far) ? lengthened(x) : number(x), number(y));
   });

@@ -1,9 +1,9 @@
-// scalar_literal: the standard's shortest decimals, which no locale changes.
+// scalar_literal: shortest decimals by std::to_chars, which ignores the locale.
 //
-// Binary values of exact numbers are correctly rounded, subnormals and overflow included: CLN's own
-// double_approx stops at the smallest normal number, so the significand is rounded here, as an
-// integer of as many bits as the result has at its exponent. Hardware and CLN round the ordinary
-// ones as well, ten times as fast.
+// Exact numbers are rounded correctly to binary, subnormals and overflow included. CLN's
+// double_approx stops at the smallest normal number. So the significand is rounded here, as an
+// integer with as many bits as the result has at its exponent. For ordinary numbers the hardware
+// and CLN also round correctly, ten times as fast.
 #include "numbers/scalar_literal.hpp"
 
 #include <cln/float.h>
@@ -23,7 +23,7 @@
 namespace elgen {
 namespace {
 
-/// floor(log2 x) for x > 0, perhaps one too large.
+/// floor(log2 x) for x > 0, or one more.
 long upper_exponent(const cln::cl_RA& x) {
   return static_cast<long>(cln::integer_length(cln::numerator(x))) -
          static_cast<long>(cln::integer_length(cln::denominator(x)));
@@ -34,7 +34,7 @@ cln::cl_RA times_power_of_two(const cln::cl_RA& x, long exponent) {
   return exponent >= 0 ? x * power : x / power;
 }
 
-/// x = significand * 2^exponent with the significand rounded to the bits Scalar has there.
+/// Rounds x = significand * 2^exponent to the significand bits that Scalar has at this exponent.
 template <class Scalar>
 Scalar round_positive(const cln::cl_RA& x) {
   using Traits = std::numeric_limits<Scalar>;
@@ -43,18 +43,19 @@ Scalar round_positive(const cln::cl_RA& x) {
   const long estimate = upper_exponent(x);
   if (estimate > Traits::max_exponent + 1) return Traits::infinity();
   if (estimate < lowest - 2) return 0;
-  // One bit less than `estimate` says where it was too large.
+  // `estimate` may be one too large; then the significand would have one bit less.
   const bool too_large = times_power_of_two(x, -estimate) < 1;
   const long exponent = std::max(estimate - (too_large ? 1 : 0) - (Traits::digits - 1), lowest);
   const cln::cl_I significand = cln::round1(times_power_of_two(x, -exponent));
-  // At most `digits` bits and perhaps one carry: each half is exact, and so is the sum.
+  // The significand has at most `digits` bits and perhaps a carry. Each half is exact, and so is
+  // their sum.
   const auto high = static_cast<Scalar>(cln::cl_I_to_ulong(cln::ash(significand, -32)));
   const auto low = static_cast<Scalar>(cln::cl_I_to_ulong(cln::ldb(significand, {32, 0})));
   return std::ldexp(std::ldexp(high, 32) + low, static_cast<int>(exponent));
 }
 
-/// Where both integers of a fraction are numbers of Scalar, or the divisor is a power of two, one
-/// operation of hardware rounds the quotient; none elsewhere, and on hardware that rounds twice.
+/// The correctly rounded quotient by one hardware operation. None unless the numerator is exact in
+/// Scalar and the denominator is exact or a power of two; none on hardware that rounds twice (x87).
 template <class Scalar>
 std::optional<Scalar> divided(const cln::cl_RA& x) {
   constexpr auto digits = static_cast<uintC>(std::min(std::numeric_limits<Scalar>::digits, 62));
@@ -62,16 +63,16 @@ std::optional<Scalar> divided(const cln::cl_RA& x) {
   if (FLT_EVAL_METHOD != 0 || cln::integer_length(numerator) > digits) return std::nullopt;
   const auto dividend = static_cast<Scalar>(cln::cl_I_to_long(numerator));
   const cln::cl_I divisor = cln::denominator(x);
-  if (const auto power = cln::power2p(divisor)) {  // one more than its exponent
+  if (const auto power = cln::power2p(divisor)) {  // power2p gives the exponent plus one
     return std::ldexp(dividend, 1 - static_cast<int>(power));
   }
   if (cln::integer_length(divisor) > digits) return std::nullopt;
   return dividend / static_cast<Scalar>(cln::cl_I_to_long(divisor));
 }
 
-/// The magnitude of a float whose exponent decides: of one far beyond those of built-in types,
-/// which as a fraction may need more than the memory, and of what is a normal double, which CLN
-/// rounds.
+/// The magnitude of a float x if its exponent suffices to round it. A float far beyond all built-in
+/// types becomes 0 or infinity, as its fraction might need more than the memory. CLN rounds normal
+/// doubles.
 template <class Scalar>
 std::optional<Scalar> rounded_by_exponent(const cln::cl_R& x) {
   constexpr std::int64_t normal = 1'000;
@@ -113,7 +114,7 @@ std::string shortest_in(const cln::cl_R& value) {
   return is_floating ? text : text + ".0";
 }
 
-/// The value itself where a reader can still read it: in as many digits as a double has.
+/// The exact decimal if it is readable: no more digits than a double has.
 std::optional<std::string> readable_literal(const cln::cl_R& value) {
   constexpr std::size_t readable_digits = 17;
   const std::optional<Decimal> decimal = exact_decimal(value);
@@ -149,7 +150,7 @@ std::string shortest_literal(const cln::cl_R& value, ScalarKind scalar) {
     case ScalarKind::double_precision:
       return shortest_in<double>(value);
     case ScalarKind::long_double:
-      // A literal is read by the user's compiler, whose long double may have 113 bits.
+      // The user's compiler reads this literal, and its long double may have 113 bits.
       return literal_text(rounded_decimal(value, 40));
   }
   return "";

@@ -1,4 +1,4 @@
-// scalar_literal: what built-in scalars make of exact numbers, and the literals that they read.
+// scalar_literal: exact numbers rounded to built-in scalars, and the literals for them.
 //
 //     9.81   9.81      1/3 in float   0.33333334      pi in double   3.141592653589793
 #pragma once
@@ -12,22 +12,22 @@
 
 namespace elgen {
 
-/// How a value fares in a built-in scalar. `too_small` is 0 or a subnormal where the value is not
-/// 0.
+/// Whether a built-in scalar can hold a value. `too_small`: a nonzero value becomes 0 or subnormal.
 enum class Fit : std::uint8_t { fits, too_large, too_small };
 
 [[nodiscard]] Fit fit(const cln::cl_R& value, ScalarKind scalar);
 
-/// The shortest decimal that the scalar reads back as its nearest value; the value must fit.
+/// The shortest decimal that the scalar reads back as its nearest value; 40 digits for long double.
+/// The value must fit.
 [[nodiscard]] std::string shortest_literal(const cln::cl_R& value, ScalarKind scalar);
 
-/// The same, but decimals of up to 17 digits stay as they are. Without a suffix.
+/// Like shortest_literal, but an exact decimal of up to 17 digits is kept. No suffix.
 [[nodiscard]] std::string scalar_literal(const cln::cl_R& value, ScalarKind scalar);
 
-/// The same, behind the sign of the value.
+/// scalar_literal of the magnitude, after "-" if the value is negative.
 [[nodiscard]] std::string signed_literal(const cln::cl_R& value, ScalarKind scalar);
 
-/// The value itself where a float holds it exactly (0, 2, -1/2) and 17 digits write it.
+/// The exact decimal, if a float holds the value exactly (0, 2, -1/2) and 17 digits suffice.
 [[nodiscard]] std::optional<std::string> exact_in_float(const cln::cl_R& value);
 
 }  // namespace elgen
