@@ -1,10 +1,10 @@
-// cancelling_places: finds states where sums in a function vanish.
+// cancelling_places: finds states at which sums in a function vanish.
 //
 //     before    F*sqrt((x - a)^2 + y^2)
 //     after     x near a and -a, x near 0, y near 0
 //
-// Folds the text over sums of numbers and of multiples of a leaf or its square. All other terms are
-// opaque.
+// Folds the text into sums of numbers and of multiples of a coordinate, its square, or a root,
+// inverse or function of a sum. All other terms are opaque.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -19,17 +19,17 @@ namespace {
 constexpr double half_turn = 3.141592653589793;
 constexpr double places_of_sines[]{half_turn, half_turn / 2, -half_turn / 2, -half_turn};
 
-/// The depth to which functions of functions are searched.
+/// The maximal nesting of functions, roots and inverses that is searched.
 constexpr int deepest = 3;
 
-/// Longer sums are opaque: no two of their terms alone cancel.
+/// A longer sum is opaque: it hardly vanishes because two of its terms cancel.
 constexpr std::size_t most_parts = 8;
 
 struct SumPart;
 using SumParts = std::vector<SumPart>;
 
-/// One term: factor, factor x or factor x^2 of a coordinate x; a root, an inverse or a function of
-/// a sum; or opaque.
+/// One term of a sum: a number `factor`, factor * x or factor * x^2 of a coordinate x, or factor
+/// times a root, inverse or function of a sum; or opaque.
 struct SumPart {
   enum class Kind : std::uint8_t { number, linear, square, root, inverse, call, opaque };
   Kind kind = Kind::opaque;
@@ -39,7 +39,7 @@ struct SumPart {
   std::shared_ptr<const SumParts> inner = {};  ///< operand of a root, an inverse or a function
 };
 
-/// The rules of fold.hpp. Parameters are numbers, at their values.
+/// Folding rules (fold.hpp). Parameters are replaced by their values.
 struct SumPartRules {
   const Arguments<double>& values;
 
@@ -97,7 +97,7 @@ struct SumPartRules {
   }
 };
 
-/// Adds the numbers of a sum.
+/// The sum of the terms that are numbers.
 SumPart number_in(const SumParts& sum) {
   SumPart total{SumPart::Kind::number, 0};
   for (const SumPart& part : sum) {
@@ -106,7 +106,7 @@ SumPart number_in(const SumParts& sum) {
   return total;
 }
 
-/// The first `most` places, taken from the coordinates in turn.
+/// At most `most` places: the first of each coordinate, then the second of each, and so on.
 NearPlaces first_of(const std::vector<NearPlaces>& by_coordinate, std::size_t most) {
   NearPlaces places;
   bool has_more = true;
@@ -122,7 +122,8 @@ NearPlaces first_of(const std::vector<NearPlaces>& by_coordinate, std::size_t mo
   return places;
 }
 
-/// Finds places of all coordinates: 0, zeros where two terms of a sum cancel, and right angles.
+/// Finds places for all coordinates: 0, zeros at which two terms of a sum cancel, and multiples of
+/// pi/2.
 class PlaceSearch {
  public:
   PlaceSearch(const Program& program, const Function& text, const Domain& domain)
@@ -153,13 +154,13 @@ class PlaceSearch {
     if (std::ranges::find(known, place) == known.end()) known.push_back(place);
   }
 
-  /// Whether a coordinate is not a component of a quaternion.
+  /// False for a component of a quaternion.
   [[nodiscard]] bool is_alone(std::uint32_t coordinate) const {
     return !domain_.model.coordinates[coordinate].rotation;
   }
 
-  /// Adds places where two angles are equal, since sums of products of their sines and cosines
-  /// cancel there; then right angles.
+  /// Adds places at which two angles are equal, because sums of products of their sines and cosines
+  /// cancel there; then the multiples of pi/2.
   void add_angles(const std::vector<bool>& is_angle) {
     for (std::uint32_t i = 0; i < count_; ++i) {
       for (std::uint32_t k = i + 1; k < count_; ++k) {
@@ -173,7 +174,7 @@ class PlaceSearch {
     }
   }
 
-  /// Adds places where an argument is 1, as log(x) vanishes there.
+  /// Adds places at which the argument is 1, because log vanishes there.
   void add_ones(const SumParts& argument) {
     SumParts less = argument;
     less.push_back({SumPart::Kind::number, -1});
@@ -205,7 +206,8 @@ class PlaceSearch {
     add({x.coordinate, -std::sqrt(ratio), other});
   }
 
-  /// Adds places where f(a) = ratio f(b), or where a root or an inverse of a equals a number.
+  /// Adds places with f(a) = ±f(b), found as a = ±b, or with a root or an inverse of a equal to a
+  /// number.
   void add_equal(const SumPart& x, const SumPart& y, double ratio) {
     using Kind = SumPart::Kind;
     SumParts difference = *x.inner;

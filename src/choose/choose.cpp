@@ -1,4 +1,4 @@
-// choose: see choose.hpp. Only this file decides between the two forms.
+// choose: see choose.hpp. Only this file decides between the closed and the recursive form.
 #include "elgen/choose.hpp"
 
 #include <fmt/format.h>
@@ -13,19 +13,20 @@
 namespace elgen {
 namespace {
 
-/// A closed form whose entries, written out, have this many times the operations of the recursive
-/// form is not lowered, as sharing would not make it cheaper. Ratios from 3 to 12 give the same
-/// code for all of models/; with 2 a cheaper form is missed.
+/// A closed form is not lowered if its entries, written out, have this many times the operations of
+/// the recursive form: common subexpressions would not make it cheaper. Ratios from 3 to 12 give
+/// the same code for all of models/; with 2 a cheaper form is missed.
 constexpr std::size_t hopeless_ratio = 6;
-/// Forms up to this length are always lowered: if the recursive form has only a few operations, the
-/// ratio means nothing.
+/// Closed forms up to this length are always lowered: for a recursive form with only a few
+/// operations the ratio means nothing.
 constexpr std::size_t always_tried = 400;
 
-/// A form may cost a quarter more than another one that loses more than a quarter of the digits of
-/// double.
+/// A loss of 13 bits, a quarter of the digits of double. A form that loses less may cost a quarter
+/// more.
 constexpr double most_lost = 8192;
 
-/// 1.25 times, and 4 times: V costs little compared with the functions that contain it.
+/// Limits of a cost ratio, in quarters: 1.25, and 4 for V, which costs little compared with the
+/// functions that contain it.
 constexpr std::size_t quarters_for_balance = 5;
 constexpr std::size_t quarters_for_digits = 16;
 
@@ -34,15 +35,15 @@ bool has_float_alone(const Scene& scene) {
   return scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
 }
 
-/// If float is the only scalar, losses that are tolerable in double take most of its digits.
+/// If float is the only scalar, a loss that is tolerable in double would be most of its digits.
 LoweringAim aim_of(const Scene& scene, bool has_zeros) {
   if (has_zeros) return {.tolerated = tolerated_loss, .most_quarters = quarters_for_digits};
   return {.tolerated = has_float_alone(scene) ? tolerated_loss : most_lost,
           .most_quarters = quarters_for_balance};
 }
 
-/// Keeps differences of angles whole in solvers: there, small differences are divisors, and float
-/// has too few digits for them when they are split.
+/// Solvers in float keep differences of angles whole: they divide by small differences, and float
+/// has too few digits for a difference that was split.
 Splits splits_for(const Scene& scene, const Function& function) {
   const bool matters = has_float_alone(scene) && scene.numerics.prefer != Preference::speed;
   const bool is_whole = matters && output_row(function.kind).solves;
@@ -54,7 +55,7 @@ bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive
   return total <= always_tried || total <= hopeless_ratio * cost(count_operations(recursive));
 }
 
-/// Counts operations without the guards of pivots, which both forms get.
+/// Counts operations without the guards of pivots, because both forms get them.
 std::size_t cost_of(const Function& form) { return cost(count_operations(without_diagonal(form))); }
 
 void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
@@ -67,7 +68,8 @@ struct Candidate {
   const FormCosts& costs;
 };
 
-/// Whether a rewriting of the closed form is free, or worth its cost.
+/// True if a rewriting of the closed form neither costs nor loses more, or if its smaller loss is
+/// worth its cost.
 bool is_taken(const LoweringAim& aim, const Function& recursive, const Candidate& closed,
               const Candidate& rewriting) {
   const std::size_t cost = cost_of(rewriting.function);
@@ -79,10 +81,10 @@ bool is_taken(const LoweringAim& aim, const Function& recursive, const Candidate
   return is_free || (is_better && is_affordable(cost, cheapest, aim.most_quarters));
 }
 
-/// The recursive forms, and the errors of those functions whose digits matter.
+/// The recursive forms, and the errors of functions whose digits matter.
 class RecursiveForms {
  public:
-  /// The states `zeros` are approached, too.
+  /// Forms are also compared near the states `zeros`.
   RecursiveForms(const Program& recursive, const Program& chosen, const Domain& domain,
                  const Scene& scene, SumZeros zeros)
       : recursive_(recursive),
@@ -91,7 +93,7 @@ class RecursiveForms {
         scene_(scene),
         zeros_(std::move(zeros)) {}
 
-  /// The recursive form; the total energy is the sum of the energies if possible.
+  /// The recursive form of a function. The total energy is the sum of the two energies if possible.
   const Function& of(std::size_t index) {
     const auto known = energy_sums_.find(index);
     if (known != energy_sums_.end()) return known->second;
@@ -101,7 +103,7 @@ class RecursiveForms {
     return energy_sums_.emplace(index, std::move(*sum)).first->second;
   }
 
-  /// Null if digits do not matter.
+  /// Null if digits do not matter, that is, if the scene prefers speed.
   TextErrors* errors_of(std::size_t index) {
     if (scene_.numerics.prefer == Preference::speed) return nullptr;
     const auto known = errors_.find(index);
@@ -113,7 +115,7 @@ class RecursiveForms {
 
  private:
   const Program& recursive_;
-  const Program& chosen_;  ///< with the functions chosen so far
+  const Program& chosen_;  ///< contains the functions chosen so far
   const Domain& domain_;
   const Scene& scene_;
   std::map<std::size_t, Function> energy_sums_ = {};  ///< total_energy by function number
@@ -121,10 +123,10 @@ class RecursiveForms {
   SumZeros zeros_;
 };
 
-/// A function of either form after the passes of finish.hpp. `normalized` is the name of the
-/// function of that kind.
+/// Runs the passes of finish.hpp on a form. `normalized` is the name of the function of that kind;
+/// it is set when that function passes.
 Function finished(Function function, Program& program, std::string& normalized) {
-  // A branch on a kind: no other output divides quaternions by their lengths.
+  // This branch on a kind is needed: no other output divides quaternions by their lengths.
   if (function.kind == OutputKind::normalized) normalized = function.name;
   const bool has_lengths = output_row(function.kind).repeats || function.name == normalized;
   if (has_lengths && !normalized.empty()) {
@@ -163,7 +165,8 @@ class Choosing {
   }
 
  private:
-  /// The entries of a function. `dynamics` takes them from other functions, if none is missing.
+  /// The entries of a function. `dynamics` reuses the entries of other functions; it has none if
+  /// one of them is missing.
   ReadableEntries& entries_of(std::size_t index) {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
@@ -181,7 +184,7 @@ class Choosing {
     }
     if (TextErrors* text = is_complete(entries) ? recursive_forms_.errors_of(index) : nullptr) {
       for (std::size_t i = 0; i < entries.size(); ++i) {
-        entries[i]->kept.reset();  // decided by the function of this entry
+        entries[i]->kept.reset();  // the function that owns the entry has decided
         text->add_rewriting(text->errors_of(entries[i]->compact), i);
       }
     }
@@ -229,7 +232,8 @@ class Choosing {
     return closed;
   }
 
-  /// Lowers the entries as one function, and compares it by cost and inaccurate entries.
+  /// Lowers the entries as one function. Chooses the closed form if it is not dearer and all its
+  /// entries are accurate.
   Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
                    FormCosts& costs) {
     LoweringAim aim = aim_;
@@ -241,8 +245,8 @@ class Choosing {
     return std::move(closed.function);
   }
 
-  /// Uses rewritings that keep digits if they are free or worth their cost: first for entries that
-  /// lose many digits, then for all that lose some.
+  /// Uses rewritings that keep digits if they are free or worth their cost: first for entries with
+  /// an intolerable loss, then for all that lose more than `tolerated_loss`.
   void keep_digits(std::size_t index, ReadableEntries& entries, Function& closed,
                    FormCosts& costs) {
     const Function& recursive = recursive_forms_.of(index);
@@ -262,7 +266,7 @@ class Choosing {
     }
   }
 
-  /// If the cheaper form loses more digits, takes the other one if it is affordable.
+  /// If the cheaper form loses more digits, chooses the other form if that is affordable.
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
     const bool is_closed = costs.chosen == Form::closed;
@@ -281,12 +285,12 @@ class Choosing {
   const Program& recursive_;
   const ClosedForms& forms_;
   const Scene& scene_;
-  LoweringAim aim_;  ///< for every function
+  LoweringAim aim_;  ///< common to all functions
   Points points_;
   Choice result_ = {};
   RecursiveForms recursive_forms_;
   std::map<std::string, ReadableEntries> entries_;
-  std::string normalized_;  ///< of the function of that kind
+  std::string normalized_;  ///< name of the function of this kind
 };
 
 }  // namespace

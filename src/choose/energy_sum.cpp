@@ -1,4 +1,5 @@
-// energy_sum: see energy_sum.hpp. Appends both energies to one function, shared parts once.
+// energy_sum: see energy_sum.hpp. Appends the instructions of both energies to one function; common
+// subexpressions appear once.
 #include "choose/energy_sum.hpp"
 
 #include "elgen/evaluate.hpp"
@@ -9,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// Points are random in parameters too, as some parameter values could hide a term with rates.
+/// Parameters are random too, because particular values could hide a term with rates.
 constexpr std::size_t compared_points = 3;
 
 const Function* find_before(const Program& program, std::size_t index, OutputKind kind) {
@@ -19,7 +20,7 @@ const Function* find_before(const Program& program, std::size_t index, OutputKin
   return nullptr;
 }
 
-/// Compares values exactly; false if one of them is undefined.
+/// Compares values of 64 digits; false if one of them is undefined.
 bool is_same_energy(const Program& recursive, std::size_t index, const Program& chosen,
                     const Function& sum) {
   static const Real negligible(power_of_ten(-45));
@@ -41,7 +42,7 @@ bool is_same_energy(const Program& recursive, std::size_t index, const Program& 
 std::optional<Function> energy_sum(const Program& recursive, const Program& chosen,
                                    std::size_t index) {
   const Function& total = recursive.functions[index];
-  // A branch on a kind: no other output is the sum of two.
+  // This branch on a kind is needed: no other output is the sum of two outputs.
   if (total.kind != OutputKind::total_energy) return std::nullopt;
   const Function* const kinetic = find_before(chosen, index, OutputKind::kinetic_energy);
   const Function* const potential = find_before(chosen, index, OutputKind::potential_energy);

@@ -1,7 +1,7 @@
-// energy_sum: the total energy as the sum of the energies of the same program.
+// energy_sum: the total energy as the sum of the two energies of the same program.
 //
 //     before    total_energy = 1/2 m l^2 v^2 + m g l (1 - cos(theta))
-//     after     total_energy = kinetic_energy + potential_energy, each as it is computed there
+//     after     total_energy = kinetic_energy + potential_energy, each as its function computes it
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace elgen {
 
-/// None if function `index` of `recursive` is no total energy, the program lacks one of the
-/// energies, or V has terms with rates, which potential_energy omits. The last is checked by values
-/// of 64 digits at random points. `chosen` has the functions before `index` as emitted.
+/// None if function `index` of `recursive` is not a total energy, if one of the energies is
+/// missing, or if V has terms with rates, which potential_energy omits. Values of 64 digits at
+/// random points decide the last condition. `chosen` has the functions before `index` as emitted.
 [[nodiscard]] std::optional<Function> energy_sum(const Program& recursive, const Program& chosen,
                                                  std::size_t index);
 

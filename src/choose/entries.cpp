@@ -13,9 +13,9 @@
 namespace elgen {
 namespace {
 
-/// A closed form with more terms in all entries is given up, as it is neither readable nor cheaper.
-/// Ten times as many, here and in one entry (most_terms), take 1.7 times as long for the arms and
-/// chains of models/, and give the same code.
+/// A closed form with more terms in all entries is given up: it is neither readable nor cheaper.
+/// Ten times as many terms, here and per entry (most_terms), take 1.7 times as long for the arms
+/// and chains of models/, and give the same code.
 constexpr std::size_t most_terms_together = 3'000;
 
 std::size_t term_count(const ClosedFunction& closed) {
@@ -26,8 +26,8 @@ std::size_t term_count(const ClosedFunction& closed) {
   return count;
 }
 
-/// All rewritings of an entry, the shortest first: those of its closed form, precise ones, and the
-/// derived entry unless it is null.
+/// All rewritings of an entry, shortest first: the rewritings of its closed form, precise
+/// rewritings, and the derived entry unless it is null.
 std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collected> precise,
                                         const DerivedEntry* derived) {
   std::vector<Expressions> rewritings;
@@ -38,7 +38,7 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
     rewritings.push_back(derived->collected.expressions);
     rewritings.push_back(derived->as_it_stands);
   }
-  // Sums are expanded if brackets hide cancelling terms, so that one grouping suffices.
+  // One grouping is enough: with_kept_digits expands brackets that hide cancelling terms.
   std::vector<Expressions> sources = std::move(of_form.plain);
   if (!rewritings.empty()) sources.push_back(rewritings.front());
   if (derived != nullptr) {
@@ -59,14 +59,14 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
   return rewritings;
 }
 
-/// Judges one entry of a function by the errors of its text.
+/// Judges the rewritings of one entry by their errors, compared with the text.
 class Judging {
  public:
   Judging(ReadableForm& known, std::size_t entry, TextErrors& text)
       : known_(known), entry_(entry), text_(text) {}
 
-  /// Writes the entry accurately if a rewriting does, and finds the rewriting that keeps its
-  /// digits. `rewritings` computes all of them.
+  /// Makes the entry accurate if a rewriting is accurate, and finds the rewriting that keeps its
+  /// digits. `rewritings` is a function that computes all rewritings.
   template <class Rewriting>
   void operator()(const Rewriting& rewritings) {
     std::optional<ErrorsAtPoints> errors = text_.accurate_errors(known_.compact, entry_);
@@ -95,7 +95,7 @@ class Judging {
     }
   }
 
-  /// Keeps the cheapest rewriting without loss, else the one with the least loss.
+  /// Keeps the cheapest rewriting without loss; without one, the rewriting with the least loss.
   void keep() {
     double least = known_.loss;
     std::size_t least_cost = 0;
@@ -118,17 +118,17 @@ class Judging {
   ReadableForm& known_;
   std::size_t entry_;
   TextErrors& text_;
-  std::vector<Expressions> rewritings_ = {};  ///< the accurate ones
+  std::vector<Expressions> rewritings_ = {};  ///< accurate ones only
   std::vector<ErrorsAtPoints> errors_ = {};
 };
 
-/// Chooses among forms that are added in the order of their costs.
+/// Chooses among forms, which must be added in order of cost.
 class Cheapest {
  public:
   Cheapest(const Function& shape, Program& program, const LoweringAim& aim)
       : shape_(shape), program_(program), aim_(aim) {}
 
-  /// Adds a form; returns whether no later one can be better.
+  /// Adds a form; true if no later form can be better.
   bool add(const CostedNetwork& costed) {
     const bool is_dearer = form_ && !is_affordable(costed.cost, cost_, aim_.most_quarters);
     if (is_dearer && !form_->inaccurate) return true;

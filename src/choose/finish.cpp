@@ -1,6 +1,7 @@
 // finish: a guard takes two instructions per pivot, and none if M_ii is a number or a divisor
-// anyway; it multiplies if 1/M_ii is available. Lengths are written out by instruction and shared
-// with the function. Angles and their sine-cosine pairs come first, the rest keeps its order.
+// anyway. It multiplies if the function has 1/M_ii. Lengths of quaternions are added instruction by
+// instruction, so that the function shares them. Angles and their sine-cosine pairs come first; the
+// rest keeps its order.
 #include "choose/finish.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ bool has_diagonal(const Function& function) {
          function.fields.back().name == diagonal_field;
 }
 
-/// The instruction that computes 1/value, if there is one.
+/// The instruction that computes 1/value; none if the function has no such instruction.
 std::optional<std::uint32_t> reciprocal_of(std::uint32_t value, const Function& function,
                                            const std::vector<Constant>& constants) {
   const std::vector<Instruction>& all = function.instructions;
@@ -59,7 +60,7 @@ class Scaling {
     return result;
   }
 
-  /// Adds the scaled components. Coordinate `first` is the scalar part.
+  /// Adds the components of the unit quaternion. Coordinate `first` is the scalar part.
   std::vector<std::uint32_t> unit_quaternion(std::uint32_t first) {
     std::vector<std::uint32_t> values;
     std::vector<std::uint32_t> magnitudes;
@@ -111,7 +112,7 @@ class Order {
     for (std::uint32_t at = 0; at < size(); ++at) place(at);
   }
 
-  /// The old numbers in the new order.
+  /// old instruction numbers in the new order
   Places places = {};
 
  private:

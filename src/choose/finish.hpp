@@ -1,45 +1,46 @@
-// finish: the last passes over a function. Algebra must not see their results.
+// finish: the last passes over a function. Algebra must not see their results, since it would
+// simplify them away.
 #pragma once
 
 #include "elgen/program.hpp"
 
 namespace elgen {
 
-/// The field of forward_dynamics that is consumed by with_guarded_pivots and never emitted.
+/// The field of forward_dynamics that with_guarded_pivots consumes; it is never emitted.
 inline constexpr std::string_view diagonal_field = "diagonal";
 
-/// Removes that field; other functions are unchanged.
+/// Removes `diagonal_field`; other functions are unchanged.
 [[nodiscard]] Function without_diagonal(Function function);
 
-/// Makes a relative pivot D_i/M_ii not a number if M_ii is 0.
+/// Makes a relative pivot D_i/M_ii NaN if M_ii is 0.
 ///
 ///     before    relative_pivots 2 = 1                  diagonal 2 = m r^2
-///     after     relative_pivots 2 = 1 + 0/(m r^2)      or 1 + 0*r where r = 1/(m r^2) is there
+///     after     relative_pivots 2 = 1 + 0/(m r^2)      or 1 + 0*s if s = 1/(m r^2) exists
 ///
-/// Algebra cancels factors of D_i and M_ii, and thereby the state where both vanish and M is
-/// singular. 0/M_ii restores it: it is exactly 0 elsewhere, without a branch or an order of
-/// scalars. If the reciprocal is infinite (M_ii below 1/4 of the smallest normal number), the
-/// result is not a number, as in the acceleration. `constants` may grow by 0. Pages omit guards.
+/// Algebra cancels common factors of D_i and M_ii, and with them the state at which both vanish and
+/// M is singular. 0/M_ii restores it. Elsewhere it is exactly 0, and it needs no branch and no
+/// order of scalars. If the reciprocal is infinite (M_ii below 1/4 of the smallest normal number),
+/// the result is NaN, as in the acceleration. `constants` may grow by 0. Pages omit guards.
 [[nodiscard]] Function with_guarded_pivots(Function forward_dynamics,
                                            std::vector<Constant>& constants);
 
-/// Divides quaternions by their lengths, for components of any size.
+/// Divides quaternions by their lengths, for components of any magnitude.
 ///
-///     before    w/sqrt(w^2 + x^2 + y^2 + z^2), …             (right on paper; 1e-160 squared is 0)
+///     before    w/sqrt(w^2 + x^2 + y^2 + z^2), …             1e-160 squared underflows
 ///     after     r = w/s, …   r/sqrt(r^2 + …), …   with s = |w| + |x| + |y| + |z|
 ///
-/// Scales quaternions of `normalized` and of its copy, the field `name` of `dynamics`. Entries
-/// other than coordinates are components of quaternions, four in a row.
+/// Scales the quaternions of `normalized` and of its copy, the field `name` of `dynamics`. Entries
+/// that are not coordinates are components of quaternions, four in a row.
 [[nodiscard]] Function with_scaled_lengths(Function function, const std::string& name);
 
-/// Reorders instructions: first sines and cosines with their operands, the two of an angle side by
-/// side, then the rest in its old order.
+/// Reorders instructions: first sines and cosines with their operands, both calls of an angle
+/// adjacent, then the rest in its old order.
 ///
 ///     before    0 = m  1 = l  2 = multiply 0 1  3 = q  4 = cos 3  5 = sin 3  6 = multiply 2 5
 ///     after     0 = q  1 = sin 0  2 = cos 0  3 = m  4 = l  5 = multiply 3 4  6 = multiply 5 1
 ///
-/// A call keeps no floating-point register, so earlier results would have to be stored and loaded
-/// again.
+/// A call preserves no floating-point register, so earlier results would have to be stored and
+/// loaded again.
 [[nodiscard]] Function trigonometry_first(const Function& function);
 
 }  // namespace elgen

@@ -10,24 +10,24 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t plain_points = 4;  ///< with parameters at their values, and as many at others
+constexpr std::size_t plain_points = 4;  ///< with nominal parameters, and as many with scaled ones
 constexpr std::size_t most_places = 10;
-constexpr int widest_factor = 3;  ///< largest factor of parameters, as a power of two
+constexpr int widest_factor = 3;  ///< parameters are scaled by at most 2^3
 
-/// Relative distances, absolute at 0: multiples of 2^-30 near 1e-1, 1e-2, 1e-4 and 1e-8.
+/// Relative distances (absolute at 0) near 1e-1, 1e-2, 1e-4 and 1e-8, as multiples of 2^-30.
 constexpr double unit_of_distance = 0x1p-30;
 constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_distance,
                              107374 * unit_of_distance, 11 * unit_of_distance};
 
-/// The distances of all coordinates from their first places at once.
+/// Distances of all coordinates from their first places, if all move at once.
 constexpr double near = distances[2];
 constexpr double nearest = distances[3];
 
-/// Values for unbounded coordinates u in exp(u) and log(u): a few decades of u, and most of the
-/// range of double.
+/// Values of unbounded coordinates u in exp(u) and log(u): exp(u) covers a few decades, and most of
+/// the range of double.
 constexpr double far_away[]{16, -16, 1024, -1024};
 
-/// By coordinate, whether it occurs in an argument of a function that `is_sought`.
+/// For each coordinate: true if it occurs in an argument of a function that `is_sought`.
 template <class IsSought>
 std::vector<bool> coordinates_in_arguments(const Function& function, const IsSought& is_sought,
                                            std::size_t coordinate_count) {
@@ -44,7 +44,8 @@ std::vector<bool> coordinates_in_arguments(const Function& function, const IsSou
   return stands_there;
 }
 
-/// By coordinate, whether it has no range and occurs in an exponential or a logarithm.
+/// For each coordinate: true if it has no declared range and occurs in an exponential or a
+/// logarithm.
 std::vector<bool> unbounded_arguments(const Function& text, const Model& model) {
   const auto is_exponential = [](FunctionId function) {
     return function == FunctionId::exp || function == FunctionId::log;
@@ -83,11 +84,11 @@ class Making {
   }
 
  private:
-  /// The next state, cyclically.
+  /// The states of the domain, in turn.
   const Arguments<double>& state() { return domain_.states[next_++ % domain_.states.size()]; }
 
-  /// Sets rates, accelerations and inputs to 0. Otherwise they are large and hide lost digits of a
-  /// holding force.
+  /// Sets rates, accelerations and inputs to 0. Large ones would hide the digits that a holding
+  /// force loses.
   static Arguments<double> at_rest(Arguments<double> point) {
     const auto stop = [](Opcode kind, std::uint32_t, double& value) {
       if (is_motion(kind)) value = 0;
@@ -108,7 +109,7 @@ class Making {
     return point;
   }
 
-  /// Whether units are equal. An unchecked unit equals no other.
+  /// False if a unit is unchecked.
   [[nodiscard]] bool has_same_unit(std::size_t i, std::size_t k) const {
     const std::optional<Unit>& unit = domain_.model.parameters[i].unit;
     return unit && unit == domain_.model.parameters[k].unit;
@@ -125,7 +126,8 @@ class Making {
     point.q[place.coordinate] = at == 0 ? away : at + at * away;
   }
 
-  /// Adds the side with more defined entries: sqrt(x^2 - r^2) is undefined for x < r.
+  /// Adds the point on one side of a place, on the side with more defined entries: sqrt(x^2 - r^2)
+  /// is undefined for x < r.
   void add_near(const NearPlace& place, double distance) {
     Arguments<double> point = state();
     Arguments<double> other = point;
@@ -140,7 +142,8 @@ class Making {
                                  [](double entry) { return std::isfinite(entry); });
   }
 
-  /// 1 + expm1(u) has no digit of a small exp(u), and log1p((a - b)/b) none of log(a/b).
+  /// Remote points show two losses: 1 + expm1(u) has no digit of a small exp(u), and log1p((a -
+  /// b)/b) has none of log(a/b).
   void add_far() {
     const std::vector<bool> is_far = unbounded_arguments(text_, domain_.model);
     if (std::find(is_far.begin(), is_far.end(), true) == is_far.end()) return;
@@ -167,7 +170,7 @@ class Making {
     if (!places.empty()) add(std::move(point));
   }
 
-  /// Adds points on both sides of a zero, in a random direction, at two distances.
+  /// Adds points on both sides of a zero, along a random direction, at two distances.
   void add_beside(const std::vector<double>& zero) {
     for (const double distance : {near, nearest}) {
       Arguments<double> point = state();

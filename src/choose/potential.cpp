@@ -1,5 +1,5 @@
-// The potential energy in one form: chooses which typed sums stay whole, and inserts V into the
-// functions that were chosen with V as a leaf.
+// The potential energy in one form. Chooses which typed sums stay whole, and inserts V into the
+// functions whose forms were chosen with V as a leaf.
 #include <algorithm>
 #include <utility>
 
@@ -12,17 +12,17 @@
 namespace elgen {
 namespace {
 
-/// The largest number of sums that are multiplied out one by one.
+/// At most this many sums are expanded one by one.
 constexpr std::size_t most_alone = 16;
 
-/// Instructions of V and its derivatives. The closed forms of longer ones, such as chains of
-/// springs, are never chosen and would take as long as the rest.
+/// The most instructions of V and its derivatives. The closed forms of longer potentials, such as
+/// chains of springs, are never chosen and would take as long as all other functions.
 constexpr std::size_t longest_potential = 1'500;
 
-/// A form that keeps as many digits is taken if it saves a fifth of the operations.
+/// A form that keeps as many digits must save a fifth of the operations.
 constexpr std::size_t fifths_of_cost = 4;
 
-/// Whether each sum of typed_sums() stays whole, by number.
+/// For each sum of typed_sums(): true if it stays whole.
 using WholeSet = std::vector<bool>;
 
 struct WholeChoice {
@@ -47,7 +47,7 @@ class WholeSearch {
     }
   }
 
-  /// Chooses the forms of another program with these sums whole.
+  /// Chooses the forms of `program`, with the sums in `whole` kept whole.
   [[nodiscard]] Choice forms_of(const Program& program, const SumZeros& zeros,
                                 const WholeSet& whole) const {
     Program sums{sums_.leaves, sums_.constants, {}};
@@ -84,7 +84,7 @@ class WholeSearch {
     return made;
   }
 
-  /// Recomputes losses, since any of the forms may have the least error.
+  /// Losses are recomputed, because a new form may have lowered the least error.
   [[nodiscard]] double loss_of(const WholeChoice& chosen) const {
     double loss = 0;
     for (std::size_t i = 0; i < errors_.size(); ++i) {
@@ -111,7 +111,7 @@ class WholeSearch {
   std::vector<TextErrors> errors_ = {};  ///< by function
 };
 
-/// Whether V or a derivative differs from both its text and its plain closed form.
+/// True if V or a derivative differs from both its text and its plain closed form.
 bool has_own_form(const WholeChoice& best, std::size_t function) {
   if (std::ranges::find(best.whole, true) != best.whole.end()) return true;
   if (!best.choice.program.functions[function].rewritten.empty()) return true;
@@ -124,7 +124,7 @@ bool is_open_from(std::uint32_t first, const Instruction& i) {
   return i.opcode == Opcode::open_value && i.a >= first;
 }
 
-/// Inserts the entries of V and its derivatives into one function.
+/// Inserts the entries of V and its derivatives into a function, in place of open values.
 class Putting {
  public:
   Putting(const Program& potential, std::uint32_t first, Program& to)
@@ -136,7 +136,7 @@ class Putting {
     }
   }
 
-  /// Returns `from` with its open values replaced. Its constants are those of `program`.
+  /// Returns `from` with its open values replaced. `program` has the constants of `from`.
   [[nodiscard]] Function operator()(const Program& program, const Function& from) {
     Function result = from;
     result.instructions.clear();
@@ -163,7 +163,7 @@ class Putting {
   }
 
  private:
-  /// Rewrites x + (-y) as x - y.
+  /// Replaces x + (-y) by x - y, and x - (-y) by x + y.
   static Instruction without_negation(const Function& function, Instruction i) {
     if (!is_sum(i)) return i;
     const Instruction& second = function.instructions[i.b];
@@ -195,7 +195,7 @@ class Putting {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_ = {};  ///< function, instruction
 };
 
-/// The numbers of the entries that depend on open values from `first` on.
+/// The indices of the entries that depend on open values from `first` on.
 std::vector<std::uint32_t> entries_on(const Function& function, std::uint32_t first) {
   std::vector<bool> holds;
   for (const Instruction& i : function.instructions) {
@@ -220,7 +220,7 @@ std::optional<RewrittenPotential> rewritten_potential(const Program& potential,
   if (scene.numerics.prefer == Preference::speed || length > longest_potential) return std::nullopt;
   Scene unnamed = scene;
   unnamed.outputs.clear();
-  // V and dV/dx have the same sums as the second derivatives.
+  // V and dV/dx contain the same sums as the second derivatives, so the search omits these.
   Program without_second = potential;
   without_second.functions.resize(2);
   WholeSearch search(without_second, domain, unnamed);

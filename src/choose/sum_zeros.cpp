@@ -20,11 +20,11 @@ constexpr std::size_t most_zeros = 16;
 constexpr std::size_t most_rounds = 30;
 constexpr std::size_t most_states = 2;
 constexpr std::size_t most_axes = 4;
-constexpr int highest_order = 4;  ///< of a zero, such as (x - a)^4
+constexpr int highest_order = 4;  ///< of a zero: 4 for (x - a)^4
 constexpr std::size_t longest_program = 400;
 
-/// Differences over steps of 1e-25 have 40 of the 64 digits. Zeros are accurate to 1e-16, far less
-/// than the distances of points.
+/// A difference over a step of 1e-25 keeps 40 of the 64 digits. Zeros are accurate to 1e-16, far
+/// less than the distances of points.
 const Real& step() {
   static const Real value(power_of_ten(-25));
   return value;
@@ -34,8 +34,8 @@ const Real& negligible() {
   return value;
 }
 
-/// The expressions that vanish together: the bases in a sum of squares, every other sum by itself,
-/// and logarithms, as log(x) = 0 at x = 1.
+/// Groups of expressions that must vanish together: all bases of a sum of squares, any other sum
+/// alone, and each logarithm alone (log(x) = 0 at x = 1).
 class Residuals {
  public:
   explicit Residuals(const Function& function) : function_(function) {
@@ -55,10 +55,10 @@ class Residuals {
     }
   }
 
-  std::vector<std::vector<std::uint32_t>> all = {};  ///< by sum
+  std::vector<std::vector<std::uint32_t>> all = {};  ///< one group per sum
 
  private:
-  /// Adds the bases of squares; false if a term has no square.
+  /// Adds the bases of the squares; false if a term contains no square.
   bool add_bases(std::uint32_t at, std::vector<std::uint32_t>& bases) const {
     const Instruction& i = function_.instructions[at];
     if (i.opcode == Opcode::add) return add_bases(i.a, bases) && add_bases(i.b, bases);
@@ -81,7 +81,7 @@ std::vector<std::uint32_t> coordinates_of(const Function& function) {
   return coordinates;
 }
 
-/// Finds a state where the entries of a function all vanish.
+/// Finds a state at which all entries of a function vanish.
 class ZeroProjection {
  public:
   ZeroProjection(const Program& program, Function residuals, const Arguments<double>& start)
@@ -93,7 +93,7 @@ class ZeroProjection {
     for (Real& x : at_.q) x = Real(cln::cl_float(x.value(), format));
   }
 
-  /// The zero; none if the iteration does not converge.
+  /// None if the iteration does not converge.
   std::optional<std::vector<double>> zero() {
     const std::size_t count = entry_count(residuals_);
     for (std::size_t round = 0; round < most_rounds && !moving_.empty(); ++round) {
@@ -114,7 +114,8 @@ class ZeroProjection {
     return evaluate(program_, residuals_, at_)[entry];
   }
 
-  /// Projects on one entry; returns the length of the step, undefined without a slope.
+  /// Projects the state onto one linearised entry = 0. Returns the length of the step; undefined if
+  /// the slope is 0.
   Real project(std::size_t entry) {
     const Real r = residual(entry);
     if (r.is_defined() && cln::zerop(r.value())) return r;
@@ -135,8 +136,8 @@ class ZeroProjection {
     return abs(scale) * sqrt(square);
   }
 
-  /// Near a zero of order m steps shrink by 1 - 1/m. Steps m times as long converge as at a simple
-  /// zero (Schröder 1870).
+  /// Near a zero of order m, each step is 1 - 1/m times the previous one. Steps m times as long
+  /// converge as at a simple zero (Schröder 1870).
   void find_multiplicity(const Real& length) {
     const Real ratio = length / last_;
     last_ = length;
@@ -147,7 +148,7 @@ class ZeroProjection {
     }
   }
 
-  /// The zero in doubles. Coordinates that vanish are exactly 0.
+  /// The zero in doubles; negligible coordinates become exactly 0.
   [[nodiscard]] std::vector<double> rounded() const {
     std::vector<double> q;
     for (const Real& x : at_.q) {
@@ -165,9 +166,9 @@ class ZeroProjection {
   Real last_ = Real(0);  ///< length of the last step
 };
 
-/// States inside the ranges; for each coordinate the first state with its sign changed, as zeros of
-/// a + b cos(x) depend on the sign of a; and one state on its axis, where zeros on circles are
-/// found.
+/// Starts: states inside the ranges, and two states per coordinate, made from the first. One has
+/// the sign of the coordinate changed, because zeros of a + b cos(x) depend on the sign of a. The
+/// other is on the axis of the coordinate, where zeros on circles are found.
 std::vector<Arguments<double>> starts_of(const Domain& domain) {
   std::vector<Arguments<double>> all(
       domain.states.begin(), domain.states.begin() + static_cast<std::ptrdiff_t>(std::min(
@@ -187,8 +188,8 @@ std::vector<Arguments<double>> starts_of(const Domain& domain) {
 
 }  // namespace
 
-/// Starts for a sum of one coordinate: its minimum among equal steps over the range, and changes of
-/// its sign, so that Newton's method does not diverge to where a potential fades out.
+/// Starts for a sum of one coordinate. The range is scanned in equal steps for minima of |sum| and
+/// for changes of sign, so that Newton's method does not diverge to where a potential fades out.
 std::vector<Arguments<double>> scanned_starts(const Program& program, const Function& vanishing,
                                               const Domain& domain, std::uint32_t coordinate) {
   constexpr int steps = 16;

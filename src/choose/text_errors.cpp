@@ -12,15 +12,16 @@
 namespace elgen {
 namespace {
 
-/// Rounding errors of a few more operations are accepted.
+/// The rounding errors of a few more operations are accepted.
 constexpr long accurate_ratio = 64;
-/// Errors computed in double are right within a factor of two each.
+/// In double, each of two errors is right within a factor of two, so that a ratio up to 64/4 is
+/// certain.
 constexpr double certainly_accurate_ratio = 16;
 
 constexpr double unit_roundoff = 0x1p-53;
-/// Equal values may differ in double by this many of their errors.
+/// In double, equal values may differ by this many of their error bounds.
 constexpr double certainly_equal = 4;
-/// A value right to one part in 1000 gives the magnitude.
+/// A value with a smaller relative error can serve as the magnitude.
 constexpr double certain_digits = 0x1p-10;
 
 bool is_certainly_accurate(const Running<double>& own, const Running<double>& text) {
@@ -30,7 +31,7 @@ bool is_certainly_accurate(const Running<double>& own, const Running<double>& te
          apart <= certainly_equal * unit_roundoff * (own.error + text.error);
 }
 
-/// Whether values differ: a rewriting may hold on one side of a branch only.
+/// A rewriting may hold on one side of a branch only, so its value is checked too.
 bool has_other_value(const Running<Real>& own, const Running<Real>& text) {
   static const Real negligible(power_of_ten(-45));
   const Real scale = own.error + text.error + abs(text.value);
@@ -57,13 +58,13 @@ std::vector<Running<Real>> exact_entries(const Program& program, const Function&
   return running_entries(program, function, rules);
 }
 
-/// Not a number if undefined.
+/// NaN if x is undefined.
 double number_of(const Real& x) {
   return x.is_defined() ? ScalarTraits<double>::from_real(x.value())
                         : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The loss at a point; 0 if the text has no value there.
+/// The loss at a point: 0 if the text has no value there, infinite if only the form has none.
 double loss_at(double error, double magnitude, double least) {
   if (std::isnan(magnitude) || error == 0) return 0;
   if (std::isnan(error)) return std::numeric_limits<double>::infinity();
@@ -86,7 +87,7 @@ TextErrors::TextErrors(const Program& program, const Function& text, Points poin
   }
 }
 
-/// Computes values of the text exactly if double has hardly any digits of them.
+/// A value of the text is recomputed exactly if double gives hardly any of its digits.
 std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) const {
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < rough_[point].size(); ++i) {

@@ -1,11 +1,12 @@
 // text_errors: the errors of all forms of a function's entries at its points.
 //
-//     E > 64 max(E of the text, |x|)      the form loses an entry x that the text keeps, as it does
-//                                         where it has another value or none
+//     E > 64 max(E of the text, |x|)      the form is inaccurate in the entry x; it also is if it
+//     has
+//                                         another value or no value
 //     E / max(least known E, |x|)         the loss: digits that another rewriting keeps
 //
 // E is the running error in u (accuracy/running_errors.hpp). The text is the recursive form: the
-// typed energies, differentiated. Accuracy is decided in double, or in 64 digits if that is
+// typed energies, differentiated. Accuracy is decided in double, or in 64 digits if double is
 // uncertain, so that all machines agree. Losses are compared in double.
 #pragma once
 
@@ -22,22 +23,23 @@
 
 namespace elgen {
 
-/// Whether one rewriting loses so many more digits than another, and more than `tolerated`, that
-/// costs are ignored.
+/// True if loss > max(tolerated, similar_losses * other): the first rewriting loses many more
+/// digits.
 [[nodiscard]] bool loses_more(double loss, double other, double tolerated = tolerated_loss);
 
-/// The magnitude |x| with which a loss compares errors.
+/// The magnitude |x| that errors are compared with.
 enum class Scale : std::uint8_t {
   entry,  ///< the entry itself
-  field,  ///< the largest entry of its field: one that vanishes among others may be noise
+  field,  ///< the largest entry of its field, because a much smaller entry may be noise
 };
 
-/// E by point; not a number if the rewriting has no value there.
+/// E at each point; NaN if the rewriting has no value there.
 using ErrorsAtPoints = std::vector<double>;
 
 class TextErrors {
  public:
-  /// `program` and `text` must outlive it. Cost: one operation in double per instruction and point.
+  /// Keeps references to `program` and `text`. Cost: one operation in double per instruction and
+  /// point.
   TextErrors(const Program& program, const Function& text, Points points,
              Scale scale = Scale::field);
 
@@ -52,25 +54,26 @@ class TextErrors {
   /// E of a rewriting of one entry.
   [[nodiscard]] ErrorsAtPoints errors_of(const Expressions& rewriting) const;
 
-  /// Whether the errors are so large that a better rewriting should be searched.
+  /// True if the errors are so large that a better rewriting should be searched.
   [[nodiscard]] bool may_lose(const ErrorsAtPoints& errors, std::size_t entry) const;
 
-  /// Adds the errors of one rewriting to the known ones.
+  /// Updates the least known errors of an entry by the errors of one rewriting.
   void add_rewriting(const ErrorsAtPoints& errors, std::size_t entry);
 
-  /// Adds the errors of all entries of a form.
+  /// Updates the least known errors by all entries of a form.
   void add_form(const Program& program, const Function& form);
 
   /// The largest loss at any point; infinite if only the text has a value.
   [[nodiscard]] double loss_of(const ErrorsAtPoints& errors, std::size_t entry) const;
 
-  /// The largest loss of the entries of a form.
+  /// The largest loss of any entry of a form at any point.
   [[nodiscard]] double worst_loss(const Program& program, const Function& form) const;
 
  private:
-  using Entries = std::vector<Running<double>>;  ///< of a form, in double
+  using Entries = std::vector<Running<double>>;  ///< entries of a form in double
 
-  /// The first entry less accurate than the text's; `first` is the number of the first of them.
+  /// The first entry of the form that is less accurate than the text. Its first entry is entry
+  /// number `first` of the text.
   [[nodiscard]] std::optional<std::size_t> inaccurate_entry_at(const Program& program,
                                                                const Function& form,
                                                                std::size_t point,
@@ -90,7 +93,7 @@ class TextErrors {
   std::vector<Entries> rough_ = {};                    ///< of the text, by point and entry
   mutable std::map<std::size_t, std::vector<Running<Real>>> exact_ = {};  ///< computed on demand
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value
-  std::vector<std::vector<double>> least_ = {};       ///< least E of all rewritings
+  std::vector<std::vector<double>> least_ = {};  ///< least E of all rewritings, by point and entry
 };
 
 }  // namespace elgen
