@@ -1,4 +1,4 @@
-// Blocks: every line is padded with blanks to the width of the widest.
+// Blocks: every line is padded with blanks to the width of the widest line.
 #include <algorithm>
 #include <array>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t between_cells = 3;
 
-/// The pieces from which brackets of any height are drawn.
+/// The pieces of a bracket of any height.
 struct BracketPieces {
   std::string_view single;
   std::string_view top;
@@ -32,7 +32,7 @@ constexpr std::array bracket_rows{BracketRow{"(", {"(", "⎛", "⎜", "⎝"}, {"
 
 std::string blanks(std::size_t count) { return std::string(count, ' '); }
 
-/// Adds blank lines, so that the base has `above` lines above it and `below` below it.
+/// Adds blank lines so that `above` lines precede the base line and `below` lines follow it.
 Block raised(const Block& block, std::size_t above, std::size_t below) {
   const std::string blank = blanks(block.width());
   Block result{std::vector<std::string>(above - block.base, blank), above};

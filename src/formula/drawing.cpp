@@ -15,8 +15,8 @@ namespace {
 
 struct SmallGlyph {
   char32_t value;
-  std::string_view below;  ///< the subscript; empty where Unicode has none
-  std::string_view above;  ///< the superscript
+  std::string_view below;  ///< the subscript; empty if Unicode has none
+  std::string_view above;  ///< the superscript; empty if Unicode has none
 };
 
 constexpr std::array small_glyphs{
@@ -32,7 +32,7 @@ constexpr std::array small_glyphs{
     SmallGlyph{'u', "ᵤ", "ᵘ"}, SmallGlyph{'v', "ᵥ", "ᵛ"}, SmallGlyph{'x', "ₓ", "ˣ"},
     SmallGlyph{U'⊤', "", "ᵀ"}};
 
-/// Replaces every character by its small form; empty if one of them has none.
+/// Replaces every character by its small form; none if a character has no small form.
 std::optional<std::string> made_small(std::string_view text, std::string_view SmallGlyph::*place) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
@@ -70,20 +70,20 @@ constexpr std::array ascii_words{AsciiWord{"⋅", "*"},  AsciiWord{"∂", "d"}, 
 
 Block line_of(std::string text) { return {{std::move(text)}, 0}; }
 
-/// The role of a piece, which decides about the blank after it.
+/// The role of a piece, which decides whether a blank follows it.
 enum class Role : std::uint8_t { none, operand, function, sign, comma, prefix, prose };
 
-/// Whether a part opens a bracket that is drawn, as in `(1, 2)`.
+/// True if a part opens a bracket that is drawn, as in `(1, 2)`.
 bool is_open_bracket(const Glyphs& part) {
   return part.kind != GlyphKind::scripts && bracket_step(part) > 0 && !part.text.empty();
 }
 
-/// Whether a part is {\delta} q in a group of its own: a variation, not a factor.
+/// True for a group {\delta}: its delta marks a variation and is not a factor.
 bool is_variation(const Glyphs& part) {
   return part.kind == GlyphKind::row && part.parts.size() == 1 && part.parts[0].text == "δ";
 }
 
-/// Whether glyphs are a word such as \mathrm{elbow}: a dot over one letter would be misread.
+/// True for a word such as \mathrm{elbow}: a dot over one of its letters would be misread.
 bool is_word(const Glyphs& glyphs) {
   if (glyphs.kind == GlyphKind::row && glyphs.parts.size() == 1) return is_word(glyphs.parts[0]);
   return glyphs.kind == GlyphKind::word && columns_of(glyphs.text) > 1;
@@ -110,7 +110,7 @@ Role role_of(const Glyphs& part) {
   return base.text == "," ? Role::comma : Role::sign;
 }
 
-/// The position of the bracket that closes the one at `open`; the end of the row if none does.
+/// The position of the bracket that closes the bracket at `open`; the end of the row if none does.
 std::size_t closing(const std::vector<Glyphs>& parts, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < parts.size(); ++i) {
@@ -120,7 +120,7 @@ std::size_t closing(const std::vector<Glyphs>& parts, std::size_t open) {
   return parts.size();
 }
 
-/// Whether a row is a sum. Signs inside brackets do not count.
+/// True if a row is a sum. Signs inside brackets do not count.
 bool has_sign(const Glyphs& glyphs) {
   for (std::size_t i = 0; i < glyphs.parts.size(); ++i) {
     if (role_of(glyphs.parts[i]) == Role::sign) return true;
@@ -129,7 +129,7 @@ bool has_sign(const Glyphs& glyphs) {
   return false;
 }
 
-/// Whether a row has several factors. dt and ∂q are one factor.
+/// True if a row has several factors. dt and ∂q are single factors.
 bool is_product(const Glyphs& glyphs) {
   std::size_t factors = 0;
   for (const Glyphs& part : glyphs.parts) {
@@ -156,12 +156,12 @@ std::string between(Role left, const Glyphs& part) {
   return is_argument && left != Role::sign && left != Role::comma ? "" : " ";
 }
 
-/// Whether dots are written as calls, as models write them: dot(theta1).
+/// True if dots are written as calls, as in the model language: dot(theta1).
 bool has_called_accent(const Glyphs& glyphs, bool is_unicode) {
   return glyphs.kind == GlyphKind::accent && (!is_unicode || is_word(glyphs.parts[0]));
 }
 
-/// Puts dots over the first letter.
+/// Puts the dots over the first letter.
 std::string accented(const Glyphs& glyphs, const std::string& base, bool is_unicode) {
   if (base.empty()) return base;
   const bool is_double = glyphs.text == "¨";
@@ -184,7 +184,7 @@ std::string number_fraction(const std::string& above, const std::string& below, 
   return above + "/" + below;
 }
 
-/// "₁₂" from "1, 2"; "_cart"; "_left_hip" from "left, hip", as in names
+/// "₁₂" from "1, 2"; "_cart"; "_left_hip" from "left, hip", as in names.
 std::string index_of(std::string text, bool is_unicode) {
   std::erase(text, ' ');
   std::string without_commas = text;
@@ -232,7 +232,7 @@ class Drawer {
         return scripts(glyphs);
       case GlyphKind::space:
         return line_of("");
-      case GlyphKind::prose:  // rows set the blanks between pieces
+      case GlyphKind::prose:  // row() sets the blanks between pieces
         return line_of(without_outer_blanks(glyphs.text));
       default:
         return line_of(letter(glyphs.text, is_unicode()));
@@ -283,7 +283,7 @@ class Drawer {
     return is_there(script) ? exponent_of(text_of_line(script), is_unicode()) : "";
   }
 
-  /// Draws scripts. A dot call includes the index: dot(theta1_2).
+  /// Draws scripts. dot() includes the index: dot(theta1_2).
   [[nodiscard]] Block scripts(const Glyphs& glyphs) const {
     const Glyphs& base = glyphs.parts[0];
     if (base.kind == GlyphKind::fraction && fractions_ == Fractions::in_line) {
@@ -296,7 +296,7 @@ class Drawer {
     return with_scripts(line_of(accented(base, inside, is_unicode())), exponent_alone);
   }
 
-  /// Puts an index on the base line and an exponent at the top of a tall base.
+  /// Puts an index on the base line, and an exponent at the top of a tall base.
   [[nodiscard]] Block with_scripts(const Block& base, const Glyphs& glyphs) const {
     Block scripts = line_of(index(glyphs.parts[1]));
     const std::string above = exponent(glyphs.parts[2]);
@@ -346,7 +346,7 @@ class Drawer {
     return result;
   }
 
-  /// Whether two words would be read as one without a blank: delta q.
+  /// True if two words would be read as one without a blank: delta q.
   [[nodiscard]] bool runs_on(const Block& left, const Block& right) const {
     if (is_unicode() || left.width() < 2 || right.width() == 0) return false;
     const std::string& line = left.lines[left.base];

@@ -1,5 +1,5 @@
-// drawing: glyphs -> a Block in Unicode or ASCII: two-dimensional text with a base line, for
-// terminals.
+// drawing: converts glyphs to a Block in Unicode or ASCII: two-dimensional text with a base line,
+// for terminals.
 //
 //     1            ⎡ M + m    m l ⎤
 //     ─ m l²   M = ⎢              ⎥
@@ -16,10 +16,10 @@
 
 namespace elgen {
 
-/// The number of terminal columns of UTF-8 text. Combining accents take none.
+/// The number of terminal columns of UTF-8 text. Combining accents take no column.
 [[nodiscard]] std::size_t columns_of(std::string_view text);
 
-/// Lines of equal width. Line number `base` is level with the blocks beside it.
+/// Lines of equal width. In a row of blocks, all lines `base` are level.
 struct Block {
   std::vector<std::string> lines = {""};
   std::size_t base = 0;
@@ -28,7 +28,7 @@ struct Block {
   [[nodiscard]] std::size_t below() const { return lines.size() - base - 1; }
 };
 
-/// Places two blocks side by side on one base line.
+/// Places two blocks side by side, with their base lines level.
 [[nodiscard]] Block beside(const Block& left, const Block& right);
 
 /// Centres two blocks above and below a rule, which is the base line.
@@ -40,7 +40,7 @@ struct Block {
 
 enum class Alignment : unsigned char { centre, left };
 
-/// Draws row-major cells without brackets. The cells of a row share a base line.
+/// Draws row-major cells without brackets. The cells of a row have level base lines.
 [[nodiscard]] Block grid(const std::vector<Block>& cells, std::size_t columns,
                          Alignment alignment = Alignment::centre);
 
@@ -52,7 +52,7 @@ enum class Fractions : std::uint8_t { stacked, in_line };
 [[nodiscard]] Block drawing(const Glyphs& glyphs, Alphabet alphabet,
                             Fractions fractions = Fractions::stacked);
 
-/// "²" from "2"; "^(1/2)" from "1/2", as there are no small characters for it.
+/// "²" from "2"; "^(1/2)" from "1/2", for which there are no small characters.
 [[nodiscard]] std::string small_exponent(const std::string& exponent);
 
 /// Draws square brackets around a grid.

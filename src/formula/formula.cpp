@@ -1,4 +1,4 @@
-// formula: builds trees. A sum, product, list or row with one part is that part.
+// formula: builds trees. A sum, product, list or row with a single part is that part.
 #include "elgen/formula.hpp"
 
 #include <utility>
@@ -23,7 +23,7 @@ Formula single_or(FormulaKind kind, Formulas parts) {
   return with_parts(kind, std::move(parts));
 }
 
-/// Appends a part. Rows inside rows are flattened, and adjacent words are joined.
+/// Appends a part. Nested rows are flattened, and adjacent words are joined.
 void append_part(Formulas& row, Formula part) {
   if (part.kind == FormulaKind::row) {
     for (Formula& inner : part.parts) append_part(row, std::move(inner));
@@ -36,7 +36,7 @@ void append_part(Formulas& row, Formula part) {
   }
 }
 
-/// Behind other terms numbers below 0 are subtracted.
+/// A negative number after other terms is subtracted.
 Formula as_term(Formula x) {
   const bool is_below = x.kind == FormulaKind::number && cln::minusp(x.number);
   if (is_below) return negative(number_formula(-x.number));

@@ -16,7 +16,7 @@
 namespace elgen {
 namespace {
 
-/// Pieces in a row. The exponent of a call follows its first piece: sin^2 x.
+/// Pieces in a row. The exponent of a call is set on its first piece: sin^2 x.
 struct SetFormula {
   Glyphs row = {};
   Binding binding = Binding::atom;
@@ -59,7 +59,7 @@ SetFormula stacked(Glyphs above, Glyphs below) {
   return {fraction_row(std::move(above), std::move(below)), Binding::power};
 }
 
-/// Whether a number is written as 9.81: its fraction would be too long (unlike 1/2 and 2/5), and
+/// True if a number is written as 9.81: its fraction would be too long (unlike 1/2 and 2/5), and
 /// its denominator has the factor 5 of a decimal number.
 bool is_decimal(const cln::cl_RA& value) {
   constexpr int longest = 16;
@@ -109,7 +109,7 @@ bool begins_with_word(const Glyphs& row) {
   return !row.parts.empty() && base_of(row.parts.front()).kind == GlyphKind::word;
 }
 
-/// Whether a row ends like c \sin x: a factor after it would be read as part of the argument.
+/// True if a row ends like c \sin x: a factor after it would be read as part of the argument.
 bool has_open_argument(const Glyphs& row) {
   return std::ranges::adjacent_find(row.parts, [](const Glyphs& head, const Glyphs& argument) {
            return base_of(head).kind == GlyphKind::function && argument.is_apart;
@@ -119,7 +119,7 @@ bool has_open_argument(const Glyphs& row) {
 /// Multiplies factors. A dot separates two factors that could be read as one.
 SetFormula product_of_set(std::vector<SetFormula> factors) {
   if (factors.size() == 1) return std::move(factors.front());
-  // Calls come last, as factors after them could be read as part of the argument.
+  // Calls come last, because factors after them could be read as part of the argument.
   std::stable_partition(factors.begin(), factors.end(),
                         [](const SetFormula& x) { return !x.is_call; });
   const bool is_negation = factors.front().binding == Binding::negation;
@@ -139,7 +139,7 @@ SetFormula product_of_set(std::vector<SetFormula> factors) {
   return {std::move(row), is_negation ? Binding::negation : Binding::product};
 }
 
-/// Whether a factor is 1/x^n, which is set as a divisor x^n.
+/// True if a factor is 1/x^n, which is set as a divisor x^n.
 bool is_reciprocal(const Formula& factor) {
   if (factor.kind != FormulaKind::power) return false;
   const Formula& exponent = factor.parts[1];
@@ -182,7 +182,7 @@ SetFormula set_product(const Formulas& factors) {
   return stacked(std::move(numerator.row), product_of_set(std::move(below)).row);
 }
 
-/// Sets a quotient. A numerical factor precedes it: 3/4 g/l.
+/// Sets a quotient. A fraction as its first factor precedes it: 3/4 g/l.
 SetFormula set_quotient(const Formula& formula) {
   const Formula& above = formula.parts[0];
   SetFormula below = set(formula.parts[1]);
@@ -217,8 +217,8 @@ SetFormula function_of(Glyphs head, Glyphs argument, bool is_apart) {
   return {std::move(head), Binding::power, true};
 }
 
-/// The textbook forms of log1p(x), expm1(x) and hypot(x, y): log(1 + x), e^x - 1, the root of a sum
-/// of squares.
+/// The textbook forms of log1p(x), expm1(x) and hypot(x, y): log(1 + x), e^x - 1, and the root of a
+/// sum of squares.
 std::optional<Formula> written_out(const Formula& call) {
   const Formula& x = call.parts.front();
   const Formula one = number_formula(1);
@@ -249,7 +249,7 @@ SetFormula set_call(const Formula& formula) {
   const bool stands_free = function != FunctionId::sign && formula.parts.size() == 1 &&
                            (is_alone || (is_fraction && first.binding == Binding::power));
   if (stands_free) return function_of(std::move(head), std::move(first.row), true);
-  Glyphs arguments = std::move(first.row);  // once, as calls may be nested deeply
+  Glyphs arguments = std::move(first.row);  // set once, as calls may be nested deeply
   if (formula.parts.size() > 1) append_item(arguments, formula.parts[1]);
   return function_of(std::move(head), in_brackets(std::move(arguments)), false);
 }

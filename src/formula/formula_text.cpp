@@ -1,4 +1,4 @@
-// formula_text: trees in the model language, on one line with brackets where they are needed.
+// formula_text: writes trees in the model language, on one line, with brackets only if needed.
 #include "formula/formula_text.hpp"
 
 #include <cln/integer.h>
@@ -138,7 +138,7 @@ FormulaText sum(const std::vector<Summand>& terms) {
 
 FormulaText product(const Spelling& spelling, const std::vector<FormulaText>& factors) {
   if (factors.size() == 1) return factors.front();
-  // Only the first factor may be a quotient, or carry a sign, without brackets.
+  // Only the first factor may be a quotient or have a sign without brackets.
   std::string text = at_least(factors.front(), Binding::negation).text;
   for (std::size_t i = 1; i < factors.size(); ++i) {
     text += std::string(spelling.times) + at_least(factors[i], Binding::power).text;

@@ -5,8 +5,8 @@
 //     product              m*(k*c)             m * (k * c)
 //     negation first       -a*b                -a * b
 //
-// Operands on the right keep their brackets, and with them the order of rounding. Code and printed
-// trees follow the same rules.
+// Operands on the right keep their brackets, which preserves the order of rounding. Code and
+// printed trees follow the same rules.
 #pragma once
 
 #include <cln/rational.h>
@@ -23,7 +23,7 @@ namespace elgen {
 /// How tightly a formula binds, weakest first. A product with a leading sign is a negation: -a*b.
 enum class Binding : std::uint8_t { sum, negation, product, power, atom };
 
-/// A formula as text. A name or a number is an atom.
+/// A formula as text. Names and numbers are atoms.
 struct FormulaText {
   std::string text = {};
   Binding binding = Binding::atom;
@@ -34,7 +34,7 @@ struct Summand {
   bool is_subtracted = false;
 };
 
-/// The signs that a language has for products and quotients.
+/// The operators of a language for products and quotients.
 struct Spelling {
   std::string_view times;  ///< between factors
   std::string_view over;

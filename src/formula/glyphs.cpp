@@ -1,5 +1,5 @@
-// glyphs: operations on rows that all notations need, the widths of rows, and long rows broken into
-// lines.
+// glyphs: operations on rows that all notations need, the widths of rows, and line breaks in long
+// rows.
 //
 //     a + \left( \frac{b}{c} + d \right) e   ->   a + \left( \frac{b}{c} \right.
 //                                                 \left. {} + d \right) e
@@ -35,8 +35,8 @@ double width_of_parts(const Glyphs& glyphs) {
 /// The pieces between two possible line breaks.
 struct Segment {
   Glyphs row = {};
-  int brackets = 0;  ///< open before it
-  int growing = 0;   ///< the growing ones among them
+  int brackets = 0;  ///< number of open round brackets before it
+  int growing = 0;   ///< number of open growing brackets before it
   double width = 0;
 };
 
@@ -59,7 +59,8 @@ std::vector<Segment> segments(const Glyphs& row, double (*measured)(const Glyphs
   const double before = measured({GlyphKind::row, "", {letter}});
   all.front().width = measured(all.front().row);
   for (std::size_t i = 1; i < all.size(); ++i) {
-    Glyphs behind_letter{GlyphKind::row, "", {letter}};  // a leading sign is a sign between terms
+    // A sign after a letter is a sign between terms, with its wider spacing.
+    Glyphs behind_letter{GlyphKind::row, "", {letter}};
     append(behind_letter, all[i].row, true);
     all[i].width = measured(behind_letter) - before;
   }

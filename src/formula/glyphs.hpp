@@ -1,4 +1,4 @@
-// glyphs: a formula as typeset: pieces side by side, above and below each other. It is read from
+// glyphs: a typeset formula: pieces side by side, above and below each other. It is read from the
 // LaTeX of tables and models, and printed as LaTeX, as MathML and on screens.
 //
 // Only the LaTeX commands of our tables and of likely symbols of models are known.
@@ -13,22 +13,22 @@ namespace elgen {
 
 enum class GlyphKind : std::uint8_t {
   row,       ///< parts side by side
-  letter,    ///< x, \theta: text is the character
+  letter,    ///< x, \theta; text is the character
   word,      ///< \mathrm{cart}
-  command,   ///< an unknown command: its name
+  command,   ///< an unknown command; text is its name
   bold,      ///< \mathbf{q}, \boldsymbol{\tau}: a vector
   prose,     ///< \text{ is stable}: words within a formula, with their blanks
   function,  ///< \sin, \operatorname{sgn}
   number,    ///< 12, 9.81
   sign,      ///< + - = , \cdot
   bracket,   ///< ( ) [ ] |
-  left,      ///< a bracket after \left, as tall as the content; "" for `.`
+  left,      ///< a bracket after \left, as tall as the content; text is empty for `.`
   right,     ///< the same after \right
   space,     ///< text is the width in em
   fraction,  ///< parts: above, below
   root,      ///< parts: radicand
-  accent,    ///< parts: base; text is the dots
-  scripts,   ///< parts: base, below, above; an empty row where there is none
+  accent,    ///< parts: base; text: the dots
+  scripts,   ///< parts: base, subscript, superscript; a missing script is an empty row
 };
 
 struct Glyphs {
@@ -42,9 +42,9 @@ struct Glyphs {
 
 using GlyphRows = std::vector<Glyphs>;
 
-/// Reads a row. Brackets need not match, as a formula may be broken inside of them.
+/// Reads a row. Brackets need not match, because a formula may be broken inside them.
 [[nodiscard]] Glyphs read_latex(std::string_view latex);
-/// Writes LaTeX from which read_latex gives these glyphs.
+/// Writes LaTeX that read_latex() converts to the same glyphs.
 [[nodiscard]] std::string latex(const Glyphs& glyphs);
 
 /// MathML Core: the elements of a row without the enclosing <math>.
@@ -56,35 +56,35 @@ using GlyphRows = std::vector<Glyphs>;
 /// The approximate width in letters.
 [[nodiscard]] double width(const Glyphs& glyphs);
 
-/// The character of a Greek letter's command ("theta"); empty for other words.
+/// The character for the command of a Greek letter ("theta"); empty for other words.
 [[nodiscard]] std::string_view greek_letter(std::string_view command);
 /// The command of a Greek letter; empty for other characters.
 [[nodiscard]] std::string_view greek_command(std::string_view letter);
 
 [[nodiscard]] Glyphs row_with(Glyphs piece);
 [[nodiscard]] Glyphs fraction_row(Glyphs above, Glyphs below);
-/// Encloses content in brackets. Growing brackets are set apart from it.
+/// Encloses content in brackets. Growing brackets are separated from it by blanks.
 [[nodiscard]] Glyphs enclosed(Glyphs content, std::string_view open, std::string_view close,
                               bool grows);
 
-/// The base of a piece with scripts, else the piece itself.
+/// The base of a piece with scripts; otherwise the piece itself.
 [[nodiscard]] const Glyphs& base_of(const Glyphs& piece);
 
-/// Whether scripts have this one.
+/// False if the sub- or superscript is missing.
 [[nodiscard]] bool is_there(const Glyphs& script);
 
-/// Adds a script below (place 1) or above (2) the last piece of the row.
+/// Adds a subscript (place 1) or superscript (place 2) to the last piece of the row.
 void add_script(Glyphs& row, std::size_t place, Glyphs script);
 
-/// Appends the pieces of a row; `is_apart` is for the first of them.
+/// Appends the pieces of a row; the first of them gets `is_apart`.
 void append(Glyphs& row, Glyphs pieces, bool is_apart);
 void append_sign(Glyphs& row, std::string_view sign, bool is_apart);
 
-/// Whether a piece is +, -, +- or -+ between terms.
+/// True for the signs +, -, +- and -+ between terms.
 [[nodiscard]] bool is_term_sign(const Glyphs& piece);
-/// 1 for an opening bracket, -1 for a closing one, else 0.
+/// 1 for an opening bracket, -1 for a closing bracket, otherwise 0.
 [[nodiscard]] int bracket_step(const Glyphs& piece);
-/// Whether a sign leads the row or separates terms outside of brackets.
+/// True if a minus leads the row, or a sign separates terms outside brackets.
 [[nodiscard]] bool is_sum(const Glyphs& row);
 
 /// A formula, or prose between formulas.
@@ -93,16 +93,16 @@ struct GlyphPiece {
   std::string prose = {};
   Glyphs formula = {};
 };
-/// Splits a row at prose outside of growing brackets, with the comma before it.
+/// Splits a row at prose outside growing brackets. A comma before prose becomes a piece of prose.
 [[nodiscard]] std::vector<GlyphPiece> pieces(const Glyphs& row);
 
-/// Vectors to components: \mathbf{g} -> g, \mathbf{bias} -> \mathrm{bias}, which are not bold.
+/// Vectors to components, which are not bold: \mathbf{g} -> g, \mathbf{bias} -> \mathrm{bias}.
 [[nodiscard]] Glyphs without_bold(Glyphs glyphs);
 
 [[nodiscard]] std::string without_outer_blanks(std::string text);
 
-/// Breaks a long row before its signs, at the outermost bracket that fits, and completes growing
-/// brackets on both sides. Lines are at most about `widest` letters wide if possible.
+/// Breaks a long row before its signs, inside as few brackets as possible, and completes growing
+/// brackets on both sides. Lines are at most about `widest` letters wide, if possible.
 [[nodiscard]] GlyphRows broken_lines(const Glyphs& row, double widest,
                                      double (*measured)(const Glyphs&) = &width);
 
@@ -113,7 +113,7 @@ struct Symbol {
   bool is_long = false;  ///< needs brackets in powers
 };
 
-/// Whether words follow without a blank, as they begin with punctuation.
+/// True if words follow without a blank, because they begin with punctuation.
 [[nodiscard]] bool stands_close(std::string_view words);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// latex: LaTeX -> glyphs and back: commands, groups and scripts, `<q>` as bold q, printed in the
-// one way in which this project writes it.
+// latex: converts LaTeX to glyphs and back. It reads commands, groups and scripts, and `<q>` as a
+// bold q. It prints each glyph in the single form that this project uses.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,12 +14,12 @@
 namespace elgen {
 namespace {
 
-/// A command of LaTeX: one character, a sign or a space, or what it makes of its arguments.
+/// A LaTeX command: one character, a sign, a space, or a glyph with arguments.
 struct CommandRow {
   std::string_view command;
-  std::string_view letter;  ///< the text of its glyph
+  std::string_view letter;  ///< text of its glyph
   GlyphKind kind = GlyphKind::letter;
-  std::size_t parts = 0;  ///< so many arguments are its parts
+  std::size_t parts = 0;  ///< number of arguments that become its parts
 };
 
 constexpr std::array greek_table{
@@ -38,7 +38,7 @@ constexpr std::array greek_table{
     CommandRow{"Psi", "Ψ"},      CommandRow{"Omega", "Ω"},
 };
 
-/// The table of all commands except Greek letters.
+/// All commands except Greek letters.
 constexpr std::array command_table{
     CommandRow{"cdot", "⋅", GlyphKind::sign},
     CommandRow{"partial", "∂", GlyphKind::letter},
@@ -79,7 +79,7 @@ std::string letters_of(const Glyphs& glyphs) {
   return text;
 }
 
-/// The largest depth of groups. The content of deeper ones is left out.
+/// The largest depth of groups. The content of deeper groups is dropped.
 constexpr int deepest = 200;
 
 bool continues_number(char c) { return is_digit(c) || c == '.'; }
@@ -134,14 +134,14 @@ class LatexReader {
     return {is_bracket ? GlyphKind::bracket : GlyphKind::sign, std::string(1, c)};
   }
 
-  /// The character here, and those behind it that go on with it.
+  /// The character here, and the following characters that continue it.
   std::string taken(const auto& continues) {
     const std::size_t begin = at_++;
     while (at_ < text_.size() && continues(text_[at_])) ++at_;
     return std::string(text_.substr(begin, at_ - begin));
   }
 
-  /// The text behind the bracket here, up to the next `end`.
+  /// The text after the bracket here, up to the next `end`.
   std::string enclosed_text(char end) {
     const std::string text = taken([end](char c) { return c != end; });
     at_ = std::min(at_ + 1, text_.size());
@@ -158,7 +158,7 @@ class LatexReader {
     return {is_function_command(name) ? GlyphKind::function : GlyphKind::command, std::move(name)};
   }
 
-  /// Moves the parts, since copies on every level would cost the square of the depth.
+  /// Moves the parts, because copies on every level would cost the square of the depth.
   Glyphs with_arguments(const CommandRow& row, int depth) {
     Glyphs glyphs{row.kind, std::string(row.letter)};
     for (std::size_t i = 0; i < row.parts; ++i) glyphs.parts.push_back(argument(depth));
@@ -178,7 +178,7 @@ class LatexReader {
 
 std::string group(const Glyphs& glyphs) { return fmt::format("{{{}}}", latex(glyphs)); }
 
-/// Whether the text ends with a command, to which a following letter would be added.
+/// True if the text ends with a command, which a following letter would extend.
 bool ends_with_command(std::string_view text) {
   const auto end = std::find_if_not(text.rbegin(), text.rend(), is_letter);
   return end != text.rbegin() && end != text.rend() && *end == '\\';

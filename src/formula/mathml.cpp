@@ -1,4 +1,4 @@
-// mathml: glyphs -> MathML Core, one element per piece.
+// mathml: converts glyphs to MathML Core, one element per piece.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace elgen {
 namespace {
 
-/// Makes one element of a row.
+/// Wraps a row in a single element.
 std::string element(const Glyphs& glyphs) {
   const bool is_single = glyphs.kind != GlyphKind::row || glyphs.parts.size() == 1;
   return is_single ? mathml(glyphs) : fmt::format("<mrow>{}</mrow>", mathml(glyphs));
@@ -41,7 +41,7 @@ bool is_opening(const Glyphs& glyphs) {
   return is_bracket(glyphs) && (glyphs.text == "(" || glyphs.text == "[" || glyphs.text.empty());
 }
 
-/// Writes a row. Functions have space before them, and before an argument without brackets.
+/// Writes a row. A function has space before it, and before an argument without brackets.
 std::string row(const Glyphs& glyphs) {
   constexpr const char* thin = R"(<mspace width="0.17em"/>)";
   std::string text;
@@ -58,7 +58,7 @@ std::string row(const Glyphs& glyphs) {
   return text;
 }
 
-/// Replaces blanks at both ends by fixed ones, as browsers drop others.
+/// Replaces blanks at both ends by no-break spaces, because browsers drop other blanks.
 std::string with_fixed_blanks(std::string text) {
   constexpr std::string_view blank = "&#xA0;";
   if (text.ends_with(' ')) text.replace(text.size() - 1, 1, blank);
@@ -66,7 +66,7 @@ std::string with_fixed_blanks(std::string text) {
   return text;
 }
 
-/// A range of letters and their bold forms, which Unicode has and MathML Core has no attribute for.
+/// A range of letters and their bold forms in Unicode; MathML Core has no attribute for bold.
 struct BoldLetters {
   char32_t first;
   char32_t last;
