@@ -1,4 +1,4 @@
-// cancel: see cancel.hpp. Function by function; where nothing vanishes nothing changes.
+// cancel: see cancel.hpp. Works function by function. A function without zeros is unchanged.
 #include "elgen/cancel.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace elgen {
 namespace {
 
-using Places = std::vector<std::uint32_t>;  ///< of instructions
+using Places = std::vector<std::uint32_t>;  ///< instruction numbers
 
 std::vector<bool> marked(const Function& function, const Places& places) {
   std::vector<bool> result(function.instructions.size(), false);
@@ -19,7 +19,7 @@ std::vector<bool> marked(const Function& function, const Places& places) {
   return result;
 }
 
-/// The `zeros` that are entries, or operands of values that are not zero.
+/// The `zeros` that are entries or operands of nonzero values.
 Places outermost(const Function& function, const Places& zeros) {
   const std::vector<bool> is_zero = marked(function, zeros);
   std::vector<bool> used = marked(function, entries_of(function));
@@ -35,7 +35,7 @@ Places outermost(const Function& function, const Places& zeros) {
   return result;
 }
 
-/// Zeros of a function that nothing but zeros are made of, by what is known of them.
+/// Instructions of a function that are 0, by kind of evidence.
 struct Zeros {
   Places proved = {};   ///< the closed form is the empty sum
   Places sampled = {};  ///< analytic, and 0 at `zero_points` points
@@ -62,7 +62,8 @@ Zeros told_apart(const Program& program, const Function& function, const Places&
   return zeros;
 }
 
-/// The outermost zeros. Where one of the candidates is none, those that it is made of may be.
+/// The outermost zeros. If an outermost candidate turns out not to be 0, its operands may be, so
+/// all candidates are judged.
 Zeros found_zeros(const Program& program, const Function& function) {
   const Places candidates = vanishing(program, function);
   const Places places = outermost(function, candidates);
@@ -76,7 +77,7 @@ Zeros found_zeros(const Program& program, const Function& function) {
   return zeros;
 }
 
-/// The entries, numbered over all fields, that one of `places` goes into.
+/// The indices, over all fields, of the entries that depend on one of `places`.
 Places resting_on(const Function& function, const Places& places) {
   std::vector<bool> rests = marked(function, places);
   for (std::size_t at = 0; at < rests.size(); ++at) {
@@ -92,8 +93,8 @@ Places resting_on(const Function& function, const Places& places) {
   return result;
 }
 
-/// Longer functions keep the sums and products they have: a few zeros fewer make no others worth
-/// looking for, which would take as long as lowering did.
+/// Longer functions keep their sums and products. Without a few zeros they hardly have new ones,
+/// and searching takes as long as lowering did.
 constexpr std::size_t most_lowered_again = 2'000;
 
 Network network_of(const Expressions& expressions, const Function& function) {
@@ -105,7 +106,7 @@ Network network_of(const Expressions& expressions, const Function& function) {
   return network;
 }
 
-/// The function with 0 at those places, lowered again.
+/// Lowers the function again, with 0 in place of `zeros`.
 Function without(const Zeros& zeros, const Function& function, Program& program) {
   const Expressions expressions =
       from_program(program, function, entries_of(function), marked(function, zeros.all()));

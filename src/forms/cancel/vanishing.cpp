@@ -1,7 +1,7 @@
-// An analytic function that is zero at random points is zero. Three things are guarded against:
-// values that are not analytic are variables of their own (program/network/analytic.hpp); where 64
-// digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1) nothing is concluded; nor is it from a
-// point at which something that depends on a value is undefined.
+// An analytic function that is 0 at random points is 0. There are three precautions. Values that
+// are not analytic become independent variables (program/network/analytic.hpp). Nothing is
+// concluded if 64 digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1). A point says nothing
+// about the operands of a value that is undefined there.
 #include "forms/cancel/vanishing.hpp"
 
 #include <algorithm>
@@ -19,14 +19,14 @@ using Values = std::vector<Number>;
 constexpr std::uint64_t first_seed = 1;
 constexpr std::uint64_t other_seed = 2;
 
-/// Whether x is below a fraction of y.
+/// True if |x| <= share |y|.
 bool is_below(const Real& x, const Real& y, const Real& share) {
   return abs(x).value() <= (abs(y) * share).value();
 }
 
 Number drawn(const cln::cl_RA& value) { return running_leaf(value, rounding<double>()); }
 
-/// The functions with kinks, which may be zero in a whole region. Roots are computed.
+/// Marks calls of functions with kinks, which may be 0 in a whole region. Roots are computed.
 std::vector<bool> kinks(const Function& function) {
   std::vector<bool> result;
   for (const Instruction& i : function.instructions) {
@@ -35,8 +35,8 @@ std::vector<bool> kinks(const Function& function) {
   return result;
 }
 
-/// A sum of which one term is so small beside the other that twenty digits of it are gone, or a
-/// function that its argument hardly moves, or moves so much that its own digits are gone.
+/// True if 20 digits are lost: the smaller term of a sum disappears in the larger one, a function
+/// hardly depends on its argument, or it depends so much that its own digits are wrong.
 bool hides_something(const Instruction& i, const Values& values, const Number& x) {
   static const Real hidden(power_of_ten(-20));
   if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
@@ -50,7 +50,7 @@ bool hides_something(const Instruction& i, const Values& values, const Number& x
          (is_below(x.error - abs(x.value), x.value, hidden) || is_below(x.value, x.error, hidden));
 }
 
-/// Whether what rounding may leave of a zero is little beside the terms.
+/// True if the rounding error that a zero may hide is small compared with the terms.
 bool is_sharp(const Instruction& i, const Values& values, const Real& noise) {
   static const Real hidden(power_of_ten(-20));
   Real terms = abs(values[i.a].value);
@@ -58,7 +58,7 @@ bool is_sharp(const Instruction& i, const Values& values, const Real& noise) {
   return is_below(noise, terms, hidden);
 }
 
-/// The value at the point: exactly 0 where it vanishes, lost where its digits do not tell.
+/// The value at the point: exactly 0 if it vanishes, lost if its digits do not decide.
 Number settled(const Instruction& i, const Values& values, Number x) {
   static const Real vanished(power_of_ten(-40));
   if (!x.value.is_defined() || operand_count(i) == 0) return x;
@@ -68,8 +68,8 @@ Number settled(const Instruction& i, const Values& values, Number x) {
   return vanishes ? Number{} : x;
 }
 
-/// The instructions that are `needed`, at the next random point; the `variables` among them are
-/// drawn, not computed.
+/// Evaluates the `needed` instructions at the next random point. Instructions in `variables` get
+/// random values.
 Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
            const std::vector<bool>& variables, Sampler& draw) {
   const LeafValues<Number> point = map_leaves(drawn, draw.point(program.leaves));
@@ -84,7 +84,7 @@ Values run(const Program& program, const Function& function, const std::vector<b
   return values;
 }
 
-/// The instructions that undefined values are made of.
+/// The instructions on which undefined values depend.
 std::vector<bool> needed_for_undefined(const Function& function, const Values& values,
                                        const std::vector<bool>& needed) {
   std::vector<std::uint32_t> undefined;
@@ -94,7 +94,7 @@ std::vector<bool> needed_for_undefined(const Function& function, const Values& v
   return needed_for(function, undefined);
 }
 
-/// The `candidates` that vanish at one more point, too.
+/// The `candidates` that also vanish at the next random point.
 std::vector<std::uint32_t> still_vanishing(const Program& program, const Function& function,
                                            const std::vector<std::uint32_t>& candidates,
                                            const std::vector<bool>& variables, Sampler& draw) {

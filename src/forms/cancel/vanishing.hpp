@@ -1,4 +1,4 @@
-// Vanishing: the values of a function that are zero wherever one looks.
+// Vanishing: finds the values of a function that are 0 at random points.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,16 @@
 
 namespace elgen {
 
-/// The instructions below 1e-40 of their bound at one random point, in 60 digits, where that is
-/// below 1e-20 of their terms; leaves do not count, nor what goes into a value that is undefined
-/// there. Candidates only: a root may have another sign elsewhere.
+/// Instructions that vanish at one random point, in 64 digits: the value is below 1e-40 of its
+/// error bound E, and 1e-40 E is below 1e-20 of the operands. Leaves are excluded, and so are
+/// operands of values that are undefined there. These are candidates only: a root may have another
+/// sign elsewhere.
 [[nodiscard]] std::vector<std::uint32_t> vanishing(const Program& program,
                                                    const Function& function);
 
-/// Whether every entry, in the order of the fields, is so at as many points more as make it
-/// `zero_points`, whatever the values are that are not analytic (program/network/analytic.hpp):
-/// then it is 0 at every state.
+/// For each entry, in the order of the fields: true if it also vanishes at the other points,
+/// `zero_points` in all, with random numbers for values that are not analytic
+/// (program/network/analytic.hpp). It is then 0 at every state.
 [[nodiscard]] std::vector<bool> vanishing_elsewhere(const Program& program,
                                                     const Function& function);
 

@@ -1,5 +1,6 @@
-// Field operations. Denominators stay products of factors that were met before, so that what one
-// division put there the next one takes away, without a general gcd.
+// Field operations on fractions. A denominator is a product of factors that were met before. A
+// later multiplication therefore cancels the factors that a division introduced, without a general
+// gcd.
 #include "forms/present/arithmetic.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ Fraction fraction_of(const cl_RA& value) { return {constant(value), {}}; }
 
 namespace {
 
-/// The same for the same atoms: all of them but their numbers.
+/// Equal atoms have equal hashes; the coefficients of their arguments are not hashed.
 std::size_t hash_of(const Atom& atom) {
   std::size_t hash = 0;
   const auto mix = [&hash](std::size_t part) { hash = hash * 1'000'003 + part; };
@@ -34,7 +35,8 @@ std::size_t hash_of(const Atom& atom) {
   return hash;
 }
 
-/// The angles of a sum's exponentials, and their halves where there are such.
+/// The angles of a sum's exponentials, and their halves if all exponents are even. Of an angle and
+/// its negative, only one counts.
 std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
   std::vector<Monomial> angles;
   const auto add = [&](const Monomial& angle) {
@@ -86,7 +88,7 @@ std::optional<Polynomial> Arithmetic::multiplied(const Polynomial& x, const Poly
   return product(x, y);
 }
 
-/// x times a power of a denominator factor.
+/// x * factors[factor]^exponent; none beyond the budget.
 std::optional<Polynomial> Arithmetic::times_factor(Polynomial x, std::uint32_t factor,
                                                    std::int32_t exponent) {
   for (std::int32_t i = 0; i < exponent; ++i) {
@@ -97,7 +99,7 @@ std::optional<Polynomial> Arithmetic::times_factor(Polynomial x, std::uint32_t f
   return x;
 }
 
-/// The numerator of x over a denominator that its own divides.
+/// The numerator of x over `denominator`, which must be a multiple of x's own denominator.
 std::optional<Polynomial> Arithmetic::over(
     const Fraction& x, const std::map<std::uint32_t, std::int32_t>& denominator) {
   std::optional<Polynomial> result = x.numerator;
@@ -145,7 +147,7 @@ Value Arithmetic::cancelled(Fraction x) {
   return limited(std::move(x));
 }
 
-/// sqrt(r)^k as sqrt(r)^(k mod 2) r^(k div 2).
+/// Replaces sqrt(r)^k by sqrt(r)^(k mod 2) r^(k div 2).
 Value Arithmetic::reduced_roots(Fraction x) {
   const auto excess = [&](const AtomPower& factor) {
     return algebra_.atoms[factor.atom].kind == AtomKind::root &&
@@ -184,8 +186,8 @@ Value Arithmetic::reduced_roots(Fraction x) {
   return cancelled(std::move(*result));
 }
 
-/// The factor equal to `polynomial` but for a monomial, which becomes `unit`; a new one where none
-/// is known.
+/// The index of the factor that equals `polynomial` up to a monomial; adds a new factor if none is
+/// known. `unit` becomes this monomial.
 std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial& unit) {
   const auto inverse = [](const Monomial& x) { return elgen::power(x, -1); };
   const Monomial powers = common_powers(polynomial);
@@ -194,7 +196,7 @@ std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial&
   const auto known = std::ranges::find(algebra_.factors, normal, &Algebra::Factor::normal);
   const auto index = static_cast<std::uint32_t>(known - algebra_.factors.begin());
   if (known == algebra_.factors.end()) {
-    // Exponentials are left in the sum, so that the printed factors stay real.
+    // Exponentials remain in the sum, so that the printed factor is real.
     Monomial common = split(algebra_, powers).powers;
     erase_if(common, [](const AtomPower& power) { return power.exponent < 0; });
     algebra_.factors.push_back({scaled(polynomial, {1, 0}, inverse(common)), normal});
@@ -206,7 +208,7 @@ std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial&
   return index;
 }
 
-/// Takes known factors out of `rest`.
+/// Moves known factors from `rest` to `denominator`; false if the budget is used up.
 bool Arithmetic::split_factors(Polynomial& rest,
                                std::map<std::uint32_t, std::int32_t>& denominator) {
   for (std::uint32_t i = 0; i < algebra_.factors.size(); ++i) {
@@ -220,7 +222,7 @@ bool Arithmetic::split_factors(Polynomial& rest,
   return work_ > 0;
 }
 
-/// Makes factors of the sines and cosines that divide `rest`: 1 - cos(2 x) is sin(x) twice.
+/// Registers the sines and cosines that divide `rest` as factors: 1 - cos(2 x) is 2 sin(x)^2.
 void Arithmetic::note_circular_factors(const Polynomial& rest) {
   const cl_RA half = cl_RA(1) / 2;
   for (const Monomial& angle : angles_of(rest, algebra_)) {

@@ -1,7 +1,7 @@
-// Arithmetic: the field operations and functions on closed forms over one algebra, within a budget.
+// Arithmetic: field operations and functions on closed forms over one algebra, within a budget.
 //
-// A Value is none where an operand was, where the budget is used up, or where there is no value
-// (division by zero). Atoms are found again by the canonical form of what they stand for.
+// A Value is none if an operand is none, if the budget is used up, or if it is undefined (division
+// by zero). Atoms are identified by the canonical forms of their arguments.
 #pragma once
 
 #include "elgen/closed_forms.hpp"
@@ -11,7 +11,8 @@ namespace elgen {
 
 using Value = std::optional<Fraction>;
 
-/// Angles are held in twelfths of their monomials, so that halves, thirds and quarters are powers.
+/// Angles are counted in twelfths of their monomials, so that halves, thirds and quarters are
+/// powers.
 inline constexpr int angle_parts = 12;
 
 [[nodiscard]] Fraction fraction_of(const Polynomial& numerator);
@@ -19,12 +20,12 @@ inline constexpr int angle_parts = 12;
 
 class Arithmetic {
  public:
-  /// Takes at most `work` products of terms, and sums of at most `terms` terms.
+  /// Limits: `work` products of terms in total, and `terms` terms in one sum.
   explicit Arithmetic(Algebra& algebra, std::size_t work = PresentBudget{}.products,
                       std::size_t terms = PresentBudget{}.terms)
       : algebra_(algebra), work_(work), terms_(terms) {}
 
-  /// Term products left.
+  /// The remaining budget of term products.
   [[nodiscard]] std::size_t work() const { return work_; }
 
   [[nodiscard]] Value add(const Value& x, const Value& y);
@@ -32,7 +33,6 @@ class Arithmetic {
   [[nodiscard]] Value negate(const Value& x) const;
   [[nodiscard]] Value multiply(const Value& x, const Value& y);
   [[nodiscard]] Value divide(const Value& x, const Value& y);
-  /// x^exponent, exponent an integer.
   [[nodiscard]] Value power(const Value& x, std::int32_t exponent);
   [[nodiscard]] Value square_root(const Value& x);
   /// A function of one argument ignores y.
@@ -40,9 +40,9 @@ class Arithmetic {
 
   [[nodiscard]] Value leaf(Opcode leaf, std::uint32_t index);
   [[nodiscard]] Value pi();
-  /// The atom of a sum that stays whole, by its number in Algebra::sums.
+  /// The atom of a sum that stays whole: `index` is its number in Algebra::sums, `form` its value.
   [[nodiscard]] Value whole_sum(std::uint32_t index, const Fraction& form);
-  /// Sums, products, roots and multiples of pi are taken apart.
+  /// Converts the parts of sums, products, roots and calls one by one.
   [[nodiscard]] Value constant(const ConstantForm& form);
   [[nodiscard]] Value constant(const Constant& constant) { return this->constant(constant.form); }
 
@@ -61,7 +61,7 @@ class Arithmetic {
   std::uint32_t factor_index(const Polynomial& polynomial, Polynomial& unit);
 
   Value root_of_integer(cln::cl_I value);
-  /// e^(i x), x real.
+  /// e^(i x), or e^(-i x) if `conjugate`; x must be real.
   Value exponential(const Fraction& x, bool conjugate);
   Value exponential_of_term(const Monomial& monomial, const cln::cl_RA& coefficient);
   Value circle_twelfths(long twelfths);

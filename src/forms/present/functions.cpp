@@ -1,5 +1,6 @@
-// Functions of closed forms. Sines and cosines become exponentials of their angle's terms; roots of
-// numbers are taken apart into primes; everything else is opaque, with a canonical argument.
+// Functions of closed forms. Sines and cosines become exponentials of the terms of their angle. A
+// root of a number becomes a product of roots of primes. Any other call is an opaque atom with
+// canonical arguments.
 #include <cln/integer.h>
 
 #include <array>
@@ -15,10 +16,10 @@ using cln::cl_RA;
 
 namespace {
 
-/// Larger primes stay together under one root.
+/// Larger prime factors are not searched; they remain under one root.
 constexpr int largest_prime = 10'000;
 
-/// Powers of exponentials beyond could overflow when they are multiplied.
+/// Larger exponents of exponentials could overflow when powers are multiplied.
 constexpr int most_exponent = 1'000'000;
 
 bool is_pi(const Algebra& algebra, const Monomial& monomial) {
@@ -30,7 +31,7 @@ std::optional<cl_RA> rational_number(const Fraction& x) {
   return x.denominator.empty() ? rational_value(x.numerator) : std::nullopt;
 }
 
-/// The sign that makes the leading coefficient positive.
+/// True if negating x makes its leading coefficient positive.
 bool has_negative_lead(const Fraction& x) {
   if (x.numerator.empty()) return false;
   const Gaussian& lead = x.numerator.rbegin()->second;
@@ -39,7 +40,7 @@ bool has_negative_lead(const Fraction& x) {
 
 }  // namespace
 
-/// sqrt of a positive integer: squares outside, one root per prime.
+/// sqrt of a positive integer: square factors are extracted, and each prime gets its own root.
 Value Arithmetic::root_of_integer(cl_I value) {
   cl_RA outside = 1;
   std::vector<cl_I> primes;
@@ -78,7 +79,7 @@ Value Arithmetic::square_root(const Value& x) {
                   fraction_of(cl_RA(1) / denominator));
 }
 
-/// cos(k pi/12) + i sin(k pi/12) by sqrt(2) and sqrt(3).
+/// cos(k pi/12) + i sin(k pi/12) for k = twelfths, in terms of sqrt(2) and sqrt(3).
 Value Arithmetic::circle_twelfths(long twelfths) {
   // cos(k pi/12) = (a + b sqrt2 + c sqrt3 + d sqrt6)/4 for k = 0 … 6
   static constexpr std::array<std::array<int, 4>, 7> cosines{
@@ -119,7 +120,8 @@ Value Arithmetic::exponential_of_term(const Monomial& monomial, const cl_RA& coe
       Polynomial{{elgen::power(base, static_cast<std::int32_t>(power)), Gaussian{1, 0}}});
 }
 
-/// e^(i x), or e^(-i x): the product over the terms of x, where it is a sum of real monomials.
+/// e^(i x), or e^(-i x) if `conjugate`: the product over the terms of x, which must be a sum of
+/// real monomials.
 Value Arithmetic::exponential(const Fraction& x, bool conjugate) {
   Value result = fraction_of(cl_RA(1));
   for (const auto& [monomial, coefficient] : x.numerator) {
@@ -150,8 +152,8 @@ Value Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
   return multiply(both, fraction_of(Polynomial{{Monomial{}, half}}));
 }
 
-/// stumpff(x, 1) = sin(x)/x, stumpff(x, 2) = (1 - cos(x))/x^2, and on from these by
-/// stumpff(x, k) = (1/(k - 2)! - stumpff(x, k - 2))/x^2. None at x = 0.
+/// stumpff(x, k) as a quotient: sin(x)/x for k = 1, (1 - cos(x))/x^2 for k = 2, and otherwise (1/(k
+/// - 2)! - stumpff(x, k - 2))/x^2. None at x = 0.
 Value Arithmetic::stumpff_quotient(const Fraction& x, const cl_I& order) {
   if (order == 0) return sine_or_cosine(FunctionId::cos, x);
   if (order == 1) return divide(sine_or_cosine(FunctionId::sin, x), x);
@@ -160,8 +162,9 @@ Value Arithmetic::stumpff_quotient(const Fraction& x, const cl_I& order) {
   return divide(subtract(first, stumpff_quotient(x, order - 2)), multiply(x, x));
 }
 
-/// e^x: the product over the terms of x of powers of e^(m/12), m a monomial, or i times it, over
-/// the denominator of x. If x holds sines, the factors are complex, and their product is e^x.
+/// e^x as a product over the terms of x. Each factor is a power of e^(m/12) or e^(i m/12), with m a
+/// monomial over the denominator of x. If x contains sines, the factors are complex, but their
+/// product is e^x.
 Value Arithmetic::real_exponential(const Fraction& x) {
   Monomial result;
   const auto multiply_by = [&](const Monomial& monomial, const cl_RA& coefficient,
@@ -187,7 +190,7 @@ Value Arithmetic::real_exponential(const Fraction& x) {
   return fraction_of(Polynomial{{result, Gaussian{1, 0}}});
 }
 
-/// exp, sinh, cosh and tanh by e^x and e^-x.
+/// exp, sinh, cosh and tanh in terms of e^x and e^-x.
 Value Arithmetic::by_exponentials(FunctionId function, const Fraction& x) {
   const Value forward = real_exponential(x);
   if (function == FunctionId::exp) return forward;
@@ -199,7 +202,7 @@ Value Arithmetic::by_exponentials(FunctionId function, const Fraction& x) {
   return function == FunctionId::sinh ? sine : cosine;
 }
 
-/// log1p, expm1 and hypot are written by log, exp and a root.
+/// log1p, expm1 and hypot are replaced by log, exp and a root.
 Value Arithmetic::call(FunctionId function, const Value& x, const Value& y) {
   const FunctionRow& row = function_row(function);
   if (!x || (row.arity > 1 && !y)) return std::nullopt;

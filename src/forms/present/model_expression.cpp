@@ -1,5 +1,5 @@
-// A model's own expression as a closed form, by a route that shares nothing with the derivation:
-// what [[expect]] says is read here and compared with what was derived.
+// Converts an expression of a model to a closed form without using the derivation, so that
+// [[expect]] can be compared with the derived form.
 #include <cln/integer.h>
 
 #include <utility>
@@ -21,7 +21,7 @@ class ModelExpressions {
   ModelExpressions(Arithmetic& arithmetic, const Model& model, const FixedParameters& fixed)
       : arithmetic_(arithmetic), model_(model), fixed_(fixed), known_(model.expressions.size()) {}
 
-  /// Operands precede their users in the arena, so the depth is that of named things only.
+  /// An explicit stack replaces recursion, since expressions may be nested deeply.
   Value operator()(ExpressionId wanted) {
     if (known_[wanted].done) return known_[wanted].form;
     std::vector<ExpressionId> pending{wanted};
@@ -44,7 +44,7 @@ class ModelExpressions {
     Value form = {};
   };
 
-  /// The form of a fixed parameter counts, too.
+  /// The operands; for a fixed parameter the expression of its value, if it has one.
   [[nodiscard]] std::vector<ExpressionId> needs(ExpressionId id) const {
     const Expression& e = model_.expressions[id];
     if (!is_leaf(e, Opcode::parameter)) return references(model_, id);
@@ -86,14 +86,14 @@ class ModelExpressions {
       case ExpressionKind::function:
         return call(e);
       case ExpressionKind::time_derivative:
-        return std::nullopt;  // of a leaf it is a leaf; of more it is left to sampling
+        return std::nullopt;  // derivatives of leaves are leaves; others are sampled
     }
     return std::nullopt;
   }
 
   using Join = Value (Arithmetic::*)(const Value&, const Value&);
 
-  /// A sum or product, from what it is of no operands.
+  /// Folds the operands into `total`, which starts as the neutral element.
   Value joined(const Expression& e, Value total, Join join) {
     for (const ExpressionId id : e.operands) total = (arithmetic_.*join)(total, known_[id].form);
     return total;

@@ -1,4 +1,5 @@
-// Sparse sums, ordered by a group order, so that division and equality need no further thought.
+// Sparse sums in an order of monomials that products preserve, which makes division and equality
+// simple.
 #include "forms/present/polynomial.hpp"
 
 #include <algorithm>
@@ -57,7 +58,7 @@ Polynomial constant(const cl_RA& value) {
 
 namespace {
 
-/// Both sums, terms of one monomial added.
+/// The sum of two ascending ranges; terms with equal monomials are added.
 template <class Iterator>
 Polynomial merged(Iterator i, Iterator i_end, Iterator j, Iterator j_end) {
   Polynomial::Terms terms;
@@ -80,7 +81,7 @@ Polynomial merged(Iterator i, Iterator i_end, Iterator j, Iterator j_end) {
   return Polynomial(std::move(terms));
 }
 
-/// The terms from `first` to `last` times y; the products of two halves are merged.
+/// The terms in [first, last) times y: merges the products of both halves.
 Polynomial product_of(Polynomial::const_iterator first, Polynomial::const_iterator last,
                       const Polynomial& y) {
   if (first == last) return {};
@@ -165,7 +166,7 @@ std::map<Monomial, Polynomial, MonomialLess> parts_by(const Algebra& algebra, co
 
 namespace {
 
-/// Every square of `atom` as `one` + the square of `other`.
+/// Replaces each square of `atom` by one + other^2.
 Polynomial without_squares(const Polynomial& sum, AtomId atom, AtomId other, int one) {
   Polynomial result;
   for (const auto& [monomial, coefficient] : sum) {

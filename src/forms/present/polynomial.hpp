@@ -1,4 +1,4 @@
-// Polynomials in atoms with exponents of either sign and coefficients x + i y, all exact.
+// Polynomials in atoms, with exponents of either sign and exact coefficients x + i y.
 #pragma once
 
 #include "elgen/closed_forms.hpp"
@@ -13,7 +13,8 @@ namespace elgen {
 [[nodiscard]] Gaussian reciprocal(const Gaussian& x);
 [[nodiscard]] bool is_zero(const Gaussian& x);
 
-/// to += coefficient * monomial, of a polynomial or another sum of products; no coefficient is 0.
+/// to += coefficient * monomial, for a polynomial or another map of terms. The coefficient must not
+/// be 0; a term whose coefficient becomes 0 is erased.
 template <class Sum>
 void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& coefficient) {
   const auto [at, is_new] = to.try_emplace(monomial, coefficient);
@@ -24,72 +25,74 @@ void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& c
 }
 
 [[nodiscard]] Polynomial constant(const cln::cl_RA& value);
-/// Cost: as many terms as both have.
+/// Cost: the number of terms of both.
 [[nodiscard]] Polynomial sum(const Polynomial& x, const Polynomial& y);
 /// x * coefficient * monomial
 [[nodiscard]] Polynomial scaled(const Polynomial& x, const Gaussian& coefficient,
                                 const Monomial& monomial = {});
-/// Cost: as many term products as the sizes multiplied.
+/// Cost: x.size() * y.size() products of terms.
 [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y);
 
-/// x / y where y divides x, by long division from the leading term; y has at least two terms, x
-/// one. `work` is lowered by the term products; none also where it is used up.
+/// x / y if y divides x, by long division from the leading term; otherwise none. y must have at
+/// least two terms, x at least one. Lowers `work` by the products of terms; none also if it is used
+/// up.
 [[nodiscard]] std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y,
                                                  std::size_t& work);
 
-/// Divides every denominator factor that the numerator has out of both; `work` as in quotient().
+/// Cancels all denominator factors that divide the numerator; `work` as in quotient().
 void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
 
-/// x/y, where it is a rational number; neither is the empty sum.
+/// x/y if it is a rational number; otherwise none. Neither may be the empty sum.
 [[nodiscard]] std::optional<cln::cl_RA> ratio_of(const Polynomial& x, const Polynomial& y);
 
-/// The rational number, where it is one.
+/// The value of x if it is a rational number; otherwise none.
 [[nodiscard]] std::optional<cln::cl_RA> rational_value(const Polynomial& x);
 
 [[nodiscard]] bool is_one(const Polynomial& sum);
 
-/// cosh^2 = 1 + sinh^2 in the direction that leaves fewer terms.
+/// Applies cosh^2 = 1 + sinh^2 in the direction that gives fewer terms.
 [[nodiscard]] Polynomial by_hyperbolic_squares(const Algebra& algebra, Polynomial sum);
 
-/// The product whose square is x; none where an exponent is odd.
+/// The product whose square is x; none if an exponent is odd.
 [[nodiscard]] std::optional<Monomial> square_root(Monomial x);
 
-/// The sum whose square is x, by long division from the leading term, which has coefficient 1.
+/// The sum whose square is x, by long division from the leading term, whose coefficient must be 1.
+/// None if x is not a square.
 [[nodiscard]] std::optional<Polynomial> square_root(const Polynomial& x);
 
-/// 0 where the atom is not there.
+/// 0 if the monomial does not contain the atom.
 [[nodiscard]] std::int32_t exponent_of(const Monomial& monomial, AtomId atom);
 
-/// The factors of the powers of an atom, by exponent.
+/// The coefficients of x as a polynomial in `atom`, by exponent.
 [[nodiscard]] std::map<std::int32_t, Polynomial> coefficients_of(const Polynomial& x, AtomId atom);
 
-/// Least and greatest exponent of an atom in a sum; where it is absent its exponent is 0.
+/// The least and greatest exponent of an atom in a sum. Terms without the atom have exponent 0.
 struct AtomRange {
   AtomId atom = 0;
   std::int32_t least = 0;
   std::int32_t greatest = 0;
-  std::size_t terms = 0;  ///< that hold the atom
+  std::size_t terms = 0;  ///< number of terms with the atom
 };
 
-/// Ascending atoms.
+/// In ascending order of atoms.
 [[nodiscard]] std::vector<AtomRange> exponents_of(const Polynomial& x);
 
-/// The least exponent of every atom, where that is not 0: what is left has no divisors, and no
-/// power that all terms have.
+/// The least exponent of every atom, if it is not 0. After division by these powers, x has no
+/// divisors and no power common to all terms.
 [[nodiscard]] Monomial common_powers(const Polynomial& x);
 
-/// The negative powers of atoms other than exponentials, the lowest of each.
+/// The least exponent of every atom other than exponentials, if it is negative.
 [[nodiscard]] Monomial lowest_powers(const Algebra& algebra, const Polynomial& sum);
 
-/// Whether it is its own conjugate.
+/// True if the sum is its own complex conjugate.
 [[nodiscard]] bool is_real(const Algebra& algebra, const Polynomial& sum);
 
 [[nodiscard]] bool holds_exponentials(const Algebra& algebra, const Polynomial& sum);
 
-/// Ascending, each once.
+/// Ascending, without duplicates.
 [[nodiscard]] std::vector<AtomId> atoms_of(const Polynomial& sum);
 
-/// The angle in a product of atoms: e^(i angle) is what its circular atoms make.
+/// A product of atoms as powers * e^(i angle): the circular atoms make the exponential.
 struct SplitMonomial {
   Monomial powers;  ///< of all other atoms
   Monomial angle;
@@ -97,7 +100,7 @@ struct SplitMonomial {
 
 [[nodiscard]] SplitMonomial split(const Algebra& algebra, const Monomial& monomial);
 
-/// The terms by the part of them that is of such atoms: key -> what multiplies it.
+/// Groups the terms by their factors with `is_of_key`: key -> sum of the remaining factors.
 [[nodiscard]] std::map<Monomial, Polynomial, MonomialLess> parts_by(const Algebra& algebra,
                                                                     const Polynomial& sum,
                                                                     bool (*is_of_key)(const Atom&));

@@ -1,8 +1,8 @@
-// present: a Program, run on closed forms instead of numbers.
+// present: runs a Program on closed forms instead of numbers.
 //
 //     0 = sin theta   1 = multiply 0 0   2 = cos theta   3 = multiply 2 2   4 = add 1 3   ->   1
 //
-// With whole sums every value is kept twice: multiplied out, by which a sum is found again, and
+// With whole sums, every value has two forms: one expanded, by which sums are identified, and one
 // with whole sums.
 #include <algorithm>
 #include <memory>
@@ -17,8 +17,8 @@ namespace elgen {
 
 namespace {
 
-/// Long programs are those whose closed forms outgrow them: beyond `short_program` instructions the
-/// budget falls with the square of the length, so that trying costs less than lowering did.
+/// Closed forms of long programs exceed any budget. Beyond `short_program` instructions the budget
+/// falls with the square of the length, so that trying costs less than lowering did.
 std::size_t budget_of(const Function& function, const PresentBudget& budget) {
   constexpr double short_program = 500;
   const double length = std::max(static_cast<double>(function.instructions.size()), short_program);
@@ -45,7 +45,7 @@ ZeroProof proof_of(const Algebra& algebra, const std::optional<Fraction>& form) 
   return is_decided ? ZeroProof::not_zero : ZeroProof::open;
 }
 
-/// The proofs of the entries of the only function.
+/// One proof per entry of the only function.
 std::vector<ZeroProof> proofs_of(const ClosedForms& forms) {
   std::vector<ZeroProof> result;
   for (const ClosedField& field : forms.functions[0].fields) {
@@ -58,11 +58,11 @@ std::vector<ZeroProof> proofs_of(const ClosedForms& forms) {
 
 Algebra algebra_of_proofs() { return {.has_quotients = true, .has_exponentials = true}; }
 
-/// Whether functions that repeat others have closed forms.
+/// Whether a function that repeats entries of others gets closed forms.
 enum class Repeats : std::uint8_t { left_out, presented };
 
-/// Appends the closed forms of every function's entries, within one budget.
-/// values_of(arithmetic, function): those of all its instructions.
+/// Appends the closed forms of all entries of all functions, within one budget.
+/// values_of(arithmetic, function) returns the values of all instructions.
 template <class ValuesOf>
 void present_functions(const Program& program, const PresentBudget& budget, ClosedForms& forms,
                        const ValuesOf& values_of, Repeats repeats = Repeats::left_out) {
@@ -72,7 +72,7 @@ void present_functions(const Program& program, const PresentBudget& budget, Clos
     if (repeats == Repeats::left_out && output_row(function.kind).repeats) continue;
     const std::size_t share = std::min(left, budget_of(function, budget));
     Arithmetic arithmetic(forms.algebra, share, budget.terms);
-    // The closed form of what is repeated would be one of M^-1.
+    // A function with a repeated block gets no closed forms: they would contain M^-1.
     const bool is_open = function.repeated.count > 0;
     const std::vector<Value> values = is_open ? std::vector<Value>(function.instructions.size())
                                               : values_of(arithmetic, function);
@@ -94,13 +94,13 @@ ClosedForms present_over(Algebra algebra, const Program& program, const PresentB
   return forms;
 }
 
-/// x, and x with whole sums.
+/// A value: expanded, and with whole sums.
 struct Both {
   Value plain = {};
   Value whole = {};
 };
 
-/// The rules of fold.hpp.
+/// Folding rules (fold.hpp).
 class WholeArithmetic {
  public:
   WholeArithmetic(Arithmetic& arithmetic, const std::vector<Value>& sums)
@@ -134,7 +134,8 @@ class WholeArithmetic {
  private:
   static Both alike(const Value& x) { return {x, x}; }
 
-  /// One whole sum, its negative, or the shorter one of both values.
+  /// Replaces x.whole by a multiple of one whole sum if x is such a multiple, and otherwise by
+  /// x.plain if that has fewer terms.
   Both shorter(Both x) {
     if (!x.plain || x.plain->numerator.empty()) return alike(x.plain);
     for (std::uint32_t i = 0; i < sums_.size(); ++i) {
@@ -149,10 +150,10 @@ class WholeArithmetic {
   }
 
   Arithmetic& arithmetic_;
-  const std::vector<Value>& sums_;  ///< multiplied out
+  const std::vector<Value>& sums_;  ///< expanded
 };
 
-/// The sums of typed_sums() multiplied out.
+/// The expanded forms of the sums of typed_sums().
 std::vector<Value> plain_forms(Arithmetic& arithmetic, const Program& sums) {
   std::vector<Value> forms;
   for (const Function& sum : sums.functions) {

@@ -1,5 +1,5 @@
 // Exact division of sparse sums by a heap of products (M. Monagan, R. Pearce: Sparse polynomial
-// division using a heap, 2011), which ends as soon as no quotient can be left.
+// division using a heap, 2011). It stops as soon as no exact quotient is possible.
 #include <algorithm>
 #include <utility>
 
@@ -8,16 +8,16 @@
 namespace elgen {
 namespace {
 
-/// Ascending atoms.
+/// The exponents of each atom, in ascending order of atoms.
 using Box = std::vector<AtomRange>;
 
-/// The side of an atom, by default one of exponent 0.
+/// The range of an atom; a missing atom is inserted with exponent 0.
 AtomRange& side_of(Box& box, AtomId atom) {
   const auto at = std::ranges::lower_bound(box, atom, {}, &AtomRange::atom);
   return at != box.end() && at->atom == atom ? *at : *box.insert(at, AtomRange{.atom = atom});
 }
 
-/// The exponents that x / y can have; none where there are no such.
+/// The exponents that x / y can have; none if no quotient is possible.
 std::optional<Box> quotient_box(const Polynomial& x, const Polynomial& y) {
   Box box = exponents_of(x);
   for (const AtomRange& divisor : exponents_of(y)) {
@@ -41,8 +41,9 @@ bool is_inside(const Monomial& monomial, const Box& box) {
   return factor == monomial.end();
 }
 
-/// The products of each term of x with each term of another sum, descending: a heap holds the next
-/// one of every term of x. The other sum may grow on the way, by terms below all before.
+/// The products of each term of x with each term of another sum, in descending order: the heap
+/// holds the next product of every term of x. Terms may be added to the other sum during the
+/// division, each below all earlier ones.
 class ProductHeap {
  public:
   ProductHeap(Polynomial::const_iterator first, Polynomial::const_iterator last)
@@ -53,7 +54,7 @@ class ProductHeap {
   [[nodiscard]] bool empty() const { return heap_.empty(); }
   [[nodiscard]] const Monomial& greatest() const { return heap_.front()->monomial; }
 
-  /// Takes the greatest out: its coefficient.
+  /// Removes the greatest product and returns its coefficient.
   Gaussian take() {
     std::ranges::pop_heap(heap_, MonomialLess(), &Head::monomial);
     Head& head = *heap_.back();
@@ -70,14 +71,13 @@ class ProductHeap {
     }
   }
 
-  /// The other sum.
   Polynomial::Terms other() && { return std::move(other_); }
 
  private:
   struct Head {
-    const Polynomial::value_type* term = nullptr;  ///< of x
-    std::size_t next = 0;                          ///< the term of the other sum
-    Monomial monomial = {};                        ///< of their product
+    const Polynomial::value_type* term = nullptr;  ///< term of x
+    std::size_t next = 0;                          ///< index in the other sum
+    Monomial monomial = {};                        ///< of the product of both
   };
 
   void push(Head& head) {
@@ -126,7 +126,8 @@ std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y, std
   const Gaussian inverse_coefficient = reciprocal(y.rbegin()->second);
   const Monomial last = product(x.begin()->first, power(y.begin()->first, -1));
   if (!is_inside(last, *box)) return std::nullopt;
-  // The terms that the lower ones of y take from x; the rest of x is never written down.
+  // The products of the quotient with the lower terms of y, to be subtracted from x. The rest of x
+  // is never stored.
   ProductHeap taken(y.begin(), y.end() - 1);
   auto own = x.rbegin();
   while (own != x.rend() || !taken.empty()) {

@@ -1,4 +1,4 @@
-// Rates along the motion: de/dt = de/dq v + de/dv a + de/dt, by the chain rule on canonical sums.
+// Rates along the motion: de/dt = ∂e/∂q v + ∂e/∂v a + ∂e/∂t, by the chain rule on canonical sums.
 #include <algorithm>
 #include <array>
 
@@ -13,8 +13,8 @@ using cln::cl_RA;
 
 namespace {
 
-/// An operand that carries its arithmetic, so that derivatives of functions can be written over it
-/// as they are over numbers.
+/// An operand with its arithmetic, so that the derivatives of functions apply to closed forms as
+/// they do to numbers.
 struct ArithmeticValue {
   Arithmetic* arithmetic;
   Value value;
@@ -48,8 +48,8 @@ ArithmeticValue called(FunctionId function, const ArithmeticValue& x, const Arit
   return {x.arithmetic, x.arithmetic->call(function, x.value, is_binary ? y.value : Value())};
 }
 
-/// The derivatives of a function that closed forms do not take apart by each argument; `call` is
-/// the atom as a sum. None beyond the budget, and of functions with kinks.
+/// The derivatives of an opaque function by each argument; `call` is the atom itself. None beyond
+/// the budget, and for functions with kinks.
 ///
 ///     tanh(x) -> 1 - tanh(x)^2      atan2(x, y) -> y/(x^2 + y^2), -x/(x^2 + y^2)
 std::vector<Value> call_slopes(Arithmetic& arithmetic, const Atom& atom, const Fraction& call) {
@@ -106,7 +106,7 @@ class Rates {
 
   Value of_atom(AtomId id) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
-    const Atom atom = algebra_.atoms[id];  // a copy: atoms may be added
+    const Atom atom = algebra_.atoms[id];  // a copy, because atoms may be added
     const Value rate = rate_of(atom, fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}}));
     known_[id] = rate;
     return rate;
@@ -135,7 +135,8 @@ class Rates {
     return std::nullopt;
   }
 
-  /// df(x, y)/dt = df/dx x' + df/dy y'; a kink that stands still has a rate too, 0.
+  /// df(x, y)/dt = df/dx x' + df/dy y'. Constant arguments are skipped, so a function with a kink
+  /// has the rate 0 if its arguments are constant.
   Value of_call(const Atom& atom, const Fraction& itself) {
     std::vector<Value> slopes;
     Value result = Fraction{};
@@ -180,7 +181,7 @@ class Rates {
   std::map<AtomId, Value> known_;
 };
 
-/// A component of 1/2 e (0, w), the product of the quaternion and its angular velocity.
+/// A component of 1/2 e (0, w), the product of the quaternion e and the angular velocity w.
 Value quaternion_rate(Arithmetic& arithmetic, const Rotation& rotation, std::uint32_t coordinate) {
   struct Product {
     std::uint32_t component;
@@ -202,7 +203,7 @@ Value quaternion_rate(Arithmetic& arithmetic, const Rotation& rotation, std::uin
   return sum;
 }
 
-/// x at u = 0; none where a denominator holds an input.
+/// x at u = 0; none if a denominator contains an input.
 Value without_inputs(const Algebra& algebra, const Fraction& x) {
   const auto has_input = [&](const auto& term) {
     return std::any_of(term.first.begin(), term.first.end(),
@@ -230,7 +231,7 @@ std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model) {
     const Value rate = coordinate.rotation
                            ? quaternion_rate(arithmetic, model.rotations[*coordinate.rotation], i)
                            : arithmetic.leaf(Opcode::velocity, coordinate.velocity);
-    rates.push_back(rate.value());  // a few products never outgrow the budget
+    rates.push_back(rate.value());  // a few products never exceed the budget
   }
   return rates;
 }

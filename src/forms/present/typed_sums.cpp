@@ -1,5 +1,5 @@
-// The sums that a program has as they were typed. Sums are one where their closed forms are, up to
-// a rational factor.
+// The sums of a program as typed. Two sums are the same if their closed forms are equal up to a
+// rational factor.
 #include <algorithm>
 
 #include "elgen/closed_forms.hpp"
@@ -14,12 +14,12 @@ bool is_product(const Instruction& i) {
   return i.opcode == Opcode::multiply || i.opcode == Opcode::divide;
 }
 
-/// Angles are taken apart into exponentials, and sums of them are written as such.
+/// Angles become exponentials of their terms, so sums in them do not stay whole.
 bool takes_angle(FunctionId function) {
   return is_circular(function) || function == FunctionId::tan;
 }
 
-/// Finds the sums under powers, roots, quotients and functions of one function.
+/// Finds the sums in squares, roots, denominators and arguments of functions.
 class SumSearch {
  public:
   explicit SumSearch(const Function& function)

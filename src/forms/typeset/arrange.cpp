@@ -10,8 +10,8 @@
 namespace elgen {
 namespace {
 
-/// The rank of products of rates in book order: accelerations, the row's own first; squares; other
-/// products; single rates; inputs; multipliers; none.
+/// The rank of a product of rates in textbook order: the row's own acceleration, other
+/// accelerations, squares, other products, single rates, inputs, multipliers, no rates.
 int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<std::uint32_t> own) {
   std::int32_t degree = 0;
   bool is_input = false;
@@ -30,7 +30,8 @@ int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<s
   return rates.size() == 1 ? 2 : 3;
 }
 
-/// The exponents by leaf number, since atoms are numbered in the order of their creation.
+/// The exponents by leaf number. Atom numbers do not serve here, as they follow the order of
+/// creation.
 std::vector<std::pair<std::uint32_t, std::int32_t>> numbers_of(const Algebra& algebra,
                                                                const Monomial& rates) {
   std::vector<std::pair<std::uint32_t, std::int32_t>> numbers;
@@ -62,8 +63,8 @@ bool divides_only(const BookProduct& product) {
                              [](const BookFactor& factor) { return factor.exponent < 0; });
 }
 
-/// Whether a parameter that leads a term of a sum belongs before the front factors: books do not
-/// write -g ((m1 + m2) a + m2 b).
+/// True if a term of a sum starts with a parameter that belongs before the front factors: textbooks
+/// do not write -g ((m1 + m2) a + m2 b).
 bool hides_leading_factors(const BookProduct& product) {
   const FactorPlace first = product.factors.front().place;
   const auto sum = std::ranges::find(product.factors, BookFactorKind::sum, &BookFactor::kind);
@@ -93,7 +94,7 @@ BookSum Arranger::terms(const Polynomial& sum, std::optional<std::uint32_t> own)
   return result;
 }
 
-/// Splits a fraction by rates. Each part has a denominator of its own.
+/// Splits a fraction by rates; each part has its own denominator.
 BookSum Arranger::parts(const Fraction& form, std::optional<std::uint32_t> own) {
   BookSum result;
   for (auto& [rates, rest] : rate_groups(algebra_, form.numerator, own)) {
@@ -121,7 +122,7 @@ BookSum Arranger::by_motion(const Fraction& form) {
   return result;
 }
 
-/// One product if a typed sum divides the form; else empty.
+/// One product if a typed sum divides the form; otherwise empty.
 BookSum Arranger::in_front_of_typed(const Fraction& form) {
   Taken whole{{1, {}}, form.numerator};
   if (!form.denominator.empty() || !take_typed(whole.rest, whole.front)) return {};

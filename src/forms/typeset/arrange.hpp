@@ -1,13 +1,13 @@
-// arrange: closed forms -> sums of products as books write them.
+// arrange: converts closed forms to sums of products as in textbooks.
 //
 //     in front    1/2 m r'^2 + 1/2 m r^2 phi'^2   ->   1/2 m (r'^2 + r^2 phi'^2)
 //     spread      no common factor; the coefficients of each product of rates are collected,
 //                 accelerations first
 //
-// Sums stay together as the model has them: k (r - l0)^2. What multiplies one product of parameters
-// has its sines and cosines in their own shortest form, so that A sin^2 + C cos^2 is not C + (A -
-// C) sin^2. TypedForms are what closed forms do not keep of a model: which sums were typed, in
-// which order and with which signs, and the order of the parameters of a product.
+// Typed sums of the model stay together: k (r - l0)^2. The coefficient of each product of
+// parameters has its own shortest trigonometric form, so that A sin^2 + C cos^2 does not become C +
+// (A - C) sin^2. TypedForms hold the properties of a model that closed forms lose: which sums were
+// typed, the order and signs of their terms, and the order of the parameters of a product.
 #pragma once
 
 #include <map>
@@ -22,44 +22,46 @@
 
 namespace elgen {
 
-/// A sum in the energies, forces, points or definitions: r - l0.
+/// A sum typed in the energies, forces, points or definitions: r - l0.
 struct TypedSum {
   Polynomial value = {};
   std::vector<AtomId> atoms = {};    ///< of the value, ascending
-  Polynomial square = {};            ///< the square without roots: of sqrt(x^2 + y^2) - l
+  Polynomial square = {};            ///< value^2 if the value has a root: of sqrt(x^2 + y^2) - l
   std::vector<Fraction> terms = {};  ///< as typed, with signs
-  /// The definition with this value, in Model::definitions.
+  /// The index in Model::definitions of a definition with this value.
   std::optional<std::uint32_t> definition = {};
 };
 
 struct TypedForms {
   std::vector<TypedSum> sums = {};  ///< longest first, without duplicates
-  /// The place of each parameter among the factors of a product: as in typed products, else as
+  /// The place of each parameter among the factors of a product: as in typed products, otherwise as
   /// declared, with gravity after the masses (m g l).
   std::vector<std::uint32_t> places = {};
-  std::vector<bool> are_accelerations = {};  ///< by parameter; g
-  /// By prescribed function: its one term, if that has a root or a function. Angles are written by
-  /// its name.
+  std::vector<bool> are_accelerations = {};  ///< for each parameter: g and other accelerations
+  /// For each prescribed function its value, if that is a single term with a root or a function;
+  /// otherwise empty. Angles are then written with the function's name.
   std::vector<Polynomial> prescribed = {};
 };
 
-/// Cost: one closed form per typed sum. Models with more than 200 sums, such as robots, get none.
+/// Cost: one closed form per typed sum. A model with more than 200 sums, such as a robot, gets no
+/// typed sums.
 [[nodiscard]] TypedForms typed_forms(Algebra& algebra, const Model& model,
                                      const FixedParameters& fixed);
 
-/// Thrown for sums with more terms than anyone reads.
+/// Thrown for a sum with more terms than anyone reads.
 struct TooLongForABook : std::length_error {
   TooLongForABook() : std::length_error("a sum of too many terms") {}
 };
 
 /// The limit of operations of an entry without common subexpressions, and of factors of a typed
-/// sum. Nested functions are short with common subexpressions, but double per level without them.
+/// sum. Nested functions are short with common subexpressions, but their length doubles per level
+/// without them.
 inline constexpr std::size_t longest_entry_of_a_book = 5'000;
 
 /// The rank of sums that are not typed in the model.
 inline constexpr std::uint32_t untyped = 10'000;
 
-/// The limit of terms; nobody sees common factors in longer sums.
+/// The limit of terms in a search for common factors, which nobody would see in longer sums.
 inline constexpr std::size_t longest_collected = 40;
 
 class Arranger {
@@ -69,15 +71,16 @@ class Arranger {
   [[nodiscard]] BookSum in_front(const Fraction& form);
   /// Arranges each summand separately.
   [[nodiscard]] BookSum each_in_front(const std::vector<Fraction>& summands);
-  /// Arranges terms with and without rates or momenta separately: T and V of an energy.
+  /// Arranges the terms with rates or momenta separately from the others: T and V of an energy.
   [[nodiscard]] BookSum by_motion(const Fraction& form);
-  /// Spreads a form. `own` is the velocity whose acceleration comes first.
+  /// Collects the coefficient of each product of rates. `own` is the velocity whose acceleration
+  /// comes first.
   [[nodiscard]] BookSum spread(const Fraction& form, std::optional<std::uint32_t> own = {});
-  /// One product if a typed sum divides the form, else spread.
+  /// One product if a typed sum divides the form; otherwise spread().
   [[nodiscard]] BookSum summand(const Fraction& form, std::uint32_t own);
-  /// above / below, where each term of `above` is reduced by powers that both share.
+  /// above / below. Each term of `above` is reduced by the powers that it shares with `below`.
   [[nodiscard]] BookSum quotient(const Fraction& above, const Fraction& below);
-  /// Whether a form is written without sums.
+  /// True if the form is written as a single product without brackets.
   [[nodiscard]] bool is_one_product(const Fraction& form);
 
  private:
@@ -126,10 +129,10 @@ class Arranger {
   const TypedForms& typed_;
   std::size_t first_typed_ = 0;   ///< number of the first typed sum to try
   std::size_t work_ = 1'000'000;  ///< budget of term products for divisions
-  /// Results by number of the typed sum, as nested sums occur repeatedly.
+  /// Memoised by number of the typed sum, because nested sums recur.
   std::shared_ptr<std::map<std::size_t, BookFactor>> typed_factors_ =
       std::make_shared<std::map<std::size_t, BookFactor>>();
-  std::map<MixedSum, BookSum> collected_ = {};  ///< also results
+  std::map<MixedSum, BookSum> collected_ = {};  ///< memoised
 };
 
 }  // namespace elgen

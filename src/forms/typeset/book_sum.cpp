@@ -1,4 +1,4 @@
-// book_sum: see book_sum.hpp. Orders the factors of a product, and merges equal ones.
+// book_sum: see book_sum.hpp. Orders the factors of a product, and merges equal bases.
 #include "forms/typeset/book_sum.hpp"
 
 #include <cln/integer.h>
@@ -11,7 +11,7 @@
 namespace elgen {
 namespace {
 
-/// Calls and roots come after sines and cosines, and sinh before cosh.
+/// Calls and roots come after sines and cosines, and cosh comes after sinh.
 constexpr std::uint32_t rank_of_functions = 1'000'000;
 
 FactorGroup group_of(const Atom& atom) {
@@ -31,14 +31,14 @@ bool are_same(const BookSum& x, const BookSum& y) {
   });
 }
 
-/// Whether bases are equal; exponents are ignored.
+/// True if the bases are equal; exponents are ignored.
 bool is_same(const BookFactor& x, const BookFactor& y) {
   return x.kind == y.kind && x.atom == y.atom && x.angle == y.angle &&
          x.definition == y.definition && are_same(x.sum, y.sum);
 }
 
-/// The order of terms: by their last group of factors (l1^2 + l2^2 + 2 l1 l2 cos x), then by number
-/// of factors, then by their places.
+/// The order of terms: by the group of the last factor (l1^2 + l2^2 + 2 l1 l2 cos x), then by the
+/// number of factors, then by their places.
 struct TermKey {
   std::optional<FactorGroup> last = {};
   std::size_t count = 0;
@@ -56,7 +56,7 @@ TermKey key_of(const BookProduct& product) {
   return key;
 }
 
-/// The first coordinate in a sum, counted from 1; 0 if there is none.
+/// The first coordinate in a sum, counted from 1; 0 without coordinates.
 std::uint32_t first_coordinate(const Algebra& algebra, const Polynomial& sum) {
   std::uint32_t first = 0;
   for (const AtomId id : atoms_of(sum)) {

@@ -2,8 +2,8 @@
 //
 //     1/2 m (r'^2 + r^2 phi'^2)     one product: 1/2, m, and a sum of two products
 //
-// Places order the factors of a product: multipliers, parameters, sums beyond parameters,
-// coordinates, rates, accelerations, inputs, functions; by rank within a group.
+// Places order the factors of a product: multipliers, parameters, sums with other leaves than
+// parameters, coordinates, rates, accelerations, inputs, functions; by rank within a group.
 #pragma once
 
 #include <compare>
@@ -22,25 +22,25 @@ struct FactorPlace {
 
 struct BookFactor;
 
-/// number * product of the powers. Those with negative exponents are divisors.
+/// number * product of powers. Powers with negative exponents are divisors.
 struct BookProduct {
   cln::cl_RA number = 1;
   std::vector<BookFactor> factors;  // no initializer: BookFactor is incomplete here
 };
 
-/// A sum. No terms mean 0.
+/// A sum; 0 if it has no terms.
 struct BookSum {
   std::vector<BookProduct> terms;
 };
 
 enum class BookFactorKind : std::uint8_t {
-  atom,    ///< of the algebra: a leaf, pi, a root, a call
+  atom,    ///< atom of the algebra: a leaf, pi, a root, a call
   sine,    ///< of `angle`
   cosine,  ///< of `angle`
   tangent,
   sum,        ///< in brackets
-  name,       ///< a definition of the model, whose value is `sum`
-  prescribed  ///< a prescribed function of the model, whose value is `sum`
+  name,       ///< a definition of the model with the value `sum`
+  prescribed  ///< a prescribed function of the model with the value `sum`
 };
 
 struct BookFactor {
@@ -50,28 +50,28 @@ struct BookFactor {
   AtomId atom = 0;
   Monomial angle = {};
   BookSum sum;
-  std::uint32_t definition = 0;  ///< of a name, in Model::definitions or Model::prescribed
+  std::uint32_t definition = 0;  ///< index in Model::definitions or Model::prescribed
 };
 
-/// The number of printed factors, including those in sums, but not 1. A name counts as one factor,
-/// or as its value if `opens_names`.
+/// The number of printed factors, including factors in sums, but not factors ±1. A name counts as
+/// one factor, or as its value if `opens_names`.
 [[nodiscard]] std::size_t written_factors(const BookSum& sum, bool opens_names = false);
 
 [[nodiscard]] FactorPlace place_of(const Atom& atom, const std::vector<std::uint32_t>& places);
 
-/// Whether an atom is a velocity, momentum, acceleration, input or multiplier.
+/// True for velocities, momenta, accelerations, inputs and multipliers.
 [[nodiscard]] bool is_moving(const Atom& atom);
 
-/// Whether a term has such a factor.
+/// True if a factor of the term is_moving().
 [[nodiscard]] bool moves(const Algebra& algebra, const Monomial& term);
 
-/// Whether an atom is pi, or a root or function of a rational number.
+/// True for pi, and for roots and functions of rational numbers.
 [[nodiscard]] bool is_number(const Atom& atom);
 
-/// Whether a sum contains only numbers and parameters.
+/// True if a sum contains only numbers and parameters.
 [[nodiscard]] bool is_of_parameters(const Algebra& algebra, const Polynomial& sum);
 
-/// Adds a factor at its place. Equal bases become one power.
+/// Inserts a factor at its place; equal bases become one power.
 void add_factor(BookProduct& product, BookFactor factor);
 
 void multiply(BookProduct& product, const BookProduct& by);
@@ -84,16 +84,18 @@ void append(BookSum& to, BookSum from);
 /// Multiplies by the powers of the sine and cosine of an angle.
 void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power);
 
-/// Factors out the largest number that leaves whole coefficients, with the sign of the first term.
+/// Divides by the largest number that leaves integer coefficients, with the sign of the first term.
+/// Returns this number.
 [[nodiscard]] cln::cl_RA take_number(BookSum& sum);
 
-/// Factors out the sines and cosines common to all terms.
+/// Divides by the sines and cosines common to all terms, and returns them.
 [[nodiscard]] std::vector<BookFactor> take_sinusoids(BookSum& sum);
 
-/// Puts a positive term first and keeps the order of the others: 1 - v^2/c^2 under a root.
+/// Moves the first positive term to the front, as in 1 - v^2/c^2 under a root. The other terms keep
+/// their order.
 [[nodiscard]] BookSum positive_first(BookSum sum);
 
-/// Sorts terms by their factors, a positive term first.
+/// Sorts terms by their factors; positive terms come first.
 void sort_terms(BookSum& sum);
 
 }  // namespace elgen

@@ -52,7 +52,7 @@ BookProduct Arranger::shared_powers(const MixedSum& sum) const {
   return shared;
 }
 
-/// The common factors of all terms times the remaining sum.
+/// The common factors of all terms times the sum of the remaining factors.
 BookProduct Arranger::product(MixedSum sum) {
   BookProduct result = shared_powers(sum);
   Monomial taken;
@@ -74,7 +74,7 @@ BookProduct Arranger::product(MixedSum sum) {
   return result;
 }
 
-/// Makes one product of all terms with the same coordinates, sines and cosines.
+/// Combines all terms with the same coordinates, sines and cosines to one product.
 BookSum Arranger::by_kinds(const MixedSum& sum) {
   struct Kind {
     RealTerm shared = {};
@@ -111,7 +111,7 @@ BookSum Arranger::by_kinds(const MixedSum& sum) {
   return result;
 }
 
-/// m (a + b) + c, where m is the parameter that most terms, but not all, have.
+/// m (a + b) + c, if m is the parameter that most terms, but not all, contain.
 std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
   std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // all numbers have one place
   for (const RealTerm& term : sum) {
@@ -153,7 +153,7 @@ const BookSum& Arranger::collected(const MixedSum& sum) {
   return collected_.emplace(sum, newly_collected(sum)).first->second;
 }
 
-/// The shorter of two forms; on a tie the one with a typed sum.
+/// The shorter of two forms; if both are equally long, the form with a typed sum.
 BookSum Arranger::newly_collected(const MixedSum& sum) {
   BookSum best = by_kinds(sum);
   if (sum.size() > 2 && sum.size() <= longest_collected) {

@@ -15,7 +15,7 @@ bool moves(const Algebra& algebra, const Fraction& form) {
                              [&](const auto& term) { return elgen::moves(algebra, term.first); });
 }
 
-/// The acceleration in a term, which has at most one; else the end.
+/// The acceleration in a term, which has at most one; otherwise the end.
 Monomial::const_iterator acceleration_in(const Algebra& algebra, const Monomial& term) {
   return std::ranges::find_if(term, [&](const AtomPower& power) {
     const Atom& atom = algebra.atoms[power.atom];
@@ -42,7 +42,7 @@ std::vector<Fraction> uncancelled(std::vector<Fraction> summands) {
 
 }  // namespace
 
-/// Empty if the sum is 0: V = a*x + b*x - (a + b)*x has no force either.
+/// Empty if the summands add up to 0: V = a*x + b*x - (a + b)*x has no force either.
 std::vector<Fraction> Equations::settled(const std::vector<Fraction>& summands) {
   Value sum = Fraction{};
   for (const Fraction& form : summands) sum = arithmetic_.add(sum, form);
@@ -92,7 +92,7 @@ BookSum Equations::arranged(std::vector<Fraction> summands, std::uint32_t own,
 }
 
 struct Equations::Linear {
-  std::map<std::uint32_t, Fraction> inertia = {};  ///< by acceleration in the row
+  std::map<std::uint32_t, Fraction> inertia = {};  ///< coefficient of each acceleration
   Fraction rest = {};                              ///< force - all other terms
 };
 
@@ -117,7 +117,7 @@ std::optional<Equations::Linear> Equations::linear(const std::optional<EquationR
   return result;
 }
 
-/// Divides term by term, if the divisor is one product.
+/// Divides term by term; the divisor must be a single product.
 BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia,
                                  std::uint32_t own) {
   std::vector<Fraction> moving;

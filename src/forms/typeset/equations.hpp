@@ -2,8 +2,8 @@
 //
 //     d/dt dL/dv - dL/dq + dD/dv = Q
 //
-// Summands of L with rates or accelerations in a row are added up, since books give each product of
-// rates one coefficient. Other summands stay separate.
+// Summands of L that give rates or accelerations in a row are added up, because textbooks write one
+// coefficient per product of rates. Other summands stay separate.
 #pragma once
 
 #include <optional>
@@ -14,27 +14,27 @@
 
 namespace elgen {
 
-/// The row of a velocity, from its function (elgen/steps.hpp).
+/// The equation of one velocity, read from its function (elgen/steps.hpp).
 struct EquationRow {
-  std::vector<Fraction> inertia = {};  ///< d/dt dL/dv - dL/dq by summand
+  std::vector<Fraction> inertia = {};  ///< d/dt dL/dv - dL/dq of each summand of L
   std::vector<Fraction> dissipation = {};
   Fraction force = {};
 };
 
-/// Arranges rows, and adds new atoms to the algebra.
+/// Arranges rows. Adds new atoms to the algebra.
 class Equations {
  public:
   Equations(Algebra& algebra, Arranger& arranger)
       : algebra_(algebra), arithmetic_(algebra), arranger_(arranger) {}
 
-  /// The row; none if a form is missing.
+  /// None if a closed form is missing.
   [[nodiscard]] std::optional<EquationRow> row(const ClosedFunction& function);
 
   /// Arranges each summand separately; empty if they add up to 0.
   [[nodiscard]] BookSum each(const std::vector<Fraction>& summands) {
     return arranger_.each_in_front(settled(summands));
   }
-  /// Arranges a row; `own` is its velocity. Dissipation follows the moving terms.
+  /// Arranges a row; `own` is its velocity. Dissipation comes after the terms with rates.
   [[nodiscard]] BookSum arranged(std::vector<Fraction> summands, std::uint32_t own,
                                  const std::vector<Fraction>& dissipation = {});
   /// d/dt dL/dv - dL/dq + dD/dv.
@@ -42,12 +42,13 @@ class Equations {
     return arranged(row.inertia, own, row.dissipation);
   }
 
-  /// The acceleration, if its row has no other, or one other whose row has no third.
+  /// The acceleration, if its row has no other acceleration, or one other whose row has no third.
+  /// Otherwise none.
   [[nodiscard]] std::optional<BookSum> solved(const std::vector<std::optional<EquationRow>>& rows,
                                               std::uint32_t own);
 
  private:
-  /// A row as M a = rest.
+  /// A row in the form M a = rest.
   struct Linear;
 
   [[nodiscard]] std::vector<Fraction> settled(const std::vector<Fraction>& summands);

@@ -1,4 +1,4 @@
-// take: takes factors out of a sum: common powers, typed sums, squares.
+// take: extracts factors from a sum: common powers, typed sums, squares.
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -13,7 +13,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// Longer sums are replaced by their names, if the model has some.
+/// A longer sum is written as its name if the model defines one.
 constexpr std::size_t longest_filled_in = 12;
 
 bool is_root_of(const Algebra& algebra, const BookFactor& factor, const Polynomial& radicand) {
@@ -36,8 +36,8 @@ void Arranger::multiply(BookProduct& product, const Monomial& powers) const {
   for (const AtomPower& power : powers) add_factor(product, atom_factor(power));
 }
 
-/// (m1 + m2) g l, but m R (g - R Omega^2): a sum of parameters has the place of its first
-/// parameter, unless that is g.
+/// A sum of parameters has the place of its first parameter, as in (m1 + m2) g l, unless that is g,
+/// as in m R (g - R Omega^2).
 FactorPlace Arranger::place_of_sum(const BookSum& sum, std::uint32_t rank) const {
   BookFactor first;
   first.kind = BookFactorKind::sum;  // sums of numbers have no parameter
@@ -69,13 +69,13 @@ void Arranger::multiply(BookProduct& product, BookSum sum, std::int32_t exponent
   add_factor(product, std::move(factor));
 }
 
-/// Multiplies by a sum. A single term needs no brackets.
+/// Multiplies by a sum; a single term needs no brackets.
 void Arranger::multiply_once(BookProduct& product, BookSum sum) const {
   if (sum.terms.size() == 1) return elgen::multiply(product, sum.terms.front());
   multiply(product, std::move(sum), 1);
 }
 
-/// Takes out powers with the same sign in all terms, except exponentials.
+/// Extracts powers that have the same sign in all terms; exponentials are excluded.
 void Arranger::take_monomial(Polynomial& sum, BookProduct& front) const {
   Monomial common;
   for (const AtomRange& range : exponents_of(sum)) {
@@ -99,7 +99,7 @@ BookFactor Arranger::typed_factor(std::size_t typed) {
   inner.first_typed_ = typed + 1;
   inner.typed_factors_ = typed_factors_;
   for (const Fraction& term : sum.terms) append(factor.sum, inner.in_front(term));
-  // Entries with this factor keep the forms of code.
+  // A factor this long is not typeset; the page shows the code's form.
   const bool is_too_long = written_factors(factor.sum, true) > longest_entry_of_a_book;
   if (is_too_long) throw std::length_error("a typed sum");
   factor.place = place_of_sum(factor.sum, static_cast<std::uint32_t>(typed));
@@ -146,7 +146,7 @@ Arranger::Taken Arranger::taken(Polynomial sum) {
   return result;
 }
 
-/// Takes c (a + b)^2 with real a and b. For sines the root is i times a real sum.
+/// Extracts c (a + b)^2 with real a and b. For sines the root of the square is i times a real sum.
 void Arranger::take_square(Taken& taken) {
   if (taken.rest.size() < 3 || taken.rest.size() > longest_collected) return;
   const Gaussian lead = taken.rest.rbegin()->second;
@@ -167,8 +167,8 @@ void Arranger::take_square(Taken& taken) {
   taken.rest = constant(number);
 }
 
-/// Takes (a + b) out of (a + b) (c + d): the coefficient of the highest power of a parameter, if it
-/// divides the sum. For sines of numbers, with exponentials that are numbers, it is imaginary.
+/// Extracts (a + b) from (a + b) (c + d): the coefficient of the highest power of a parameter, if
+/// it divides the sum. An imaginary coefficient, as from the sine of a number, is skipped.
 bool Arranger::take_coefficient(Taken& taken) {
   if (taken.rest.size() < 4 || taken.rest.size() > longest_collected) return false;
   for (const AtomId id : atoms_of(taken.rest)) {
@@ -187,7 +187,7 @@ bool Arranger::take_coefficient(Taken& taken) {
   return false;
 }
 
-/// Moves divisors of single terms below the whole sum.
+/// front * rest, with the divisors of single terms as divisors of the whole sum.
 BookProduct Arranger::product(const Taken& taken) {
   BookProduct result = taken.front;
   if (is_one(taken.rest)) return result;
@@ -206,7 +206,8 @@ void Arranger::divide(BookProduct& product, const Polynomial& factor, std::int32
   elgen::divide(product, this->product(factor), exponent);
 }
 
-/// Divides. Factors of sines and cosines are combined: present writes sin x as 2 sin(x/2) cos(x/2).
+/// Divides by the denominator of `form`. Denominator factors with sines and cosines are multiplied
+/// first, since present writes sin x as 2 sin(x/2) cos(x/2).
 void Arranger::divide(BookProduct& product, const Fraction& form) {
   Polynomial circular_factors = constant(1);
   for (const auto& [factor, exponent] : form.denominator) {

@@ -1,5 +1,5 @@
-// typed: the sums that the author of a model wrote, their order and signs, and the order of the
-// parameters of products. Expectations are not typed: they say how it should come out.
+// typed: the sums that the author of a model typed, the order and signs of their terms, and the
+// order of parameters in products. Expectations are excluded: they state the expected result.
 #include <algorithm>
 #include <utility>
 
@@ -14,8 +14,9 @@ namespace {
 constexpr std::size_t most_sums = 200;
 constexpr std::size_t most_terms_of_a_sum = 30;
 
-/// Whether the author of the model wrote a root: elgen adds places, spins and inertias of what
-/// stands in frames, reactions, and with frames the equations of constraints.
+/// True if the author of the model wrote the expression of a root. elgen itself adds places, spins
+/// and inertias of points and bodies in frames, reactions, and with frames the equations of
+/// constraints.
 bool is_written(const Model& model, const Root& root) {
   const auto stands_in_frame = [&](const auto& entries) {
     return entries[root.entity.index].local.has_value();
@@ -32,7 +33,7 @@ bool is_written(const Model& model, const Root& root) {
 }
 
 /// All energies, definitions, points, bodies, forces and constraints that the author wrote. A sum
-/// that stands in several is the author's where it comes first in this order.
+/// that occurs in several of them is typed as in the first, in this order.
 std::vector<ExpressionId> written_roots(const Model& model) {
   const std::vector<Root> all = roots_of(model);
   std::vector<ExpressionId> written;
@@ -84,7 +85,8 @@ std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
   return sum;
 }
 
-/// The value of an expression of one term with a root or a function; else the empty sum.
+/// The value of an expression, if it is a single term with a root or a function; otherwise the
+/// empty sum.
 Polynomial long_term(ClosedForms& forms, const Model& model, const FixedParameters& fixed,
                      ExpressionId id) {
   const std::optional<Fraction> form = closed_form(forms, model, fixed, id);
@@ -96,7 +98,7 @@ Polynomial long_term(ClosedForms& forms, const Model& model, const FixedParamete
   return is_long ? form->numerator : Polynomial{};
 }
 
-/// Whether each parameter has this unit or is a leaf of one of the expressions.
+/// For each parameter: true if it has this unit or is a leaf of one of the expressions.
 std::vector<bool> marked(const Model& model, const Unit& unit,
                          const std::vector<ExpressionId>& expressions) {
   std::vector<bool> result;
@@ -110,7 +112,7 @@ std::vector<bool> marked(const Model& model, const Unit& unit,
   return result;
 }
 
-/// Whether each parameter is g or another acceleration.
+/// For each parameter: true for g and other accelerations.
 std::vector<bool> accelerations(const Model& model) {
   static const Unit second = *find_unit("s");
   return marked(model, *find_unit("m") / (second * second), roots_if(model, [](const Root& root) {
@@ -123,7 +125,7 @@ std::vector<bool> masses(const Model& model) {
                 roots_if(model, [](const Root& root) { return root.role == RootRole::mass; }));
 }
 
-/// The order of declaration, except that g follows the last mass.
+/// The order of declaration, except that g and other accelerations follow the last mass.
 std::vector<std::uint32_t> declared_order(const Model& model,
                                           const std::vector<bool>& are_accelerations) {
   const std::vector<bool> are_masses = masses(model);
@@ -143,7 +145,7 @@ std::vector<std::uint32_t> declared_order(const Model& model,
   return order;
 }
 
-/// The parameters in each factor of a typed product: k and l of k*(x - l)^2.
+/// The parameters in each factor of a typed product: k and l for k*(x - l)^2.
 std::vector<std::vector<std::uint32_t>> factors_of(const Model& model, const Expression& product) {
   std::vector<std::vector<std::uint32_t>> factors;
   for (const ExpressionId operand : product.operands) {
@@ -156,7 +158,7 @@ std::vector<std::vector<std::uint32_t>> factors_of(const Model& model, const Exp
   return factors;
 }
 
-/// Reorders parameters as in typed products. The first product with a pair decides.
+/// Reorders parameters as in typed products. The first product with a pair of parameters decides.
 class ProductOrder {
  public:
   explicit ProductOrder(std::vector<std::uint32_t> declared)
@@ -187,7 +189,7 @@ class ProductOrder {
     const auto at = std::ranges::find(order_, first);
     const auto other = std::ranges::find(order_, second);
     if (at < other) return;
-    // Parameters between the two stay, unless a product orders them otherwise.
+    // Unchanged if products place a parameter in between after `second` or before `first`.
     const bool is_bound = std::any_of(other, at, [&](std::uint32_t between) {
       return is_known_[second * order_.size() + between] ||
              is_known_[between * order_.size() + first];
@@ -228,7 +230,7 @@ TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParamete
     if (known == result.sums.end()) {
       result.sums.push_back(std::move(*sum));
     } else if (sum->definition && !known->definition) {
-      *known = std::move(*sum);  // the name stands for its own value
+      *known = std::move(*sum);  // prefer the terms that the name is defined by
     }
   }
   algebra = std::move(forms.algebra);

@@ -1,5 +1,5 @@
-// typeset: see elgen/typeset.hpp. This file decides the content of each sum; arrange.hpp arranges
-// the sums, and write.hpp writes instructions.
+// typeset: see elgen/typeset.hpp. This file decides the content of each sum. arrange.hpp arranges
+// sums, and write.hpp converts them to instructions.
 #include "elgen/typeset.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool is_written_out(const Function& function) {
   });
 }
 
-/// The function with new entries; without fields if one has no readable form.
+/// The function with new entries; without fields if one of them is too long to be read.
 template <class Write>
 Function written(const Function& like, const Write& write) {
   Function result = without_body(like);
@@ -39,7 +39,7 @@ Function written(const Function& like, const Write& write) {
 }
 
 /// The limit of terms over exponentials, about twice as many as anyone reads. Longer entries, such
-/// as accelerations of arms and derivatives of these, keep the shortest form found by choose.
+/// as accelerations of arms and their derivatives, keep the shortest form found by choose.
 constexpr std::size_t longest_form = 120;
 
 bool is_short(const std::optional<Fraction>& form) {
@@ -51,13 +51,14 @@ const Fraction& readable_form(const std::optional<Fraction>& form) {
   return *form;
 }
 
-/// Whether a function is a sum of forces, which is read like an equation, without common factors.
+/// True if the function is a sum of forces, which is read like an equation, without common factors.
 bool is_sum_of_forces(OutputKind kind) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   return fields.size() == 1 && fields.front().type == "Forces<Scalar>";
 }
 
-/// The closed form of a field. Fields hidden from readers are missing, and some have no names.
+/// The closed form of a field. Fields that are hidden from readers are missing, and some fields
+/// have no names.
 const ClosedField& closed_field(const std::vector<ClosedField>& fields, std::size_t place,
                                 const std::string& name) {
   if (place < fields.size() && fields[place].name == name) return fields[place];
@@ -78,7 +79,7 @@ void add_scalar(Function& function, const std::string& name, std::uint32_t entry
   function.fields.push_back({name, 1, 1, {entry}});
 }
 
-/// Longer accelerations are no easier to read than the rows themselves.
+/// Longer accelerations are not easier to read than the rows themselves.
 constexpr std::size_t longest_solution = 40;
 
 class Typesetting {
@@ -90,7 +91,7 @@ class Typesetting {
         algebra_(forms.algebra),
         typed_(typed_forms(algebra_, model_, checked.scene.specialisation.fixed)) {}
 
-  /// Writes an output. Entries that are too long keep their readable form.
+  /// Writes an output. An entry that is too long keeps its readable form.
   Function output(std::size_t index) {
     const Function& function = program_.functions[index];
     const bool is_read =
@@ -129,7 +130,7 @@ class Typesetting {
     });
   }
 
-  /// The lines of a velocity: see BookLine.
+  /// Writes the lines of one velocity (BookLine).
   Function equation(std::size_t index, std::uint32_t velocity) {
     return written(program_.functions[index], [&](Function& result) {
       BookWriter write(model_, algebra_, typed_, program_, result);
@@ -153,7 +154,8 @@ class Typesetting {
       const auto rows = rows_around(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
-        // Quotients would need terms that the expansion drops, and multipliers are unknown.
+        // No solution after an expansion, whose dropped terms a quotient would need, and none with
+        // constraints, whose multipliers are unknown.
         if (model_.approximation || !model_.constraints.empty()) continue;
         const std::optional<BookSum> solution = equations.solved(rows, i);
         if (!solution || written_factors(*solution) > longest_solution) continue;
@@ -181,7 +183,7 @@ class Typesetting {
     return write.copied(known, known.fields[field].entries[entry]);
   }
 
-  /// The entry; none if it is too long.
+  /// None if the entry is too long.
   static std::optional<std::uint32_t> entry_of(BookWriter& write,
                                                const std::optional<Fraction>& form, OutputKind kind,
                                                std::uint32_t row) {
@@ -238,8 +240,8 @@ Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program p
 
 namespace {
 
-/// Adds up the summands of a function over the definitions of the derivation, for readers if there
-/// is no closed form.
+/// Replaces the summands of each field by their sum, over the definitions of the derivation.
+/// Readers see it if there is no closed form.
 Function added_up(Program& program, Function function, bool is_velocity) {
   Instructions instructions(function);
   const auto zero = position_of(rational_constant(0), program.constants);

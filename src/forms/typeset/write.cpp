@@ -1,5 +1,5 @@
-// write: see write.hpp. Rates and functions follow a quotient, g/l sin x, unless it would have no
-// numerator or a function is below.
+// write: see write.hpp. Rates and functions follow a quotient, as in g/l sin x, unless the
+// numerator would be empty or the denominator has a rate or function.
 #include "forms/typeset/write.hpp"
 
 #include <fmt/format.h>
@@ -13,15 +13,15 @@ namespace {
 
 using cln::cl_RA;
 
-/// Powers are repeated factors; nobody reads higher powers.
+/// Powers become repeated factors; nobody reads higher powers.
 constexpr std::int32_t highest_exponent = 1000;
 
-/// Sums of this many factors are written once and shared.
+/// Shared divisors with fewer factors get no name.
 constexpr std::size_t shortest_shared = 3;
 
 /// The operands of a quotient, and the factors after it.
 struct QuotientSides {
-  cl_RA number = 1;  ///< before the quotient
+  cl_RA number = 1;  ///< in front of the quotient
   cl_RA number_above = 1;
   cl_RA number_below = 1;
   std::vector<BookFactor> above;
@@ -31,7 +31,7 @@ struct QuotientSides {
 
 bool is_behind(const BookFactor& factor) { return factor.place.group >= FactorGroup::rate; }
 
-/// Replaces sin x / cos x by tan x and cos x / sin x by 1/tan x.
+/// Replaces sin x / cos x by tan x, and cos x / sin x by 1/tan x.
 std::vector<BookFactor> with_tangents(std::vector<BookFactor> factors) {
   for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
     BookFactor& sine = factors[i];
@@ -188,7 +188,7 @@ std::uint32_t BookWriter::angle(const Monomial& parts) {
   return angles_.emplace(parts, (*this)(positive_first(std::move(sum)))).first->second;
 }
 
-/// The argument of an exponential, by the name of a prescribed function if it is a multiple of one.
+/// The argument of an exponential; a multiple of a prescribed function is written with its name.
 BookSum BookWriter::angle_term(const Fraction& argument) {
   for (std::uint32_t i = 0; i < typed_.prescribed.size(); ++i) {
     const Polynomial& value = typed_.prescribed[i];

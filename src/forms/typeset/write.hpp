@@ -1,4 +1,4 @@
-// write: sums of products -> instructions, which readers' languages print in this order.
+// write: converts sums of products to instructions, which pages print in this order.
 #pragma once
 
 #include <map>
@@ -9,8 +9,8 @@
 
 namespace elgen {
 
-/// Writes into a function of a program, and adds to its constants. Named values of the model get
-/// their names in the function.
+/// Writes into a function of a program, and may add constants to the program. Named values of the
+/// model keep their names in the function.
 class BookWriter {
  public:
   BookWriter(const Model& model, const Algebra& algebra, const TypedForms& typed, Program& program,
@@ -23,12 +23,12 @@ class BookWriter {
         function_(function),
         instructions_(function) {}
 
-  Arranger arranger;  ///< of the sums and their parts
+  Arranger arranger;  ///< also for angles and arguments
 
   [[nodiscard]] std::uint32_t operator()(const BookSum& sum);
-  /// Copies an instruction of another function of the program, with its operands.
+  /// Copies an instruction from another function of the program, with its operands.
   [[nodiscard]] std::uint32_t copied(const Function& function, std::uint32_t instruction);
-  /// Names divisors that two or more written products share: Delta, or Delta_1, …
+  /// Names divisors that at least two written products share: Delta, or Delta_1, …
   void name_shared_divisors();
 
  private:
@@ -47,9 +47,9 @@ class BookWriter {
   Program& program_;
   Function& function_;
   Instructions instructions_;
-  std::map<AtomId, std::uint32_t> atoms_ = {};                   ///< results, as arguments nest
-  std::map<Monomial, std::uint32_t, MonomialLess> angles_ = {};  ///< results
-  std::map<std::uint32_t, std::size_t> divisors_ = {};  ///< sums, and their uses as divisors
+  std::map<AtomId, std::uint32_t> atoms_ = {};                   ///< memoised, as arguments nest
+  std::map<Monomial, std::uint32_t, MonomialLess> angles_ = {};  ///< memoised
+  std::map<std::uint32_t, std::size_t> divisors_ = {};           ///< divisor -> number of uses
 };
 
 }  // namespace elgen

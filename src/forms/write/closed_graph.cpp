@@ -1,5 +1,5 @@
-// closed_graph: see closed_graph.hpp. A factor of the whole numerator that stands in a denominator
-// too (sqrt(r)/r^2) is written as one power.
+// closed_graph: see closed_graph.hpp. If sqrt(r) divides the numerator and r divides the
+// denominator (sqrt(r)/r^2), both are written as one power.
 #include "forms/write/closed_graph.hpp"
 
 #include <algorithm>
@@ -12,10 +12,11 @@ namespace {
 
 using cln::cl_RA;
 
-/// Thrown where a sum has more terms than it may.
+/// Thrown if a sum exceeds the limit of terms.
 struct TooLong {};
 
-/// The powers that divide two or more terms, of divisors that are no exponentials.
+/// The divisors that at least two terms contain, each with its lowest exponent; exponentials are
+/// excluded.
 Monomial shared_divisors(const Algebra& algebra, const Polynomial& sum) {
   struct Divisor {
     std::int32_t exponent = 0;
@@ -51,7 +52,8 @@ std::vector<RealTerm> unless_too_long(std::optional<std::vector<RealTerm>> terms
   return std::move(*terms);
 }
 
-/// The terms of a sum, each part that multiplies one product of rates in its own way.
+/// The terms of a sum. Without `layout.trigonometry`, the coefficient of each product of rates gets
+/// its own shortest form.
 std::vector<RealTerm> terms_of(const Algebra& algebra, const Polynomial& polynomial, Layout layout,
                                std::size_t most) {
   if (layout.trigonometry) {
@@ -67,7 +69,7 @@ std::vector<RealTerm> terms_of(const Algebra& algebra, const Polynomial& polynom
   return all;
 }
 
-/// The factors of one term, from what it is grouped by to what is left.
+/// The factors of one term, in the order in which terms are grouped.
 struct TermFactors {
   std::vector<Power> rates = {};
   std::vector<Power> coordinates = {};
@@ -134,7 +136,8 @@ class ClosedGraph {
     return graph_.sum(refs);
   }
 
-  /// One product per group: what its terms share, times the sum of what is left of them.
+  /// Groups terms with equal factors `key`: one product per group, `key` times the sum of the
+  /// remaining factors.
   Ref sum_of_groups(const std::vector<TermFactors>& terms, std::vector<Power> TermFactors::*key) {
     using Group = std::pair<Ref, std::vector<TermFactors>>;
     std::vector<Group> groups;
@@ -202,7 +205,7 @@ class ClosedGraph {
     return copied(graph_, from_program(sums, sum, entries_of(sum)));
   }
 
-  /// Made once: arguments nest, and each is made of several atoms.
+  /// Memoised: arguments nest, and several atoms have the same argument.
   const std::vector<Ref>& arguments_of(AtomId id) {
     const auto known = arguments_.find(id);
     if (known != arguments_.end()) return known->second;

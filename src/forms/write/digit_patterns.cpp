@@ -1,4 +1,4 @@
-// digit_patterns: the rows of digit_rows.def as terms of a graph of their own.
+// digit_patterns: parses the rows of digit_rows.def into terms over a common graph.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -25,7 +25,7 @@ DigitPattern read_row(Graph& graph, const DigitRow& row) {
   for (const Ref term : is_sum ? reader.terms_of(from.node) : std::vector<Ref>{from}) {
     pattern.terms.push_back(reader.scaled(with_sign(term, is_sum && from.negative)));
   }
-  // None where a letter stands beside them.
+  // The number of calls; 0 if a factor is not a call.
   const auto calls = [&graph](const ScaledTerm& term) {
     const auto count = std::ranges::count_if(term.factors, [&graph](const Operand& factor) {
       return graph.node(factor.node).kind == NodeKind::call;

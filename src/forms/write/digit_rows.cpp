@@ -1,6 +1,6 @@
-// digit_rows: see digit_rows.hpp. The term of a row with the most calls is looked for first: its
-// calls tell the letters, and what stands beside them is the common factor. The other terms are
-// then known, or tell further letters.
+// digit_rows: see digit_rows.hpp. The term of a row with the most calls is matched first. Its calls
+// determine the letters, and the remaining factors are the common factor. The other terms are then
+// known, or they determine further letters.
 #include "forms/write/digit_rows.hpp"
 
 #include <algorithm>
@@ -14,24 +14,24 @@ using cln::cl_RA;
 
 using Letters = std::array<std::optional<Ref>, 3>;
 
-/// The letters that terms of a row told, what stands beside them, and the places of the terms.
+/// The letters found so far, the common factor, and the positions of the matched terms.
 struct Match {
   Letters letters = {};
   ScaledTerm beside = {};
   std::vector<std::size_t> places = {};
 };
 
-/// Writes rows whose letters are known.
+/// Writes the replacement of a row whose letters are known.
 class RowWriting : protected GraphTerms {
  public:
   RowWriting(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
-  /// The row writes this in place of the terms.
+  /// The replacement of the matched terms.
   Ref written(const DigitPattern& row, const Match& match) {
     return times(product(match.beside), instantiated(row.to, match.letters, true));
   }
 
-  /// The value of a pattern term times what stands beside it.
+  /// The value of a pattern term, times the common factor.
   ScaledTerm known_term(const ScaledTerm& pattern, const Match& match) {
     std::vector<Power> powers{{product(match.beside)}, {graph_.rational(pattern.coefficient)}};
     for (const Operand& factor : pattern.factors) {
@@ -44,8 +44,8 @@ class RowWriting : protected GraphTerms {
   Keeping keeping_;
 
  private:
-  /// With the letters in their places. Where digits are kept, so are those of the sums in it,
-  /// divisors apart.
+  /// Substitutes the letters in a pattern. If `is_kept`, sums in it are rewritten too, except in
+  /// divisors.
   Ref instantiated(Ref pattern, const Letters& letters, bool is_kept) {
     const Node& node = digit_patterns().graph.node(pattern.node);
     if (node.kind == NodeKind::leaf) return with_sign(*letters[node.index], pattern.negative);
@@ -92,8 +92,8 @@ class RowMatching : protected RowWriting {
   using RowWriting::RowWriting;
   using RowWriting::written;
 
-  /// All ways in which a value is the pattern times something. An odd function may be told with
-  /// either sign.
+  /// All ways to write `value` as the pattern times a common factor. An odd function matches with
+  /// either sign of its argument.
   [[nodiscard]] std::vector<Match> matches(const ScaledTerm& pattern, const ScaledTerm& value,
                                            const Letters& known) const {
     std::vector<Match> found;
@@ -116,7 +116,7 @@ class RowMatching : protected RowWriting {
     return found;
   }
 
-  /// a^n or sqrt(a), where the value is such.
+  /// Matches a^n or sqrt(a) and sets the letter; false if the value is no such power or root.
   bool tell_root(const Operand& pattern, const ScaledTerm& value, Letters& letters) {
     std::optional<Ref>& letter = letters[*letter_of(pattern.node)];
     if (digit_patterns().graph.node(pattern.node).kind == NodeKind::leaf) {
@@ -149,7 +149,7 @@ class RowMatching : protected RowWriting {
   }
 
  private:
-  /// As (2 + x)^2 is, written out.
+  /// is_anchored() after expansion, so that (2 + x)^2 counts.
   bool is_anchored_long(Ref value) {
     const auto terms = written_out({value});
     return is_anchored(terms ? graph_.sum(*terms) : value);
@@ -170,7 +170,8 @@ class RowMatching : protected RowWriting {
     }
   }
 
-  /// Whether the value is the call that the pattern is, and its argument fits.
+  /// True if the value is the call in the pattern and its argument fits; sets the letter if it is
+  /// free.
   bool tell(NodeId pattern, NodeId value, Letters& letters) const {
     const Node& wanted = digit_patterns().graph.node(pattern);
     const Node& node = graph_.node(value);
@@ -183,14 +184,14 @@ class RowMatching : protected RowWriting {
   }
 };
 
-/// A term that is one call, up to its constant.
+/// A term that matches the call of a unit row (one call and a constant).
 struct OneCall {
   const DigitPattern* row = nullptr;
   Match match = {};
-  ScaledTerm constant = {};  ///< that stands beside it
+  ScaledTerm constant = {};  ///< the constant term that completes the row
 };
 
-/// The terms of one sum.
+/// Replaces terms of one sum by rows.
 class RowsOfSum : RowMatching {
  public:
   RowsOfSum(Graph& graph, Keeping keeping, std::vector<Ref>& terms)
@@ -208,7 +209,7 @@ class RowsOfSum : RowMatching {
   }
 
  private:
-  /// By rows of so many terms.
+  /// Tries all rows of `size` terms with calls, except unit rows.
   bool replace_by_rows(std::size_t size) {
     return std::ranges::any_of(digit_patterns().rows, [&](const DigitPattern& row) {
       const bool is_tried = row.terms.size() == size && row.functions != 0 && !row.is_unit();
@@ -229,7 +230,7 @@ class RowsOfSum : RowMatching {
     return false;
   }
 
-  /// Finds the terms of the row that are not found yet.
+  /// Finds the remaining terms of the row; false if one is missing or the condition fails.
   bool complete(const DigitPattern& row, Match& match) {
     if (match.places.size() == row.terms.size()) return holds(row.condition, match.letters);
     const ScaledTerm& pattern = row.terms[match.places.size()];
@@ -254,7 +255,7 @@ class RowsOfSum : RowMatching {
     return false;
   }
 
-  /// c - c_1 cos(x_1) - c_2 cos(x_2) - ..., where c is the sum of the others, or little more.
+  /// Rewrites c - c_1 cos(x_1) - c_2 cos(x_2) - ... if c is the sum of all c_i, or slightly more.
   bool replace_units() {
     std::vector<OneCall> all;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -294,7 +295,7 @@ class RowsOfSum : RowMatching {
       chosen = {*alone};
       total = constant;
     }
-    // Where less cancels than three bits, nothing is lost.
+    // If the c_i are less than 7/8 of c, fewer than three bits cancel.
     const cl_RA share = total / constant;
     if (share * 8 < 7 || share > 1) return false;
     for (const OneCall* unit : chosen) {
@@ -305,7 +306,7 @@ class RowsOfSum : RowMatching {
     return true;
   }
 
-  /// One term in the place of several.
+  /// Replaces the terms at `places` by one term.
   void put(Ref term, std::vector<std::size_t> places) {
     terms_[places.front()] = term;
     places.erase(places.begin());
@@ -316,8 +317,8 @@ class RowsOfSum : RowMatching {
   }
 
   std::vector<Ref>& terms_;
-  std::vector<ScaledTerm> parts_ = {};         ///< of the terms
-  std::vector<std::uint64_t> functions_ = {};  ///< that they call, as bits
+  std::vector<ScaledTerm> parts_ = {};         ///< split into coefficient and factors
+  std::vector<std::uint64_t> functions_ = {};  ///< called by each term, as a bit set
 };
 
 }  // namespace

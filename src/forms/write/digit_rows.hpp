@@ -1,4 +1,4 @@
-// digit_rows: terms of a sum, and calls, rewritten by the rows of digit_rows.def.
+// digit_rows: rewrites terms of a sum, and calls, by the rows of digit_rows.def.
 //
 //     before    2*k - k*cos(x) - k*cos(y)
 //     after     2*k*sin(x/2)^2 + 2*k*sin(y/2)^2
@@ -17,7 +17,7 @@ namespace elgen {
 
 enum class RowCondition : std::uint8_t { always, shorter, apart, anchored, computed };
 
-/// As digit_rows.def has it.
+/// A row of digit_rows.def.
 struct DigitRow {
   std::string_view from;
   std::string_view to;
@@ -26,14 +26,14 @@ struct DigitRow {
 
 [[nodiscard]] std::span<const DigitRow> digit_rows();
 
-/// A row as terms of a graph, whose coordinates are the letters.
+/// A row as terms over a graph in which the letters are coordinates.
 struct DigitPattern {
-  std::vector<ScaledTerm> terms = {};  ///< first the one that is looked for first
-  std::uint64_t functions = 0;         ///< that it calls, as bits
+  std::vector<ScaledTerm> terms = {};  ///< the term to be matched first is first
+  std::uint64_t functions = 0;         ///< called by the first term, as a bit set
   Ref to = {};
   RowCondition condition = RowCondition::always;
 
-  /// One call, and a constant.
+  /// True for one call and a constant: 1 - cos(a).
   [[nodiscard]] bool is_unit() const {
     return functions != 0 && terms.size() == 2 && terms[0].factors.size() == 1 &&
            terms[1].factors.empty();
@@ -47,21 +47,21 @@ struct DigitPatterns {
 
 [[nodiscard]] const DigitPatterns& digit_patterns();
 
-/// The letter itself, or that of a call or root of one; none of numbers.
+/// The letter in a pattern: the node itself or the operand of a call or root; none for numbers.
 [[nodiscard]] std::optional<std::size_t> letter_of(NodeId pattern);
 
-/// The functions that a term calls, as bits.
+/// The functions that a term calls, as a bit set.
 [[nodiscard]] std::uint64_t functions_of(const Graph& graph, const ScaledTerm& term);
 
-/// Puts the terms together that a row with calls stands for, or those that share one constant;
-/// false where there are none.
+/// Replaces the terms of a row with calls, or several unit terms that share one constant. False if
+/// no row matches.
 [[nodiscard]] bool replace_by_row(Graph& graph, Keeping keeping, std::vector<Ref>& terms);
 
-/// x + y by a row without calls.
+/// Rewrites x + y by a row without calls; none if no row matches.
 [[nodiscard]] std::optional<Ref> pair_by_row(Graph& graph, Keeping keeping, const ScaledTerm& x,
                                              const ScaledTerm& y);
 
-/// A call by a row of its own.
+/// Rewrites a call by a row of a single term; none if no row matches.
 [[nodiscard]] std::optional<Ref> call_by_row(Graph& graph, Keeping keeping, NodeId call);
 
 }  // namespace elgen

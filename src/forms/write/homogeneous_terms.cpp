@@ -1,11 +1,11 @@
-// homogeneous_terms: sums of sines and cosines that do not cancel where one of them is 1.
+// homogeneous_terms: sums of sines and cosines that do not cancel when one of them is 1.
 //
 //     A + (C - A) cos(x)^2   ->   A sin(x)^2 + C cos(x)^2        1 - cos(x)   ->   2 sin(x/2)^2
 //
-// The factor of one product of other atoms is a sum of e^(i k x). With c = cos x and s = sin x,
-// e^(i k x) = (c + i s)^((d + k)/2) (c - i s)^((d - k)/2) has d factors, whatever k is, where d is
-// the largest k of the sum. Where both even and odd k occur, x/2 takes the place of x. Two sines,
-// or two cosines, of different angles become one product:
+// The coefficient of one product of other atoms is a sum of e^(i k x). Let c = cos x, s = sin x,
+// and d the largest k of the sum. Then e^(i k x) = (c + i s)^((d + k)/2) (c - i s)^((d - k)/2) has
+// d factors for every k. If both even and odd k occur, x/2 replaces x. Two sines, or two cosines,
+// of different angles become one product:
 //
 //     sin(x) + sin(y)   ->   2 sin((x + y)/2) cos((x - y)/2)
 #include <algorithm>
@@ -17,14 +17,14 @@
 namespace elgen {
 namespace {
 
-/// Sums of a higher degree are longer than people read, and gain nothing.
+/// Sums of a higher degree are too long to read, and gain nothing.
 constexpr std::int32_t highest_degree = 8;
 
-/// Multiple of a direction -> coefficient of its exponential; of each conjugate pair the one with
-/// the positive multiple.
+/// Multiple of a direction -> coefficient of its exponential. Of each conjugate pair, only the
+/// positive multiple is stored.
 using Multiples = std::map<std::int32_t, Gaussian>;
 
-/// The factor of one product of other atoms.
+/// The coefficient of one product of other atoms.
 struct Factor {
   cln::cl_RA constant = 0;
   std::map<Monomial, Multiples, MonomialLess> directions = {};
@@ -43,7 +43,7 @@ Factors factors_of(const Algebra& algebra, const Polynomial& sum) {
       factor.directions[direction(angle)][common_divisor(angle)] = coefficient;
     }
   }
-  // A constant goes with the only angle there is.
+  // With a single direction, the constant becomes its multiple 0.
   for (auto& [powers, factor] : factors) {
     if (factor.directions.size() != 1 || cln::zerop(factor.constant)) continue;
     factor.directions.begin()->second[0] = {factor.constant / 2, 0};
@@ -52,7 +52,8 @@ Factors factors_of(const Algebra& algebra, const Polynomial& sum) {
   return factors;
 }
 
-/// The angle whose multiples these are, all even or all odd; 0 where there is none.
+/// The largest base such that all multiples/base are even integers, or all are odd; 0 if the base
+/// is not an integer.
 std::int32_t base_of(const Multiples& multiples) {
   std::int32_t base = whole_angle;
   for (const auto& [multiple, coefficient] : multiples) base = std::gcd(base, multiple);
@@ -62,7 +63,7 @@ std::int32_t base_of(const Multiples& multiples) {
   return base % 2 == 0 ? base / 2 : 0;
 }
 
-/// 2 Re sum(coefficient e^(i multiple)), homogeneous in the cosine and the sine of the base.
+/// 2 Re sum(coefficient e^(i multiple)), homogeneous in the cosine and sine of the base.
 TwoPowers homogeneous(const Multiples& multiples, std::int32_t base) {
   const std::int32_t degree = multiples.rbegin()->first / base;
   TwoPowers result;
@@ -81,14 +82,14 @@ TwoPowers homogeneous(const Multiples& multiples, std::int32_t base) {
   return result;
 }
 
-/// coefficient sin(angle), or cos(angle).
+/// coefficient sin(angle), or coefficient cos(angle).
 struct Sinusoid {
   Monomial angle = {};
   cln::cl_RA coefficient = 0;
   bool is_sine = false;
 };
 
-/// The only sine or cosine of a direction.
+/// The sine or cosine of a direction, if it has only one; otherwise none.
 std::optional<Sinusoid> sinusoid_of(const Monomial& direction, const Multiples& multiples) {
   if (multiples.size() != 1) return std::nullopt;
   const auto& [multiple, coefficient] = *multiples.begin();
@@ -98,8 +99,8 @@ std::optional<Sinusoid> sinusoid_of(const Monomial& direction, const Multiples& 
                   is_sine ? coefficient.imaginary * -2 : coefficient.real * 2, is_sine};
 }
 
-/// sin x + sin y = 2 sin((x + y)/2) cos((x - y)/2), and so on: two sines or cosines that may cancel
-/// as one product.
+/// Two sines or cosines that may cancel, as one product: sin x + sin y = 2 sin((x + y)/2) cos((x -
+/// y)/2), and the same for differences and cosines.
 std::optional<RealTerm> product_of_sinusoids(const Monomial& powers, const Factor& factor) {
   if (factor.directions.size() != 2 || !cln::zerop(factor.constant)) return std::nullopt;
   const auto x = sinusoid_of(factor.directions.begin()->first, factor.directions.begin()->second);
@@ -107,7 +108,7 @@ std::optional<RealTerm> product_of_sinusoids(const Monomial& powers, const Facto
   if (!x || !y || x->is_sine != y->is_sine) return std::nullopt;
   const bool is_difference = x->coefficient == -y->coefficient;
   if (!is_difference && x->coefficient != y->coefficient) return std::nullopt;
-  // Halves are none where they are no multiples of what angles are counted in.
+  // None if half an angle is not a multiple of the unit of angles.
   const auto sum = square_root(product(x->angle, y->angle));
   const auto difference = square_root(product(x->angle, power(y->angle, -1)));
   if (!sum || !difference) return std::nullopt;

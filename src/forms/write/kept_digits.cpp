@@ -1,5 +1,5 @@
-// kept_digits: see kept_digits.hpp. Rows of digit_rows.def come first; what they cannot say
-// follows: triangles, conjugates of roots, differences of quotients, logarithms.
+// kept_digits: see kept_digits.hpp. Tries sums of powers, triangles, rows of digit_rows.def, pairs
+// and conjugates of roots, in this order; for logarithms log1p.
 #include "forms/write/kept_digits.hpp"
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace {
 
 using cln::cl_RA;
 
-/// Longer sums are left as they are.
+/// Longer sums are not rewritten in pairs.
 constexpr std::size_t most_terms_in_pairs = 24;
-/// Sums in what was written are rewritten so often: (r^6 - s^6)/r^6 takes four times. Without an
-/// end sums of quotients may grow for ever.
+/// Sums in a rewriting are rewritten again up to this depth; (r^6 - s^6)/r^6 takes four. Without a
+/// limit, sums of quotients may grow forever.
 constexpr int deepest = 6;
 
 /// root + rest = (root^2 - rest^2)/(root - rest)
@@ -26,8 +26,8 @@ class Conjugates : GraphTerms {
  public:
   Conjugates(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
-  /// Takes terms of which one has a root, where root^2 - rest^2 is shorter than root^2, or has
-  /// squares to take apart.
+  /// Rewrites a sum with exactly one term with a root, if root^2 - rest^2 has fewer terms than
+  /// root^2, or has squares to be factored.
   std::optional<Ref> operator()(const std::vector<Ref>& terms) {
     const auto is_root = [&](Ref term) { return has_root(term); };
     if (std::ranges::count_if(terms, is_root) != 1) return std::nullopt;
@@ -38,7 +38,7 @@ class Conjugates : GraphTerms {
   }
 
  private:
-  /// One root, and no other.
+  /// True if the term has exactly one square root as a factor.
   [[nodiscard]] bool has_root(Ref term) const {
     const ScaledTerm factors = scaled(term);
     return 1 == std::ranges::count_if(factors.factors, [&](const Operand& factor) {
@@ -46,9 +46,10 @@ class Conjugates : GraphTerms {
            });
   }
 
-  /// Where the numerator vanishes on one side of a branch, so does the divisor: sqrt(x^2) + x.
+  /// None if the numerator has branches: if it vanishes on one side, so does the divisor, as in
+  /// sqrt(x^2) + x.
   std::optional<Ref> conjugate(Ref root, Ref rest) {
-    // Two numbers do not cancel.
+    // A number with the sign of the root does not cancel it.
     if (graph_.is_rational(rest.node) && rest.negative == root.negative) return std::nullopt;
     Ref raised = square_of_root(root);
     Ref numerator = sum({raised, -square(rest)});
@@ -96,7 +97,7 @@ class Conjugates : GraphTerms {
   Keeping keeping_;
 };
 
-/// One sum or call, in the graph that it stands in.
+/// Rewrites one sum or logarithm in its graph.
 class KeptSum : GraphTerms {
  public:
   KeptSum(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
@@ -115,7 +116,8 @@ class KeptSum : GraphTerms {
     return better ? std::optional(with_sign(*better, value.negative)) : std::nullopt;
   }
 
-  /// log(1 + x) = log1p(x), log(a/b) = log1p((a - b)/b), and log(a) where a - 1 is kept.
+  /// log(1 + x) = log1p(x), log(a/b) = log1p((a - b)/b), and log(a) = log1p(a - 1) if a - 1 can be
+  /// rewritten.
   std::optional<Ref> logarithm(Ref argument) {
     if (const auto difference = difference_of_logarithms(argument)) return difference;
     const Ref less = sum({argument, -one()});
@@ -130,7 +132,7 @@ class KeptSum : GraphTerms {
   }
 
  private:
-  /// log(a/b) = log(a) - log(b), where a + b is a positive number: both are positive.
+  /// log(a/b) = log(a) - log(b), if a + b is a positive number: both are then positive.
   std::optional<Ref> difference_of_logarithms(Ref argument) {
     const ScaledTerm term = scaled(argument);
     if (term.coefficient != 1 || term.factors.size() != 2) return std::nullopt;
@@ -146,14 +148,14 @@ class KeptSum : GraphTerms {
     return graph_.sum({log_a, -logarithm(b).value_or(call(FunctionId::log, b))});
   }
 
-  /// a (a - 2 b cos(c)) + b^2, where b may be a sum.
+  /// Finds a triangle in a (a - 2 b cos(c)) + b^2; b may be a sum.
   std::optional<Ref> triangle_in(const std::vector<Ref>& terms) {
     std::vector<Ref> all = parts_of(terms);
     const bool is_found = replace_triangle(graph_, keeping_, all);
     return is_found ? std::optional(graph_.sum(all)) : std::nullopt;
   }
 
-  /// Where brackets hide what cancels: (l + x)^2 - l^2 = 2 l x + x^2.
+  /// Expands brackets that hide cancelling terms: (l + x)^2 - l^2 = 2 l x + x^2.
   std::optional<Ref> written_out_terms(const std::vector<Ref>& terms) {
     const auto all = written_out(terms);
     if (!all) return std::nullopt;
@@ -168,7 +170,7 @@ class KeptSum : GraphTerms {
     bool is_changed = false;
     while (terms.size() > 1 && terms.size() <= most_terms_in_pairs && replace_some(terms)) {
       is_changed = true;
-      std::erase_if(terms, is_zero);  // sin(a)^2 - (1 - cos(a)^2), of which one was rewritten
+      std::erase_if(terms, is_zero);  // as in sin(a)^2 - (1 - cos(a)^2)
     }
     return is_changed ? std::optional(graph_.sum(terms)) : std::nullopt;
   }
@@ -192,7 +194,7 @@ class KeptSum : GraphTerms {
     return false;
   }
 
-  /// Without roots, divisors and powers that are taken apart.
+  /// True if the term has no roots, no divisors, and no powers to be factored.
   [[nodiscard]] bool is_plain(const ScaledTerm& term) const {
     return std::ranges::all_of(term.factors, [&](const Operand& factor) {
       const bool is_power = keeping_.squares == Squares::apart && factor.weight > 1;
@@ -220,11 +222,11 @@ Ref kept(Graph& graph, const RebuildStep& step, Keeping keeping, bool& has_any) 
   return with_sign(*better, same.negative);
 }
 
-/// The calls that have one beside them that they may be made of.
+/// The calls that can be computed from another call in the same expressions.
 std::set<NodeId> replaceable_calls(const Expressions& expressions) {
   Graph graph = expressions.graph;
   const std::vector<NodeId> nodes = reachable(graph, expressions.values);
-  // Sines have no sign in their arguments.
+  // The sign of a sine's argument does not matter: it can be moved in front of the sine.
   const auto has_call = [&](FunctionId function, Ref argument) {
     return std::ranges::any_of(nodes, [&](NodeId id) {
       const Node& node = graph.node(id);

@@ -1,5 +1,5 @@
-// kept_terms: see kept_terms.hpp; sums of powers are in square_free.cpp. Rows of digit_rows.def are
-// looked for between cranks and quotients.
+// kept_terms: see kept_terms.hpp; sums of powers are in square_free.cpp. A pair is first tried as a
+// crank, then by rows of digit_rows.def, then as quotients.
 #include "forms/write/kept_terms.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class Triangles : GraphTerms {
  public:
   Triangles(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
 
-  /// Puts three such terms together as one; false where there are none.
+  /// Replaces three terms that form a triangle by one; false if no three do.
   bool replace_one(std::vector<Ref>& terms) {
     std::vector<ScaledTerm> parts;
     for (const Ref term : terms) parts.push_back(scaled(term));
@@ -49,8 +49,8 @@ class Triangles : GraphTerms {
   }
 
  private:
-  /// Keys add up as products multiply. So the keys of C a^2 and C b^2 sum to twice the key of C a
-  /// b, which rules out most triples of a long sum: cubes of the nodes' numbers seldom agree.
+  /// Keys add as products multiply. The keys of C a^2 and C b^2 therefore sum to twice the key of C
+  /// a b, which rules out most triples of a long sum. Cubes of node numbers seldom agree by chance.
   static std::uint64_t key_of(const std::vector<Operand>& factors) {
     std::uint64_t key = 0;
     for (const auto& [node, weight] : factors) {
@@ -60,13 +60,13 @@ class Triangles : GraphTerms {
     return key;
   }
 
-  /// The coefficients of C a^2, C b^2 and 2 C a b.
+  /// The condition on the coefficients of C a^2, C b^2 and 2 C a b.
   static bool may_be_triangle(const ScaledTerm& first, const ScaledTerm& second,
                               const ScaledTerm& mixed) {
     return first.coefficient * second.coefficient * 4 == mixed.coefficient * mixed.coefficient;
   }
 
-  /// `mixed` is -+2 C a b: with + it is the cosine of c/2.
+  /// `mixed` is -2 C a b or +2 C a b; with + the cosine of c/2 replaces the sine.
   std::optional<Ref> of_triangle(ScaledTerm first, ScaledTerm second, const ScaledTerm& mixed,
                                  Ref angle) {
     const cl_RA common = first.coefficient;
@@ -103,7 +103,7 @@ struct Ratio {
   ScaledTerm bottom = {};
 };
 
-/// One pair, in the graph that it stands in.
+/// Rewrites the sum of two terms of a sum.
 class KeptPair : GraphTerms {
  public:
   KeptPair(Graph& graph, Keeping keeping, bool is_alone)
@@ -126,8 +126,8 @@ class KeptPair : GraphTerms {
   }
 
  private:
-  /// a^2 - b^2 sin(c)^2 = (a - b) (a + b) + b^2 cos(c)^2, of a crank b and a rod a, and with sine
-  /// and cosine exchanged.
+  /// a^2 - b^2 sin(c)^2 = (a - b) (a + b) + b^2 cos(c)^2, for a crank b and a rod a. Sine and
+  /// cosine may be exchanged.
   std::optional<Ref> crank(const ScaledTerm& x, ScaledTerm y) {
     const auto sinusoid = std::ranges::find_if(y.factors, [&](const Operand& factor) {
       return factor.weight == 2 && is_sine_or_cosine(graph_.node(factor.node));
@@ -145,7 +145,7 @@ class KeptPair : GraphTerms {
     return graph_.sum({less, times(square(*b), square(other))});
   }
 
-  /// The divisors of a term that the other multiplies by: a - b/a^2 = (a^3 - b)/a^2.
+  /// Moves the divisors of x that are factors of y to `shared`: a - b/a^2 = (a^3 - b)/a^2.
   static void take_divisors(ScaledTerm& x, ScaledTerm& y, std::vector<Operand>& shared) {
     for (Operand& divisor : x.factors) {
       const auto factor = std::ranges::find(y.factors, divisor.node, &Operand::node);
@@ -157,8 +157,8 @@ class KeptPair : GraphTerms {
     std::erase_if(x.factors, [](const Operand& factor) { return factor.weight == 0; });
   }
 
-  /// a/b - c/d = (a d - b c)/(b d) where that is shorter, and 1/b - 1/d and 1 - a/b; the numerator
-  /// is kept in its turn.
+  /// a/b - c/d = (a d - b c)/(b d), if that is shorter or the pair is 1/b - 1/d or 1 - a/b. The
+  /// numerator is rewritten in turn.
   std::optional<Ref> quotients(const ScaledTerm& x, const ScaledTerm& y) {
     const Ratio first = ratio_of(x);
     const Ratio second = ratio_of(y);

@@ -1,5 +1,5 @@
-// real_terms: see real_terms.hpp. (cos + i sin)^k is multiplied out and reduced by sin^2 + cos^2 =
-// 1 in the direction asked for; of each conjugate pair of exponentials one is visited.
+// real_terms: see real_terms.hpp. (cos + i sin)^k is expanded and reduced by sin^2 + cos^2 = 1 in
+// the requested direction. Of each conjugate pair of exponentials, only one is visited.
 #include "forms/write/real_terms.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ bool precedes(const CircularPower& x, const CircularPower& y) {
   return std::tie(x.cosine, x.sine) < std::tie(y.cosine, y.sine);
 }
 
-/// One step of sin^2 = 1 - cos^2, or cos^2 = 1 - sin^2.
+/// One step of sin^2 = 1 - cos^2, or of cos^2 = 1 - sin^2 if `by_sines`.
 TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
   TwoPowers result;
   for (const auto& [powers, value] : sum) {
@@ -50,15 +50,15 @@ TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
   return result;
 }
 
-/// Products of sines and cosines that the terms of one sum are multiplied out to, for each that may
-/// be left: k unit angles in one exponential make 2^k, of which almost all cancel again.
+/// Limit of expanded products of sines and cosines, per term of the result. k unit angles in one
+/// exponential give 2^k products, and almost all of them cancel.
 constexpr std::size_t work_per_term = 64;
 
-/// cos(24 x) is a sum of 13 powers: longer by far than the call, and the work grows with the cube.
+/// cos(24 x) is a sum of 13 powers, far longer than the call, and the work grows with the cube.
 constexpr std::int32_t most_powers = 24;
 
-/// Products of sines and cosines by numbers, so that those of several exponentials, which are
-/// almost all the same, are made once: each is a shorter one times a power. 0 is the empty product.
+/// Interned products of sines and cosines: exponentials have mostly the same products, so each is
+/// stored once, as a shorter product times one power. Number 0 is the empty product.
 class CircularProducts {
  public:
   std::size_t number_of(const CircularPower& power) {
@@ -67,7 +67,7 @@ class CircularProducts {
     return at->second;
   }
 
-  /// The number of a product times a power, by its number.
+  /// The number of product * power, both given by their numbers.
   std::size_t times(std::size_t product, std::size_t power) {
     std::vector<std::size_t>& longer = products_[product].longer;
     if (longer.size() <= power) longer.resize(power + 1, 0);
@@ -90,7 +90,7 @@ class CircularProducts {
   struct Product {
     std::size_t shorter = 0;
     std::size_t power = 0;
-    std::vector<std::size_t> longer = {};  ///< by each power; 0: not met
+    std::vector<std::size_t> longer = {};  ///< number of this product times each power; 0: unknown
   };
   struct Precedes {
     bool operator()(const CircularPower& x, const CircularPower& y) const { return precedes(x, y); }
@@ -110,7 +110,7 @@ class RealTerms {
     for (const auto& [monomial, coefficient] : sum) note_angle(split(algebra, monomial).angle);
   }
 
-  /// The highest power that the angle's sines and cosines would be expanded to.
+  /// The highest power in the expansion of the angle's sines and cosines.
   [[nodiscard]] std::int32_t highest_power(const Monomial& monomial) const {
     const Monomial angle = split(algebra_, monomial).angle;
     if (angle.empty() || trigonometry_ == Trigonometry::multiple_angles) return 0;
@@ -124,7 +124,7 @@ class RealTerms {
 
   void add(const Monomial& monomial, const Gaussian& coefficient) {
     const auto [powers, angle] = split(algebra_, monomial);
-    if (!angle.empty() && angle.front().exponent < 0) return;  // its conjugate says the same
+    if (!angle.empty() && angle.front().exponent < 0) return;  // its conjugate is added instead
     RealSum& sum = sums_[powers];
     if (angle.empty()) return add_real(sum, 0, coefficient.real);
     const NumberedSum& products = numbered(angle);
@@ -135,7 +135,7 @@ class RealTerms {
     }
   }
 
-  /// Products that were added so far.
+  /// The number of products added so far.
   [[nodiscard]] std::size_t work() const { return work_; }
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -155,9 +155,9 @@ class RealTerms {
   }
 
  private:
-  /// Products of sines and cosines by their numbers.
+  /// Pairs of a product's number and its coefficient.
   using NumberedSum = std::vector<std::pair<std::size_t, Gaussian>>;
-  /// A coefficient may be 0, since most of them come and go.
+  /// Zero coefficients are kept: terms reappear often, and erasing them costs more.
   using RealSum = std::unordered_map<std::size_t, cl_RA>;
 
   [[nodiscard]] bool by_units() const {
@@ -173,15 +173,15 @@ class RealTerms {
     if (cln::zerop(own)) --size_;
   }
 
-  /// The exponential of an angle, multiplied out once.
+  /// The expansion of e^(i angle), memoised.
   const NumberedSum& numbered(const Monomial& angle) {
     const auto [known, is_new] = expansions_.try_emplace(angle);
     if (is_new) known->second = expanded(angle);
     return known->second;
   }
 
-  /// The angle of which all multiples of a direction, or of a unit, are multiples: at most the
-  /// angle itself.
+  /// Updates the base angles: all multiples of a direction, or of a unit, are multiples of its
+  /// base. No base exceeds whole_angle.
   void note_angle(const Monomial& angle) {
     if (angle.empty()) return;
     for (const AtomPower& part : angle) {
@@ -210,7 +210,7 @@ class RealTerms {
     return result;
   }
 
-  /// x e^(i multiple angle), of an angle that x does not have.
+  /// x e^(i multiple angle); x must not contain this angle.
   NumberedSum times_exponential(const NumberedSum& x, const Monomial& angle,
                                 std::int32_t multiple) {
     NumberedSum result;
@@ -234,7 +234,7 @@ class RealTerms {
   std::map<AtomId, std::int32_t> base_of_unit_;
   std::map<Monomial, std::int32_t, MonomialLess> base_of_direction_;
   std::map<Monomial, NumberedSum, MonomialLess> expansions_;
-  std::map<std::int32_t, TwoPowers> powers_ = {};  ///< of exponentials
+  std::map<std::int32_t, TwoPowers> powers_ = {};  ///< expansions of exponentials
   CircularProducts circular_;
   std::map<Monomial, RealSum, MonomialLess> sums_;
 };
@@ -271,7 +271,7 @@ std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra, const Po
   for (const auto& [monomial, coefficient] : sum) {
     if (terms.highest_power(monomial) > most_powers) return std::nullopt;
     terms.add(monomial, coefficient);
-    // Terms may still cancel, but not from far beyond the limit.
+    // Later terms may cancel some terms, but not most of them.
     if (terms.size() > 4 * most || terms.work() > work_per_term * most) return std::nullopt;
   }
   if (terms.size() > most) return std::nullopt;

@@ -1,4 +1,4 @@
-// real_terms: a canonical sum of exponentials as real terms, in one of several rewritings.
+// real_terms: a canonical sum of exponentials as real terms, in one of several trigonometric forms.
 //
 //     -1/4 m e^(2i theta) + 1/2 m - 1/4 m e^(-2i theta)
 //       multiple_angles   1/2 m - 1/2 m cos(2 theta)
@@ -6,11 +6,11 @@
 //       by_sines          m sin(theta)^2
 //       homogeneous       m sin(theta)^2
 //
-// Homogeneous terms hold as many sines and cosines as the others with the same factors, so that
-// A + (C - A) cos(theta)^2 is A sin(theta)^2 + C cos(theta)^2, and 1 - cos(theta) is
-// 2 sin(theta/2)^2: nothing cancels where one of them is 1.
+// In the homogeneous form, all terms with the same other factors have the same number of sines and
+// cosines. So A + (C - A) cos(theta)^2 is A sin(theta)^2 + C cos(theta)^2, and 1 - cos(theta) is 2
+// sin(theta/2)^2: nothing cancels when one of them is 1.
 //
-// "directions" keep q1 + q2 as an angle like any other; "units" take it apart into q1 and q2.
+// "directions" treat q1 + q2 as one angle; "units" expand it into functions of q1 and q2.
 #pragma once
 
 #include <array>
@@ -33,13 +33,13 @@ enum class Trigonometry : std::uint8_t {
   homogeneous,
 };
 
-/// The ones that people write.
+/// The forms that people write.
 inline constexpr std::array trigonometries{
     Trigonometry::multiple_angles, Trigonometry::directions_by_sines,
     Trigonometry::directions_by_cosines, Trigonometry::units_by_sines,
     Trigonometry::units_by_cosines};
 
-/// cos(angle)^cosine sin(angle)^sine; an angle is the sum of exponent/divisor * argument over its
+/// cos(angle)^cosine sin(angle)^sine. The angle is the sum of exponent/divisor * argument over its
 /// circular atoms.
 struct CircularPower {
   Monomial angle = {};
@@ -58,46 +58,47 @@ struct RealTerm {
   }
 };
 
-/// The length that a call adds to the written text, and the one that a multiple of an angle adds:
-/// sin(2*x)/2 is no shorter than sin(x)*cos(x), whose parts occur elsewhere too. Without the second
-/// the code of models/ is 4 % dearer, with 2 for it 2.5 %; with 20 the entries are 3 % longer.
+/// Lengths that a call, and a multiple of an angle, add to the written text. sin(2*x)/2 is not
+/// shorter than sin(x)*cos(x), whose factors occur elsewhere too. With multiple_length = 0 the code
+/// of models/ is 4 % dearer, with 2 it is 2.5 % dearer; with 20 the entries are 3 % longer.
 inline constexpr std::size_t call_length = 2;
 inline constexpr std::size_t multiple_length = 5;
 
-/// How long the terms are when written out: factors, signs and calls.
+/// The length of the written terms: factors, signs and calls.
 [[nodiscard]] std::size_t written_length(const Algebra& algebra,
                                          const std::vector<RealTerm>& terms);
 
-/// The shortest of all rewritings; on a tie the earlier one.
+/// The shortest form of `trigonometries`, the earlier one on a tie. None if all exceed `most`
+/// terms.
 [[nodiscard]] std::optional<std::vector<RealTerm>> shortest_terms(const Algebra& algebra,
                                                                   const Polynomial& sum,
                                                                   std::size_t most);
 
-/// The terms in a fixed order; none where there would be more than `most`.
+/// The terms in a fixed order. None if there are more than `most`, or if their powers are too high.
 [[nodiscard]] std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra,
                                                               const Polynomial& sum,
                                                               Trigonometry trigonometry,
                                                               std::size_t most);
 
-/// The homogeneous ones (homogeneous_terms.cpp). None where there would be more than `most` terms,
-/// or high powers. A sum over several angles keeps what has none of them as it is.
+/// The homogeneous form (homogeneous_terms.cpp). None if it has more than `most` terms, or high
+/// powers. In a sum over several angles, terms without an angle are unchanged.
 [[nodiscard]] std::optional<std::vector<RealTerm>> homogeneous_terms(const Algebra& algebra,
                                                                      const Polynomial& sum,
                                                                      std::size_t most);
 
-/// The power of e^(i x/12) that is e^(i x).
+/// The power of e^(i x/12) that equals e^(i x).
 inline constexpr std::int32_t whole_angle = 12;
 
-/// The greatest common divisor of the exponents; 0 where there is no angle.
+/// The greatest common divisor of the exponents; 0 if `angle` is empty.
 [[nodiscard]] std::int32_t common_divisor(const Monomial& angle);
 
-/// Without common divisor; the first part positive.
+/// The angle without its common divisor, and with a positive first exponent.
 [[nodiscard]] Monomial direction(const Monomial& angle);
 
 /// Exponents of the cosine and the sine of one angle -> coefficient.
 using TwoPowers = std::map<std::pair<std::int32_t, std::int32_t>, Gaussian>;
 
-/// x (cos + i sin), or x (cos - i sin).
+/// x (cos + i sin) for sign = 1; x (cos - i sin) for sign = -1.
 [[nodiscard]] TwoPowers times_exponential(const TwoPowers& x, int sign);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// rewritings: see rewritings.hpp. Two rewritings are compared as one function of two entries, so
-// that common parts, sines above all, are evaluated once.
+// rewritings: see rewritings.hpp. Two rewritings are compared as one function with two entries, so
+// that common subexpressions, sines above all, are evaluated once.
 #include "forms/write/rewritings.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace elgen {
 namespace {
 
-/// Functions of functions are short as they are shared, and double with every level as they are
-/// written. Without a limit the pages of models/ are the same.
+/// Nested functions are short with shared subexpressions, but their written length doubles per
+/// level. Without a limit the pages of models/ are the same.
 constexpr std::size_t longest_written = 5'000;
 
 class Lengths {
@@ -29,7 +29,7 @@ class Lengths {
   [[nodiscard]] std::size_t of(NodeId id) const { return lengths_[id]; }
 
  private:
-  /// Constants that stand together are one number.
+  /// All constant operands of a node count as one number.
   [[nodiscard]] std::size_t length(NodeId id) const {
     if (graph_.is_constant(id)) return 0;
     const Node& node = graph_.node(id);
@@ -48,7 +48,7 @@ class Lengths {
     return std::min(total, 2 * longest_written);
   }
 
-  /// Counts the terms of an angle that are multiples of a leaf.
+  /// The extra length of multiples of leaves in the argument of a call.
   [[nodiscard]] std::size_t multiples(NodeId argument) const {
     if (graph_.is_constant(argument)) return 0;
     const Node& node = graph_.node(argument);
@@ -66,10 +66,9 @@ class Lengths {
   std::vector<std::size_t> lengths_;
 };
 
-/// The weight of a grouping: lengths are compared in these percent. Terms with one rate in common
-/// are read together, and share more: with 100 instead, half of the pages of models/ change, to
-/// entries 0.6 % longer and code 0.6 % dearer in all; with 95 and with 70 the entries are longer
-/// too.
+/// The weight of a grouping, in percent of the length. Terms with a common rate are read together,
+/// and share more subexpressions. With 100 instead, half of the pages of models/ change: entries
+/// are 0.6 % longer and code is 0.6 % dearer. With 95 and with 70 the entries are longer too.
 constexpr std::size_t weight_of(Grouping grouping) {
   switch (grouping) {
     case Grouping::by_rates:
@@ -89,8 +88,8 @@ Collected collected(const Expressions& expressions, std::size_t terms, Grouping 
   return result;
 }
 
-/// Sums that are much longer than another rewriting are not collected: ten times longer ones never
-/// come out shortest in models/, and without those up to twice as long five pages change.
+/// Sums longer than this many times the shortest are not collected. In models/, sums ten times
+/// longer never become the shortest; without sums up to twice as long, five pages change.
 constexpr std::size_t terms_over_least = 2;
 
 struct Written {
@@ -109,12 +108,12 @@ std::optional<Written> written(const Algebra& algebra, const Fraction& form, Lay
   return result;
 }
 
-/// Longer sums are collected in one grouping only, to save time: the shortest trigonometry, by
-/// rates. With 20 the entries of models/ are 1.6 % longer, and code is 0.6 % dearer; with 80 they
-/// are 0.3 % shorter, code is the same, and generation takes 8 % longer.
+/// Longer sums are collected in a single grouping, by rates, and in the shortest trigonometric
+/// form, to save time. With 20 the entries of models/ are 1.6 % longer and code is 0.6 % dearer.
+/// With 80 they are 0.3 % shorter, code is the same, and generation takes 8 % longer.
 constexpr std::size_t always_compared = 40;
 
-/// The groupings that make a difference to a form, from what its terms hold.
+/// The groupings that can change the form: a grouping by rates needs rates in its terms.
 std::vector<Grouping> groupings(const Algebra& algebra, const Fraction& form) {
   bool has_rates = false;
   bool has_coordinates = false;
@@ -134,7 +133,7 @@ std::vector<Grouping> groupings(const Algebra& algebra, const Fraction& form) {
   return result;
 }
 
-/// Rewritings of the sines and cosines, without duplicates and much longer ones.
+/// One rewriting per trigonometric form, without duplicates and without much longer ones.
 std::vector<Written> candidates(const Algebra& algebra, const Fraction& form) {
   std::vector<Written> all;
   std::size_t least = SIZE_MAX;
@@ -157,8 +156,8 @@ std::vector<Written> candidates(const Algebra& algebra, const Fraction& form) {
 
 using NodeSet = std::set<NodeId>;
 
-/// Leaves of all angles rounded before their sines or cosines are taken: x - y and 2 x - 2 y count
-/// alike.
+/// The leaves of every angle that is rounded before its sine or cosine is computed. x - y and 2 x -
+/// 2 y give the same leaves.
 std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
   std::set<NodeSet> angles;
   for (const NodeId id : reachable(graph, {value})) {
@@ -173,8 +172,8 @@ std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
   return angles;
 }
 
-/// Whether `rewriting` takes sines of sums that the reference has taken apart: q1 - q2 is rounded,
-/// q1 and q2 are not. Few points show it, where all else is small and the angles are large.
+/// True if `rewriting` has sines of sums that the reference expands: q1 - q2 is rounded, q1 and q2
+/// are not. Few points show this error: the angles must be large and the other terms small.
 bool rounds_more_angles(const Expressions& rewriting, const Expressions& reference) {
   Graph both;
   const Ref own = copied(both, rewriting);
@@ -188,18 +187,18 @@ bool rounds_more_angles(const Expressions& rewriting, const Expressions& referen
   return !std::ranges::all_of(rounded_angles(both, own), is_known);
 }
 
-/// The error that may take the place of x's.
+/// The largest error that is accepted in place of the error of x.
 Real admitted_error(const Running<Real>& x) {
   static const Real recounted(3);
   static const Real always(8);
   return max(x.error * recounted, abs(x.value) * always);
 }
 
-/// Written out over the leaves, an entry as derived may have this many operations. Longer ones are
-/// never the shortest rewriting: 1000 gives the same pages for models/; 20 makes some longer.
+/// The most operations of a derived entry, written over the leaves. Longer ones are never the
+/// shortest rewriting: 1000 gives the same pages for models/; 20 makes some longer.
 constexpr std::size_t longest_derived = 60;
 
-/// The shortest of those that are as precise as `judge`, by whose B the code is judged.
+/// The shortest rewriting that is as precise as `judge`, whose error bound the code must meet.
 const Collected& shortest_precise(std::vector<const Collected*> rewritings, const Collected& judge,
                                   const Points& points) {
   std::ranges::stable_sort(rewritings, {}, [](const Collected* x) { return x->length; });

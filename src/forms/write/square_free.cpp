@@ -1,5 +1,5 @@
-// square_free: see kept_terms.hpp. Polynomials over the nodes of the graph; Yun's algorithm
-// (D. Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976, pages 26 to 35).
+// square_free: see kept_terms.hpp. Polynomials over the nodes of the graph, factored by Yun's
+// algorithm (D. Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976, pages 26 to 35).
 #include <algorithm>
 #include <utility>
 
@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::size_t most_terms_of_polynomial = 30;
 
-/// Terms of any polynomial on the way, and terms multiplied with terms; sums that have a repeated
-/// factor by design need a tenth of it.
+/// Limits of the terms of intermediate polynomials, and of products of terms. Sums that have a
+/// repeated factor by design need a tenth of them.
 constexpr std::size_t most_terms_on_the_way = 200;
 constexpr std::size_t most_products = 50'000;
 
-/// Thrown where that is not enough.
+/// Thrown if a limit is exceeded.
 struct TooMuchWork {};
 
 std::int32_t degree_of(const Polynomial& x, AtomId atom) {
@@ -39,7 +39,7 @@ Polynomial derivative(const Polynomial& x, AtomId atom) {
   return result;
 }
 
-/// With numbers in place of all other atoms.
+/// x with numbers in place of all atoms other than `atom`.
 Polynomial specialised(const Polynomial& x, AtomId atom) {
   const std::vector<AtomId> atoms = atoms_of(x);
   Polynomial result;
@@ -55,7 +55,7 @@ Polynomial specialised(const Polynomial& x, AtomId atom) {
   return result;
 }
 
-/// Greatest common divisors of polynomials without negative powers, by remainders.
+/// Greatest common divisors of polynomials without negative powers, by Euclid's algorithm.
 class Divisors {
  public:
   Polynomial greatest(Polynomial x, Polynomial y) {
@@ -77,7 +77,7 @@ class Divisors {
     return product(shared, x);
   }
 
-  /// The divisor that all coefficients of powers of the atom share.
+  /// The greatest common divisor of the coefficients of x as a polynomial in `atom`.
   Polynomial content(const Polynomial& x, AtomId atom) {
     Polynomial shared;
     for (const auto& [exponent, coefficient] : coefficients_of(x, atom)) {
@@ -86,7 +86,7 @@ class Divisors {
     return shared;
   }
 
-  /// y divides x.
+  /// x / y; y must divide x.
   Polynomial exact(const Polynomial& x, const Polynomial& y) {
     if (y.size() == 1) return scaled(x, reciprocal(y.begin()->second), power(y.begin()->first, -1));
     std::optional<Polynomial> result = quotient(x, y, products_);
@@ -95,13 +95,13 @@ class Divisors {
   }
 
  private:
-  /// Without its content, the leading coefficient 1.
+  /// x without its content, with leading coefficient 1.
   Polynomial primitive(const Polynomial& x, AtomId atom) {
     const Polynomial result = exact(x, content(x, atom));
     return scaled(result, reciprocal(result.rbegin()->second));
   }
 
-  /// The remainder of x times a power of the leading coefficient of y.
+  /// Pseudo-remainder: the remainder of x times a power of the leading coefficient of y.
   Polynomial remainder(Polynomial x, const Polynomial& y, AtomId atom) {
     const Polynomial lead = coefficients_of(y, atom).rbegin()->second;
     while (!x.empty() && degree_of(x, atom) >= degree_of(y, atom)) {
@@ -123,7 +123,7 @@ struct RepeatedFactor {
   std::int32_t exponent = 1;
 };
 
-/// x as a product, its content among the factors; none where no factor is repeated.
+/// x as a product, its content among the factors; none if no factor is repeated.
 std::optional<std::vector<RepeatedFactor>> repeated_factors(const Polynomial& x, AtomId atom) {
   Divisors divisors;
   const Polynomial simple = specialised(x, atom);
@@ -178,7 +178,7 @@ class SquareFree : GraphTerms {
   }
 
  private:
-  /// A coordinate, or an exponential of one.
+  /// True for a coordinate and for a call of exp.
   [[nodiscard]] bool is_variable(AtomId atom) const {
     const Node& node = graph_.node(atom);
     const bool is_coordinate = node.kind == NodeKind::leaf && node.leaf == Opcode::coordinate;
@@ -199,7 +199,7 @@ class SquareFree : GraphTerms {
     return graph_.product(powers);
   }
 
-  /// The terms that hold no other variable, beside the others.
+  /// Factors the terms without other variables; the other terms are added unchanged.
   std::optional<Ref> group_of(const Polynomial& all, AtomId atom) {
     Polynomial group;
     Polynomial others;
