@@ -1,5 +1,5 @@
-// emit: Model, Scene, Program -> the text of every file, after the checks that only emission can
-// make.
+// emit: Model, Scene, Program -> the text of every file, after checks of names and of the range of
+// numbers.
 #include "elgen/emitted_files.hpp"
 
 #include "elgen/artifacts.hpp"
@@ -9,10 +9,10 @@
 namespace elgen {
 namespace {
 
-/// How a kind of file is written, and which names its language needs for itself.
+/// The function that writes a kind of file, and the check for names that its language reserves.
 struct Writer {
   std::string (*text)(const EmissionInput& input);
-  /// Null where every name will do.
+  /// Null if every name is allowed.
   Diagnostics (*check_names)(const Model& model, const Scene& scene, const Program& program);
 };
 

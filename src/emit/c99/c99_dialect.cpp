@@ -1,6 +1,6 @@
-// c99_dialect: the float functions of <math.h> end with f, those of double do not; sign, min and
-// max are helpers of the header that compute what the C++ code computes (fmin would drop a NaN),
-// and sine and cosine where they are in line.
+// c99_dialect: float functions of <math.h> end in f. sign, min and max are functions of the header:
+// they must compute the same values as the C++ code, and fmin drops a NaN. In-line sine and cosine
+// are functions of the header too.
 #include "emit/c99/c99_dialect.hpp"
 
 #include <fmt/ranges.h>
@@ -15,21 +15,21 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// "[7]"; C has no arrays of zero elements.
+/// "[7]"; "[]" for size 0, since C has no arrays of zero elements.
 std::string extent(std::size_t size) { return size == 0 ? "[]" : fmt::format("[{}]", size); }
 
-/// Without the prefix.
+/// "dynamics_part_1"; the caller adds the prefix of the scene.
 std::string name_of_part(const Function& function, std::size_t part) {
   return fmt::format("{}_part_{}", function.name, part + 1);
 }
 
-/// "sine_of": the name of the header's own sine, which is in line.
+/// "sine_of": the header's own in-line function for "sin" or "cos"; "" for other names.
 std::string_view own_sine(std::string_view name) {
   return name == "sin" ? "sine_of" : name == "cos" ? "cosine_of" : "";
 }
 
-/// "  double sin_x, cos_x;\n  p_sine_cosine(x, &sin_x, &cos_x);\n"; `scalar`: "" where they are
-/// declared already.
+/// "  double sin_x, cos_x;\n  p_sine_cosine(x, &sin_x, &cos_x);\n"; an empty `scalar` omits the
+/// declaration.
 std::string pair_text(const std::string& scalar, const std::string& call, const std::string& sine,
                       const std::string& cosine) {
   const std::string text = fmt::format("{}, &{}, &{})", call, sine, cosine);
@@ -94,7 +94,7 @@ class C99Dialect final : public CompiledDialect {
     return fmt::format("  return {};\n", fmt::join(lines, "\n"));
   }
 
-  /// "  (void)q;" for each argument that is not used.
+  /// "  (void)q;" for each unused argument, against warnings of compilers.
   std::string opening(const Function& function, const UsedNames& used,
                       bool is_part) const override {
     std::vector<std::string_view> names = argument_names_of(function);
@@ -151,7 +151,8 @@ class C99Dialect final : public CompiledDialect {
   }
 
  private:
-  /// Every other name of the header begins with the prefix; fabs and what ends in f are <math.h>'s.
+  /// A temporary must not hide a name of the header, which begins with the prefix, nor fabs, fabsf,
+  /// sinf, … of <math.h>.
   bool is_reserved(const std::string& name) const override {
     const bool is_float = name.ends_with('f');
     const std::string own = is_float ? name.substr(0, name.size() - 1) : name;
@@ -184,7 +185,7 @@ class C99Dialect final : public CompiledDialect {
   ScalarKind scalar_kind_;
   std::string scalar_;  ///< "double"
   std::string prefix_;  ///< "cart_pole_"
-  bool has_pairs_;      ///< of sines in line
+  bool has_pairs_;      ///< one call computes sine and cosine in line
 };
 
 Texts C99Dialect::declared_arguments(const Function& function) const {

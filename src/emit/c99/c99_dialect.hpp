@@ -1,5 +1,5 @@
-// c99_dialect: functions as C99 writes them, for one scalar. All names begin with the prefix;
-// arrays and structs are written through `result`, numbers are returned.
+// c99_dialect: writes functions in C99 for a single scalar type. All names begin with the prefix of
+// the scene. Arrays and structs are written through the pointer `result`; numbers are returned.
 //
 //     const float sin_theta = sinf(q[1]);
 //     result[0] = p->m * sin_theta;
@@ -14,10 +14,10 @@
 
 namespace elgen {
 
-/// The scalar C code is written for.
+/// The scalar type of the C code: the first type that the scene lists.
 [[nodiscard]] ScalarKind c99_scalar(const Scene& scene);
 
-/// "9.81", "9.81f", "-0.5": a literal of the scalar.
+/// "9.81", "9.81f", "-0.5": a literal of this scalar type.
 [[nodiscard]] std::string c99_literal(const cln::cl_R& value, ScalarKind scalar);
 
 [[nodiscard]] std::unique_ptr<CompiledDialect> c99_dialect(const Model& model, const Scene& scene,

@@ -1,6 +1,6 @@
-// c99_header: the C99 header, from the template c99/header.h.mustache. Every name of the header
-// begins with the prefix of the scene, so that functions can collide with each other's helpers
-// only, and with the few names the header has for itself (E701).
+// c99_header: fills the template c99/header.h.mustache. Every name of the header begins with the
+// prefix of the scene. A function can only collide with a helper of another function, a declared
+// array or one of `header_names` (E701).
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// "double l[2];" with what it is.
+/// "double l[2];" with its documentation.
 std::vector<Member> parameter_members(const EmissionInput& input) {
   const std::string scalar(name_of(c99_scalar(input.scene)));
   std::vector<Member> members;
@@ -43,7 +43,7 @@ std::string initialiser(const EmissionInput& input, const ParameterArray& array)
   return fmt::format("{}, /* {} */", array.is_array ? "{" + list + "}" : list, array.name);
 }
 
-/// The lines of a macro: all but the last end with a backslash, in one column.
+/// Ends each line except the last in an aligned backslash, so that they form one macro.
 Texts continued(Texts lines) {
   std::size_t width = 0;
   for (const std::string& line : lines) width = std::max(width, line.size());
@@ -70,7 +70,7 @@ constexpr std::array<std::string_view, 15> header_names{
     "stumpff",    "sine_of",      "cosine_of",     "sine_cosine", "sine_cosine_beyond",
     "columns",    "load_columns", "store_columns", "interval",    "digits_left"};
 
-/// Whether `name` is that of the struct, the workspace or a part of the function.
+/// True if `name` is the result struct, the workspace or a part of the function.
 bool is_helper(const std::string& name, const Function& function) {
   return name == function.name + "_workspace" || name.starts_with(function.name + "_part_") ||
          (gives_struct(function) && name == function.name + "_result");
@@ -84,7 +84,8 @@ bool is_taken(const std::string& name, const Model& model, const Program& progra
          std::any_of(program.functions.begin(), program.functions.end(), takes);
 }
 
-/// Tables of names, units, bounds and starts; C has none of no elements.
+/// Tables of names, units, bounds and start values. Empty tables are skipped: C has no arrays of
+/// zero elements.
 TemplateData declared_tables(const EmissionInput& input) {
   TemplateData list(TemplateData::type::list);
   const std::string& prefix = name_space(input.scene);
@@ -109,7 +110,7 @@ bool are_sines_in_line(const EmissionInput& input) {
   return calls_sines(input.program) && has_sines_in_line(input.scene, c99_scalar(input.scene));
 }
 
-/// Section `sine_cosine`, which is there where sines are in line.
+/// Section `sine_cosine`; absent unless sines are computed in line.
 TemplateData c99_sines(const EmissionInput& input) {
   const ScalarKind scalar = c99_scalar(input.scene);
   const auto literal = [scalar](double value) { return c99_literal(exact_value(value), scalar); };

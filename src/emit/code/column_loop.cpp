@@ -1,5 +1,6 @@
-// column_loop: operands are compared over all columns; the body is a function of its own, whose
-// operands from before it stand by their names, by what they are, or as loads.
+// column_loop: compares each operand over all columns. The loop body reads an operand from before
+// the loop by name or as an expression if all columns share it, and loads it from `given`
+// otherwise.
 #include "emit/code/column_loop.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 
 using Places = std::vector<std::uint32_t>;
 
-/// The operand of every column: `slot` 0 is a, 1 is b.
+/// Operand `slot` (0: a, 1: b) of instruction `at` and of its repetitions, one per column.
 Places operands(const Function& function, std::uint32_t at, std::size_t slot) {
   Places all;
   for (std::size_t i = at; i < function.instructions.size(); i += function.repeated.length) {
@@ -34,7 +35,7 @@ void add_once(Places& places, std::uint32_t at) {
   if (std::ranges::find(places, at) == places.end()) places.push_back(at);
 }
 
-/// " + 60", the start of a row; nothing for the first one.
+/// " + 60": the offset of a row in its array; "" for row 0.
 std::string start_of(std::size_t row, std::uint32_t count) {
   return row == 0 ? "" : fmt::format(" + {}", row * count);
 }
@@ -99,7 +100,7 @@ class LoopBody {
                                start_of(start / loop_.count, loop_.count)));
   }
 
-  /// By its name, or written out.
+  /// Adds an operand that all columns share: its name, or its expression if it has no name.
   std::uint32_t shared(std::uint32_t at) {
     const auto known = shared_.find(at);
     if (known != shared_.end()) return known->second;
@@ -116,8 +117,8 @@ class LoopBody {
   const std::vector<std::string>& outer_names_;
   const ColumnWords words_;
   Function body_ = {};
-  std::vector<std::string> names_ = {};  ///< of its instructions
-  Places inner_ = {};                    ///< those of the first column in the body
+  std::vector<std::string> names_ = {};  ///< of the instructions of `body_`
+  Places inner_ = {};  ///< index in `body_` of each instruction of the first column
   std::map<std::uint32_t, std::uint32_t> shared_ = {};
   const FunctionFormulas formulas_;
 };

@@ -1,4 +1,4 @@
-// column_loop: the repetitions of a Function as a loop over columns.
+// column_loop: writes the repetitions of a Function as a loop over columns.
 //
 //     3 = multiply 0 1   4 = multiply 0 2   repeated 1 2
 //
@@ -16,31 +16,32 @@
 namespace elgen {
 
 struct ColumnLoop {
-  std::uint32_t first = 0;  ///< instruction that is repeated
-  std::uint32_t count = 0;  ///< of columns; 0 where nothing is repeated
-  /// The operands that are not the same in all columns, row-major.
+  std::uint32_t first = 0;  ///< the first repeated instruction
+  std::uint32_t count = 0;  ///< number of columns; 0 if the function repeats nothing
+  /// Operands from before the loop that differ between columns: a row per operand, an entry per
+  /// column.
   std::vector<std::uint32_t> given = {};
-  /// The instructions of the first column that are read behind the loop.
+  /// Instructions of the first column that give an entry of the result in some column.
   std::vector<std::uint32_t> solved = {};
-  /// The operands that are the same in all columns, each once.
+  /// Operands from before the loop that are the same in all columns, without duplicates.
   std::vector<std::uint32_t> shared = {};
 };
 
 [[nodiscard]] ColumnLoop column_loop(const Function& function);
 
-/// The name of an instruction behind the loop, "" where it is not read: "solved[3]".
+/// "solved[3]": the name of an instruction of the loop after the loop; "" if it gives no entry of
+/// the result.
 [[nodiscard]] std::string solved_name(const ColumnLoop& loop, const Function& function,
                                       std::uint32_t at);
 
-/// The names in the loop: of the instructions before it and of the first column; of the arrays, as
-/// the function has them or its parts share them.
+/// Names for the loop body: of the instructions before it and of the first column, and of the
+/// arrays. A function in parts keeps the arrays in its workspace.
 struct ColumnNames {
   std::vector<std::string> values = {};
   std::string given = "given";
   std::string solved = "solved";
 };
 
-/// The lines of the loop.
 [[nodiscard]] std::string column_lines(const CompiledDialect& dialect, const Program& program,
                                        const Function& function, const ColumnLoop& loop,
                                        const ColumnNames& names);

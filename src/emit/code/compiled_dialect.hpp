@@ -1,4 +1,4 @@
-// compiled_dialect: how C and C++ write statements; definition.hpp puts them together.
+// compiled_dialect: the statements of C and C++; definition.hpp assembles them.
 #pragma once
 
 #include <set>
@@ -10,24 +10,24 @@
 
 namespace elgen {
 
-/// The variables that a body reads and writes, and the functions that it calls.
+/// Variables that a body reads or writes, and library functions that it calls.
 struct UsedNames {
   std::set<std::string_view> variables = {};  ///< "q", "w", "result"
-  std::set<std::string_view> functions = {};  ///< of the library: "exp"
+  std::set<std::string_view> functions = {};  ///< of the standard library: "exp"
 };
 
-/// How a loop over columns is written.
+/// Texts of a loop over columns.
 struct ColumnWords {
-  std::string opening = {};  ///< its first lines; `at` is the first of the columns of a pass
-  std::string value = {};    ///< "const double": the declaration of a value without its name
-  std::string load = {};     ///< takes the place of the first of some numbers, and gives a value
-  std::string store = {};    ///< takes a value and such a place
+  std::string opening = {};  ///< its first lines; they define `at`, the first column of a pass
+  std::string value = {};    ///< "const double": declares a value, before its name
+  std::string load = {};     ///< name of a function: address of the first number of a pass -> value
+  std::string store = {};    ///< name of a function: (value, address of the first number)
 };
 
-/// How a compiled language, C++ or C99, writes the statements of a function.
+/// Writes the statements of a function in a compiled language, C++ or C99.
 class CompiledDialect : public Dialect {
  public:
-  /// `access`: "." or "->", between a struct and its member.
+  /// `access`: "." or "->", selects a member of the parameters or the workspace.
   CompiledDialect(const Model& model, const Program& program, LanguageId language,
                   std::string_view access);
 
@@ -36,56 +36,56 @@ class CompiledDialect : public Dialect {
   [[nodiscard]] FunctionDefinition definition(const Function& function,
                                               Storage storage) const override;
 
-  /// A temporary that several parts of a function share, where it is written and read.
+  /// The workspace member of a temporary that several parts of a function use.
   [[nodiscard]] std::string shared(const std::string& name) const;
 
-  /// Whether one statement gives the sine and the cosine of an angle.
+  /// True if a single statement computes the sine and the cosine of an angle.
   [[nodiscard]] virtual bool has_pairs() const { return true; }
 
-  /// "const auto [sin_x, cos_x] = detail::SineCosine<Scalar>::of(x);", a line or more: both values,
-  /// declared here or not.
+  /// "const auto [sin_x, cos_x] = detail::SineCosine<Scalar>::of(x);": one or more lines that
+  /// compute both values, and declare them if `is_declared`.
   [[nodiscard]] virtual std::string pair(const std::string& sine, const std::string& cosine,
                                          const FormulaText& angle, bool is_declared) const = 0;
 
-  /// "const Scalar x": the declaration of a temporary, without its value.
+  /// "const Scalar x": declares a temporary, without its value.
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
 
-  /// "double": the type of numbers.
+  /// "double", "Scalar": the type of numbers.
   [[nodiscard]] virtual std::string_view scalar() const = 0;
 
-  /// A loop over so many columns.
+  /// The texts of a loop over `count` columns.
   [[nodiscard]] virtual ColumnWords columns(std::uint32_t count) const = 0;
 
-  /// "result.gravity[1]": where an entry is written, when it is not returned at once.
+  /// "result.gravity[1]": the destination of an entry that is not part of a return statement.
   [[nodiscard]] virtual std::string target(const Function& function, std::uint32_t field,
                                            std::uint32_t index) const = 0;
 
-  /// The statements that end a function in one piece: a return, or empty where every entry is to
-  /// be assigned to its target. The function says the type of what is returned, `ordered` and the
-  /// entries say the order in which they are stored.
+  /// The end of a function in one piece: a return statement, or "" if the caller must assign each
+  /// entry to its target. `function` defines the return type; `ordered` and `entries` have storage
+  /// order.
   [[nodiscard]] virtual std::string returned(const Function& function, const Function& ordered,
                                              const FieldTexts& entries) const = 0;
 
-  /// The lines before the statements of a body: using-declarations, unused arguments.
+  /// The lines before the statements of a body: using-declarations, or casts of unused arguments.
   [[nodiscard]] virtual std::string opening(const Function& function, const UsedNames& used,
                                             bool is_part) const = 0;
 
-  /// Everything before the brace of a function, or of one of its parts.
+  /// Everything before the opening brace of a function or of one of its parts.
   [[nodiscard]] virtual std::string signature(const Function& function,
                                               const UsedNames& used) const = 0;
   [[nodiscard]] virtual std::string part_signature(const Function& function, std::size_t part,
                                                    const UsedNames& used) const = 0;
 
-  /// The body that calls the parts one after another.
+  /// The body that calls the parts in order.
   [[nodiscard]] virtual std::string calling_body(const Function& function,
                                                  std::size_t parts) const = 0;
 
-  /// "ForwardDynamicsWorkspace": the struct in which the parts of a function share values.
+  /// "ForwardDynamicsWorkspace": the struct of values that several parts of a function use.
   [[nodiscard]] virtual std::string workspace_name(const Function& function) const = 0;
 
  private:
   std::string access_;
-  std::vector<std::string> parameters_;  ///< of each leaf number
+  std::vector<std::string> parameters_;  ///< the member of each parameter leaf: "l[2]"
 };
 
 }  // namespace elgen

@@ -1,5 +1,6 @@
-// cpp_constant: decimal literals for built-in types, chunks of six digits for all others. Chunks
-// fit an int wherever int has at least 21 bits, and every scalar type can be made from an int.
+// cpp_constant: built-in types get a decimal literal, other types get integers in chunks of six
+// digits. A chunk fits every int of at least 21 bits, and every scalar type can be constructed from
+// an int.
 #include "emit/code/cpp_constant.hpp"
 
 #include <cln/integer.h>
@@ -24,9 +25,9 @@ struct ScaledRatio {
   long exponent = 0;
 };
 
-/// Digits of an irrational number that other types than the built-in ones get.
+/// Digits of an irrational number for scalar types that are not built in.
 constexpr int irrational_digits = 66;
-/// Decimal powers up to this one are written into numerator or denominator.
+/// Powers of ten up to this one are multiplied into the numerator or the denominator.
 constexpr long small_exponent = 6;
 
 ScaledRatio fraction_of(const Decimal& decimal) {
@@ -61,7 +62,8 @@ std::string literal(const cln::cl_R& value, ScalarKind scalar, std::string_view 
   return scalar_literal(value, scalar) + std::string(suffix);
 }
 
-/// Rational numbers, pi, roots of numbers, and products of these: what a name can spell out.
+/// True for rational numbers, pi, square roots of rational numbers, and products of these: a name
+/// can contain all their digits.
 bool is_spelled_out(const ConstantForm& form) {
   const auto is_plain = [](const ConstantPart& part) {
     const ConstantForm& inner = part.form;
@@ -110,7 +112,7 @@ std::string constant_name(const Constant& constant) {
     const bool is_word = is_letter(c) || is_digit(c);
     if (c == '.') name += 'p';
     if (is_word) name += c;
-    // Signs of exponents must stay apart from other separators.
+    // 'm' keeps the sign of an exponent distinct from the other separators.
     if (c == '-') name += 'm';
     if (!is_word && c != '.' && c != '-' && name.back() != '_') name += '_';
   }

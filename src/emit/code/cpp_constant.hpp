@@ -1,4 +1,4 @@
-// cpp_constant: an exact number -> the C++ expression that makes it in any scalar type.
+// cpp_constant: an exact number -> the C++ expression that constructs it in any scalar type.
 //
 //     1/2     constant<Scalar>(0.5)                                exact in every type
 //     9.81    constant<Scalar>(9.81F, 9.81, 9.81L, {981}, {100})   nearest, numerator, denominator
@@ -14,17 +14,18 @@
 
 namespace elgen {
 
-/// The expression for |value|, of a type; signs are operators of the equations.
+/// The expression for |value| in type `scalar`; the sign is an operator of the equation.
 [[nodiscard]] std::string cpp_magnitude(const cln::cl_R& value, std::string_view scalar = "Scalar");
 
 /// The expression for the value, with its sign.
 [[nodiscard]] std::string cpp_constant(const cln::cl_R& value);
 
-/// True where the expression is short enough to stand in an equation.
+/// True if float holds |value| exactly, so that its expression is short enough for an equation.
 [[nodiscard]] bool is_short_constant(const cln::cl_R& value);
 
-/// The name of the function that holds a long constant: "number_9p81", "number_1_3", "number_pi".
-/// Empty text or one beyond 40 characters is named by its hash.
+/// The name of the function that returns a long constant: "number_9p81", "number_1_3", "number_pi".
+/// A constant of more than 40 characters, or with a sum or another function than sqrt, is named by
+/// its hash.
 [[nodiscard]] std::string constant_name(const Constant& constant);
 
 }  // namespace elgen

@@ -1,13 +1,12 @@
-// definition: a short function is one body. A long one is cut, because the time of compilers
-// grows faster than the length of a function (9 000 operations: g++ 21 s whole, 4 s in parts):
-//
+// definition: writes a short function as one body and cuts a long function into parts, because
+// compile time grows faster than the length (9 000 operations: g++ 21 s whole, 4 s in parts):
 //     Dynamics<Scalar> result;
 //     detail::DynamicsWorkspace<Scalar> w;
 //     detail::dynamics_part_1(result, w, p, q, v);
 //     …
 //     return result;
 //
-// Repetitions are a loop, in one of the parts.
+// A loop over columns belongs to a single part.
 #include "emit/code/definition.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +22,8 @@
 namespace elgen {
 namespace {
 
-/// Whether a body of so many statements is in parts.
+/// True if a body of this many statements is cut into parts. A body with inner instructions is
+/// never cut: all members of a workspace have the same type.
 bool is_cut(const CompiledDialect& dialect, std::size_t statements) {
   return statements > longest_body && dialect.inner() == nullptr;
 }
@@ -36,14 +36,14 @@ void use(const Instruction& instruction, UsedNames& used) {
   if (row.own_name.empty() && !is_circular(row.id)) used.functions.insert(row.name);
 }
 
-/// The array or struct that a statement writes.
+/// Records the array or struct that a statement writes.
 void use_array(const Entry& /*entry*/, UsedNames& used) { used.variables.insert("result"); }
 void use_array(const Given& /*given*/, UsedNames& used) { used.variables.insert("w"); }
 void use_array(const Assign& /*assign*/, UsedNames& /*used*/) {}
 void use_array(const SineAndCosine& /*pair*/, UsedNames& /*used*/) {}
 void use_array(const Loop& /*loop*/, UsedNames& /*used*/) {}
 
-/// `crosses`: see Sections; empty in a body of one part.
+/// `crosses`: see Sections; empty for a body that is not cut.
 bool any_crosses(const std::vector<std::uint32_t>& instructions, const std::vector<bool>& crosses) {
   return std::ranges::any_of(instructions,
                              [&](std::uint32_t at) { return at < crosses.size() && crosses[at]; });
@@ -127,7 +127,7 @@ class DefinitionWriter {
             dialect_.opening(function_, used, true) + lines};
   }
 
-  /// A value that another part reads is assigned to the workspace, whose members have one type.
+  /// A value that another part reads is assigned to a workspace member instead of being declared.
   [[nodiscard]] std::string written(const Statement& statement,
                                     const std::vector<bool>& crosses) const {
     const bool is_declared = !any_crosses(named_by(statement), crosses);
@@ -164,8 +164,9 @@ class DefinitionWriter {
     return is_inner ? *dialect_.inner() : dialect_;
   }
 
-  /// The names of what crosses into other parts; it is spelt as shared from here on. All that is of
-  /// the loop crosses.
+  /// Returns the members of the workspace: values that cross into other parts, and the arrays of
+  /// the loop. From here on `names_` has their names in the workspace; all values of the loop
+  /// cross.
   std::vector<std::string> take_shared(const std::vector<bool>& crosses) {
     std::vector<std::string> shared;
     for (std::size_t at = 0; at < std::min<std::size_t>(crosses.size(), loop_.first); ++at) {
@@ -183,7 +184,7 @@ class DefinitionWriter {
     return shared;
   }
 
-  /// "given[60]", "solved[60]": the arrays of the loop, if there is one.
+  /// "given[60]", "solved[60]": declarators for the arrays of the loop; empty without a loop.
   [[nodiscard]] std::vector<std::string> arrays() const {
     if (loop_.count == 0) return {};
     return {fmt::format("{}[{}]", in_loop_.given, loop_.given.size()),

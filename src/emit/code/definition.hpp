@@ -1,5 +1,4 @@
-// definition: a Function -> the texts of its definition in a compiled language, in parts where it
-// is long.
+// definition: a Function -> its definition in a compiled language, in parts if it is long.
 //
 //     0 = coordinate x; 1 = sin 0; result = 1      ->      const Scalar sin_x = sin(q[0]);
 //                                                          return {{sin_x}};
@@ -15,7 +14,7 @@ namespace elgen {
 [[nodiscard]] FunctionDefinition definition(const CompiledDialect& dialect, const Program& program,
                                             const Function& function, Storage storage);
 
-/// Every entry to its target, in the order of storage.
+/// Assigns every entry to its target, in storage order.
 [[nodiscard]] std::string assignments(const CompiledDialect& dialect, const Function& function,
                                       const FieldTexts& entries);
 

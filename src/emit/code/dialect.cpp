@@ -1,4 +1,4 @@
-// dialect: what all languages have in common.
+// dialect: names and calls that all languages write in the same way.
 #include "emit/code/dialect.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// dialect: how a language writes a function. compiled_dialect.hpp has the statements of compiled
-// languages, emit/source the bodies of interpreted ones.
+// dialect: the interface through which a language writes a function. compiled_dialect.hpp adds the
+// statements of compiled languages; emit/source has the interpreted languages.
 #pragma once
 
 #include <string>
@@ -13,35 +13,35 @@
 
 namespace elgen {
 
-/// How names and members are written.
+/// Rules of a language for names and members.
 struct BodyRules {
-  /// Parameters that are read more than once get a name: reading a member costs as much as an
-  /// operation where code is interpreted.
+  /// A parameter that is read more than once gets a local name: in interpreted code, reading a
+  /// member costs as much as an operation.
   bool names_parameters = false;
-  std::size_t deepest = 0;       ///< brackets in brackets that are read; 0: any
-  std::size_t longest_name = 0;  ///< characters of a name that are read; 0: any
-  CommentMarks comments = {};    ///< of members
+  std::size_t deepest = 0;       ///< nested brackets that the language can parse; 0: any number
+  std::size_t longest_name = 0;  ///< characters of a name that the language accepts; 0: any number
+  CommentMarks comments = {};    ///< marks around the documentation of members
 };
 
 /// The entries of each field, row-major.
 using FieldTexts = std::vector<std::vector<std::string>>;
 
-/// The text before the braces and between them: lines with indentation and line ends.
+/// The text before the braces, and the lines between them with indentation and line ends.
 struct DefinitionText {
   std::string signature = {};
   std::string body = {};
 };
 
-/// The struct in which the parts of a function share values.
+/// The struct of values that several parts of a function use.
 struct WorkspaceText {
   std::string name = {};
-  std::vector<std::string> values = {};  ///< the names of values that several parts use
+  std::vector<std::string> values = {};  ///< names of its members
 };
 
 struct FunctionDefinition {
   DefinitionText whole = {};
-  std::vector<DefinitionText> parts = {};  ///< called by the whole; none where it is short
-  WorkspaceText workspace = {};            ///< of the parts
+  std::vector<DefinitionText> parts = {};  ///< called by `whole`; empty if the function is short
+  WorkspaceText workspace = {};            ///< shared by the parts
 };
 
 class Dialect : public Vocabulary {
@@ -53,42 +53,41 @@ class Dialect : public Vocabulary {
   [[nodiscard]] FormulaText call(FunctionId function,
                                  const std::vector<FormulaText>& arguments) const override;
 
-  /// A temporary's name, with an underscore behind where it would hide something.
+  /// The name of a temporary; an underscore is appended if it would hide another name.
   [[nodiscard]] std::string temporary(const std::string& name) const;
 
   [[nodiscard]] virtual BodyRules rules() const { return {}; }
 
-  /// Lines of documentation, as they can stand in the code.
+  /// Lines of documentation, escaped for a comment of the language.
   [[nodiscard]] virtual std::vector<std::string> documented(std::vector<std::string> lines) const {
     return lines;
   }
 
-  /// "Forces<Scalar> gravity;": a member of the struct a function gives; empty where the language
-  /// has no arrays without elements.
+  /// "Forces<Scalar> gravity;": a member of the result struct; "" for an empty array if the
+  /// language has none.
   [[nodiscard]] virtual std::string member(const Function& function, const Field& field) const = 0;
 
-  /// "ForwardDynamics": the struct a function gives.
+  /// "ForwardDynamics": the result struct of a function.
   [[nodiscard]] virtual std::string struct_name(const Function& function) const = 0;
 
-  /// The function with its statements.
   [[nodiscard]] virtual FunctionDefinition definition(const Function& function,
                                                       Storage storage) const = 0;
 
  protected:
-  /// sqrt, or a function of the model language.
+  /// True for sqrt and the functions of the model language.
   [[nodiscard]] static bool is_function(std::string_view name);
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const Program& program() const { return program_; }
-  /// Whether a field is one number, and no array.
+  /// True if a field is a number and not an array.
   [[nodiscard]] bool is_number(const Function& function, const Field& field) const;
   [[nodiscard]] std::vector<std::string_view> argument_names_of(const Function& function) const;
 
  private:
-  /// Whether the header has the name for itself, beside arguments and functions.
+  /// True if the header uses the name itself; arguments and functions are checked separately.
   [[nodiscard]] virtual bool is_reserved(const std::string& name) const = 0;
-  /// A function of the standard library, by its name for double.
+  /// A function of the standard library, from its name for double.
   [[nodiscard]] virtual std::string library_function(std::string_view name) const = 0;
-  /// A function of the header.
+  /// A function that the emitted code defines itself.
   [[nodiscard]] virtual std::string own_function(std::string_view name) const = 0;
 
   const Model& model_;

@@ -1,5 +1,6 @@
-// function_docs: sentence, equation, then the entries as a matrix where they fit, else one a line.
-// Beyond `longest_listing` lines the entries are left to the sidecar.
+// function_docs: a sentence, the equation, then the entries: as a matrix if it fits the width, else
+// one entry a line. If the entries need more than `longest_listing` lines, a note refers to the
+// sidecar.
 #include "emit/code/function_docs.hpp"
 
 #include <fmt/ranges.h>
@@ -23,10 +24,11 @@ namespace {
 using Lines = std::vector<std::string>;
 
 constexpr std::size_t longest_listing = 60;
-constexpr std::size_t longest_units = 60;  // beside the name of a field, on one line
-constexpr std::size_t listing_width = 88;  // what `///` and the indentation leave of a line
+constexpr std::size_t longest_units =
+    60;  // characters; the units share a line with the field's name
+constexpr std::size_t listing_width = 88;  // columns of a line without `///` and indentation
 
-/// Interpreted languages have matrices, and numbers of one type.
+/// Interpreted languages have matrices without a storage order, and numbers of a single type.
 std::string shape_text(const Field& field, const Emission& emission) {
   const bool is_interpreted = language_row(emission.language).is_interpreted;
   if (field.columns > 1) {
@@ -37,7 +39,7 @@ std::string shape_text(const Field& field, const Emission& emission) {
   return is_interpreted ? "A number" : "Scalar";
 }
 
-/// "y(q, v, a)": of what its text names.
+/// "y = y(q, v, a)": q and the leaves that the user's output takes.
 std::string value_text(const OutputRow& row, const UserOutput& output) {
   std::string arguments = "q";
   for (const LeafRow& leaf : leaf_table()) {
@@ -57,7 +59,7 @@ std::string equation_text(const Function& function, const Model& model) {
   return fmt::format("{} = {}", row.symbol.text, equation);
 }
 
-/// The entries as rows of equal column widths; empty where a row would be too long.
+/// The entries as rows with aligned columns; empty if a row would be too long.
 Lines matrix_lines(const Field& field, const std::vector<std::string>& entries) {
   std::vector<std::size_t> widths(field.columns, 0);
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -120,7 +122,7 @@ Lines listing(const FunctionText& text) {
   return lines;
 }
 
-/// "q1, q2": names of rows that no list of the model has, unless they are too long to help.
+/// "q1, q2": names of rows that no list of the model contains; "" if the list is too long to help.
 std::string rows_text(const Model& model, OutputKind kind, const Field& field) {
   const Extent rows = field_row(kind, field.name).rows;
   const std::string list = fmt::format("{}", fmt::join(unlisted_names(model, rows), ", "));
@@ -163,7 +165,7 @@ Lines shown_equations(const FunctionText& text) {
   return lines;
 }
 
-/// Where any type may be the scalar, functions that compare numbers need one that is ordered.
+/// If any type may be the scalar, a function that compares numbers needs an ordered type.
 std::string ordering_note(const FunctionText& text) {
   if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
   const auto& all = text.function.instructions;

@@ -18,31 +18,31 @@
 
 namespace elgen {
 
-/// The sources that the documentation of a function is made from.
+/// The data from which the documentation of a function is written.
 struct FunctionText {
   const Model& model;
   const Program& program;
   const Function& function;
   const FunctionEquations& equations;
-  std::string sidecar = {};  ///< where the reader finds what is too long to show
+  std::string sidecar = {};  ///< file with the entries that are too long to show
   Emission emission = {};
 };
 
-/// Lines as they follow `///`: empty, or beginning with a space.
+/// The lines to follow `///`: empty, or with a leading space.
 [[nodiscard]] std::vector<std::string> function_docs(const FunctionText& text);
 
-/// "Mass matrix, symmetric. 2 x 2, row-major [kg].": the first sentences.
+/// "Mass matrix, symmetric. 2 x 2, row-major [kg].": the documentation before the equations.
 [[nodiscard]] std::string function_heading(const FunctionText& text);
 
-/// "kg, kg*m; kg*m, kg*m^2": rows separated by ";", entries by ","; one unit where all are equal;
-/// empty where one is unknown or the list is too long to help.
+/// "kg, kg*m; kg*m, kg*m^2": rows separated by ";", entries by ",". A single unit if all are equal;
+/// "" if a unit is unknown or the list is too long to help.
 [[nodiscard]] std::string units_text(const Model& model, OutputKind kind, const Field& field);
 
 /// "2 x 2, row-major [kg]", "2 entries [N], of x, y": the shape and the units of a field, and
-/// unlisted_names() of its rows, unless the list is too long to help.
+/// unlisted_names() of its rows unless the list is too long to help.
 [[nodiscard]] std::string field_summary(const FunctionText& text, const Field& field);
 
-/// "cart mass [kg] in [0, 2]"; the name where nothing is known of it.
+/// "cart mass [kg] in [0, 2]"; the name if the array has no documentation, unit or range.
 [[nodiscard]] std::string parameter_doc(const ParameterArray& array);
 
 }  // namespace elgen

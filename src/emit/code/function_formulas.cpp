@@ -1,5 +1,4 @@
-// function_formulas: a fold over one instruction, whose operands stand as formulas or by their
-// names.
+// function_formulas: folds a single instruction, whose operands are names or formulas in brackets.
 #include "emit/code/function_formulas.hpp"
 
 #include <algorithm>
@@ -8,7 +7,7 @@
 
 namespace elgen {
 
-/// The rules of fold.hpp, on operands by their numbers.
+/// The rules of fold.hpp for operands that are given by index.
 class FunctionFormulas::Rules {
  public:
   Rules(const FunctionFormulas& all, std::uint32_t at)
@@ -38,7 +37,7 @@ class FunctionFormulas::Rules {
   [[nodiscard]] FormulaText square_root(std::uint32_t x) const {
     return vocabulary_.square_root(entry(x));
   }
-  /// The k of stumpff(x, k) is a whole number in all languages.
+  /// All languages take the k of stumpff(x, k) as an integer literal.
   [[nodiscard]] FormulaText call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
     std::vector<FormulaText> arguments = {entry(x)};
     if (function == FunctionId::stumpff) {

@@ -1,4 +1,4 @@
-// function_formulas: instructions of a Function -> formulas of code, as they are executed.
+// function_formulas: instructions of a Function -> formulas of code with the same operations.
 //
 //     2 = multiply 0 0; 3 = multiply 1 2; 4 = cos 3        cos(m * (x * x))
 #pragma once
@@ -12,36 +12,36 @@
 
 namespace elgen {
 
-/// The names of a language for the leaves, constants and functions of a program.
+/// Writes the leaves, constants and functions of a program in a language.
 class Vocabulary {
  public:
   virtual ~Vocabulary() = default;
 
-  /// A parameter, coordinate, …, or time.
+  /// "q[1]": a parameter, coordinate, …, or the time.
   [[nodiscard]] virtual std::string leaf(Opcode kind, std::uint32_t number) const = 0;
   [[nodiscard]] virtual FormulaText constant(const Constant& constant) const = 0;
   [[nodiscard]] virtual FormulaText square_root(const FormulaText& radicand) const = 0;
   [[nodiscard]] virtual FormulaText call(FunctionId function,
                                          const std::vector<FormulaText>& arguments) const = 0;
 
-  /// The words for inner instructions; null where they are written as all others.
+  /// The vocabulary of inner instructions; null if this vocabulary writes them too.
   [[nodiscard]] virtual const Vocabulary* inner() const { return nullptr; }
-  /// A value of the other instructions as a number of these.
+  /// Converts a value of the other vocabulary to a number of this vocabulary.
   [[nodiscard]] virtual FormulaText converted(const FormulaText& value) const { return value; }
 };
 
 class FunctionFormulas {
  public:
-  /// `names` says which instructions are referred to by name.
+  /// `names`: per instruction; an instruction with an empty name is written out where it is used.
   FunctionFormulas(const Program& program, const Function& function, const Vocabulary& vocabulary,
                    const std::vector<std::string>& names)
       : program_(program), function_(function), vocabulary_(vocabulary), names_(names) {}
 
-  /// The instruction itself, even where it has a name.
+  /// The formula of the instruction, even if it has a name.
   [[nodiscard]] FormulaText definition(std::uint32_t at) const;
-  /// Its name, where it has one.
+  /// The name of the instruction, or its formula if it has no name.
   [[nodiscard]] FormulaText entry(std::uint32_t at) const;
-  /// The same as an operand of an instruction.
+  /// The same as an operand of the instruction `user`, converted if the two vocabularies differ.
   [[nodiscard]] FormulaText operand(std::uint32_t user, std::uint32_t at) const;
 
  private:

@@ -1,4 +1,4 @@
-// header_data: fills the holes in the order of the file.
+// header_data: sets the data in the order in which headers show it.
 #include "emit/code/header_data.hpp"
 
 #include <fmt/format.h>
@@ -80,8 +80,8 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
   data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
 }
 
-/// Without blanks at the ends of lines, and with at most so many empty lines in a row: kainjow
-/// leaves one where a section on lines of its own is not rendered.
+/// Removes blanks at line ends and keeps at most `most_empty` empty lines in a row: kainjow leaves
+/// an empty line for each section that is not rendered.
 std::string tidied(const std::string& text, std::size_t most_empty) {
   const std::string ends(most_empty + 1, '\n');
   std::string result;
@@ -96,7 +96,7 @@ bool is_beyond_double(const cln::cl_R& value) {
   return fit(value, ScalarKind::double_precision) == Fit::too_large;
 }
 
-/// Whether a stumpff(x, k) has k < 0.
+/// True if the program calls stumpff(x, k) with k < 0.
 bool has_negative_order(const Program& program) {
   return std::ranges::any_of(program.functions, [&program](const Function& function) {
     return std::ranges::any_of(function.instructions, [&](const Instruction& i) {

@@ -1,5 +1,5 @@
-// header_data: EmissionInput -> the values of the holes that the headers of every language have:
-// stamp, counts, introduction, table of operations, and the functions with their documentation.
+// header_data: EmissionInput -> the template data that headers of every language need: stamp,
+// counts, introduction, table of operations, and the functions with their documentation.
 #pragma once
 
 #include <string>
@@ -13,33 +13,35 @@
 
 namespace elgen {
 
-/// Who made the file from what, its namespace and storage.
+/// Generator and sources, hashes, namespace and storage order of the file.
 [[nodiscard]] TemplateData stamp_data(const EmissionInput& input);
 
-/// Section `regular`, which is there where pivots are.
+/// Sets the number of pivots and the section `regular`, which needs a function that returns pivots.
 void set_regular(TemplateData& data, const EmissionInput& input);
 
-/// Whether a function has a loop over columns.
+/// True if a function has a loop over columns.
 [[nodiscard]] bool has_loops(const Program& program);
 
-/// Sections `kinks` and `columns` are there where sign, min or max, and where loops are.
+/// Section `kinks` needs a call of sign, min or max; section `columns` needs a loop over columns.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
 
-/// The elements of an array at the head, as literals; {0} and {1} of `interval` are its bounds.
+/// The elements of a declared array as literals. The bounds replace {0} and {1} of `interval`;
+/// `unbounded` replaces a bound that is missing or too large for double.
 [[nodiscard]] std::vector<std::string> declared_elements(const DeclaredArray& array,
                                                          std::string_view interval,
                                                          std::string_view unbounded);
 
-/// Whether an element has no bound, or one beyond double: `unbounded` stands there.
+/// True if some number or bound is missing or too large for double, so that the code needs
+/// `unbounded`.
 [[nodiscard]] bool has_unbounded(const DeclaredArray& array);
 
 /// " step is left out: it has more than 4096 entries."
 [[nodiscard]] std::string left_out_note(const Function& function);
 
-/// Notes as the lines of a comment.
+/// Notes, wrapped as lines of a comment.
 [[nodiscard]] std::vector<std::string> wrapped_notes(const std::vector<std::string>& notes);
 
-/// The filled template with its body hash, and with at most so many empty lines in a row.
+/// The filled template with its body hash and at most `most_empty` empty lines in a row.
 [[nodiscard]] std::string header_text(std::string_view path, const TemplateData& data,
                                       std::size_t most_empty = 1);
 

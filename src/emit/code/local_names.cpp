@@ -1,5 +1,5 @@
-// local_names: takes the names of the program and changes them for the language: a name that would
-// hide another gets an underscore, a long name is cut, and a deep formula is split by new names.
+// local_names: adapts the names of the program to the language. A name that would hide another name
+// gets an underscore, a long name is cut, and new names split a deep formula.
 #include "emit/code/local_names.hpp"
 
 #include <fmt/format.h>
@@ -12,17 +12,17 @@
 namespace elgen {
 namespace {
 
-/// The start of a name that is too long, which leaves room for a number and underscores.
+/// Characters that remain of a name that is too long; a number and underscores follow them.
 constexpr std::size_t kept_of_long_name = 40;
 
-/// Brackets in brackets that are read, and the names in use.
+/// The limit of nested brackets, and the names in use.
 struct Bounds {
   std::size_t deepest = 0;
   std::set<std::string> taken = {};
 };
 
-/// Gives names to values whose formulas would have more brackets in each other than are read: each
-/// instruction that is written out is at most two more.
+/// Names the values whose formulas would nest more brackets than the language can parse. Each
+/// instruction that is written out adds at most two levels.
 void name_deep_values(const Function& function, Bounds bounds, std::vector<std::string>& names) {
   std::vector<std::size_t> depths(names.size(), 0);
   std::size_t count = 0;
@@ -38,7 +38,6 @@ void name_deep_values(const Function& function, Bounds bounds, std::vector<std::
   }
 }
 
-/// Names parameters that are read more than once.
 void name_parameters(const Program& program, const Function& function,
                      std::vector<std::string>& names) {
   std::vector<std::size_t> uses(function.instructions.size(), 0);

@@ -9,7 +9,7 @@
 
 namespace elgen {
 
-/// Temporaries under names that are unique in the function; empty if a value is written out where
+/// Unique names of the temporaries of a function; "" for an instruction that is written out where
 /// it is used.
 [[nodiscard]] std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
                                                    const Function& function);

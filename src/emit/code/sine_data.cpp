@@ -1,5 +1,5 @@
-// sine_data: polynomials by Estrin's scheme, which has less to wait for than Horner's. In C++
-// numbers are members, so that device code has their values and tests can read them.
+// sine_data: polynomials by Estrin's scheme, whose chain of dependent operations is shorter than
+// Horner's. In C++ the coefficients are members, so that device code and tests can read them.
 #include "emit/code/sine_data.hpp"
 
 #include <fmt/format.h>
@@ -21,11 +21,11 @@ TemplateData rows(const std::vector<std::string>& texts, std::size_t first, cons
   return list;
 }
 
-/// x^2, x^4, x^8 by their names in templates.
+/// The names of x^2, x^4, x^8 in the templates.
 constexpr std::array<std::string_view, 3> powers{"square", "fourth", "eighth"};
 
-/// Sums of neighbours, c0 + c1 x^2, then of these, with x^4, …: the order of `polynomial` in
-/// program/evaluate/sines.cpp.
+/// Adds neighbours, c0 + c1 x^2, then pairs of these sums with x^4, and on with x^8: the order of
+/// `polynomial` in program/evaluate/sines.cpp.
 class Estrin {
  public:
   Estrin(std::vector<std::string> terms, const std::string& name, std::string_view type)

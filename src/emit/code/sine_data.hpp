@@ -1,5 +1,5 @@
-// sine_data: the numbers of sines in line -> the values of the holes of the templates
-// trigonometry.hpp.mustache and sine_cosine.h.mustache.
+// sine_data: the coefficients of in-line sines -> data of the templates trigonometry.hpp.mustache
+// and sine_cosine.h.mustache.
 #pragma once
 
 #include <functional>
@@ -11,18 +11,18 @@
 
 namespace elgen {
 
-/// Where a template has a number: by its name, or by its value.
+/// A template writes a coefficient by its name or by its value.
 enum class SineSpelling : std::uint8_t { names, values };
 
-/// How a language writes a number of the scalar.
+/// Writes a number as a literal of the scalar type.
 using SineLiteral = std::function<std::string(double)>;
 
-/// One hole for each number; lists of the later parts of pi/2, of powers of x^2, and of the lines
-/// that compute the polynomials `sine` and `cosine`.
+/// A hole for each coefficient, and lists: the parts of pi/2 from the third on, the powers of x^2,
+/// and the lines that compute the polynomials `sine` and `cosine`.
 [[nodiscard]] TemplateRow sine_data(const std::vector<SineNumber>& numbers, ScalarKind scalar,
                                     const SineLiteral& literal, SineSpelling spelling);
 
-/// The section `tables` of C++ headers: there where scalars have one.
+/// Section `tables` of C++ headers; absent if `scalars` is empty.
 [[nodiscard]] TemplateData trigonometry_tables(const Numerics& numerics, SinesOf arithmetic,
                                                const std::vector<ScalarKind>& scalars);
 

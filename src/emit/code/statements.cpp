@@ -1,5 +1,5 @@
-// statements: the operands of each are followed to where a name stands for them. Sections: entries
-// sorted behind the last statement they use, the whole cut into equal parts.
+// statements: follows the operands of each statement to named instructions. Sections: puts each
+// entry after the last statement that it uses, then cuts the whole into parts of equal length.
 #include "emit/code/statements.hpp"
 
 #include <algorithm>
@@ -11,13 +11,14 @@
 namespace elgen {
 namespace {
 
-/// Follows operands to named instructions. An instruction of the loop is named as the first one is.
+/// Follows operands to named instructions. Every instruction of the loop counts as its first
+/// instruction.
 class OperandWalk {
  public:
   OperandWalk(const Function& function, const std::vector<std::string>& names)
       : function_(function), names_(names) {}
 
-  /// Walks the definition of an instruction, whether it has a name or not.
+  /// Walks the definition of an instruction, even if the instruction has a name.
   StatementOperands definition(std::uint32_t at) {
     write_out(at);
     return found();
@@ -61,7 +62,7 @@ Named names_of(const Entry& /*entry*/) { return {}; }
 Named names_of(const Given& /*given*/) { return {}; }
 Named names_of(const Loop& loop) { return {loop.first}; }
 
-/// Instructions are numbered in the order of evaluation.
+/// Sort key: named values in order of evaluation, an entry after the last value that it uses.
 std::uint64_t place_of(const Statement& statement) {
   const Named named = named_by(statement);
   if (!named.empty()) return 2 * (std::uint64_t{named.front()} + 1);
@@ -69,14 +70,15 @@ std::uint64_t place_of(const Statement& statement) {
   return uses.empty() ? 0 : 2 * (std::uint64_t{uses.back()} + 1) + 1;
 }
 
-/// Statements of one place keep their order.
+/// Statements with equal keys keep their order.
 std::multimap<std::uint64_t, Statement> ordered(const std::vector<Statement>& statements) {
   std::multimap<std::uint64_t, Statement> by_place;
   for (const Statement& statement : statements) by_place.emplace(place_of(statement), statement);
   return by_place;
 }
 
-/// One statement writes all its values to the same place.
+/// All values of a statement cross if one of them crosses, because the statement writes them
+/// together.
 void cross_together(const Sections& cut, std::vector<bool>& crosses) {
   for (const std::vector<Statement>& part : cut.parts) {
     for (const Statement& statement : part) {

@@ -1,5 +1,5 @@
-// statements: what the body of a Function computes, in order: what has a name, then the entries of
-// its fields. Everything else is written out where it is used.
+// statements: the body of a Function in order: the named values, then the entries of its fields.
+// Other instructions are written out where they are used.
 //
 //     2 = add 0 1  ; total        total = a + b
 //     3 = multiply 2 2
@@ -17,26 +17,26 @@
 
 namespace elgen {
 
-/// The instructions that a statement reads.
+/// Instructions that a statement reads.
 struct StatementOperands {
-  std::vector<std::uint32_t> uses = {};     ///< named instructions, ascending, each once
-  std::vector<std::uint32_t> written = {};  ///< instructions written out
+  std::vector<std::uint32_t> uses = {};     ///< named instructions, ascending, without duplicates
+  std::vector<std::uint32_t> written = {};  ///< instructions that it writes out
 };
 
-/// A named value.
+/// Assigns a named value.
 struct Assign {
   std::uint32_t instruction = 0;
   StatementOperands operands = {};
 };
 
-/// The sine and the cosine of an angle, computed at once.
+/// Computes the sine and the cosine of an angle together.
 struct SineAndCosine {
   std::uint32_t sine = 0;
   std::uint32_t cosine = 0;
   StatementOperands operands = {};
 };
 
-/// An entry of a field.
+/// Writes an entry of a field.
 struct Entry {
   std::uint32_t instruction = 0;
   std::uint32_t field = 0;
@@ -44,52 +44,51 @@ struct Entry {
   StatementOperands operands = {};
 };
 
-/// A number that the loop over columns reads, in the array of them.
+/// Stores an operand of the loop over columns in the array `given`.
 struct Given {
   std::uint32_t instruction = 0;
   std::uint32_t index = 0;
   StatementOperands operands = {};
 };
 
-/// The loop over columns. Its first instruction stands for all values that it computes.
+/// The loop over columns. Its first instruction represents all values that it computes.
 struct Loop {
   std::uint32_t first = 0;
   StatementOperands operands = {};
 };
 
-/// Whoever writes or sorts statements has an overload for each kind, so that the compiler names the
-/// places that lack a new one.
+/// Code that writes or sorts statements has an overload for each kind, so that the compiler reports
+/// a missing overload.
 using Statement = std::variant<Assign, SineAndCosine, Entry, Given, Loop>;
 
 [[nodiscard]] const StatementOperands& operands_of(const Statement& statement);
 
-/// The instructions whose values have names from here on, ascending.
+/// Instructions to which the statement gives names, ascending.
 [[nodiscard]] std::vector<std::uint32_t> named_by(const Statement& statement);
 
-/// Whether one statement computes the sine and the cosine of an angle, where both are needed.
+/// `joint`: a single statement computes the sine and the cosine of an angle if both are needed.
 enum class Pairing : std::uint8_t { joint, separate };
 
-/// `names`: of each instruction, empty where it is written out. An entry that the loop computes
-/// uses its first instruction.
+/// `names`: of each instruction; "" if it is written out. An entry that the loop computes uses the
+/// first instruction of the loop.
 [[nodiscard]] std::vector<Statement> statements(const Function& function,
                                                 const std::vector<std::string>& names,
                                                 Pairing pairing, const ColumnLoop& loop = {});
 
-/// A long body in parts of bounded length, for compilers whose time grows faster than the length of
-/// a function.
+/// A long body, cut into parts of bounded length because compile time grows faster than the length
+/// of a function.
 ///
 ///     a = …; b = f(a); c = g(b)        part 1: a = …; b = f(a)
-///     result 2 1 = b c          ->     part 2: result[0] = b; c = g(b); result[1] = c     b
-///     crosses
+///     result 2 1 = b c          ->     part 2: result[0] = b; c = g(b); result[1] = c
 ///
-/// An entry is written as soon as all that it uses is there, so that few values cross into later
-/// parts.
+/// The value b crosses. An entry is written as soon as its operands are computed, so that few
+/// values cross into later parts.
 struct Sections {
   std::vector<std::vector<Statement>> parts = {};  ///< at least one
-  std::vector<bool> crosses = {};  ///< of each instruction: used in another part than its own
+  std::vector<bool> crosses = {};                  ///< per instruction: another part uses its value
 };
 
-/// Bodies of up to so many statements compile in a second as they are.
+/// Bodies of up to this many statements compile within a second and are not cut.
 inline constexpr std::size_t longest_body = 1000;
 inline constexpr std::size_t section_length = 400;
 

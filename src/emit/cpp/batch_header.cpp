@@ -1,5 +1,5 @@
-// batch_header: the functions of the other header on arrays of states, as the template
-// cpp/batch.hpp.mustache lays it out. Each loads packs, calls the other header, stores.
+// batch_header: the functions of the main header on arrays of states, from the template
+// cpp/batch.hpp.mustache. Each function loads packs, calls the main header and stores the results.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ std::string loaded(Opcode argument) {
   return fmt::format("detail::loaded<{}>({}, at)", leaf.type, leaf.symbol);
 }
 
-/// One statement for each field.
+/// One store statement per field.
 std::string stores(const Function& function) {
   std::string lines;
   std::size_t before = 0;
@@ -90,7 +90,7 @@ std::string stores(const Function& function) {
   return lines;
 }
 
-/// The call for one place, and what keeps its values.
+/// Calls the function for the states at `at` and stores its values.
 std::string statements(const EmissionInput& input, const Function& function) {
   Texts arguments;
   for (const Opcode argument : arguments_of(input.model, function)) {

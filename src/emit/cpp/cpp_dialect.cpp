@@ -1,6 +1,6 @@
-// cpp_dialect: straight-line code. Nothing is branched, so that packs and AutoDiff numbers pass.
-// sign, min and max are helpers of the header, because the standard library has none that every
-// ordered scalar takes.
+// cpp_dialect: straight-line code. It has no branches, so that packs and AutoDiff types can run it.
+// sign, min and max are functions of the header: the standard versions do not accept every ordered
+// scalar.
 #include "emit/cpp/cpp_dialect.hpp"
 
 #include <fmt/ranges.h>
@@ -20,7 +20,7 @@ using Texts = std::vector<std::string>;
 
 std::string joined_lines(const Texts& lines) { return fmt::format("{}", fmt::join(lines, "\n")); }
 
-/// The rows of a matrix, joined by commas, where every row fits a line; else one line per entry.
+/// The rows of a matrix, joined by commas, if every row fits a line; else one entry per line.
 Texts entry_lines(const Field& field, const Texts& entries, std::size_t indent) {
   Texts rows;
   for (std::size_t row = 0; row < field.rows; ++row) {
@@ -37,14 +37,14 @@ Texts entry_lines(const Field& field, const Texts& entries, std::size_t indent) 
   return lines;
 }
 
-/// A field to be written: `is_number` where its type is no array.
+/// A field and the text of each entry; `is_number`: its type is no array.
 struct WrittenField {
   const Field& field;
   const Texts& entries;
   bool is_number;
 };
 
-/// A scalar as it is, an array in the double braces of std::array.
+/// A number without braces, an array in the double braces of std::array.
 std::string field_value(const WrittenField& value, std::size_t indent) {
   const auto& [field, entries, is_number] = value;
   const std::string margin(indent, ' ');
@@ -64,12 +64,12 @@ std::string part_name(const Function& function, std::size_t part) {
   return fmt::format("{}_part_{}", function.name, part + 1);
 }
 
-/// An argument that the body does not use has no name.
+/// Omits the name of an argument that the body does not use.
 std::string name_if(const UsedNames& used, std::string_view blank_and_name) {
   return std::string(used.variables.count(blank_and_name.substr(1)) > 0 ? blank_and_name : "");
 }
 
-/// "const auto [sin_x, cos_x]", "std::tie(w.sin_x, w.cos_x)": what takes both.
+/// "const auto [sin_x, cos_x]", "std::tie(w.sin_x, w.cos_x)": the left-hand side for both values.
 std::string both(const std::string& sine, const std::string& cosine, bool is_declared) {
   return is_declared ? fmt::format("const auto [{}, {}]", sine, cosine)
                      : fmt::format("std::tie({}, {})", sine, cosine);
@@ -188,19 +188,19 @@ class CppDialect : public CompiledDialect {
   }
 
  protected:
-  /// "Forces<Scalar>", "ForwardDynamics<Scalar>": what the function returns.
+  /// "Forces<Scalar>", "ForwardDynamics<Scalar>": the return type of a function.
   std::string result_type(const Function& function) const {
     if (gives_struct(function)) return camel_case(function.name) + "<Scalar>";
     return type_of_field(function.kind, function.fields.front());
   }
 
-  /// In front of `detail::` of the header.
+  /// Qualifies `detail::` from outside the namespace of the header.
   virtual std::string_view scope() const { return ""; }
 
-  /// In front of the type that a function returns; with a blank behind it.
+  /// Macro before the return type of a function, with a trailing blank.
   virtual std::string_view function_macro() const { return "ELGEN_FUNCTION "; }
 
-  /// "[2]": after the name of an array.
+  /// "[2]": the index after the name of an array.
   virtual std::string element(std::uint32_t index) const { return fmt::format("[{}]", index); }
 
   /// "SquareMatrix<Scalar>", "const Coordinates<Scalar>&"
@@ -208,14 +208,14 @@ class CppDialect : public CompiledDialect {
     return field_type(model(), kind, field);
   }
   virtual std::string type_of_argument(Opcode argument) const {
-    // The type of t is not deduced, so that t may be a number of another type.
+    // The type of t is not deduced, so that callers may pass t as a number of another type.
     return fmt::format("const {}&", leaf_row(argument).type);
   }
 
   bool is_reserved(const std::string& name) const override { return is_emitted_name(name); }
 
  private:
-  /// Sine and cosine by functions of the header, which has them in line where it can.
+  /// Sine and cosine are functions of the header, which computes them in line if it can.
   std::string library_function(std::string_view name) const override {
     if (name != "sin" && name != "cos") return std::string(name);
     return own_function(name == "sin" ? "Sine" : "Cosine") + "::of";
@@ -235,12 +235,14 @@ class CppDialect : public CompiledDialect {
   }
 };
 
-/// Arguments are read where they lie; sizes are numbers, because a model has several of one size.
+/// Arguments are references to the caller's memory, without copies. Types state sizes as numbers,
+/// since several arrays of a model can have the same size.
 class EigenDialect final : public CppDialect {
  public:
   using CppDialect::CppDialect;
 
-  /// std::array's braces mean something else to Eigen: every entry is assigned.
+  /// Double braces initialise an Eigen matrix differently from std::array, so each entry is
+  /// assigned.
   std::string returned(const Function& function, const Function& ordered,
                        const FieldTexts& entries) const override {
     const bool is_plain = !gives_struct(function) && is_number(function, function.fields.front());
@@ -268,7 +270,7 @@ class EigenDialect final : public CppDialect {
   }
 };
 
-/// Functions of numbers of one type, called Scalar.
+/// Functions for numbers of a single type, which the header calls Scalar.
 class WideDialect : public CppDialect {
  public:
   using CppDialect::CppDialect;
@@ -277,7 +279,7 @@ class WideDialect : public CppDialect {
   std::string_view function_macro() const override { return "inline "; }
 };
 
-/// Values of a type beside a `detail` of its own.
+/// Values of a given type, in a namespace that uses `detail` of the main header.
 class TypedDialect : public WideDialect {
  public:
   TypedDialect(const Model& model, const Program& program, std::string_view scalar,

@@ -1,5 +1,5 @@
-// cpp_header: the C++17 headers, from the templates of cpp/, on arrays and on Eigen's matrices. An
-// array is one line where it fits, one element a line where not.
+// cpp_header: the C++17 headers on arrays and on Eigen's matrices, from the templates of cpp/. An
+// array is written on one line if it fits, else one element per line.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// "{{1, 2}}", or `{}` for no elements; doubled braces name the array inside std::array.
+/// "{{1, 2}}": the inner braces initialise the array inside std::array; "{}" without elements.
 std::string braced(const Texts& elements, std::size_t column) {
   if (elements.empty()) return "{}";
   const std::string line = fmt::format("{{{{{}}}}}", fmt::join(elements, ", "));
@@ -29,7 +29,7 @@ std::string braced(const Texts& elements, std::size_t column) {
   return fmt::format("{{{{\n    {},\n}}}}", fmt::join(elements, ",\n    "));
 }
 
-/// Names, units, ranges and limits of coordinates and inputs.
+/// A declared array: names, units, ranges or limits of coordinates and inputs, for instance.
 TemplateData declared(const DeclaredArray& array) {
   constexpr std::array types{"const char*", "double", "Interval"};
   const Texts elements = declared_elements(array, "{{{0}, {1}}}", "unbounded");
@@ -63,7 +63,7 @@ std::string member_declaration(const Model& model, const ParameterArray& array) 
   return fmt::format("{}{{{{\n      {},\n  }}}};", start, fmt::join(values, ",\n      "));
 }
 
-/// Members of Parameters, with their defaults.
+/// Members of Parameters, with their default values.
 std::vector<Member> declared_parameters(const Model& model,
                                         const std::vector<ParameterArray>& arrays) {
   std::vector<Member> members;
@@ -73,13 +73,13 @@ std::vector<Member> declared_parameters(const Model& model,
   return members;
 }
 
-/// Whether a member is made by detail::filled: an array parameter with one value for all elements.
+/// True if an array parameter has one value for all elements, so that detail::filled constructs it.
 bool has_filled_array(const Model& model, const std::vector<ParameterArray>& arrays) {
   return std::any_of(arrays.begin(), arrays.end(),
                      [&](const ParameterArray& array) { return is_filled(model, array); });
 }
 
-/// The functions that hold constants too long to stand in an equation, in order of the program.
+/// Functions that return the constants that are too long for an equation, in program order.
 TemplateData numbers(const Program& program) {
   TemplateData list(TemplateData::type::list);
   for (const Constant& constant : executed_constants(program)) {
@@ -94,8 +94,8 @@ TemplateData numbers(const Program& program) {
   return list;
 }
 
-/// The calls of glibc that have both, of the scalars that the scene names, float among them where
-/// accelerations are in it. No GPU has long double.
+/// glibc's sincos, sincosf or sincosl for each scalar of the scene, and for float if the
+/// accelerations are in float. No GPU has long double.
 TemplateData sine_cosine_calls(const Numerics& numerics) {
   std::vector<ScalarKind> named = numerics.scalars;
   if (numerics.inner == InnerScalar::single_precision) {
@@ -110,7 +110,7 @@ TemplateData sine_cosine_calls(const Numerics& numerics) {
   });
 }
 
-/// The built-in scalars that an answer holds for.
+/// The built-in scalars for which the predicate is true.
 template <class Predicate>
 std::vector<ScalarKind> scalars_that(const Predicate& is_wanted) {
   std::vector<ScalarKind> scalars;
@@ -120,8 +120,8 @@ std::vector<ScalarKind> scalars_that(const Predicate& is_wanted) {
   return scalars;
 }
 
-/// Scalars that compute sines in line, and tables of these and of packs without tables of their
-/// own.
+/// Names of the scalars with in-line sines; tables for these scalars, and for packs if the batch
+/// header has no tables.
 TemplateData sines_in_line(const EmissionInput& input) {
   const Scene& scene = input.scene;
   const bool has_packs = scene.emission.batch && !has_tables_of_packs(input.scene, input.program);
@@ -154,8 +154,9 @@ std::string cpp_header(const EmissionInput& input) {
   return header_text("cpp/header.hpp.mustache", data);
 }
 
-/// The bodies are written again rather than called: a Map of the other header's arrays would be a
-/// copy of them each way (up to a quarter of the time of panda7, g++ -O2), or undefined.
+/// Writes the bodies again instead of calling the main header. Conversion to its arrays would copy
+/// arguments and results (up to a quarter of the time of panda7, g++ -O2), or be undefined
+/// behaviour.
 std::string eigen_header(const EmissionInput& input) {
   TemplateData data = header_data(input, *eigen_dialect(input.model, input.program));
   const bool is_row_major = input.scene.emission.storage == Storage::row_major;

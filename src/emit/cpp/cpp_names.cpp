@@ -1,6 +1,5 @@
-// cpp_names: the one list of names of templates/cpp/ that a user's name could collide with, and
-// E701 where a model wants one of them. Keywords and macros are no names of a Model or Scene in the
-// first place (E204).
+// cpp_names: the names in templates/cpp/ with which a user's name could collide, and E701 for a
+// model that uses one of them. Names of a Model or Scene are never keywords or macros (E204).
 #include "emit/cpp/cpp_names.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +32,7 @@ constexpr std::array<std::string_view, 17> more_names{
     "regressor_names",  "digits_left"};
 constexpr std::array<std::string_view, 5> eigen_names{"eigen", "Eigen", "Argument", "Matrix",
                                                       "Vector"};
-/// Members of Parameters hide these in the initialisers beside them.
+/// Members of Parameters would hide these names in the initialisers of other members.
 constexpr std::array<std::string_view, 5> hidden_by_members{"Parameters", "Scalar", "constant",
                                                             "detail", "std"};
 constexpr std::string_view constant_prefix = "number_";
@@ -43,8 +42,8 @@ bool contains(const List& list, std::string_view name) {
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-/// Functions of <math.h> and <stdlib.h> as declared for double; those for float and long double end
-/// in f and l.
+/// Functions of <math.h> and <stdlib.h> for double; their versions for float and long double end in
+/// f and l.
 constexpr std::string_view library_names =
     " a64l abort abs acos acosh alloca arc4random asin asinh atan atan2 atanh atexit atof "
     "atoi atol atoll bsearch calloc canonicalize cbrt ceil clearenv copysign cos cosh div "
@@ -62,7 +61,7 @@ constexpr std::string_view library_names =
     "system tan tanh tgamma timespec timeval totalorder trunc ufromfp ufromfpx uint ulong "
     "unlockpt unsetenv ushort valloc wcstombs wctomb y0 y1 yn ";
 
-/// Names that the other headers declare.
+/// Names that the other headers of C and POSIX declare.
 constexpr std::string_view system_names =
 #include "emit/cpp/library_names.def"
     ;
@@ -74,20 +73,20 @@ constexpr std::array<std::string_view, 3> kept_suffixes{"_t", "printf", "scanf"}
 
 bool is_declared(std::string_view name) { return has_word(library_names, name); }
 
-/// Whether C or POSIX keeps all names like it, for types or for functions of its own.
+/// True if C or POSIX reserves all names of this form, for types or for functions.
 bool is_kept(std::string_view name) {
   return std::ranges::any_of(kept_suffixes, [&](auto suffix) { return name.ends_with(suffix); }) ||
          std::ranges::any_of(kept_prefixes, [&](auto prefix) { return name.starts_with(prefix); });
 }
 
-/// No namespace can have a name that a header of C or POSIX gives to something else.
+/// True for names that a header of C or POSIX declares: no namespace can have them.
 bool is_library_name(std::string_view name) {
   const bool has_suffix = name.ends_with('f') || name.ends_with('l');
   return is_kept(name) || is_declared(name) || has_word(system_names, name) ||
          (has_suffix && is_declared(name.substr(0, name.size() - 1)));
 }
 
-/// One value per name of a constant.
+/// E912 if two constants get the same name.
 Diagnostics check_constant_names(const Program& program) {
   std::map<std::string, ConstantForm> forms;
   for (const Constant& constant : executed_constants(program)) {

@@ -1,4 +1,4 @@
-// cpp_names: which names the emitted C++ keeps for itself.
+// cpp_names: names that the emitted C++ reserves.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace elgen {
 
-/// Whether templates/cpp/header.hpp.mustache needs the name for itself.
+/// True if templates/cpp/header.hpp.mustache uses the name.
 [[nodiscard]] bool is_emitted_name(std::string_view name);
 
-/// Whether no namespace can have the name, and so no model.
+/// True for `std` and for names of C and POSIX: no namespace, and so no model, can have them.
 [[nodiscard]] bool is_taken_outside(std::string_view name);
 
-/// Whether templates/cpp/eigen.hpp.mustache needs the name for itself.
+/// True if templates/cpp/eigen.hpp.mustache uses the name.
 [[nodiscard]] bool is_eigen_name(const std::string& name);
 
 }  // namespace elgen

@@ -1,6 +1,6 @@
-// wide_header: the functions of the other header in a wider scalar, as the template
-// cpp/wide.hpp.mustache lays it out. Each widens its arguments, calls the other header, rounds; but
-// a step of accelerations in float is written out.
+// wide_header: the functions of the main header in a wider scalar, from the template
+// cpp/wide.hpp.mustache. Each function widens its arguments, calls the main header and rounds the
+// results. A step whose accelerations are in float is written out instead.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ using Texts = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 2> names_of_wide{"wide", "Inner"};
 
-/// "{widened(p.M), widened(p.m)}": all members in their order, so that no default is computed.
+/// "{widened(p.M), widened(p.m)}": all members in order, so that no default value is computed.
 std::string widened_parameters(const EmissionInput& input) {
   Texts members;
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
@@ -57,7 +57,7 @@ std::string body_of_wide(const EmissionInput& input, const Function& function) {
          fmt::format("  return {{{}}};\n", fmt::join(fields, ",\n          "));
 }
 
-/// A step whose accelerations alone are in `Inner`.
+/// A step that computes only the accelerations in `Inner`.
 TemplateRow mixed_step(const EmissionInput& input, const Function& function) {
   const auto dialect = mixed_dialect(input.model, input.program, name_space(input.scene));
   const DefinitionText step =

@@ -1,4 +1,4 @@
-// code_interface: small questions, answered by the output table and the instructions.
+// code_interface: answers questions from the output table and the instructions.
 #include "emit/interface/code_interface.hpp"
 
 #include <fmt/format.h>
@@ -105,7 +105,7 @@ std::string spelt_name(LanguageId language, std::string_view name) {
   return std::string(name) + (is_word ? "_" : "");
 }
 
-/// A leaf is known by its name.
+/// A leaf and its parameter have the same name.
 std::vector<ParameterMember> members_of(const Model& model, const LeafNames& leaves) {
   std::unordered_map<std::string_view, const Parameter*> known;
   for (const Parameter& parameter : model.parameters) known.emplace(parameter.name, &parameter);

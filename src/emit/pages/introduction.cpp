@@ -1,4 +1,4 @@
-// introduction: the first screen of a header. Rates are listed if a function depends on them.
+// introduction: title, equation of motion and variables, at the top of a header.
 #include "emit/pages/introduction.hpp"
 
 #include <fmt/ranges.h>

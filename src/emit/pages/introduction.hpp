@@ -11,11 +11,11 @@
 
 namespace elgen {
 
-/// The lines after `//`: empty, or with a leading space.
+/// The lines to follow `//`: empty, or with a leading space.
 [[nodiscard]] std::vector<std::string> introduction(const Model& model, const Scene& scene,
                                                     const Program& program);
 
-/// A heading, and one line per function; `definitions` counts the named values of a function.
+/// A heading, and a line per function; column `definitions` counts its named values.
 [[nodiscard]] std::vector<std::string> operation_table(const Program& program);
 
 }  // namespace elgen

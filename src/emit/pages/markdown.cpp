@@ -1,4 +1,4 @@
-// markdown: the page of the sheet, below a comment that states its origin.
+// markdown: the page of a model, after an HTML comment that states its sources and hashes.
 #include <fmt/format.h>
 
 #include "elgen/page.hpp"

@@ -1,5 +1,5 @@
-// sidecar: prints an object or list on one line if it fits, else one element per line, so that a
-// change of one term is a diff of one line.
+// sidecar: writes an object or list on one line if it fits, else one element per line, so that a
+// change of one term changes one line of a diff.
 
 #include "base/json.hpp"
 #include "base/utf8.hpp"
@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// "\"key\": " in front of a value; nothing in a list.
+/// "\"key\": " before a value of an object; "" before a value of a list.
 std::string start_of(const Json& list, std::string_view key) {
   return list.is_object() ? Json(key).dump() + ": " : "";
 }
@@ -42,7 +42,7 @@ std::string printed(const Json& json, std::size_t column, std::size_t indent) {
   return brackets[0] + text + "\n" + std::string(indent, ' ') + brackets[1];
 }
 
-/// A list with `json_of` of each element.
+/// A JSON list with `json_of` of each element.
 template <class Elements, class F>
 Json listed(const Elements& elements, const F& json_of) {
   Json list = Json::array();
@@ -50,7 +50,7 @@ Json listed(const Elements& elements, const F& json_of) {
   return list;
 }
 
-/// A name with its unit, if any.
+/// A name with its unit, if it has one.
 Json named(const std::string& name, const std::string& unit) {
   Json json = {{"name", name}};
   if (!unit.empty()) json["unit"] = unit;
@@ -69,13 +69,13 @@ void add_interval(Json& json, const char* key, const std::optional<Interval>& in
   if (interval) json[key] = {exact_text(interval->low), exact_text(interval->high)};
 }
 
-/// Adds the range of the rate and its initial value.
+/// Adds the range and the start value of the rate.
 void add_rate(Json& json, const Velocity& velocity) {
   add_interval(json, "rate_range", velocity.rate_range);
   json["start_rate"] = exact_text(velocity.start_rate);
 }
 
-/// Without rotations, velocities are the rates of the coordinates in order.
+/// Without rotations a coordinate also lists the range and start of its rate.
 Json coordinates(const Model& model) {
   return listed(model.coordinates, [&](const Coordinate& coordinate) {
     Json json = named(coordinate.name, coordinate.unit_text);
@@ -113,7 +113,7 @@ Json constraints(const Model& model) {
   });
 }
 
-/// Open functions with their arguments in the model language.
+/// Open functions; their arguments are expressions of the model language.
 Json open_functions(const Model& model) {
   const auto text = [&model](ExpressionId argument) { return to_string(model, argument); };
   return listed(model.functions, [&](const OpenFunction& function) {
@@ -123,7 +123,7 @@ Json open_functions(const Model& model) {
   });
 }
 
-/// Values of open functions f. Arguments are counted from 1.
+/// Values and derivatives of open functions. `by` counts arguments from 1.
 Json open_values(const Model& model) {
   const auto count = [](std::uint32_t argument) { return argument + 1; };
   return listed(model.open_values, [&](const OpenValue& value) {
@@ -163,15 +163,15 @@ Json definitions(const FunctionEquations& equations) {
   });
 }
 
-/// The arguments of the function, which are in the same order in all languages.
+/// The arguments of the function; their order is the same in all languages.
 Json arguments(const EmissionInput& input, const Function& function) {
   const LanguageId language = input.scene.emission.language;
   return listed(arguments_of(input.model, function, input.program, language),
                 [](Opcode argument) { return leaf_row(argument).symbol; });
 }
 
-/// The shape, with the names of rows and columns that no list has, and with entries if the output
-/// has equations of its own.
+/// The shape, the names of rows and columns that no list of the model contains, and the entries if
+/// the output has equations.
 Json field(const Model& model, const OutputRow& row, const FunctionEquations& equations,
            const Field& field, std::size_t at) {
   Json json{{"shape", {field.rows, field.columns}}};
@@ -232,7 +232,7 @@ std::string sidecar(const EmissionInput& input) {
   if (!input.scene.paths.scene.empty()) json["scene"] = input.scene.paths.scene;
   json["format"] = 1;
   json["name"] = input.scene.base_name;
-  // Entries are row-major. The code is in the default language and row-major too, unless stated
+  // Entries are row-major. The code has the default language and row-major order unless stated
   // here.
   const Emission& emission = input.scene.emission;
   if (emission.language != default_language) {

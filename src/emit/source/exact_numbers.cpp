@@ -1,4 +1,4 @@
-// Exact numbers: constants of functions first, then values of parameters.
+// exact_numbers: adds the constants of functions first, then the values of parameters.
 #include "emit/source/exact_numbers.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ std::optional<cln::cl_RA> factor_of_pi(const ConstantForm& form) {
   return is_multiple ? std::optional(first.form.number) : std::nullopt;
 }
 
-/// Digits alone: with an exponent, an integer would be a float of the language.
+/// Digits only: with an exponent, an integer would become a float of the language.
 std::string fraction(const cln::cl_RA& number, const char* more) {
   return fmt::format("({}, {}{})", integer_text(cln::numerator(number)),
                      integer_text(cln::denominator(number)), more);
@@ -42,7 +42,7 @@ std::string digits_of(const cln::cl_R& value) {
   return literal_text(rounded_decimal(cln::abs(value), digits_of_decimals));
 }
 
-/// "(1, 10)", "(1, 2, True)" with pi, "'0.8660…'"; empty for a double.
+/// "(1, 10)", "(1, 2, True)" for a multiple of pi, "'0.8660…'"; "" if the number is a double.
 std::string entry_text(const Constant& constant) {
   const cln::cl_R magnitude = cln::abs(constant.value);
   if (is_rational(constant)) {
@@ -54,7 +54,7 @@ std::string entry_text(const Constant& constant) {
   return fmt::format("\"{}\"", digits_of(magnitude));
 }
 
-/// A value of a parameter, whose form is not known.
+/// The value of a parameter. The form of an irrational value is unknown, so a sum is assumed.
 Constant constant_with(const cln::cl_R& value) {
   if (is_rational(value)) return rational_constant(cln::rational(value));
   Constant constant{value};
@@ -62,8 +62,7 @@ Constant constant_with(const cln::cl_R& value) {
   return constant;
 }
 
-/// The constant that an instruction loads, or the negative of which it is; null if it is none, or
-/// 0.
+/// The non-zero constant that an instruction loads or negates; null for other instructions.
 const Constant* literal_at(const Program& program, const Function& function, std::uint32_t place) {
   const Instruction& i = function.instructions[place];
   if (i.opcode == Opcode::negate) return literal_at(program, function, i.a);

@@ -1,10 +1,11 @@
-// exact_numbers: the numbers that the doubles of a module stand for, as entries of a dictionary.
+// exact_numbers: the exact numbers that the doubles of a module approximate, as entries of a
+// dictionary.
 //
 //     0.1                       0.1: (1, 10)
 //     1/3*pi                    1.0471975511965976: (1, 3, True)
-//     1 and 99999999999999999/10^17, which have one double
+//     1 and 99999999999999999/10^17, which round to the same double
 //                               _number_1 = 1.0, and "_number_1": (99999999999999999, 100000…)
-//     1/3, which Python divides when it reads the module
+//     1/3, which Python folds into one constant when it loads the module
 //                               _number_1 = 3.0, and "_number_1": (3, 1)
 #pragma once
 
@@ -19,15 +20,16 @@
 
 namespace elgen {
 
-/// Several numbers may have one double. The number that is this double keeps the literal, else the
-/// first one. Another constant has a name, another value of a parameter an entry "p.m". So has the
-/// second of two constants that are added, subtracted, multiplied or divided.
+/// Several numbers may round to the same double. The number that equals the double keeps the
+/// literal; without one, the first number does. Other constants get a name, other parameter values
+/// an entry "p.m". The second of two constants in an operation also gets a name, against constant
+/// folding.
 class ExactNumbers {
  public:
   /// Empty if the language has no names for numbers.
   ExactNumbers(const Model& model, const Program& program, const SourceSpelling& spelling);
 
-  /// "_number_1": the name of a constant or of its negative; empty if it is a literal.
+  /// "_number_1": the name of a constant or of its negative; "" if it is written as a literal.
   [[nodiscard]] std::string name_of(const Constant& constant) const;
 
   /// The names with their doubles.
@@ -36,10 +38,10 @@ class ExactNumbers {
 
  private:
   struct Number {
-    std::string digits = {};   ///< the magnitude in 60 digits; equal ones are one number
-    std::string text = {};     ///< in an entry; empty for a double
-    bool is_constant = false;  ///< of a function
-    bool is_folded = false;    ///< the language would compute it with another literal
+    std::string digits = {};   ///< of the magnitude, 60 digits; equal texts mean equal numbers
+    std::string text = {};     ///< in its dictionary entry; "" if it is a double
+    bool is_constant = false;  ///< loaded by a function
+    bool is_folded = false;    ///< the language would fold it with another literal
     std::string name = {};
   };
 
@@ -49,7 +51,8 @@ class ExactNumbers {
   void name_numbers(const SourceSpelling& spelling);
   void add_parameter(const std::string& name, const cln::cl_R& value);
 
-  std::map<double, std::vector<Number>> numbers_ = {};  ///< the first one keeps the literal
+  std::map<double, std::vector<Number>> numbers_ =
+      {};  ///< the first number of a group keeps the literal
   std::vector<std::pair<std::string, double>> named_ = {};
   std::vector<std::string> entries_ = {};
 };

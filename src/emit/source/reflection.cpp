@@ -1,5 +1,5 @@
-// reflection: names of functions are looked up in the library and in the module; numbers are those
-// that functions and parameters have.
+// reflection: lists the library functions that the module calls, the functions that it defines, and
+// its exact numbers.
 #include "emit/source/reflection.hpp"
 
 #include <fmt/ranges.h>
@@ -24,7 +24,7 @@ Texts quoted(Texts names) {
   return names;
 }
 
-/// The function and its names in other libraries: arctan2, abs, Abs.
+/// The function and its names in other libraries: arctan2 for atan2, abs and Abs for fabs.
 std::string other_names(const SourceSpelling& spelling, const std::string& name) {
   Texts names{name};
   const bool is_inverse = name != "abs" && name.starts_with('a');
@@ -41,7 +41,8 @@ std::string library(const SourceSpelling& spelling, const Texts& names) {
   return source_value(spelling, "_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
 }
 
-/// The functions of the module that branch on a number; the template has all with kinks or none.
+/// Functions of the module that branch on a number. The template defines sign, min and max
+/// together.
 Texts branching_functions(const EmissionInput& input) {
   constexpr std::array kinks{FunctionId::sign, FunctionId::min, FunctionId::max};
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);

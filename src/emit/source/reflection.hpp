@@ -1,5 +1,5 @@
-// reflection: what a module knows of its functions and numbers, so that other libraries than its
-// own can compute them, as `on(numpy)` in Python.
+// reflection: lists of a module's functions and numbers, with which another library can evaluate
+// the module, such as numpy through `on(numpy)` in Python.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@
 
 namespace elgen {
 
-/// The functions of the library that the module calls, by its names.
+/// Functions of the library that the module calls, by their names in that library.
 [[nodiscard]] std::vector<std::string> called_functions(const Program& program,
                                                         const SourceSpelling& spelling);
 
 /// Sets imports, exact numbers and lists of functions. `is_unbounded`: an array at the head of the
-/// module has an infinite number.
+/// module contains infinity, whose name must be imported.
 void set_reflection(TemplateData& data, const EmissionInput& input, bool is_unbounded);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// source_dialect: one body that computes in doubles of the interpreter. Where a field is a matrix,
-// its rows are vectors.
+// source_dialect: a function has a single body, which computes in doubles of the interpreter. A
+// matrix is a list of its rows.
 #include "emit/source/source_dialect.hpp"
 
 #include <fmt/ranges.h>
@@ -20,7 +20,7 @@ std::string filled(std::string_view pattern, std::string_view name, const std::s
   return fmt::format(fmt::runtime(pattern), name, more);
 }
 
-/// Whether a value stands in brackets of its own, in which lines may break.
+/// Whether brackets enclose a value; lines may break only inside brackets.
 enum class Brackets : std::uint8_t { there, needed };
 
 std::string statement_text(const SourceSpelling& spelling, const std::string& start,
@@ -37,7 +37,7 @@ std::string statement_text(const SourceSpelling& spelling, const std::string& st
   return source_lines(spelling, text, {line_width, margin + "    "}) + "\n";
 }
 
-/// A line that ends no documentation.
+/// A line of documentation, escaped so that it cannot end the documentation.
 std::string documentation_line(const SourceSpelling& spelling, std::string_view line) {
   std::string safe;
   if (line.starts_with(' ')) line.remove_prefix(1);
@@ -51,8 +51,9 @@ std::string documentation_line(const SourceSpelling& spelling, std::string_view 
   return safe;
 }
 
-/// Every interpreted language can write every function of C. If the module defines a function, its
-/// name is reserved there. The assertion fails for a new function until spellings.def has its rows.
+/// Every interpreted language must have a name for every C function. If the module defines the
+/// function itself, `spelling.taken` must reserve the name. The assertion fails for a new function
+/// until spellings.def has its rows.
 constexpr bool is_written_everywhere(FunctionId function, std::string_view name) {
   return std::ranges::all_of(spelling_table, [&](const SourceSpelling& spelling) {
     const auto found = function_spelling(spelling, function, name);
@@ -100,10 +101,10 @@ class SourceDialect final : public Dialect {
             {spelling_.member_comment, spelling_.member_comment}};
   }
 
-  /// Named values, then all entries at once.
+  /// Assigns the named values, then returns all entries.
   FunctionDefinition definition(const Function& function, Storage storage) const override {
     Function ordered = stored(function, storage);
-    ordered.repeated = {};  // written out
+    ordered.repeated = {};  // every repetition is written out
     const Texts names = local_names(*this, program(), ordered);
     const FunctionFormulas formulas(program(), ordered, *this, names);
     std::string lines;

@@ -1,4 +1,4 @@
-// source_dialect: functions in an interpreted language, by its row of spellings.def.
+// source_dialect: functions in an interpreted language, according to its row of spellings.def.
 #pragma once
 
 #include <cln/real.h>
@@ -16,8 +16,8 @@
 
 namespace elgen {
 
-/// How a language writes a function that C has: by its row of `others`, or as C if its library has
-/// the function. None if neither.
+/// How a language writes a C function: its row of `others`, or the name in C if the library has the
+/// function. None if the language has neither.
 [[nodiscard]] constexpr std::optional<FunctionSpelling> function_spelling(
     const SourceSpelling& spelling, FunctionId function, std::string_view name,
     std::span<const FunctionSpelling> others = function_spelling_table) {
@@ -28,26 +28,28 @@ namespace elgen {
   return FunctionSpelling{spelling.language, function, name, FunctionHome::library};
 }
 
-/// The name of a function of the library, sqrt among them; none if the module defines it.
+/// The name of a library function or of sqrt; none if the module defines the function itself.
 [[nodiscard]] std::optional<std::string_view> library_name(const SourceSpelling& spelling,
                                                            std::string_view name);
 
-/// "9.81": the nearest double.
+/// "9.81": a literal of the nearest double.
 [[nodiscard]] std::string source_literal(const cln::cl_R& value);
 
-/// "\"kg\"": a text on one line, which ends neither its quotes nor a script of a page.
+/// "\"kg\"": a quoted text on one line; its content can end neither the quotes nor a script of a
+/// page.
 [[nodiscard]] std::string source_text(const SourceSpelling& spelling, std::string_view text);
 
-/// "[1.0, 2.0]", "[[1.0, 2.0], [3.0, 4.0]]": values, or the rows of a matrix of so many columns.
+/// "[1.0, 2.0]", "[[1.0, 2.0], [3.0, 4.0]]": a list of values, or of the rows of a matrix with
+/// `columns` columns.
 [[nodiscard]] std::string source_list(const ListSpelling& list,
                                       const std::vector<std::string>& values,
                                       std::size_t columns = 1);
 
-/// A statement in lines that the language continues.
+/// A statement, wrapped with the line continuation of the language.
 [[nodiscard]] std::string source_lines(const SourceSpelling& spelling, const std::string& text,
                                        Wrapping wrapping);
 
-/// A value behind `start` at the head of a module, broken into lines.
+/// A value that follows `start` at the head of a module, wrapped.
 [[nodiscard]] std::string source_value(const SourceSpelling& spelling, const std::string& start,
                                        const std::string& text);
 

@@ -20,7 +20,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// Names and units of parameters too, elements of arrays each.
+/// declared_arrays(), and the names and units of the emitted parameters.
 std::vector<DeclaredArray> all_arrays(const Model& model, const Program& program) {
   std::vector<DeclaredArray> arrays = declared_arrays(model, program);
   DeclaredArray names{"parameter_names"};
@@ -54,7 +54,7 @@ Texts literals(const Model& model, const ParameterArray& array) {
   return texts;
 }
 
-/// "M: float = 1.0", with what it is.
+/// "M: float = 1.0", with its documentation.
 std::vector<Member> parameter_members(const EmissionInput& input) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   const std::string margin(spelling.indent, ' ');
@@ -73,7 +73,8 @@ std::vector<Member> parameter_members(const EmissionInput& input) {
   return members;
 }
 
-/// Their lines. Without documentation no text of the model can end a script of a page.
+/// The lines of the members. `documented` is false for a script of a page, which a text of the
+/// model could end.
 Texts parameter_lines(const EmissionInput& input, bool documented) {
   const std::string_view mark = source_spelling(input.scene.emission.language).comment;
   const std::vector<Member> members = parameter_members(input);
@@ -83,13 +84,13 @@ Texts parameter_lines(const EmissionInput& input, bool documented) {
   return lines;
 }
 
-/// Whether functions call each other by the name of the module, a class: a member of that name
-/// would be what makes an object of it.
+/// True if the module is a class, whose functions call each other through its name. A member with
+/// that name would be its constructor.
 bool is_class(const SourceSpelling& spelling) {
   return spelling.own_function.find("{1}") != std::string_view::npos;
 }
 
-/// The names of a module beside those of its outputs: its own is one where it calls by that.
+/// Names in the module besides its outputs. The name of a class is one of them.
 std::set<std::string> names_in_module(const Model& model, const Scene& scene,
                                       const Program& program) {
   const SourceSpelling& spelling = source_spelling(scene.emission.language);
@@ -100,7 +101,7 @@ std::set<std::string> names_in_module(const Model& model, const Scene& scene,
   return names;
 }
 
-/// E701 where the language, or a class itself, has the name of the module.
+/// E701 if the language reserves the module's name, or if a class has a member of that name.
 void check_module_name(const Model& model, const Scene& scene, const Program& program,
                        Diagnostics& diagnostics) {
   const SourceSpelling& spelling = source_spelling(scene.emission.language);
@@ -118,7 +119,7 @@ void check_module_name(const Model& model, const Scene& scene, const Program& pr
   }
 }
 
-/// E701 where the language reads no names of this length.
+/// E701 if the name is longer than the language allows.
 void check_length(const Scene& scene, const std::string& name, const Span& span,
                   Diagnostics& diagnostics) {
   const LanguageId language = scene.emission.language;
@@ -130,7 +131,7 @@ void check_length(const Scene& scene, const std::string& name, const Span& span,
                                      spelt.size(), language_row(language).name, longest)});
 }
 
-/// Where it is `exported`, the module has documentation and says which names others may import.
+/// An `exported` module has documentation and lists the names that other modules may import.
 std::string filled_module(const EmissionInput& input, bool exported) {
   TemplateData data = header_data(input, *source_dialect(input.model, input.scene, input.program));
   const LanguageRow& language = language_row(input.scene.emission.language);

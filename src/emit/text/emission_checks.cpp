@@ -1,4 +1,5 @@
-// One message for every language; each value against each scalar, by correct rounding.
+// emission_checks: all languages share the messages. Each value is checked in each scalar of the
+// scene, by correct rounding.
 #include "emit/text/emission_checks.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 namespace elgen {
 namespace {
 
-/// The value, what it is, and where it was written.
+/// A value, a description for the message, and its place in the file.
 struct CheckedNumber {
   const cln::cl_R& value;
   std::string name;
@@ -30,7 +31,8 @@ void check(const CheckedNumber& candidate, const Scene& scene, Diagnostics& diag
   }
 }
 
-/// Where the model has the number, with either sign; nowhere where elgen made it.
+/// The place of a number in the model, with either sign; an empty span if elgen computed the
+/// number.
 Span place_of(const Model& model, const cln::cl_R& value) {
   for (const Expression& expression : model.expressions) {
     const bool is_written = expression.kind == ExpressionKind::number;

@@ -1,5 +1,5 @@
-// Errors that only emission finds: names that the emitted code keeps for itself (E701), and numbers
-// that a scalar the scene asks for cannot hold (E702).
+// emission_checks: errors that only emission finds: names that the emitted code reserves (E701),
+// and numbers beyond the range of a scalar of the scene (E702).
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace elgen {
 
-/// E701 at the span of what wants the name.
+/// E701 at the span of the parameter, function or module that has the name.
 [[nodiscard]] Diagnostic taken_name(const std::string& name, const char* what, const Span& span);
 
-/// The same of a function, where the scene asks for it; nowhere for the scene `full`.
+/// The same for a function, at its request in the scene; without a span for the scene `full`.
 [[nodiscard]] Diagnostic taken_name(const Scene& scene, const Function& function);
 
-/// E702: looks at the values of run-time parameters and at the constants of the equations. A value
-/// that becomes subnormal has lost digits and counts as vanished.
+/// E702 for values of run-time parameters and for constants of the equations. A value that becomes
+/// subnormal has lost digits and counts as vanished.
 [[nodiscard]] Diagnostics check_scalar_range(const Model& model, const Scene& scene,
                                              const Program& program);
 

@@ -1,6 +1,6 @@
-// emission_input: hashes and printed equations. A file states the hash of its own text, taken with
-// sixteen zeros where the hash will stand. It stands behind " body " in the first two lines of a
-// header, behind the last "body": of a sidecar.
+// emission_input: hashes and printed equations. A file states the hash of its own text, computed
+// with sixteen zeros in place of the hash. Headers have the hash after " body " in the first two
+// lines, sidecars after the last "body":.
 #include "emit/text/emission_input.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ bool is_hash(std::string_view text) {
          text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
-/// Where the text states its hash; npos where it does not.
+/// The position of the stated hash in the text; npos without a stated hash.
 std::size_t find_body_hash(std::string_view text) {
   const std::size_t first_line = std::min(text.find('\n'), text.size() - 1);
   const std::string_view top = text.substr(0, text.find('\n', first_line + 1));

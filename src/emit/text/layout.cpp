@@ -1,4 +1,5 @@
-// layout: where lines break. Columns are counted in bytes; only user text is ever wider than ASCII.
+// layout: breaks lines. Columns are counted in bytes; only user text may have characters beyond
+// ASCII.
 #include "emit/text/layout.hpp"
 
 #include <fmt/ranges.h>
@@ -13,10 +14,11 @@ namespace {
 
 bool is_operator(char c) { return c == '+' || c == '-' || c == '*' || c == '/'; }
 
-/// Comments of members stand in one column, except behind declarations longer than this.
+/// Comments of members are aligned in one column, except after declarations longer than this.
 constexpr std::size_t widest_alignment = 72;
 
-/// A space where an expression may break, and how deep it cuts: brackets count most, products some.
+/// A space at which an expression may break. `depth`: 3 per enclosing bracket, plus 1 in a sum or 2
+/// in a product.
 struct Break {
   std::size_t at = 0;
   int depth = 0;
@@ -32,9 +34,8 @@ std::optional<int> depth_of_break(std::string_view text, std::size_t space, int 
   return 3 * brackets + (is_product ? 2 : 1);
 }
 
-/// The last of the shallowest breaks in the last two thirds of the first `width` columns; where
-/// there is none, the last one of the first third; where there is none either, the first one
-/// beyond.
+/// The last of the shallowest breaks in the last two thirds of the first `width` columns. Without
+/// such a break, the last break in the first third; without that, the first break beyond `width`.
 std::optional<Break> best_break(std::string_view text, std::size_t width) {
   std::optional<Break> best;
   int brackets = 0;
@@ -50,8 +51,8 @@ std::optional<Break> best_break(std::string_view text, std::size_t width) {
   return best;
 }
 
-/// A line that ends in a backslash, which C99 also writes `??/`, would make the next one part of
-/// the comment; lines may end before every space.
+/// Prevents a line from ending in a backslash, or in its trigraph `??/` in C99, which would
+/// continue the comment on the next line. A line may end before any space.
 std::string without_continuations(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -63,8 +64,8 @@ std::string without_continuations(std::string_view text) {
   return result;
 }
 
-/// Lines broken at the spaces that `space_in` finds in the rest, given the width of the line; npos
-/// where the rest is one line.
+/// Breaks lines at the position that `space_in` returns for the remaining text and the width of the
+/// line; npos: no more breaks.
 template <class SpaceIn>
 std::vector<std::string> wrapped(std::string_view text, const Wrapping& wrapping,
                                  const SpaceIn& space_in) {
@@ -147,7 +148,7 @@ std::vector<std::string> documented_members(const std::vector<Member>& members,
   return lines;
 }
 
-/// Arguments stand below the first one, or indented where the start leaves too little room.
+/// Aligns arguments below the first one, or indents them if `start` leaves too little room.
 std::string signature(const std::string& start, const std::vector<std::string>& arguments,
                       const std::string& end) {
   constexpr std::size_t widest_start = 60;
@@ -162,7 +163,8 @@ std::string signature(const std::string& start, const std::vector<std::string>& 
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const bool is_last = i + 1 == arguments.size();
     const std::string piece = arguments[i] + (is_last ? ")" + end : ",");
-    const std::size_t needed = 1 + piece.size() + (is_last ? 2 : 0);  // the brace follows the last
+    const std::size_t needed =
+        1 + piece.size() + (is_last ? 2 : 0);  // the brace follows the last argument
     const bool breaks = i > 0 && column + needed > line_width;
     if (breaks) text += "\n" + indent;
     if (i > 0 && !breaks) text += ' ';

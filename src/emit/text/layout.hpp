@@ -10,8 +10,8 @@ namespace elgen {
 
 inline constexpr std::size_t line_width = 100;
 
-/// How a text is broken: the first line may be `first` columns long, the others begin with
-/// `indent`; all but the last end in `end`.
+/// How a text is broken into lines: the first line may have `first` columns, the other lines begin
+/// with `indent`, and all except the last end in `end`.
 struct Wrapping {
   std::size_t first = line_width;
   std::string indent = {};
@@ -26,39 +26,38 @@ struct Wrapping {
 [[nodiscard]] std::vector<std::string> wrap_expression(std::string_view text,
                                                        const Wrapping& wrapping);
 
-/// "  target = value;\n", broken alike.
+/// "  target = value;\n", wrapped in the same way.
 [[nodiscard]] std::string assignment(const std::string& target, const std::string& value);
 
-/// Breaks prose at spaces.
 [[nodiscard]] std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping);
 
-/// User text as part of a `//` comment: one line of what is seen. Broken at any space, no piece of
-/// it continues on the next line of code.
+/// User text on one line for a `//` comment, with invisible characters shown as text. If a line is
+/// broken at a space, no piece of it continues the comment on the next line of code.
 [[nodiscard]] std::string comment_text(std::string_view text);
 
-/// User text as a literal of C++, quotes included, or of a language with other ones.
+/// User text as a literal of C++ with its quotes, or of a language with other quotes.
 [[nodiscard]] std::string string_literal(std::string_view text, char quote = '"',
                                          char escape = '\\');
 
-/// A struct's member: "Scalar m = 1;" and what it is.
+/// A member of a struct: "Scalar m = 1;" and its documentation.
 struct Member {
   std::string declaration;
   std::string doc;
 };
 
-/// Before documentation behind a declaration, and on a line above it.
+/// The marks of documentation after a declaration, and on a line above it.
 struct CommentMarks {
   std::string_view behind = "///< ";
   std::string_view above = "/// ";
 };
 
-/// Declarations with their documentation behind them in one column, or above where a line is too
-/// short.
+/// Declarations with documentation in an aligned column, or above the declaration if the line would
+/// be too long.
 [[nodiscard]] std::vector<std::string> documented_members(const std::vector<Member>& members,
                                                           const CommentMarks& marks = {});
 
-/// The start of a declaration and its arguments -> the declaration, with line breaks; `start` ends
-/// before the bracket, `end` (" noexcept") follows the closing one.
+/// A declaration with line breaks, from its start and its arguments. `start` ends before the
+/// bracket; `end` (" noexcept") follows the closing bracket.
 ///
 ///     [[nodiscard]] Forces<Scalar> bias(const Parameters<Scalar>& p, const Coordinates<Scalar>& q,
 ///                                       const Velocities<Scalar>& v) noexcept
