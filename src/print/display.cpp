@@ -1,4 +1,4 @@
-// display: widths are in letters, a measure that LaTeX, GitHub and HTML pages share.
+// display: widths count letters, a measure that LaTeX, GitHub and HTML pages share.
 #include "print/display.hpp"
 
 #include <fmt/ranges.h>
@@ -13,7 +13,7 @@ namespace {
 constexpr double indent = 4;
 constexpr std::size_t largest_matrix = 7;  ///< columns of a pmatrix
 
-/// The width of a left side with its sign.
+/// The width of a left side with the equals sign.
 double left_width(const Glyphs& left, const PageShape& shape) {
   return std::max(shape.left, shape.left_measured(left)) + 3;
 }
@@ -40,7 +40,7 @@ Glyphs equated(Glyphs left, Glyphs right) {
   return left;
 }
 
-/// Breaks a right side into lines, and a left side that takes most of a line.
+/// Breaks a right side into lines. A left side that takes more than half the width is broken too.
 Display lines_display(const Glyphs& left, const Glyphs& right, const PageShape& shape) {
   const double first = left_width(left, shape);
   if (first > shape.width / 2 && first + shape.measured(right) > shape.width) {
@@ -49,7 +49,7 @@ Display lines_display(const Glyphs& left, const Glyphs& right, const PageShape& 
   return {left, 0, broken_lines(right, shape.width - std::max(first, indent), shape.measured)};
 }
 
-/// X if the row is \sqrt{X}, else null.
+/// X if the row is \sqrt{X}; null otherwise.
 const Glyphs* radicand(const Glyphs& row) {
   const bool is_root = row.parts.size() == 1 && row.parts[0].kind == GlyphKind::root;
   return is_root ? &row.parts[0].parts[0] : nullptr;
@@ -57,7 +57,7 @@ const Glyphs* radicand(const Glyphs& row) {
 
 bool is_one(const Glyphs& row) { return row.parts.size() == 1 && row.parts[0].text == "1"; }
 
-/// The first fraction that is wider with its sign than `widest` and can be taken apart.
+/// The first fraction wider than `widest`, including its sign, that `taken_apart` can rewrite.
 std::optional<std::size_t> wide_fraction(const Glyphs& row, double widest, const PageShape& shape) {
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     const Glyphs& fraction = row.parts[i];
@@ -83,7 +83,7 @@ Glyphs part_of(const Glyphs& row, std::size_t first, std::size_t last) {
           {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)}};
 }
 
-/// The start of the last factor of a product if it is in brackets, else 0.
+/// The start of the last factor of a product if the factor is in brackets; 0 otherwise.
 std::size_t last_bracket(const Glyphs& product) {
   if (bracket_step(product.parts.back()) >= 0) return 0;
   int depth = 0;
@@ -111,7 +111,7 @@ Glyphs taken_apart(const Glyphs& fraction) {
   return row;
 }
 
-/// Puts fractions that are too wide before their numerators, or makes them powers.
+/// Rewrites fractions that are too wide, so that lines can break inside their numerators.
 Display number_display(const Glyphs& left, const Glyphs& right, const PageShape& shape) {
   const double widest = std::max(shape.width / 2, shape.width - left_width(left, shape));
   Glyphs row = right;
@@ -131,8 +131,8 @@ bool needs_brackets(const Glyphs& symbol) {
   });
 }
 
-/// The name of an entry: M_{1, 2}; g_{1} of \mathbf{g}; "(C \dot{q})_{1}". The name of a fraction
-/// D_i/M_ii gets no second index.
+/// The name of an entry: M_{1, 2}; g_{1} of \mathbf{g}; "(C \dot{q})_{1}". A name that has an index
+/// already, such as D_i/M_ii, is put into brackets.
 Glyphs indexed(const SetEquation& equation, std::size_t entry) {
   const std::size_t row = entry / equation.columns + 1;
   const Glyphs index =
@@ -175,7 +175,7 @@ std::vector<Display> entry_displays(const SetEquation& equation, const PageShape
   return all;
 }
 
-/// The widths of both sides of displays.
+/// The widths of both sides of an equation.
 struct Sides {
   double left = 0;
   double right = 0;
@@ -185,7 +185,8 @@ Sides wider_of(const Sides& x, const Sides& y) {
   return {std::max(x.left, y.left), std::max(x.right, y.right)};
 }
 
-/// The widths of an equation. Continued lines and a broken left side take the whole page.
+/// The widths of an equation. A continued right side or a broken left side counts as the full
+/// width.
 Sides sides_of(const SetEquation& equation, const PageShape& shape) {
   Sides sides;
   for (const Display& display : displays(equation, shape)) {
@@ -201,7 +202,7 @@ Sides sides_of(const SetEquation& equation, const PageShape& shape) {
   return sides;
 }
 
-/// The right sides of a display line by line.
+/// The right sides of a display, line by line.
 std::vector<std::string> latex_right_sides(const Display& display) {
   std::vector<std::string> texts;
   for (const Glyphs& row : display.rows) texts.push_back(latex(row));
@@ -215,7 +216,7 @@ std::vector<std::string> latex_right_sides(const Display& display) {
   return {text + "\\end{pmatrix}"};
 }
 
-/// The sides of "S = int L dt"; none if there are words on the left.
+/// Both sides of an equation in a line: "S = int L dt"; none if there are words on the left.
 std::optional<SetEquation> equation_in(const Glyphs& row) {
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     if (row.parts[i].kind == GlyphKind::prose) break;
@@ -266,7 +267,7 @@ bool leaves_out_zeros(const SetEquation& equation, const PageShape& shape) {
 
 std::vector<Display> displays(const SetEquation& equation, const PageShape& shape) {
   if (equation.entries.size() == 1) {
-    // Only the symbol of a single number loses its bold: definitions contain real vectors.
+    // Only the symbol of a single number loses its bold type: a definition contains vectors.
     const bool is_defined = std::ranges::any_of(equation.left.parts, [](const Glyphs& part) {
       return part.text == "=" || bracket_step(part) != 0;
     });

@@ -1,11 +1,11 @@
 // display: fits equations into a page, as a matrix, on one line or on several.
 //
 //     M = ( 2 x 2 )        if the columns fit side by side
-//     M_{1 2} = …          entry by entry if they do not; zeros are left out
+//     M_{1 2} = …          entry by entry if the columns do not fit; zeros are omitted
 //     a = b - 1/Δ (…       if a fraction is too wide: before the lines of its numerator;
 //     a = (…)^-1           1/(…) as a power, which can be broken into lines
 //
-// Blocks are aligned equations, whose left sides end in one column.
+// A block is a list of equations with aligned equals signs.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace elgen {
 
-/// An equation of a page as it is typeset.
+/// An equation of a page, in glyphs.
 struct SetEquation {
   Glyphs left = {};
   std::uint32_t rows = 1;
@@ -24,15 +24,15 @@ struct SetEquation {
   GlyphRows entries = {};
 };
 [[nodiscard]] SetEquation set_equation(const PageEquation& equation);
-/// The equations of a section, and its lines. In an aligned section, lines that are equations come
-/// first among the equations.
+/// The lines and the equations of a section. In an aligned section, a line that is an equation
+/// moves to the equations, before the other equations.
 struct SetSection {
   GlyphRows lines = {};
   std::vector<SetEquation> equations = {};
 };
 [[nodiscard]] SetSection set_section(const PageSection& section);
 
-/// The width for formulas, and how it is measured.
+/// The width available for formulas, and the functions that measure formulas.
 struct PageShape {
   double width = 78;
   double (*measured)(const Glyphs&) = &elgen::width;  ///< in letters by default
@@ -41,8 +41,8 @@ struct PageShape {
   double left = 0;  ///< the minimal width of left sides
 };
 
-/// `left` = a matrix, or (columns 0) lines that continue each other. Without `left` the lines are
-/// both sides of a long equation.
+/// `left` = a matrix, or, if `columns` is 0, lines that continue each other. If `left` is empty,
+/// the lines contain both sides of a long equation.
 struct Display {
   Glyphs left = {};
   std::uint32_t columns = 0;
@@ -52,32 +52,32 @@ struct Display {
 [[nodiscard]] std::vector<Display> displays(const SetEquation& equation,
                                             const PageShape& shape = {});
 
-/// Displays below each other, with aligned signs.
+/// Displays below each other, with aligned equals signs.
 using DisplayBlock = std::vector<Display>;
 
-/// Groups equations into as few blocks as possible. Equations with long left sides stand alone, as
-/// they leave too little room for the lines of others.
+/// Groups equations into as few blocks as possible. An equation with a long left side gets its own
+/// block, because it would leave too little room for the lines of other equations.
 [[nodiscard]] std::vector<DisplayBlock> aligned_blocks(const std::vector<SetEquation>& equations,
                                                        const PageShape& shape = {});
 
-/// Whether a pmatrix of all entries fits.
+/// True if a pmatrix of all entries fits the page.
 [[nodiscard]] bool fits_as_matrix(const SetEquation& equation, const PageShape& shape);
 
-/// Whether entries are listed one by one, as their matrix does not fit.
+/// True if the entries are listed one by one, because their matrix does not fit.
 [[nodiscard]] bool is_listed(const SetEquation& equation, const PageShape& shape = {});
 
-/// Whether a list leaves out the entries that are 0.
+/// True if a list omits entries that are 0.
 [[nodiscard]] bool leaves_out_zeros(const SetEquation& equation, const PageShape& shape = {});
 
-/// A matrix with names in place of its wide entries, and these entries (0 elsewhere). In a
-/// symmetric matrix only entries on and above the diagonal have names.
+/// A matrix whose wide entries are replaced by their names, and a matrix of these entries (0
+/// elsewhere). In a symmetric matrix only entries on and above the diagonal have names.
 struct NamedEntries {
   SetEquation matrix = {};
   SetEquation named = {};
 };
 [[nodiscard]] NamedEntries named_entries(const SetEquation& equation, const PageShape& shape);
 
-/// The number of lines of a block. A matrix counts as one.
+/// The number of lines of a block; a matrix counts as one line.
 [[nodiscard]] std::size_t line_count(const DisplayBlock& block);
 
 /// The LaTeX between \[ and \]: aligned or pmatrix.

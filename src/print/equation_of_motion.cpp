@@ -1,8 +1,8 @@
-// equation_of_motion: the terms a model has. It is that of the whole model, also where a scene asks
-// for some of its terms only; where none of them knows of motion it is the one at rest. The
-// variables stand on a few lines; rates are named where some function knows of them. Conserved
-// quantities follow from the entries that are 0. Where constraints hold, multipliers act beside the
-// inputs; both sides of a constraint stand as the expressions of the model, names as names.
+// equation_of_motion: the terms of the whole model, even if a scene requests only some of them. If
+// no requested function depends on motion, the equation holds at rest. Rates are named only if a
+// function depends on them. Conserved quantities follow from entries that are 0. Constraints add
+// multipliers; both sides of a constraint are printed as expressions of the model, with names
+// unexpanded.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace elgen {
 namespace {
 
-/// A term; `{}` is the place of `,t` in models with explicit time.
+/// A term; `{}` is replaced by ",t" in models with explicit time.
 using Term = std::string_view;
 
 constexpr Term mass = "M(<q>{}) <a>";
@@ -40,7 +40,7 @@ constexpr Term drift_at_rest = "<drift>(<q>,<0>{})";
 constexpr Term dissipation_at_rest = "\\frac{{\\partial D}}{{\\partial <v>}}(<q>,<0>{})";
 constexpr Term force_at_rest = "<Q>(<q>,<0>{})";
 
-/// Whether the program lacks the output or has an entry of it that is not 0.
+/// True unless the program has the output and all its entries are 0.
 bool may_be_nonzero(const Program& program, OutputKind kind) {
   for (const Function& function : program.functions) {
     if (function.kind == kind) return !is_zero(program, function);
@@ -83,7 +83,7 @@ std::string joined(const std::vector<Term>& terms, std::string_view time) {
   return text;
 }
 
-/// Whether some function depends on more than positions and forces at rest.
+/// True if some function depends on rates, momenta, accelerations or the mass matrix.
 bool knows_motion(const Model& model, const Program& program) {
   const auto knows = [&model](const Function& function) {
     const LeafSet takes = request_of(model, function.kind, function.user).takes;
@@ -107,9 +107,9 @@ Lines with_units(const List& list) {
   return names;
 }
 
-/// "(x [m], theta [rad])"; the first two and the last if the list is longer than a line.
+/// "(x [m], theta [rad])"; the first two names and the last if the list is longer than a line.
 std::string tuple(const Lines& names) {
-  constexpr std::size_t longest = 80;  // a line of 100, with "v = ", ", a = dv/dt", indents
+  constexpr std::size_t longest = 80;  // a line of 100 less "v = ", ", a = dv/dt" and indentation
   const std::string all = fmt::format("({})", fmt::join(names, ", "));
   if (names.size() <= 3 || all.size() <= longest) return all;
   return fmt::format("({}, {}, ..., {})", names[0], names[1], names.back());
@@ -125,7 +125,7 @@ Lines rates(const Model& model) {
   return names;
 }
 
-/// The unit of the i-th multiplier, "N"; empty if unknown.
+/// The unit of the i-th multiplier: "N"; "" if it is unknown.
 std::string multiplier_unit(const Model& model, std::size_t i) {
   return unit_text_of_entry(model, {OutputKind::forward_dynamics, "multipliers", i, 0});
 }
@@ -139,7 +139,7 @@ Lines multiplier_names(const Model& model) {
   return names;
 }
 
-/// Whether multipliers do no work: all constraints are on positions and free of t.
+/// True if multipliers do no work: every constraint is on positions and independent of t.
 bool constraints_stand_still(const Model& model, const Program& program) {
   if (model.constraints.empty()) return true;
   const Function* const function = find_function(program, OutputKind::constraint_residual);
@@ -149,7 +149,7 @@ bool constraints_stand_still(const Model& model, const Program& program) {
 
 // Constraints.
 
-/// Prints expressions with their names unexpanded, in the symbols of the model.
+/// Prints expressions in the symbols of the model, with their names unexpanded.
 class NamedFormulas {
  public:
   explicit NamedFormulas(const Model& model) : model_(model), symbols_(model) {}
@@ -160,7 +160,7 @@ class NamedFormulas {
     return formula_of(model_, id, [this](ExpressionId named) { return name(named); });
   }
 
-  /// "left = right" for the expression left - right, "value = 0" for others.
+  /// "left = right" for the expression left - right; "value = 0" for other expressions.
   [[nodiscard]] Formula equation(ExpressionId value) const {
     const Expression& e = model_.expressions[value];
     const bool is_pair = e.kind == ExpressionKind::add && e.operands.size() == 2;
@@ -181,7 +181,7 @@ class NamedFormulas {
         return leaf_of(symbols(), e.leaf, e.index);
       case ExpressionKind::named:
         return symbol(id, symbol_of_entry(e));
-      default: {  // a time derivative: operations are written by formula_of()
+      default: {  // a time derivative; formula_of() prints operations
         Glyphs rate = read_latex("\\frac{d}{dt} \\left( <y> \\right)");
         return symbol(id, replaced(std::move(rate), "y", glyphs_of((*this)(e.operands[0]))));
       }
@@ -218,7 +218,8 @@ class NamedFormulas {
     return symbol;
   }
 
-  /// x_F of the origin; R_{12}, omega_x of the world's axes and Omega_x of its own with F above.
+  /// x_F of the origin; R_{12}, omega_x in the world's axes and Omega_x in the frame's axes, with F
+  /// as superscript.
   [[nodiscard]] static Glyphs component_of_frame(const std::string& frame, std::uint32_t k) {
     if (k >= frame_origin && k < frame_angular_velocity) return component(frame, k % 3);
     const std::string_view letter = k < frame_origin    ? "R"

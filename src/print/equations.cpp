@@ -1,9 +1,9 @@
-// equations: instructions of a function -> readable formulas: repeated factors become powers, and
+// equations: instructions of a function -> readable formulas. Repeated factors become powers, and
 // definitions keep their names.
 //
 //     2 = multiply 0 0; 3 = multiply 1 2; 4 = cos 3        cos(m*x^2)
 //
-// Entries of at most 12 operations are written out over the leaves. Only definitions that the other
+// An entry of at most 12 operations is written out over the leaves. Only definitions that longer
 // entries need are listed.
 #include <fmt/format.h>
 
@@ -44,12 +44,12 @@ class ReadFunction {
   [[nodiscard]] Formula definition(std::uint32_t at) const {
     return folded(*this, program_, function_.instructions[at], *this);
   }
-  /// The name of an instruction, else its formula.
+  /// The name of an instruction, or its formula if it has no name.
   [[nodiscard]] Formula entry(std::uint32_t at) const {
     return is_named(at) ? names_[at] : definition(at);
   }
 
-  // The rules of fold.hpp, for operands by number.
+  // The rules of fold.hpp, for operands that are given by index.
 
   [[nodiscard]] std::uint32_t operator[](std::uint32_t operand) const { return operand; }
   [[nodiscard]] Formula constant(const Constant& constant) const {
@@ -77,7 +77,7 @@ class ReadFunction {
     }
     return call_of(function, std::move(arguments));
   }
-  /// Negates a formula. A constant is printed with its own sign.
+  /// Negates a formula. A constant keeps its sign in the number: -2, not -(2).
   [[nodiscard]] Formula negate(std::uint32_t x) const {
     const Instruction& i = function_.instructions[x];
     if (i.opcode != Opcode::constant) return negative(entry(x));
@@ -123,7 +123,7 @@ class ReadFunction {
   const Formulas& names_;
 };
 
-/// Entries that are too long to be written out.
+/// Entries that are too long to be written out over the leaves.
 std::vector<std::uint32_t> long_entries(const Function& function,
                                         const std::vector<std::size_t>& sizes) {
   std::vector<std::uint32_t> entries = entries_of(function);
@@ -131,10 +131,10 @@ std::vector<std::uint32_t> long_entries(const Function& function,
   return entries;
 }
 
-/// The operations up to which a definition is easier to read where it is used.
+/// A definition of at most this many operations is easier to read where it is used.
 constexpr std::size_t short_definition = 3;
 
-/// The formula of each name, where there is one.
+/// `formula_of` each name; empty for an empty name.
 template <class F>
 Formulas formulas_of(const std::vector<std::string>& names, const F& formula_of) {
   Formulas formulas;
@@ -153,15 +153,15 @@ LeafValues<Formula> leaf_formulas(const LeafNames& leaves) {
   return formulas;
 }
 
-/// Symbols for names, distinct from those of the model.
+/// Symbols for names, distinct from the symbols of the model.
 Formulas symbols_of(const std::vector<std::string>& names, ModelSymbols symbols) {
   return formulas_of(names, [&symbols](const std::string& name) {
     return symbol_formula(name, symbols.distinct(symbol_of_name(name)));
   });
 }
 
-/// Prints definitions and entries by name. `sizes` are lengths over the leaves alone, by which
-/// short entries are written out; if empty, none is.
+/// Prints definitions and entries by name. `sizes`: operations of each formula over the leaves,
+/// which decide if an entry is written out; if empty, no entry is.
 FunctionEquations by_names(const Program& program, const Function& function,
                            const LeafValues<Formula>& leaves, const Formulas& names,
                            const std::vector<std::size_t>& sizes) {
@@ -193,7 +193,8 @@ FunctionEquations with_needed(const Program& program, const Function& function,
   return by_names(program, function, leaves, names, sizes);
 }
 
-/// Drops the names of short definitions, and calls others without their own name xi_1, xi_2, ….
+/// Removes the names of short definitions. Other definitions without their own name become xi_1,
+/// xi_2, ….
 std::vector<std::string> read_names(const Program& program, const Function& function,
                                     const std::vector<std::size_t>& sizes) {
   std::vector<std::string> names = temporary_names(program, function);
@@ -206,8 +207,8 @@ std::vector<std::string> read_names(const Program& program, const Function& func
   return names;
 }
 
-/// Prints x for x + 0/y and x + 0*y, the guards of pivots against M_ii = 0. Instructions stay, so
-/// that the names are those of the whole function, as in code.
+/// Prints x for x + 0/y and x + 0*y, which guard pivots against M_ii = 0. The instructions remain,
+/// so that names are the same as in code.
 Function without_guards(const Program& program, Function function) {
   const std::vector<Instruction>& all = function.instructions;
   for (Field& field : function.fields) {

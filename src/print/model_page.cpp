@@ -1,4 +1,4 @@
-// model_page: the variables of a model and the equations of its outputs, under the symbols and
+// model_page: the variables of a model and the equations of its outputs, with the symbols and
 // definitions of the output table.
 #include <fmt/ranges.h>
 
@@ -50,13 +50,14 @@ std::vector<PageVariable> functions(const Model& model, const Formulas& symbols)
   return list;
 }
 
-/// "pi/10" as written, where no short number is equal to it.
+/// "pi/10" as typed, for a value that no short number equals.
 std::string value_text(const Model& model, const cln::cl_R& value,
                        const std::optional<ExpressionId>& form) {
   return form ? to_string(model, *form) : exact_text(value);
 }
 
-/// "0.5"; "0.3, 0.4"; "0.3 each"; with "(fixed)" if the value is a number in the code.
+/// "0.5"; "0.3, 0.4"; "0.3 each" for equal elements; with "(fixed)" if the code contains the value
+/// as a number.
 std::string value_text(const Model& model, const Scene& scene, const ParameterArray& array) {
   std::string text;
   bool is_uniform = true;
@@ -90,12 +91,12 @@ std::vector<PageVariable> parameters(const Model& model, const Scene& scene,
   return list;
 }
 
-/// "Mass matrix"; names of the user's own outputs are unchanged.
+/// "Mass matrix"; a user's output keeps its name.
 std::string title_of(const Function& function) {
   return output_row(function.kind).of_user ? function.name : as_title(function.name);
 }
 
-/// The definition of an output by other outputs; empty if there is none.
+/// The definition of an output by other outputs; empty if it has none.
 Formula definition_by_others(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
   if (!row.definition.empty()) return typed_formula(model, row.definition);
@@ -136,7 +137,7 @@ PageSection with_equations(const Model& model, const Program& program, std::size
   return result;
 }
 
-/// Whether a section fills more than about half a page, which nobody reads.
+/// True if a section fills more than about half a page: too much to read.
 bool fills_page(const PageSection& section) {
   constexpr std::size_t longest = 3000;
   std::size_t letters = 0;
@@ -146,7 +147,8 @@ bool fills_page(const PageSection& section) {
   return letters > longest;
 }
 
-/// The output by its definition if that says more than its equations, else by these.
+/// The equations of an output, or its definition if it has one and the equations are not readable
+/// or fill a page.
 PageSection readable_output(const Model& model, const Program& program, std::size_t index,
                             bool is_asked_for) {
   PageSection defined = by_definition(model, program.functions[index]);
@@ -156,7 +158,7 @@ PageSection readable_output(const Model& model, const Program& program, std::siz
   return is_defined && !is_asked_for && fills_page(result) ? defined : result;
 }
 
-/// Names the independent velocities of an output that takes them as an option.
+/// The documentation of an output that takes independent velocities as an option, with their names.
 std::string doc_with_independent(const Model& model, const Function& function) {
   std::vector<std::string> names;
   for (const std::uint32_t i : function.independent) {
@@ -172,7 +174,7 @@ std::string sentence(const std::string& text) {
   return has_end ? text : text + ".";
 }
 
-/// A step does not put a state back onto the constraints by itself.
+/// A step does not return a state to the constraints unless it projects.
 std::string drift_of_step(const Model& model, const StepSpec& step) {
   if (model.constraints.empty()) return {};
   return step.projects

@@ -1,7 +1,8 @@
 // named_parts: the recursions of src/derive/tree/ in textbook form: motions from the world
 // outwards, forces and composite inertias back to the world. Featherstone, Rigid Body Dynamics
-// Algorithms (2008), chapters 5 and 6. With the twist V of a frame, its own part S, and the inertia
-// G of the bodies it carries, 2 T = sum V.G V - (V - S).G (V - S), which gives M.
+// Algorithms (2008), chapters 5 and 6. For each frame, let V be its twist, S the part of V from its
+// own motion, and G the inertia of the bodies it carries. Then 2 T = sum V.G V - (V - S).G (V - S),
+// which gives M.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 namespace elgen {
 namespace {
 
-/// Both sides of an equation, where `<v>` stands for the velocities.
+/// Both sides of an equation; `<v>` is replaced by the symbol of the velocities.
 struct PartRow {
   std::string_view left;
   std::string_view right;
@@ -139,7 +140,7 @@ class FramesWriter {
     return product.is_empty() ? number_formula(1) : product;
   }
 
-  /// The motion of a step; empty if the frame is fixed.
+  /// The elementary transform of a step; empty for the identity.
   [[nodiscard]] Formula motion(const FrameStep& step) const {
     if (step.kind == FrameStepKind::translation) {
       Formula by = vector(step.vector);
@@ -167,7 +168,7 @@ class FramesWriter {
     return applied(read_latex(name), arguments);
   }
 
-  /// "z", or components if the axis is not a coordinate axis.
+  /// "z"; all three components if the axis is not a coordinate axis.
   [[nodiscard]] Glyphs axis(const FrameStep& turn) const {
     const Formula unit = vector(turn.vector);
     const auto one =
@@ -191,7 +192,7 @@ PageSection part_section(const Model& model, const std::string& doc, const Rows&
   return result;
 }
 
-/// M and the left side of the equations of motion. Of potential energies only weights are included.
+/// M and the left side of the equations of motion, with weight as the only potential force.
 std::vector<PageEquation> part_results(const Model& model, const FramesWriter& writer,
                                        bool has_weights) {
   std::vector<PageEquation> result;

@@ -1,4 +1,4 @@
-// pages: one walk over a Page for all languages, with the syntax of each.
+// pages: one traversal of a Page for all languages, and the syntax of each language.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace elgen {
 namespace {
 
-/// The syntax of a page language.
+/// The syntax of a page language: functions from content to its text.
 struct PageWords {
-  std::string (*plain)(const std::string& text);      ///< prose with escaped markup
-  std::string (*name)(const std::string& name);       ///< a name in models and programs
-  std::string (*unit)(const std::string& unit);       ///< "m/s^2"
-  std::string (*formula)(const Glyphs& glyphs);       ///< without delimiters
-  std::string (*in_line)(const Glyphs& glyphs);       ///< with the delimiters of a formula in prose
+  std::string (*plain)(const std::string& text);  ///< prose, with markup escaped
+  std::string (*name)(const std::string& name);   ///< a name in models and programs
+  std::string (*unit)(const std::string& unit);   ///< of "m/s^2"
+  std::string (*formula)(const Glyphs& glyphs);   ///< without delimiters
+  std::string (*in_line)(const Glyphs& glyphs);   ///< with the delimiters of a formula inside prose
   std::string (*equations)(const DisplayBlock& all);  ///< displayed equations
 };
 
@@ -33,7 +33,7 @@ TemplateData formula_section(const Formula& formula, const PageWords& words) {
   return section_of(formula.is_empty() ? "" : words.formula(glyphs_of(formula)));
 }
 
-/// Prose with formulas.
+/// A row of prose and formulas.
 std::string mixed(const Glyphs& row, const PageWords& words) {
   std::string text;
   for (const auto& [is_prose, prose, formula] : pieces(row)) {
@@ -46,7 +46,7 @@ std::string mixed(const Formula& formula, const PageWords& words) {
   return mixed(glyphs_of(formula), words);
 }
 
-/// A table for each kind of variables that the page has; parameters have values.
+/// A table for each kind of variable on the page; only parameters have values.
 TemplateData variables_data(const Page& page, const PageWords& words) {
   TemplateData tables(List::list);
   const auto add = [&](const std::vector<PageVariable>& variables, const std::string& word) {
@@ -70,7 +70,7 @@ TemplateData variables_data(const Page& page, const PageWords& words) {
   return tables;
 }
 
-/// Rows of cells, heads first; absent without heads.
+/// Rows of cells, starting with the heads; absent without heads.
 TemplateData cells_data(const PageTable& table, const PageWords& words) {
   const auto row_of = [&](auto first, std::size_t count) {
     TemplateData cells(List::list);
@@ -106,7 +106,7 @@ std::vector<DisplayBlock> blocks_of(const std::vector<SetEquation>& equations, b
   return blocks;
 }
 
-/// The heading of a section. A title that is the name in code is printed as code.
+/// The heading of a section. A title equal to the name in code is printed as code.
 TemplateData heading_data(const PageSection& section, const PageWords& words) {
   const bool is_name = text_of(section.title) == section.function;
   TemplateData heading;
@@ -142,8 +142,8 @@ TemplateData sections_data(const std::vector<PageSection>& sections, const PageW
   return list;
 }
 
-/// The values for the holes of templates/pages/. A section with an empty value is absent; `line`
-/// holds a text of one or more lines.
+/// The data of templates/pages/. A section with an empty value is absent; `line` is a text of one
+/// or more lines.
 TemplateData page_data(const Page& page, const PageWords& words) {
   TemplateData notes(List::list);
   for (const std::string& note : page.notes) notes << TemplateData("line", words.plain(note));
@@ -159,7 +159,7 @@ TemplateData page_data(const Page& page, const PageWords& words) {
   return data;
 }
 
-/// Returns the text, for languages without escapes.
+/// The identity, for languages without escapes.
 std::string unchanged(const std::string& text) { return text; }
 
 /// Escapes Markdown syntax in one line.
@@ -171,7 +171,7 @@ std::string markdown_text(const std::string& text) {
   return escaped(text, escapes);
 }
 
-/// Escapes LaTeX syntax. Unicode is left to inputenc.
+/// Escapes LaTeX syntax; inputenc handles Unicode.
 std::string latex_text(const std::string& text) {
   static const Escapes escapes{{'\\', "\\textbackslash{}"},
                                {'^', "\\textasciicircum{}"},
@@ -189,7 +189,7 @@ std::string latex_text(const std::string& text) {
   return escaped(text, escapes);
 }
 
-/// Longer blocks use lines that may break across pages, unlike `aligned`.
+/// Longer blocks may break across pages, which `aligned` cannot.
 constexpr std::size_t longest_block = 10;
 
 std::string latex_equations(const DisplayBlock& block) {
@@ -245,7 +245,7 @@ std::vector<std::string> html_right_sides(const Display& display) {
   return sides;
 }
 
-/// One line, or lines with aligned signs. Continuation lines are to the right of the sign.
+/// One line, or lines with aligned equals signs. Continuation lines are to the right of the sign.
 std::string html_equations(const DisplayBlock& block) {
   std::string rows;
   for (const Display& display : block) {
@@ -274,8 +274,8 @@ std::string markdown_page(const Page& page) {
   return text;
 }
 
-/// A complete document with amsmath and longtable. Its fonts are outlines. Without lmodern they are
-/// those of OT1, which lack <, > and |.
+/// A complete document with amsmath and longtable. It needs outline fonts: without lmodern, LaTeX
+/// uses OT1 fonts, which lack <, > and |.
 std::string latex_document(const Page& page) {
   const PageWords words{latex_text, latex_text, latex_unit, latex, in_dollars, latex_equations};
   return fill_template("pages/latex.tex.mustache", page_data(page, words));

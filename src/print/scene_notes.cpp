@@ -19,7 +19,7 @@ Lines fixed_parameters(const Model& model, const Scene& scene) {
   return values;
 }
 
-/// "q1 = 1/6*pi"; the components of a rotation.
+/// "q1 = 1/6*pi"; of a rotation each component.
 Lines locked_coordinates(const Model& model) {
   const Model& whole = whole_of(model);
   Lines values;
@@ -57,7 +57,7 @@ std::string left_out_text(const LeftOut& left_out) {
                      names);
 }
 
-/// The expansion point: small coordinates, and inputs if they are small.
+/// The expansion point: coordinates that are small, and inputs if they are small.
 Lines point(const Model& model) {
   const Approximation& approximation = *model.approximation;
   Lines values;
@@ -85,7 +85,7 @@ Lines small_coordinates(const Model& model) {
 }  // namespace
 
 /// "Expanded about x = 0, theta = 0, u = 0: right to order 1 in the deviations from there, the
-/// rates and the accelerations together."
+/// rates and the accelerations together."; "" without an approximation.
 std::string expansion_text(const Model& model) {
   if (!model.approximation) return {};
   const Approximation& approximation = *model.approximation;

@@ -26,7 +26,7 @@ PageShape shape_of(const Screen& screen) {
           3};
 }
 
-/// Draws formulas in the alphabet of a screen, within its width.
+/// Draws formulas in the alphabet of a screen and within its width.
 class ScreenDrawing {
  public:
   explicit ScreenDrawing(const Screen& screen)
@@ -39,7 +39,7 @@ class ScreenDrawing {
   }
 
  protected:
-  static constexpr std::size_t most_lines = 9;  ///< of one matrix on the first screen
+  static constexpr std::size_t most_lines = 9;  ///< of a matrix in the overview
 
   [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
 
@@ -72,7 +72,7 @@ class ScreenDrawing {
   PageShape shape_;
 };
 
-/// Draws the parts of an overview.
+/// Draws the variables and matrices of an overview.
 class Overview : public ScreenDrawing {
  public:
   using ScreenDrawing::ScreenDrawing;
@@ -90,8 +90,8 @@ class Overview : public ScreenDrawing {
     return fmt::format("{} = ({})", name, text);
   }
 
-  /// A matrix on one screen. Its widest entries are folded until it fits; if they all are and it
-  /// does not fit, only its size is shown.
+  /// A matrix that fits the screen. The widest entry is replaced by its width until the matrix
+  /// fits. If it still does not fit, only its size is shown.
   [[nodiscard]] std::string folded(const SetEquation& equation) const {
     std::vector<Block> cells;
     for (const Glyphs& entry : equation.entries) cells.push_back(draw(entry));
@@ -172,7 +172,7 @@ class ScreenPage : public ScreenDrawing {
            (leaves_out ? fmt::format("{}all other entries are 0\n", page_indent) : "");
   }
 
-  /// All equations side by side; empty if that is too wide, or one is no matrix that fits.
+  /// All equations side by side; "" if they do not fit the screen.
   [[nodiscard]] std::string row(const std::vector<SetEquation>& equations) const {
     Block all;
     for (const SetEquation& equation : equations) {
@@ -190,7 +190,7 @@ class ScreenPage : public ScreenDrawing {
     return text;
   }
 
-  /// Draws a display. `left` is the width of the longest left side of its block.
+  /// Draws a display. `left`: width of the longest left side in its block.
   [[nodiscard]] std::string display(const Display& part, Fractions fractions = Fractions::stacked,
                                     std::size_t left = 0) const {
     std::vector<Block> rights;
@@ -212,7 +212,7 @@ class ScreenPage : public ScreenDrawing {
     return text;
   }
 
-  /// A continuation line, whose leading sign is a binary one.
+  /// A continuation line; its leading sign is a binary operator.
   static Glyphs continued(const Glyphs& row) {
     Glyphs result{GlyphKind::row, "", {Glyphs{}}};
     append(result, row, true);
@@ -230,7 +230,7 @@ class ScreenPage : public ScreenDrawing {
   }
 };
 
-/// The terms of the equation of motion in order.
+/// The outputs that are terms of the equation of motion, in order.
 constexpr std::array overview_outputs{OutputKind::mass_matrix, OutputKind::velocity_force,
                                       OutputKind::drift,       OutputKind::gravity,
                                       OutputKind::dissipation, OutputKind::applied_force};

@@ -1,5 +1,5 @@
-// sections: titles and definitions, constraints, and recursions with named parts, which replace
-// equations that are too long to read.
+// sections: titles and definitions of outputs, constraints, and recursions with named parts, which
+// replace equations that are too long to read.
 //
 //     rod (position): (x^2 + y^2)/2 = l^2/2, omega = 10, zeta = 1
 //     A a = -gamma - 2 zeta omega r - omega^2 f
@@ -20,27 +20,27 @@ struct Heading {
 
 [[nodiscard]] Heading heading(const Model& model, const Function& function);
 
-/// One sentence from the table, or from the model for its own outputs.
+/// A sentence from the output table; for a user's output its documentation in the model.
 [[nodiscard]] std::string output_doc(const Model& model, const Function& function);
 
-/// The constraint on accelerations: second rates of positions and rates of velocities, with gains
-/// if the model has some.
+/// The constraints on accelerations: A a = -gamma, with terms -2 zeta omega r - omega^2 f if the
+/// model has gains.
 [[nodiscard]] Formula constraint_equation(const Model& model);
 
-/// One line of text for each constraint.
+/// One line of text per constraint.
 [[nodiscard]] std::vector<std::string> constraint_lines(const Model& model);
 
 /// A table of the constraints: multipliers with units, equations, gains.
 [[nodiscard]] PageSection constraint_section(const Model& model);
 
-/// Whether functions[index] has a closed form written for a reader.
+/// True if program.readable[index] has a closed form for readers.
 [[nodiscard]] bool has_readable_form(const Program& program, std::size_t index);
 
-/// Whether all kinetic energy belongs to bodies and points in frames and to armatures, so that the
-/// recursion over frames gives M and the forces.
+/// True if all kinetic energy belongs to bodies and points in frames and to armatures, so that a
+/// recursion over the frames gives M and the forces.
 [[nodiscard]] bool moves_in_frames(const Model& model);
 
-/// The sections of that recursion, from the poses of the frames to M.
+/// The sections of the recursion over frames, from the poses of the frames to M.
 [[nodiscard]] std::vector<PageSection> named_parts(const Model& model);
 
 }  // namespace elgen

@@ -1,6 +1,6 @@
 // steps: the functions of a derivation -> page sections in textbook order: the action and its
-// variation, positions, velocities, energies, constraints, then Lagrange's equation of each
-// coordinate.
+// variation, positions, velocities, energies, constraints, then Lagrange's equation for each
+// velocity.
 #include "print/steps.hpp"
 
 #include <fmt/ranges.h>
@@ -61,7 +61,7 @@ class Outline {
     return is_zero(function, field_of(line));
   }
 
-  /// Whether a multiplier acts along the velocity of the function.
+  /// True if a multiplier acts on the velocity of the function.
   [[nodiscard]] bool has_multiplier(std::size_t function) const {
     const Function& read = read_form(function);
     const std::vector<bool> needed =
@@ -77,7 +77,7 @@ class Outline {
                                                        : steps_.program.functions[function];
   }
 
-  /// The number of components to print: two for planar models.
+  /// The number of printed components: two for planar models.
   [[nodiscard]] std::uint32_t dimension() const {
     for (const Point& point : model_.points) {
       if (point.dimension == 3) return 3;
@@ -93,7 +93,7 @@ class Outline {
     return outline_.emplace_back(PageSection{.title = std::move(title), .doc = std::move(doc)});
   }
 
-  /// Adds the equation `left` = one field of a function.
+  /// Adds the equation `left` = field of a function.
   void add(Formula left, std::size_t function, std::size_t field, std::uint32_t rows = 1) {
     Formulas entries = read_[function].entries[field];
     entries.resize(rows);
@@ -101,7 +101,8 @@ class Outline {
     if (std::ranges::count(functions_, function) == 0) functions_.push_back(function);
   }
 
-  /// Appends definitions. Functions of several derivations may have definitions of the same name.
+  /// Appends the definitions that the section uses. Several functions may define the same name;
+  /// only the first definition is printed.
   void end_section() {
     std::vector<std::string> known;
     for (const std::size_t function : functions_) {
@@ -161,7 +162,8 @@ class Outline {
     end_section();
   }
 
-  /// Adds L + lambda f with the constraints on positions, those on velocities, and all f and phi.
+  /// Adds all f and phi, L + lambda f for constraints on positions, and a note on constraints on
+  /// velocities.
   void add_constraints(std::size_t function) {
     PageSection& section = add_section(prose("Constraints"), std::string(constraints_doc));
     Formulas sum = {typed_formula("L")};
@@ -222,19 +224,20 @@ class Outline {
     end_section();
   }
 
-  /// Adds d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda, written out.
+  /// Adds the equation d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda, written out.
   void add_row(std::size_t function) {
     add(read_[function].entries[field_of(BookLine::left)].front(), function,
         field_of(BookLine::force));
   }
 
-  /// Adds the rows of all velocities, then their solution or the constraints.
+  /// Adds the equations of all velocities, then the constraints and the solved accelerations.
   void add_equations(std::size_t first, std::size_t constraints) {
     PageSection& section = add_section(prose(std::string(equations_title)), "");
     const std::size_t count = model_.velocities.size();
     std::vector<std::string> long_rows;
     for (std::size_t i = 0; i < count; ++i) {
-      // Definitions of several derivations may share a name: such a row has a section of its own.
+      // Without a readable form, definitions of several functions may share a name, so the row has
+      // its own section.
       if (has_readable_form(steps_.program, first + i)) {
         add_row(first + i);
       } else {
@@ -305,9 +308,9 @@ class Outline {
   const Model& model_;
   const ReadableSteps& steps_;
   ModelSymbols symbols_;
-  std::vector<Glyphs> places_ = {};           ///< of masses
-  std::vector<FunctionEquations> read_ = {};  ///< of each function
-  std::vector<std::size_t> functions_ = {};   ///< of the section
+  std::vector<Glyphs> places_ = {};           ///< of the masses
+  std::vector<FunctionEquations> read_ = {};  ///< per function
+  std::vector<std::size_t> functions_ = {};   ///< used in the current section
   std::vector<PageSection> outline_ = {};
 };
 

@@ -1,7 +1,7 @@
-// steps: sentences that are the same in every derivation. `<q>` is a vector.
+// steps: sentences that all derivations share. `<q>` is a vector.
 //
-// Hamilton's principle, with d'Alembert's where forces work or constraints hold: Goldstein, Poole,
-// Safko, Classical Mechanics, 3rd ed., sections 1.4, 2.3 and 2.4.
+// Hamilton's principle, with d'Alembert's principle if forces work or constraints hold: Goldstein,
+// Poole, Safko, Classical Mechanics, 3rd ed., sections 1.4, 2.3 and 2.4.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 4> variation_lines{
     R"(\left[ \frac{\partial L}{\partial <v>} \cdot {\delta} <q> \right] = 0 )"
     R"(\text{, as } {\delta} <q> = <0> \text{ at both ends})"};
 
-/// Hamilton's principle, and d'Alembert's where forces work.
+/// Hamilton's principle, and d'Alembert's principle for forces that do work.
 inline constexpr std::string_view stationary =
     R"({\delta} S = 0 \text{ for every } {\delta} <q> \text{, so } )"
     R"(\frac{d}{dt} \frac{\partial L}{\partial <v>} - \frac{\partial L}{\partial <q>} = <0>)";
@@ -39,7 +39,7 @@ inline constexpr std::string_view lagrange =
     R"(\frac{d}{dt} \frac{\partial L}{\partial <v>} - \frac{\partial L}{\partial <q>} + )"
     R"(\frac{\partial D}{\partial <v>} = <Q>)";
 
-/// The same with constraints.
+/// d'Alembert's principle with constraints.
 inline constexpr std::string_view constrained_work =
     R"({\delta} W = \left( <Q> - \frac{\partial D}{\partial <v>} + A^{\top} <lambda> )"
     R"(\right) \cdot {\delta} <q> )"

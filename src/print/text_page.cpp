@@ -1,4 +1,4 @@
-// text_page: equations in the model language, one line per entry, and the cost of both forms of a
+// text_page: equations in the model language, one line per entry, and the cost of each form of a
 // function.
 #include <fmt/format.h>
 
@@ -15,8 +15,9 @@
 namespace elgen {
 namespace {
 
-/// Joins functions, with the fields of one after those of another, so that common subexpressions
-/// are computed once. Names that would clash are prefixed with the name of their function.
+/// Joins functions into one, so that common subexpressions are computed once. Fields keep the order
+/// of the functions. A marked name that is already in use gets the name of its function as a
+/// prefix.
 Function united(const Program& program, const std::vector<std::size_t>& functions) {
   Function all;
   Instructions instructions(all);
@@ -55,7 +56,7 @@ std::string definitions_text(const FunctionEquations& equations) {
   return text;
 }
 
-/// One line "(x, y)" for a column of a derivation; one line per entry for a matrix.
+/// "(x, y)" on one line for a column of a derivation; one line per entry for a matrix.
 std::string equation_text(const PageEquation& equation, bool is_tuple) {
   const std::string left = text_of(equation.left);
   if (equation.entries.size() == 1) {
@@ -71,7 +72,7 @@ std::string equation_text(const PageEquation& equation, bool is_tuple) {
   return text;
 }
 
-/// A table. The line of heads is left out if all are empty.
+/// A table, without a line of heads if all heads are empty.
 std::string table_text(const PageTable& table) {
   const auto columns = static_cast<std::ptrdiff_t>(table.heads.size());
   std::vector<std::string> cells = texts_of(table.heads);
@@ -86,12 +87,12 @@ std::string table_text(const PageTable& table) {
   return text;
 }
 
-/// Whether a page shows the equations of a function.
+/// True if a page shows the equations of a function.
 bool is_shown(const Program& program, const Function& function, const PageOptions& options) {
   return has_equations(output_row(function.kind)) && (options.zeros || !is_zero(program, function));
 }
 
-/// "3.1" digits, at most 16; "0" if none is lost; empty if it was not computed.
+/// "3.1" lost digits; "all" if no digit of a double remains, "0" if none is lost, "" if unknown.
 std::string digits_text(const std::optional<double>& loss) {
   if (!loss) return {};
   const double digits = digits_lost(*loss, ScalarKind::double_precision);

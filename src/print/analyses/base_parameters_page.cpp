@@ -1,4 +1,5 @@
-// base_parameters_page: an equation for each base parameter, in the names of the regressor.
+// base_parameters_page: an equation for each base parameter, in the inertial parameters of the
+// regressor.
 #include <fmt/format.h>
 
 #include "elgen/analysis_pages.hpp"
@@ -9,8 +10,8 @@
 namespace elgen {
 namespace {
 
-/// Symbols of parameters: of hand.Ixx I with indices, its component, then its owner; those of the
-/// model have their own.
+/// Symbols of inertial parameters. The symbol of hand.Ixx is I with its axes and then its owner as
+/// indices; parameters of the model have their own symbols.
 class ParameterSymbols {
  public:
   explicit ParameterSymbols(const Model& model)

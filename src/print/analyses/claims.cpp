@@ -1,4 +1,5 @@
-// An angle acos(n/d) or asin(n/d) exists where |n| <= |d|.
+// claims: scope and completeness of equilibria. An angle acos(n/d) or asin(n/d) exists if |n| <=
+// |d|.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ std::string words(std::size_t count) {
   return count < names.size() ? names[count] : std::to_string(count);
 }
 
-/// "in [0.5, 5]"; "= 0" if six digits do not show the sides of a box.
+/// "in [0.5, 5]"; "= 0" if the two ends of the interval agree to six digits.
 std::string side_text(const Interval& sides) {
   static const cln::cl_R shown = power_of_ten(-6);
   const cln::cl_R middle = (sides.low + sides.high) / 2;
@@ -46,7 +47,8 @@ std::string undecided_places(const Model& model, const Equilibria& equilibria) {
   return places;
 }
 
-/// Whether a wanted coordinate occurs at a point that is exact only for these parameters.
+/// True if a coordinate of some point satisfies `wanted`, and the point is an equilibrium only for
+/// these values of the parameters.
 template <class Wanted>
 bool has_inexact(const Equilibria& equilibria, const Wanted& wanted) {
   return std::ranges::any_of(equilibria.points, [&wanted](const RestPoint& point) {
@@ -64,7 +66,8 @@ std::size_t count_with_sinusoids(const Equilibria& equilibria) {
   return static_cast<std::size_t>(std::ranges::count_if(equilibria.points, has_sinusoid));
 }
 
-/// Whether a form is a product of even powers and of parameters assumed to be positive.
+/// True if a form is a product of a positive number, even powers, and parameters that are assumed
+/// to be positive.
 bool is_positive(const PageForms& known, const Fraction& product) {
   if (product.numerator.size() != 1 || !product.denominator.empty()) return false;
   const auto& [monomial, coefficient] = *product.numerator.begin();
@@ -78,7 +81,7 @@ bool is_positive(const PageForms& known, const Fraction& product) {
          });
 }
 
-/// |numerator| <= |denominator|, without bars if the sign is known.
+/// numerator| <= |denominator|, without bars around a denominator that is known to be positive.
 std::optional<Formula> condition_of(PageForms& known, const Fraction& sinusoid) {
   const Value below = divisor_of(known.forms.algebra, sinusoid);
   if (!below) return std::nullopt;
@@ -90,7 +93,7 @@ std::optional<Formula> condition_of(PageForms& known, const Fraction& sinusoid) 
   return relation(bars(std::move(*above)), std::move(*bound), "<=");
 }
 
-/// The one cosine or sine of all angles at rest; none if there are several.
+/// The cosine or sine that all angles at rest share; none if there are several.
 std::optional<Fraction> only_sinusoid(ClosedForms& forms, const Equilibria& equilibria) {
   std::optional<Fraction> only;
   for (const RestPoint& point : equilibria.points) {
@@ -123,7 +126,7 @@ Formula special_to_values(Formulas special) {
   return row_of({enumeration(std::move(special)), prose("at the parameters' values")});
 }
 
-/// The searched ranges, and the angles that were not searched: "r in [0.3, 3]; theta modulo 2*pi".
+/// The searched ranges, and the coordinates without a range: "r in [0.3, 3]; theta modulo 2*pi".
 void add_search(Formulas& clauses, const PageForms& known, const Equilibria& equilibria) {
   std::ranges::move(searched_ranges(known, equilibria), std::back_inserter(clauses));
   Formulas turns;
@@ -141,7 +144,7 @@ void add_search(Formulas& clauses, const PageForms& known, const Equilibria& equ
   }
 }
 
-/// The limit that ended the search, and the option that raises it.
+/// The limit that ended the search, and the option that raises it; "" without a limit.
 std::string limit_text(const Equilibria& equilibria) {
   const std::string& limit = equilibria.limit;
   if (limit.empty()) return {};

@@ -1,4 +1,4 @@
-// The page of equilibria: formulas, a table of points, conditions, the claim.
+// equilibria_page: formulas, a table of points, conditions, and the claim of completeness.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::string given_inputs(const Model& model, const Equilibria& equilibria) {
   return text;
 }
 
-/// K of a system with one coordinate, else none.
+/// K of a model with one coordinate; none for other models.
 Value stiffness_of(PageForms& known) {
   if (known.model.velocities.size() != 1 || known.model.coordinates.size() != 1) return {};
   const Value row = known.forms.functions[0].fields[0].entries[0];
@@ -58,7 +58,7 @@ void add_breaks(Formulas& lines, PageForms& known, const std::vector<ChartBreak>
   lines.push_back(row_of({prose("the chart breaks at"), enumeration(std::move(places))}));
 }
 
-// The page without points:
+// A page without points:
 
 Formula residual_name(const Model& model) {
   if (!model.inputs.empty()) return symbol("bias - B u", "\\mathrm{bias} - B u");
@@ -127,7 +127,7 @@ Formulas lines_of_none(const CheckedModel& checked, PageForms& known,
   return lines;
 }
 
-// The page of points:
+// A page with points:
 
 Formula rest_energy(const Equilibria& equilibria) {
   Formula potential = symbol("V0", "V_0");

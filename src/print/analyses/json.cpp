@@ -1,4 +1,4 @@
-// Results of analyses as JSON for programs. Numbers have all digits that distinguish doubles.
+// json: results of analyses for other programs. Numbers have enough digits to distinguish doubles.
 #include "base/json.hpp"
 
 #include "elgen/analysis_pages.hpp"
@@ -39,7 +39,7 @@ const char* name_of(Completeness completeness) {
   return "";
 }
 
-/// The formula of a form as text; null if it is not readable.
+/// The formula of a form as text; null if the form is not readable.
 Json form_json(const PageForms& known, const Value& form) {
   const std::optional<Formula> formula = known.read(form);
   return formula ? Json(text_of(*formula)) : Json(nullptr);

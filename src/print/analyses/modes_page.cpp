@@ -1,5 +1,5 @@
-// The page of small motions: M and K in closed form if the point has one, w^2 as formulas for
-// blocks of one or two coordinates, then numbers.
+// modes_page: small motions: M and K, in closed form if the point has one; w^2 as a formula for
+// blocks of one or two coordinates; then numbers.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -45,12 +45,12 @@ Formula place(const PageForms& known, const std::vector<cln::cl_R>& inputs, cons
   return row_of({list_of(std::move(values)), prose(verdict(point.stability.kind))});
 }
 
-/// Adds brackets to a sum.
+/// Puts a sum into brackets.
 Formula as_factor(Formula x) {
   return x.kind == FormulaKind::sum ? group(std::move(x)) : std::move(x);
 }
 
-/// A row-major matrix with the given number of columns.
+/// An equation for a row-major matrix with `columns` columns.
 template <class Number>
 PageEquation matrix_equation(std::string_view left, const std::vector<Number>& numbers,
                              std::size_t columns) {
@@ -60,13 +60,13 @@ PageEquation matrix_equation(std::string_view left, const std::vector<Number>& n
   return equation;
 }
 
-/// A matrix with readable forms as entries, else numbers.
+/// A matrix whose entries are forms if they are readable, else numbers.
 PageEquation closed_matrix(const PageForms& known, std::string_view left,
                            const std::vector<Fraction>& forms,
                            const std::vector<cln::cl_R>& numbers) {
   PageEquation matrix = matrix_equation(left, numbers, known.model.velocities.size());
   for (std::size_t i = 0; i < forms.size(); ++i) {
-    // Skips zeros, which are most entries of a long chain, since each form takes time to read.
+    // Most entries of a long chain are 0, and reading a form takes time, so zeros are skipped.
     if (forms[i].numerator.empty()) continue;
     if (auto form = known.read(forms[i])) matrix.entries[i] = std::move(*form);
   }
@@ -113,7 +113,8 @@ Formula complex_number(double real, double imaginary) {
   return row_of({six_digits(real), symbol("+-", "\\pm"), size, unit});
 }
 
-/// Adds poles: one line if nothing is damped, else a damping ratio and time constant for each.
+/// Adds the poles on one line if the point has normal modes, else in a table with damping ratios
+/// and time constants. Adds the rank of controllability if the model has inputs.
 void add_poles(Page& page, const PageForms& known, const LinearMotions& motions) {
   double largest = 0;
   for (const auto& pole : motions.poles) largest = std::max(largest, std::abs(pole));
@@ -121,7 +122,8 @@ void add_poles(Page& page, const PageForms& known, const LinearMotions& motions)
   PageTable lines{Formulas(2)};
   Formulas list;
   for (const std::complex<double>& pole : motions.poles) {
-    // Poles come from doubles: real and imaginary parts below 1e-9 of the largest are rounding.
+    // Poles are computed in doubles: a real or imaginary part below 1e-9 of the largest pole is
+    // rounding error.
     const auto shown = [&](double x) { return std::abs(x) < 1e-9 * largest ? 0.0 : x; };
     const double real = shown(pole.real());
     const double imaginary = shown(pole.imag());
@@ -215,14 +217,15 @@ void add_modes(Page& page, const PageForms& known, const std::vector<NormalMode>
            fmt::join(equal, ", ")))}});
 }
 
-/// Whether rate and frequency agree in 64 digits.
+/// True if a single mode and a single cyclic rate agree in 64 digits.
 bool have_one_period(const std::vector<NormalMode>& modes, const std::vector<cln::cl_R>& rates) {
   if (modes.size() != 1 || rates.size() != 1) return false;
   const cln::cl_R& square = modes[0].omega_squared;
   return square > 0 && is_near(Real(rates[0] * rates[0] / square), Real(1));
 }
 
-/// "steady motion: dot(phi) = 0.578704 rad/s": the rates of coordinates that the scene removed.
+/// "steady motion: dot(phi) = 0.578704 rad/s": the rates of the cyclic coordinates that the scene
+/// removed.
 void add_steady_motion(Page& page, const Model& model, const LinearMotions& motions) {
   const Model& whole = whole_of(model);
   const OracleValues rates =

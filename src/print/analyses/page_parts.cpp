@@ -1,4 +1,5 @@
-// Titles of scenes with held momenta name these. Momenta have the units of forces times s.
+// page_parts: closed forms, numbers and titles. The title of a scene with [routh] names its
+// momenta.
 #include "print/analyses/page_parts.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 namespace elgen {
 namespace {
 
-/// "N m s", "N s": the unit of a momentum is that of a force times s.
+/// "N m s", "N s": the unit of a momentum, as the unit of a force times s if possible.
 std::string unit_of_momentum(const Parameter& momentum) {
   if (!momentum.unit) return {};
   std::string text = force_unit_text(*momentum.unit / *find_unit("s")) + " s";
@@ -38,7 +39,7 @@ Formula held_momenta(const CheckedModel& checked) {
 
 }  // namespace
 
-/// A form is printed like an entry of an output, as a function with one entry.
+/// A form is printed as a function with one entry, so that it looks like an entry of an output.
 std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
                                  const std::optional<Fraction>& form) {
   if (!form) return std::nullopt;
@@ -63,7 +64,7 @@ Formula symbol(std::string text, std::string_view latex) {
 Formula wide_blank() { return symbol(" ", "\\quad"); }
 
 Formula six_digits(const cln::cl_R& value) {
-  // Newton's method stops at 58 digits of the largest coordinate.
+  // Newton's method stops at 58 digits of the largest coordinate, so smaller numbers are noise.
   static const cln::cl_R noise = power_of_ten(-40);
   return digits_formula(cln::abs(value) < noise ? "0" : short_text(value));
 }

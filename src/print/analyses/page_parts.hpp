@@ -1,4 +1,4 @@
-// Page parts: closed forms, numbers, titles and claims, in one style for all analyses.
+// page_parts: closed forms, numbers, titles and claims, in the same style for all analyses.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace elgen {
 
-/// The symbols of a model, and formulas for closed forms over its leaves.
+/// The symbols of a model, and the formulas of closed forms over its leaves.
 struct PageForms {
   PageForms(const Model& page_model, const ClosedForms& found);
 
@@ -23,13 +23,13 @@ struct PageForms {
   }
 
   const Model& model;
-  ClosedForms forms;  ///< a copy: computing with forms adds to their algebra
+  ClosedForms forms;  ///< a copy, because computing with forms extends their algebra
   LeafValues<Formula> symbols;
 };
 
 /// A symbol whose text differs from its LaTeX: "w^2".
 [[nodiscard]] Formula symbol(std::string text, std::string_view latex);
-/// A wide blank between neighbours in a row.
+/// A wide blank between two formulas of a row.
 [[nodiscard]] Formula wide_blank();
 [[nodiscard]] Formula six_digits(const cln::cl_R& value);
 [[nodiscard]] Formula six_digits(double value);
@@ -40,21 +40,23 @@ struct PageForms {
 /// "r in [0.3, 3]" for each coordinate with a searched range.
 [[nodiscard]] Formulas searched_ranges(const PageForms& known, const Equilibria& equilibria);
 
-/// Whether two points differ only in the signs of all angles acos(c).
+/// True if two points differ only in the sign of each angle acos(c).
 [[nodiscard]] bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& next);
 
-/// "exact for all values of the parameters; stability at the parameters' values; theta modulo 2*pi"
+/// "exact for all values of the parameters; stability at the parameters' values; theta modulo
+/// 2*pi": the conditions under which the points hold.
 [[nodiscard]] Formula scope_of(PageForms& known, const Equilibria& equilibria);
 
-/// "these are all at the parameters' values (proved)"
+/// "these are all at the parameters' values (proved)": whether the list is complete.
 [[nodiscard]] Formula claim_of(const Model& model, const Equilibria& equilibria);
 
 [[nodiscard]] const char* name_of(SymmetryKind kind);
 
 [[nodiscard]] inline bool is_nothing(const Value& form) { return form && form->numerator.empty(); }
 
-/// Integrals that forces do not change, as [[expect]] entries of the model. There are none for
-/// quaternions, which have no names there, and none after changes by a scene.
+/// Integrals that forces do not change, as entries of [[expect]] in the model. Integrals with
+/// quaternions are omitted, because a model cannot name their components. The list is empty if a
+/// scene changes the model.
 [[nodiscard]] std::vector<std::string> stated_integrals(const CheckedModel& checked,
                                                         PageForms& known,
                                                         const Symmetries& symmetries);

@@ -1,6 +1,5 @@
-// The page of symmetries: a row for each with its change and its integral, the claim (what is
-// conserved, by which evidence, and whether these are all), and the integrals as a model states
-// them.
+// symmetries_page: a row for each symmetry with its change and its integral; the claim (conserved
+// quantities, evidence, completeness); and the integrals in the form of [[expect]].
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +32,7 @@ Formula subject_of(const CheckedModel& checked, const Symmetries& symmetries) {
                  prose(fmt::format("constant: {}", symmetries.all.size()))});
 }
 
-/// The coordinate if it moves alone, else the kind in words.
+/// The coordinate if it is the only one that changes, else the kind of symmetry in words.
 Formula name_of(const PageForms& known, const Symmetry& symmetry) {
   if (symmetry.kind != SymmetryKind::coordinate) return prose(name_of(symmetry.kind));
   const auto moved = std::ranges::find_if(symmetry.displacement,
@@ -53,7 +52,7 @@ void add_displacement(Formulas& changes, const PageForms& known, const Formula& 
                              read_or_words(known, along)));
 }
 
-/// "(0, 0, 1)"; empty if all are 0.
+/// "(0, 0, 1)"; empty if all entries are 0.
 Formula triple(const PageForms& known, const Symmetry& symmetry, std::size_t first) {
   const std::span entries = std::span(symmetry.generator).subspan(first, axis_count);
   const auto is_zero = [](const Fraction& entry) { return entry.numerator.empty(); };
@@ -96,19 +95,20 @@ Formula change_of(const PageForms& known, const Symmetry& symmetry) {
 
 // Integrals
 
-/// "F", or "F_1", "F_2", ... if the model has a value of that name.
+/// "F"; "F_1", "F_2", ... if the model has a value of that name.
 std::string name_of_total(const Model& model) {
   std::string name = "F";
   for (int i = 1; has_value_named(model, name); ++i) name = fmt::format("F_{}", i);
   return name;
 }
 
-/// A symbol that no value of the model has, neither as text nor in LaTeX.
+/// A symbol that differs, as LaTeX, from the symbols of all values of the model.
 Formula free_symbol(const Model& model, const std::string& name) {
   return symbol_formula(name, ModelSymbols(model).distinct(symbol_of_name(name)));
 }
 
-/// "p(x)" = "m*dot(x)"; "p(x)*t - F", "F" = "m*x"; "E" = "…" with a note.
+/// An integral, as left side, equation and note: "p(x)" = "m*dot(x)"; "p(x)*t - F", "F" = "m*x";
+/// "E" = "…" with a note.
 struct IntegralLine {
   Formula left = {};
   std::optional<PageEquation> equation = {};
@@ -133,7 +133,7 @@ Formula in_one_line(const IntegralLine& integral) {
   return row_of(std::move(parts));
 }
 
-/// Whether a symmetry turns rotations about axes of the world.
+/// True if a symmetry turns a rotation about an axis of the world.
 bool turns(const Model& model, const Symmetry& symmetry) {
   const GeneratorClass all(model);
   return std::any_of(symmetry.generator.begin() + static_cast<std::ptrdiff_t>(all.world_turn(0, 0)),
@@ -162,7 +162,7 @@ IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool 
       result.left =
           row_of({std::move(result.left), prose(","), total, prose("has no closed form")});
     }
-  } else if (turns(known.model, symmetry)) {  // written out it is as long as its components again
+  } else if (turns(known.model, symmetry)) {  // the closed form would repeat the components
     result.equation = equation(free_symbol(known.model, "I"), std::move(names));
   } else if (std::optional<Formula> closed = known.read(symmetry.closed)) {
     result.equation = equation(std::move(names), std::move(*closed));
@@ -172,7 +172,7 @@ IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool 
   return result;
 }
 
-/// "d/dt" = "u*t"; none if nothing acts.
+/// "d/dt" = "u*t": the rate by which forces change the integral; none if it is 0.
 std::optional<PageEquation> rate_of(const PageForms& known, const Symmetry& symmetry) {
   if (is_nothing(symmetry.rate)) return std::nullopt;
   const Formula otherwise =
@@ -183,7 +183,7 @@ std::optional<PageEquation> rate_of(const PageForms& known, const Symmetry& symm
 
 // Rows
 
-/// The content of a row of the table, or of a block of lines.
+/// A row of the table, or a block of lines.
 struct SymmetryRow {
   Formula name = {};
   Formula change = {};
@@ -191,7 +191,7 @@ struct SymmetryRow {
   std::optional<PageEquation> rate = {};
 };
 
-/// The block "rotation: dx = -y, dy = x" with the equations below.
+/// "rotation: dx = -y, dy = x", with the equations below.
 PageSection block_of(const SymmetryRow& row) {
   PageSection block{.lines = {row_of({row.name, prose(":"), row.change})}};
   for (const Formula& line : {row.integral.left, row.integral.note}) {
@@ -228,7 +228,7 @@ std::size_t width_of(const PageTable& table) {
   return std::accumulate(widths.begin(), widths.end(), std::size_t{0});
 }
 
-/// One table row per symmetry, or lines if a row is too wide to be read.
+/// One table row per symmetry, or a block per symmetry if a row would be too wide to read.
 std::vector<PageSection> sections_of(const PageForms& known, const Symmetries& symmetries) {
   constexpr std::size_t widest = 120;
   std::vector<SymmetryRow> rows;
@@ -253,7 +253,7 @@ std::string sampled(const Symmetries& symmetries) {
   return fmt::format("sampled at {} states in 160 digits", symmetries.states);
 }
 
-/// The verdict on the integrals: "conserved: proved; ".
+/// "conserved: proved; ": the verdict on the integrals.
 std::string verdict(const Model& model, const Symmetries& symmetries) {
   if (symmetries.all.empty()) return {};
   const bool are_proved = std::ranges::all_of(symmetries.all, &Symmetry::is_proved);
