@@ -1,7 +1,7 @@
-// The driver of the header on arrays of states, seen from one state. The state is computed in a
-// batch of two packs and a half, at each of its places in turn: in full packs and in what is left
-// of them. All others have other numbers, so that a wrong stride reads or writes something else.
-// Where a place gives other bits than the first one, the entry is NaN.
+// batch_driver: the driver of the batch header, called with one state. The state is computed in a
+// batch of two and a half packs, at each place in turn: in full packs and in the remainder. The
+// other states of the batch have other numbers, so that a wrong stride reads or writes a wrong
+// number. If the bits at some place differ from the first place, the entry is NaN.
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
@@ -77,7 +77,7 @@ extern "C" void {symbol}({leaves}{scalar}* to) {{
 {appends}}}
 )";
 
-/// In a namespace of its own, because it may stand alone.
+/// Has its own namespace, because the sine driver may be compiled without the batch driver.
 constexpr std::string_view sine_prologue = R"(#include "{header}"
 
 namespace driver_of_sines {{

@@ -1,4 +1,4 @@
-// The driver of a C header, for its one scalar.
+// c99_driver: the driver of a C header, for its single scalar type.
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
@@ -8,7 +8,7 @@
 namespace elgen {
 namespace {
 
-/// `append` has a prototype, because a header of numbers alone leaves it unused.
+/// `append` has a prototype, because a header that only returns numbers does not use it.
 constexpr std::string_view c99_prologue = R"(#include "{header}"
 
 #include <stddef.h>

@@ -1,5 +1,5 @@
-// compile_timed: the timing driver, compiled and loaded, with the states that it goes through.
-// compile_steps: the loops of a step, compiled and loaded.
+// compile_timed: compiles and loads the timing driver, with arrays of the states. compile_steps:
+// compiles and loads the loops of a step.
 #include <algorithm>
 #include <utility>
 
@@ -70,7 +70,7 @@ class LoadedTiming final : public TimedFunction {
   std::vector<Scalar> results_;
 };
 
-/// Null where the symbol is missing.
+/// Null if the symbol is missing.
 template <class Scalar>
 std::unique_ptr<TimedFunction> loaded(const std::shared_ptr<const Library>& library,
                                       const std::string& symbol,

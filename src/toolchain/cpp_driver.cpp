@@ -1,5 +1,5 @@
-// The drivers of C++: of the header on arrays, of the one on types of Eigen, and of the one in a
-// wider scalar.
+// cpp_driver: the C++ drivers of the main header, of the Eigen header and of the header in a wider
+// scalar.
 #include <fmt/ranges.h>
 
 #include "elgen/artifacts.hpp"
@@ -66,17 +66,17 @@ extern "C" void {symbol}({leaves}{scalar}* result) {{
 }}
 )";
 
-/// The names and types in which the headers differ.
+/// The names and types in which the three headers differ.
 struct Types {
   std::string_view name;  ///< of the driver
   std::string header;
-  std::string functions;                           ///< their namespace
-  std::string_view vector;                         ///< an argument from flat numbers
+  std::string functions;                           ///< the namespace of the functions
+  std::string_view vector;                         ///< from flat numbers to an argument
   std::string (*array)(const Function& function);  ///< a result too large to be returned
   bool is_wide = false;
 };
 
-/// The driver, for what it wraps.
+/// A driver without its text, for questions about the functions and scalars that it wraps.
 Driver driver_without_text(const Types& types) {
   Driver driver;
   driver.is_wide = types.is_wide;

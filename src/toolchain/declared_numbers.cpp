@@ -1,4 +1,4 @@
-// declarations: a function gives the numbers one after another. For two parameters m and l[2] in
+// declarations: a function returns the numbers one after another. For two parameters m and l[2] in
 // C++:
 //
 //     const emitted::Parameters<double> in_double{};
@@ -23,19 +23,19 @@
 namespace elgen {
 namespace {
 
-/// How a language reads the declarations of a header, as patterns.
+/// Patterns with which a language reads the declarations of a header.
 struct DeclarationRow {
-  ArtifactId header;            ///< of scenes without batches
+  ArtifactId header;            ///< the header, for scenes without a batch header
   std::string_view array;       ///< {0}: namespace, {1}: its name
   std::string_view size;        ///< {}: an array
-  std::string_view linkage;     ///< of the function
-  std::string_view statement;   ///< {}: the number that it gives
+  std::string_view linkage;     ///< of the function that returns the numbers
+  std::string_view statement;   ///< {}: the number that it returns
   std::string_view constant;    ///< {0}: namespace, {1}: its name, {2}: both in capitals
   std::string_view parameters;  ///< {0}: namespace, {1}: scalar, {2}: name, {3}: {0} in capitals
   std::string_view address;     ///< {0}: scalar, {1}: the variable
 };
 
-/// Rows of compiled languages, which come first in languages.def.
+/// Rows of the compiled languages, which are the first rows of languages.def.
 constexpr std::array declaration_table{
     DeclarationRow{ArtifactId::cpp, "::{0}::{1}", "{}.size()", "extern \"C\" ",
                    "  *to++ = static_cast<double>({});\n", "::{0}::{1}",
@@ -47,7 +47,7 @@ constexpr std::array declaration_table{
 static_assert(std::ssize(declaration_table) ==
               std::ranges::count(language_table, false, &LanguageRow::is_interpreted));
 
-/// A text while it grows, beside the numbers that it has to give.
+/// Builds the text, together with the numbers that it must return.
 class DeclarationText {
  public:
   explicit DeclarationText(const DriverInput& input)
@@ -92,7 +92,7 @@ class DeclarationText {
     add_count("parameter_count", emitted_parameter_count(model, input_.program));
   }
 
-  /// The values of the model, in their order and without anything between them.
+  /// The values of the parameters, and their positions: members are in order and without padding.
   void add_parameters(ScalarKind scalar) {
     const auto arrays = emitted_parameters(input_.model, input_.program);
     if (arrays.empty()) return;
@@ -125,7 +125,7 @@ class DeclarationText {
                                                   : ScalarTraits<double>::from_real(value);
   }
 
-  /// C has no arrays without elements.
+  /// C has no arrays of zero elements, so empty arrays are skipped.
   void add_arrays() {
     const auto expression = [this](const std::string& name) {
       return fmt::format(fmt::runtime(row_.array), name_space(input_.scene), name);
@@ -140,7 +140,8 @@ class DeclarationText {
     }
   }
 
-  /// How packs reduce angles, and their polynomials: a last digit shows in few results.
+  /// The constants with which packs reduce angles, and the coefficients of their polynomials: an
+  /// error in a last digit would show in few results.
   void add_trigonometry(ScalarKind scalar) {
     const std::string table = fmt::format("Trigonometry<{}>::", name_of(scalar));
     const Numerics& numerics = input_.scene.numerics;

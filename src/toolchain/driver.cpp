@@ -1,4 +1,4 @@
-// The drivers of a scene's headers, and what those of all languages share. For a function
+// driver: the drivers of a scene's headers, and helpers that all languages share. For a function
 // inverse_dynamics(q, v, a) of two coordinates:
 //
 //     void elgen_driver_cpp_double_0(const double* p, const double* f, const double* q,
@@ -19,7 +19,7 @@
 namespace elgen {
 namespace {
 
-/// The names of all elements of the arrays that are members.
+/// The names of all elements of the emitted parameters.
 std::set<std::string> emitted_names(const DriverInput& input) {
   std::set<std::string> names;
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
@@ -30,7 +30,8 @@ std::set<std::string> emitted_names(const DriverInput& input) {
   return names;
 }
 
-/// Instructions of a unit: all headers of an arm of seven joints at once take a gigabyte.
+/// Most instructions of a program whose headers share a unit: all headers of an arm of seven joints
+/// in one unit take a gigabyte of the compiler's memory.
 constexpr std::size_t longest_together = 4096;
 
 std::size_t length_of(const Program& program) {
@@ -43,7 +44,7 @@ bool is_generic(const Scene& scene) {
   return language_row(scene.emission.language).scalars == LanguageScalars::any;
 }
 
-/// Null where no file is compiled.
+/// Null if the build does not compile the file.
 using DriverText = std::string (*)(const DriverInput& input);
 
 struct DriverRow {

@@ -1,6 +1,7 @@
-// Calls of foreign code. A library writes to memory that both processes see, so that all it has
-// computed before a crash is there; each result has room before and behind it, which shows how many
-// numbers were written, and where. The library may write anywhere, so all that is read is checked.
+// foreign_code: calls of a user's library or command. A library writes to memory that both
+// processes share, so that results computed before a crash are kept. Each result has spare room
+// before and after it, which shows how many numbers were written, and where. The library may write
+// anywhere, so everything that is read is checked.
 #include "elgen/foreign_code.hpp"
 
 #include <fmt/format.h>
@@ -37,14 +38,15 @@ struct ForeignCalls {
   const Model& model;
   const std::vector<Arguments<double>>& states;
   std::vector<Opcode> arguments;
-  std::size_t entries;  ///< of each answer, at most
+  std::size_t entries;  ///< most entries of an answer
 };
 
-/// A NaN that nothing computes.
+/// A NaN that no computation produces.
 constexpr std::uint64_t untouched = 0x7ff8'dead'0bad'c0deU;
-/// Numbers before and behind a result: a function of another shape writes there, not over others.
+/// Numbers before and after a result: a function of another shape writes there instead of over
+/// other results.
 constexpr std::size_t spare_numbers = 64;
-constexpr std::size_t most_arguments = 10;  ///< leaves of all kinds
+constexpr std::size_t most_arguments = 10;  ///< kinds of leaves
 
 std::string how_it_ended(const ForeignCalls& calls, Ending ending, int status) {
   const bool is_late = status == 128 + SIGXCPU;
@@ -69,7 +71,7 @@ void call_with(AnyFunction function, const Pointers& arguments, double* result,
   reinterpret_cast<void (*)(Pointer<i>..., double*)>(function)(arguments[i]..., result);
 }
 
-/// At least two arguments: parameters and q.
+/// Finds the overload by the number of arguments, at least two: parameters and q.
 template <std::size_t count = 2>
 void call_any(AnyFunction function, const Pointers& arguments, double* result) {
   if constexpr (count <= most_arguments) {
@@ -80,28 +82,28 @@ void call_any(AnyFunction function, const Pointers& arguments, double* result) {
 
 bool is_touched(double x) { return std::bit_cast<std::uint64_t>(x) != untouched; }
 
-/// The numbers up to the last that was written.
+/// The numbers up to the last number that was written.
 std::vector<double> written(const double* first, std::size_t count) {
   std::vector<double> numbers(first, first + count);
   numbers.erase(std::find_if(numbers.rbegin(), numbers.rend(), is_touched).base(), numbers.end());
   return numbers;
 }
 
-/// The process that may crash leaves its results here, each in a slot with room around it;
-/// `refusal`, which ends with 0: why nothing is called.
+/// The process that may crash writes its results here, each in a slot with spare room around it.
+/// `refusal` is a text that ends with 0: the reason why nothing is called.
 struct LibraryMemory {
   SharedArray<double> results;
   SharedArray<std::atomic<std::size_t>> answered;
   SharedArray<char> refusal;
-  Stream words;  ///< of the library
+  Stream words;  ///< output of the library
 
   void refuse(const std::string& text) {
     std::copy_n(text.data(), std::min(text.size(), refusal.size() - 1), &refusal[0]);
   }
 };
 
-/// In that process. Output of the library is not what elgen prints. It may ignore every signal that
-/// it can: the parent ends it.
+/// Runs in the child process. Redirects the output of the library, which must not mix with elgen's.
+/// The library may ignore signals, so the parent ends the process.
 void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& memory) {
   const auto& [code, name, seconds] = calls.function;
   for (const int output : {STDOUT_FILENO, STDERR_FILENO}) {
@@ -123,8 +125,8 @@ void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& me
   }
 }
 
-/// The results of the calls that ended, up to the first one with numbers before it: a failure. The
-/// call that has not ended may have written there, too.
+/// The results of the calls that returned. A slot with numbers before its result is a failure; the
+/// call that did not return may have written such numbers too.
 ForeignAnswers results_of(const LibraryMemory& memory, std::size_t slot, std::size_t answered) {
   ForeignAnswers answers;
   for (std::size_t first = 0; first < memory.results.size(); first += slot) {
@@ -164,8 +166,8 @@ Result<ForeignAnswers> ask_library(const ForeignCalls& calls) {
   return answers;
 }
 
-/// {"function": "forward_dynamics", "p": {"M": 1.0}, "q": [0.1], "v": [0.2]}: doubles read back as
-/// they are.
+/// {"function": "forward_dynamics", "p": {"M": 1.0}, "q": [0.1], "v": [0.2]}, with 17 digits, from
+/// which doubles are read back exactly.
 std::string request_line(const ForeignCalls& calls, const Arguments<double>& state) {
   constexpr int digits_of_double = 17;
   const auto exact = map_leaves([](double x) { return cln::cl_R(exact_value(x)); }, state);
@@ -173,7 +175,7 @@ std::string request_line(const ForeignCalls& calls, const Arguments<double>& sta
                      state_json(calls.model, exact, calls.arguments, digits_of_double));
 }
 
-/// Whole lines: a process that was ended may have begun one.
+/// Reads whole lines only: a process that was ended may have written part of a line.
 ForeignAnswers read_answers(const ForeignCalls& calls, const ProcessResult& process) {
   ForeignAnswers answers{{}, {}, quoted_lines(process.errors)};
   std::string_view rest = process.output;

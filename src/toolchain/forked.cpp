@@ -1,7 +1,7 @@
-// Children are waited for by id: this process may have others.
+// forked: waits for children by id, because this process may have other children.
 //
-// run_forked: fork without exec, so that children have all that was loaded and computed. They end
-// with this process, whatever ends it.
+// run_forked forks without exec, so that children have everything that was loaded and computed.
+// They end with this process, however it ends.
 #include "toolchain/forked.hpp"
 
 #include <poll.h>
@@ -24,7 +24,8 @@ namespace {
 constexpr int milliseconds_between_looks = 200;
 constexpr int status_of_exception = 70;
 
-/// Signals mean to a child what they mean to any process: its parent says what has happened.
+/// Restores the default handlers in a child, so that a signal ends it; the parent reports the
+/// signal.
 void forget_handlers() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM, SIGCHLD, SIGSEGV, SIGABRT,
                            SIGBUS, SIGFPE, SIGILL}) {
@@ -49,7 +50,8 @@ void forget_handlers() {
   ::_exit(0);
 }
 
-/// The first that has failed, where one has; how many still run.
+/// The ending of the first child that failed, if any; sets `running` to the number of running
+/// children.
 std::optional<ForkedEnding> failure(std::list<Child>& children, std::size_t& running) {
   running = 0;
   for (Child& child : children) {
@@ -94,7 +96,7 @@ void Child::end_group() {
 bool Child::has_ended() {
   if (has_ended_) return true;
   siginfo_t end{};
-  // WNOWAIT: until the child is waited for, no other group can get its id.
+  // WNOWAIT keeps the id reserved until the group is ended, so that no other group can get it.
   const auto id = static_cast<id_t>(id_);
   if (::waitid(P_PID, id, &end, WEXITED | WNOHANG | WNOWAIT) == 0 && end.si_pid == id_) end_group();
   return has_ended_;
@@ -134,7 +136,7 @@ ForkedEnding run_forked(std::size_t count, const std::function<void(std::size_t)
     const pid_t id = ::fork();
     if (id == 0) be_child(parent, i, work);
     if (id < 0) return {Ending::not_started, -1};
-    (void)::setpgid(id, id);  // whichever of the two comes first
+    (void)::setpgid(id, id);  // in the parent too, because either process may run first
     children.emplace_back(id);
   }
   pollfd event{signals.number(), POLLIN, 0};

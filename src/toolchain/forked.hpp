@@ -1,5 +1,5 @@
-// Child processes: their end and interrupts are signals that one poll waits for. Forked: work in
-// processes of its own, so that all cores compute, and the memory that they share.
+// forked: child processes, whose end is a signal; one poll waits for it and for interrupts.
+// run_forked spreads work over processes, so that all cores compute, with memory that they share.
 #pragma once
 
 #include <sys/mman.h>
@@ -16,7 +16,7 @@
 
 namespace elgen {
 
-/// While this lives, the end of a child is a signal that can be waited for.
+/// While this object exists, SIGCHLD is blocked, so that signalfd can report the end of a child.
 class ChildSignal {
  public:
   ChildSignal();
@@ -29,8 +29,8 @@ class ChildSignal {
   sigset_t mask_{};
 };
 
-/// A running child that leads a process group. The whole group is ended with the child, and with
-/// its owner.
+/// A running child that leads a process group. The whole group is ended with the child, and by the
+/// destructor.
 class Child {
  public:
   explicit Child(pid_t id) : id_(id) {}
@@ -40,11 +40,11 @@ class Child {
 
   [[nodiscard]] bool has_ended();
   [[nodiscard]] Ending ending() const;
-  /// Exit status; 128 + signal where a signal ended it, -1 where nothing has.
+  /// Exit status; 128 + signal if a signal ended the child; -1 while it runs.
   [[nodiscard]] int status() const;
 
  private:
-  /// Ends all that is left of the group, and waits for the child.
+  /// Ends the remaining processes of the group, and waits for the child.
   void end_group();
 
   pid_t id_;
@@ -52,21 +52,21 @@ class Child {
   bool has_ended_ = false;
 };
 
-/// Readable when a child ends or an interrupt comes; both are blocked.
+/// Readable when a child ends or an interrupt arrives; both signals must be blocked.
 [[nodiscard]] Descriptor signals_to_wait_for();
 
-/// Takes one signal; an ending one is sent again, to be there when nothing is half done any more.
-/// Whether it was such.
+/// Reads one signal. An interrupt is raised again, to be delivered once signals are unblocked. True
+/// for an interrupt.
 [[nodiscard]] bool take_interrupt(const Descriptor& signals);
 
-/// `size` zeros that forked processes write to and this one reads when they have ended. T is plain
-/// data, or a lock-free atomic of it.
+/// `size` zeros in memory that forked processes write and this process reads after they end. T is
+/// plain data, or a lock-free atomic of plain data.
 template <class T>
 class SharedArray {
  public:
   static_assert(std::is_trivially_destructible_v<T>);
 
-  /// Throws std::bad_alloc where there is no such memory.
+  /// Throws std::bad_alloc if the memory cannot be mapped.
   explicit SharedArray(std::size_t size) : size_(size) {
     void* const memory = ::mmap(nullptr, size * sizeof(T), PROT_READ | PROT_WRITE,
                                 MAP_SHARED | MAP_ANONYMOUS, -1, 0);
@@ -86,19 +86,19 @@ class SharedArray {
   std::size_t size_;
 };
 
-/// The ending of all processes: exited with 0, or how the first that failed has ended.
+/// The common ending of all processes: exit code 0, or the ending of the first process that failed.
 struct ForkedEnding {
   Ending ending = Ending::exited;
-  int status = 0;  ///< as of a ProcessResult
+  int status = 0;  ///< as in ProcessResult
 
   [[nodiscard]] bool succeeded() const { return ending == Ending::exited && status == 0; }
 };
 
-/// Calls work(0) ... work(count - 1), each in a fork of this process, and waits for all; where one
-/// fails, or an interrupt comes, the others are ended. The forks leave their results in a
-/// SharedArray, or in a file that is open before. `on_wait` is called five times a second
-/// meanwhile. The ending is out_of_time after `seconds` by the clock of this process, and if a fork
-/// uses up its processor time; a fork that throws exits 70.
+/// Calls work(0) ... work(count - 1), each in a fork of this process, and waits for all forks. If a
+/// fork fails or an interrupt arrives, the other forks are ended. Forks return results in a
+/// SharedArray, or in a file that is open before the call. `on_wait` is called about five times a
+/// second. The ending is out_of_time after `seconds` of wall-clock time, or if a fork exhausts its
+/// processor time. A fork that throws exits with 70.
 [[nodiscard]] ForkedEnding run_forked(std::size_t count,
                                       const std::function<void(std::size_t)>& work,
                                       const std::function<void()>& on_wait,

@@ -1,10 +1,10 @@
-// interpreted: a driver script imports the module, says what it declares, and answers a line of
-// numbers for every line of them. Seventeen digits tell every double:
+// interpreted: a driver script imports the module, prints its declared numbers, and answers each
+// line of numbers with a line of numbers. Seventeen digits distinguish all doubles:
 //
 //     0 1 1 2 0.75 …           ->      elgen: = 3.1415926535897931 …
 //                                      elgen: ! ZeroDivisionError: …
 //
-// Other lines are somebody's else: they are not read.
+// Lines without this prefix are output of other code and are ignored.
 #include "toolchain/interpreted.hpp"
 
 #include <fmt/ranges.h>
@@ -31,14 +31,14 @@ using Numbers = std::vector<double>;
 constexpr std::string_view start_of_line = "elgen: ";
 constexpr std::size_t most_output = std::size_t{1} << 30U;
 
-/// The command, of the environment or of the language.
+/// The command: from the environment variable of the language, or its default.
 Texts interpreter_of(const SourceSpelling& spelling) {
   const char* const chosen = std::getenv(std::string(spelling.variable).c_str());
   return words_of_command(chosen != nullptr && *chosen != '\0' ? chosen
                                                                : std::string(spelling.command));
 }
 
-/// The parameters that are given, where they stand among those of the module.
+/// The parameters that the program reads, with their numbers among all parameters of the driver.
 TemplateData parameters_data(const DriverInput& input) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   std::set<std::string> emitted;
@@ -58,7 +58,7 @@ TemplateData parameters_data(const DriverInput& input) {
   return list;
 }
 
-/// The numbers that a module declares, in the order in which the driver says them.
+/// The numbers that a module declares, in the order in which the driver prints them.
 std::vector<DeclaredNumber> declared_numbers(const DriverInput& input) {
   std::vector<DeclaredNumber> all;
   for (const DeclaredArray& array : declared_arrays(input.model, input.program)) {
@@ -124,7 +124,7 @@ std::string driver_text(const DriverInput& input) {
                                    {"defaults", defaults_data(input)}});
 }
 
-/// A line of the driver: its mark, and what stands behind it.
+/// A line of the driver: its mark and the text after it.
 struct Answer {
   std::string_view mark = {};
   std::string_view text = {};
@@ -144,8 +144,8 @@ std::vector<Answer> answers_in(std::string_view output) {
   return answers;
 }
 
-/// "3 2 1 0.10000000000000001 …": the function and all leaves, in the order of the table, behind
-/// their counts.
+/// "3 2 1 0.10000000000000001 …": the function, then for each kind of leaf, in table order, the
+/// count and the values.
 std::string question(std::size_t function, const Arguments<double>& arguments) {
   std::string line = std::to_string(function);
   for (const LeafRow& leaf : leaf_table()) {
@@ -166,11 +166,11 @@ class InterpretedModel final : public CompiledModel {
     for (const Function& function : input.program.functions) names_.push_back(function.name);
   }
 
-  /// The answers of the driver to these questions.
+  /// Runs the driver with these questions.
   [[nodiscard]] ProcessResult said(const std::string& questions) const {
     return run_apart(command_, seconds_, most_output, questions);
   }
-  /// Without the driver, whose folder has another name each time.
+  /// The command without the driver, whose folder has a random name.
   [[nodiscard]] std::string command() const {
     return fmt::format("`{}`", fmt::join(command_.begin(), command_.end() - 1, " "));
   }
@@ -229,8 +229,8 @@ class InterpretedModel final : public CompiledModel {
   Texts names_ = {};
 };
 
-/// Why there is no code to call; empty where there is. An interpreter that works says that it is
-/// ready before it reads the module. Reads the declared numbers.
+/// The reason why no code can be called; "" if it can. An interpreter that runs prints that it is
+/// ready before it imports the module. Sets the declared numbers.
 Result<std::string> first_answer(const InterpretedModel& model, std::vector<DeclaredNumber>& all) {
   const ProcessResult process = model.said("");
   if (process.ending == Ending::not_started) return model.command() + " could not be run";
@@ -251,7 +251,8 @@ Result<CompiledHeaders> interpret(const EmittedFiles& files, const DriverInput& 
                                   const Limits& limits) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   const std::string ending = fmt::format(".{}", language_row(spelling.language).ending);
-  const std::string driver = "elgen-driver" + ending;  // no model has a hyphen in its name
+  const std::string driver =
+      "elgen-driver" + ending;  // cannot collide: names of models have no hyphen
   Result<TemporaryDirectory> directory = directory_with(
       {},
       {{input.scene.base_name + ending, files.files.at(path_of(input.scene, ArtifactId::source))},

@@ -1,4 +1,4 @@
-// Interpreted: modules in languages that an interpreter runs, as compiled headers are.
+// interpreted: modules in interpreted languages, with the interface of compiled headers.
 #pragma once
 
 #include "elgen/limits.hpp"
@@ -7,9 +7,10 @@
 
 namespace elgen {
 
-/// The module, run by $PYTHON or python3 and the like, which each CompiledModel::call_all starts
-/// once. Where there is none, or one too old, its functions are lacking. E705 where it refuses the
-/// module, E706 without room for it.
+/// The module, run by the interpreter of the language ($PYTHON or python3, for instance), which
+/// each CompiledModel::call_all starts once. If no interpreter is found or it is too old, `lacking`
+/// has the reason and the header no functions. E705 if the interpreter refuses the module, E706
+/// without room for files.
 [[nodiscard]] Result<CompiledHeaders> interpret(const EmittedFiles& files, const DriverInput& input,
                                                 const Limits& limits);
 

@@ -1,4 +1,5 @@
-// Runs another program without a shell, so that spaces and quotes in paths mean nothing.
+// process: runs another program without a shell, so that spaces and quotes in paths have no
+// meaning.
 #pragma once
 
 #include <cstdint>
@@ -10,57 +11,57 @@
 namespace elgen {
 
 enum class Ending : unsigned char {
-  not_started,  ///< no such program, or it may not be run
+  not_started,  ///< the program does not exist, or is not executable
   exited,
-  signalled,    ///< a crash, or somebody ended it
-  out_of_time,  ///< ended, with all the processes it started
-  interrupted,  ///< likewise: a signal asks this process to end, and waits
+  signalled,    ///< by a crash, or by a signal from another process
+  out_of_time,  ///< elgen ended it and all processes of its group
+  interrupted,  ///< elgen ended it too, because a signal that ends elgen is pending
 };
 
-/// Seconds that stand for no limit: 34 years.
+/// Seconds that mean no limit: 34 years.
 inline constexpr std::uint64_t longest_run = 1U << 30U;
-/// Bytes that are kept of another program's messages.
+/// Bytes of another program's messages that are kept.
 inline constexpr std::size_t most_said = 1U << 14U;
 
 struct ProcessResult {
   Ending ending = Ending::not_started;
-  int status = -1;          ///< exit status; 128 + signal where a signal ended it
-  std::string output = {};  ///< what was written to stdout, first part
-  std::string errors = {};  ///< to stderr, first 16 KiB; empty where both are one
+  int status = -1;          ///< exit status; 128 + signal if a signal ended it
+  std::string output = {};  ///< the first part of stdout
+  std::string errors = {};  ///< the first 16 KiB of stderr; empty if it is merged with stdout
 
   [[nodiscard]] bool succeeded() const { return ending == Ending::exited && status == 0; }
 };
 
-/// Runs `command` (looked up in $PATH) with no input, for `seconds` at most. `output` has the first
-/// 16 KiB of stdout and stderr, in order. `temporary` is its $TMPDIR, which has what it leaves
-/// there where it is ended; empty: ours.
+/// Runs `command` (looked up in $PATH) without input, for at most `seconds`. `output` has the first
+/// 16 KiB of stdout and stderr, in order. `temporary` is its $TMPDIR, which contains its files if
+/// it is ended; empty: the $TMPDIR of elgen.
 [[nodiscard]] ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
                                 const std::string& temporary = {});
 
-/// The same with stdout and stderr apart: the first `most_output` bytes of stdout. `input` is all
-/// that its stdin has.
+/// The same with separate stdout and stderr, and the first `most_output` bytes of stdout. `input`
+/// is the whole content of stdin.
 [[nodiscard]] ProcessResult run_apart(const std::vector<std::string>& command,
                                       std::uint64_t seconds, std::size_t most_output,
                                       std::string_view input = {});
 
-/// The words between blanks: what a shell without quotes makes of a command.
+/// The words between blanks, as a shell splits a command without quotes.
 [[nodiscard]] std::vector<std::string> words_of_command(const std::string& text);
 
 /// "could not be run", "was ended by signal 11 (Segmentation fault)", "exits 1", "has not ended
 /// within 60 s"
 [[nodiscard]] std::string ending_text(Ending ending, int status, std::uint64_t seconds = 0);
 
-/// All numbers of a line, NaN and infinities among them, between blanks, commas and brackets; none
-/// where it holds something else.
+/// All numbers of a line, including NaN and infinities, separated by blanks, commas and brackets;
+/// none if the line contains other text.
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(std::string_view line);
 
-/// The words of another program, made fit for a message: without escape sequences and control
-/// characters other than line ends; what is longer than 4000 bytes is cut, and so is what is not
+/// Output of another program for use in a message: without escape sequences, and without control
+/// characters other than line ends. It is cut after 4000 bytes, or at the first byte that is not
 /// UTF-8.
 [[nodiscard]] std::string plain_text(std::string_view text);
 
-/// The same behind a colon, each line indented so that none looks like ours: ":\n    Traceback".
-/// Empty for a text without lines.
+/// plain_text() after a colon, with each line indented, so that none looks like a message of elgen:
+/// ":\n    Traceback". "" for a text without lines.
 [[nodiscard]] std::string quoted_lines(std::string_view text);
 
 }  // namespace elgen

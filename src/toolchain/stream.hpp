@@ -1,4 +1,4 @@
-// Stream: a pipe that a child writes to, and the first part of its text.
+// Stream: a pipe to which a child writes, and the first part of its text.
 #pragma once
 
 #include <fcntl.h>
@@ -27,12 +27,13 @@ class Stream {
   [[nodiscard]] bool is_open() const { return reading_.is_open(); }
   [[nodiscard]] const Descriptor& reading() const { return reading_; }
   [[nodiscard]] const Descriptor& writing() const { return writing_; }
-  /// Only the child's ends are left then.
+  /// Closes this process's end; reading then ends when the child closes its ends.
   void close_writing() { (void)writing_.close(); }
 
-  /// Reads at most what a pipe holds: a child that never stops writing must not keep us here.
+  /// Reads at most the content of one full pipe, so that a child that never stops writing cannot
+  /// block elgen.
   void drain() {
-    constexpr std::size_t largest_pipe = 1U << 20U;  // of Linux, without privileges
+    constexpr std::size_t largest_pipe = 1U << 20U;  // on Linux, without privileges
     std::array<char, 4096> part{};
     for (std::size_t reads = 0; reads <= largest_pipe / part.size(); ++reads) {
       const ssize_t count = ::read(reading_.number(), part.data(), part.size());

@@ -1,4 +1,4 @@
-// The text of the driver. For inverse_dynamics(q, v, a), one state after another:
+// timing_driver: the text of the driver. For inverse_dynamics(q, v, a), one state at a time:
 //
 //     template <class Scalar>
 //     void one_by_one(std::size_t count, ..., const Scalar* q, ..., Scalar* result) {
@@ -10,7 +10,7 @@
 //       }
 //     }
 //
-// A header in a wider scalar has emitted::wide::inverse_dynamics.
+// A header in a wider scalar is called as emitted::wide::inverse_dynamics.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -77,7 +77,7 @@ void in_packs(std::size_t count, {leaves}Scalar* result) {{
 
 )";
 
-/// A call that has one state; its numbers are gathered and scattered as one by one.
+/// One state per call; its numbers are gathered and scattered as in `one_by_one`.
 constexpr std::string_view one_per_call = R"(template <class Scalar>
 void one_per_call(std::size_t count, {leaves}Scalar* result) {{
   const auto& p = model_parameters<Scalar>();
@@ -141,11 +141,11 @@ extern "C" void {in_packs}(std::size_t count, std::size_t steps, double start, d
 }}
 )";
 
-/// The clock of models that depend on time.
+/// Sets the times, for models that depend on time.
 constexpr std::string_view step_clock =
     "    for (double& time : times) time = start + static_cast<double>({}) * length;\n";
 
-/// Behind a step, whose result is in `to`, as the next one's will be.
+/// Follows a step whose result is in `to`; writes the projected state to `from` and swaps them.
 constexpr std::string_view projection_in_packs =
     R"({clock}    emitted::batch::{function}<double>({arguments}, from);
     std::swap(from, to);
@@ -223,7 +223,7 @@ std::string pack_by_state(const DriverInput& input, const Function& function) {
                      fmt::arg("arguments", fmt::join(arguments, ",\n        ")));
 }
 
-/// `first`, and the names of q, v and t with those of all others, after it.
+/// `first`, then the arguments of the function. `state` has the expressions for q, v and t.
 std::string loop_arguments(const Model& model, const Function& function, const std::string& first,
                            const std::array<std::string_view, 3>& state) {
   std::string text = first;
@@ -237,7 +237,7 @@ std::string loop_arguments(const Model& model, const Function& function, const s
   return text;
 }
 
-/// The template that goes through the states.
+/// The template that iterates over the states.
 const char* call_of(const TimedVariant& variant) {
   if (!variant.in_packs) return "one_by_one";
   return variant.one_per_call ? "one_per_call" : "in_packs";

@@ -1,6 +1,7 @@
-// Temporary directories: mkdtemp under $TMPDIR or /tmp, removed recursively by the destructor.
-// Failing to remove is not reported: nothing depends on it. Memory may be short once, where that is
-// why the owner goes. Files are written below them as they would be below the output folder.
+// workshop: temporary directories by mkdtemp under $TMPDIR or /tmp, which the destructor removes
+// recursively. A failure to remove is not reported, because nothing depends on it. If memory is
+// short, which may be why the owner is destroyed, removal is tried twice. Files have the same
+// relative paths as in the output folder.
 #include "toolchain/workshop.hpp"
 
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
-// Workshop: a temporary directory with emitted headers and sources in it, and the user's compiler,
-// for C++ and C alike: which one, and how it turns a source into a shared object.
+// Workshop: a temporary directory with emitted headers and sources, and the user's compiler for C++
+// and C, which turns a source into a shared object.
 #pragma once
 
 #include <dlfcn.h>
@@ -18,42 +18,42 @@
 
 namespace elgen {
 
-/// The words that start the user's compiler ("g++", or "ccache", "g++").
+/// The words of the user's compiler command ("g++", or "ccache", "g++").
 using CompilerCommand = std::vector<std::string>;
 
 struct Compiler {
   CompilerCommand command = {};
-  std::uint64_t seconds = 0;  ///< for one source
-  std::string version = {};   ///< the first line of what `--version` answers
+  std::uint64_t seconds = 0;  ///< time limit for one source
+  std::string version = {};   ///< the first line of the answer to `--version`
 };
 
-/// The commands tried, in order: $CXX as one path and split at spaces; where it is not set, c++,
-/// g++, clang++.
+/// The commands to try, in order: $CXX as one path and split at spaces; if it is not set, c++, g++,
+/// clang++.
 [[nodiscard]] std::vector<CompilerCommand> compiler_candidates();
 
-/// The first candidate that answers `--version`. E704 where none does.
+/// The first candidate that answers `--version`. E704 if none does.
 [[nodiscard]] Result<Compiler> find_compiler(std::uint64_t seconds);
 
-/// Compiles `source` as C++17, a `.c` as C99. As written: with the warnings users are promised to
-/// be spared, all of them errors, and without contraction, so that bits can be compared.
+/// Compiles `source` as C++17, or a `.c` file as C99. Build::as_written turns the warnings that
+/// emitted code must not cause into errors, and disables contraction, so that bits can be compared.
 [[nodiscard]] ProcessResult compile_shared(const Compiler& compiler, Build build,
                                            const std::filesystem::path& source,
                                            const std::filesystem::path& object);
 
-/// Whether it compiles a function of one line, with the library that the source needs where that is
-/// installed.
+/// True if the compiler accepts the flags with a function of one line, and with the library that
+/// the source needs if it is installed.
 [[nodiscard]] bool takes_probe(const Compiler& compiler, Build build,
                                const std::filesystem::path& directory, const Source& source);
 
-/// Why `compiled` failed for this source: E909 out of time, E705 where the same compiler takes the
-/// probe, else E709, with the compiler's words.
+/// The error of a failed compilation: E909 out of time; E705 if the compiler refuses the source but
+/// accepts the probe; else E709. The last two contain the compiler's output.
 [[nodiscard]] Diagnostic why_refused(const Compiler& compiler, const ProcessResult& compiled,
                                      const std::filesystem::path& directory, const Source& source);
 
-/// A fresh directory that is removed, with all it holds, when its owner goes.
+/// A new directory, removed with its content by the destructor.
 class TemporaryDirectory {
  public:
-  /// A new directory, readable by this user alone, under $TMPDIR or /tmp; none where that is not
+  /// A new directory under $TMPDIR or /tmp that only this user can read; none if the parent is not
   /// writable.
   [[nodiscard]] static std::optional<TemporaryDirectory> create();
 
@@ -70,11 +70,11 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-/// One that has these files. E706 without room.
+/// A temporary directory with these files. E706 if they cannot be written.
 [[nodiscard]] Result<TemporaryDirectory> directory_with(const EmittedFiles& files,
                                                         const std::vector<Source>& sources);
 
-/// A shared object that is loaded as long as its owner lives.
+/// A shared object that is loaded while its owner exists.
 class Library {
  public:
   explicit Library(const std::filesystem::path& object)
@@ -89,7 +89,7 @@ class Library {
 
   [[nodiscard]] bool loaded() const { return handle_ != nullptr; }
 
-  /// Null where there is no such symbol. Function: a pointer to what it is.
+  /// Null if the symbol does not exist. Function: the type of a pointer to it.
   template <class Function>
   [[nodiscard]] Function find(const std::string& symbol) const {
     return reinterpret_cast<Function>(dlsym(handle_, symbol.c_str()));
@@ -99,18 +99,19 @@ class Library {
   void* handle_;
 };
 
-/// Its directory is removed with it; loaded objects stay. The owner holds NoInterrupts.
+/// Its directory is removed with it; loaded objects remain valid. The owner must hold NoInterrupts.
 class Workshop {
  public:
-  /// E704 without a compiler, E706 without room, E909 where the compiler does not answer.
+  /// E704 without a compiler, E706 if files cannot be written, E909 if the compiler does not
+  /// answer.
   [[nodiscard]] static Result<Workshop> open(const EmittedFiles& files,
                                              const std::vector<Source>& sources,
                                              const Limits& limits);
 
-  /// One of the sources, compiled and loaded. E705, E709 and E909 as of `compile`.
+  /// Compiles and loads one of the sources. E705, E709 and E909 as in `compile`.
   [[nodiscard]] Result<Library> build(const Source& source, Build build) const;
 
-  /// Whether the compiler takes the flags of this build: of a function of one line.
+  /// True if the compiler accepts the flags of this build for a probe of one line.
   [[nodiscard]] bool takes(Build build, const Source& source) const;
 
  private:
@@ -121,7 +122,7 @@ class Workshop {
   Compiler compiler_;
 };
 
-/// E705: a symbol of a driver is not in what was loaded.
+/// E705: a symbol of a driver is missing in the loaded object.
 [[nodiscard]] Diagnostic missing_function();
 
 }  // namespace elgen
