@@ -1,4 +1,4 @@
-// ASCII: kinds of characters, the same in every locale.
+// ascii: classes of characters, independent of the locale.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace elgen {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// Whether a name may go on with this character.
+/// True if a name may contain this character after the first.
 [[nodiscard]] constexpr bool is_word_character(char c) {
   return is_letter(c) || is_digit(c) || c == '_';
 }
@@ -30,7 +30,7 @@ namespace elgen {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-/// Whether `words`, which stand between spaces, have this one.
+/// True if `words`, a list with a space before and after each word, contains `word`.
 [[nodiscard]] constexpr bool has_word(std::string_view words, std::string_view word) {
   for (std::size_t at = words.find(word); at < words.size(); at = words.find(word, at + 1)) {
     const std::size_t end = at + word.size();

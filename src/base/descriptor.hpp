@@ -1,4 +1,4 @@
-// Descriptor: an open file of the system, closed with its owner.
+// Descriptor: an open file descriptor, closed by the destructor.
 #pragma once
 
 #include <unistd.h>
@@ -23,7 +23,7 @@ class Descriptor {
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
   [[nodiscard]] int number() const { return number_; }
 
-  /// Whether everything written has arrived, as far as the system says.
+  /// Closes the file. False if the system reports that written data was lost.
   bool close() {
     const int number = std::exchange(number_, -1);
     return number < 0 || ::close(number) == 0;

@@ -1,4 +1,4 @@
-// The code table, and what a set of diagnostics amounts to (order, exit code).
+// diagnostic: the table of codes; the order and the exit code of a set of diagnostics.
 #include "elgen/diagnostic.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr Code codes_of_texts[]{
 #undef ELGEN_CODE
 };
 
-/// A text is found by the number of its code.
+/// code_row() uses the number of a code as index, so both lists must have the same order.
 constexpr bool is_in_order() {
   for (std::size_t i = 0; i < std::size(codes_of_texts); ++i) {
     if (static_cast<std::size_t>(codes_of_texts[i]) != i) return false;

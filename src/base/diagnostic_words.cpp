@@ -1,5 +1,6 @@
-// Long names are cut on code point boundaries. In a workflow command a message may hold anything
-// but line ends, per cent signs and what is not seen, a property no colons and commas either.
+// diagnostic_words: cuts long names at code point boundaries. In a workflow command, a message must
+// escape line ends, per cent signs and hidden characters; a property must also escape colons and
+// commas.
 #include "base/diagnostic_words.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// diagnostic_words: what every format says of a diagnostic.
+// diagnostic_words: wording that all formats of diagnostics share.
 #pragma once
 
 #include <array>
@@ -16,21 +16,20 @@ inline constexpr std::array<std::string_view, 3> severity_words{"note", "warning
   return severity_words.at(static_cast<std::size_t>(severity));
 }
 
-/// A name may be as long as a file: of what stands in back-ticks the beginning is enough. It may
-/// hold anything: characters that are not seen, such as those that turn the direction of what
-/// follows, become their names.
+/// Cuts each text in back-ticks to 200 bytes, because a name may be as long as a file. Hidden
+/// characters, such as marks that reverse the direction of text, are replaced by their names.
 [[nodiscard]] std::string shortened(std::string_view said);
 
-/// The message and its hint.
+/// The message and its hint, separated by a semicolon.
 [[nodiscard]] std::string sentence(const Diagnostic& diagnostic);
 
-/// And not into words of the command line, or nowhere.
+/// True if the span is in a file; false for a span of the command line or without a source.
 [[nodiscard]] bool points_into_file(const Span& span);
 
-/// As given, `./` aside; "elgen" where a span points nowhere.
+/// The path as given, without `./`; "elgen" for a span without a source.
 [[nodiscard]] std::string path_of(const Span& span);
 
-/// A line by which a program tells GitHub Actions where to show a message.
+/// A command by which a program asks GitHub Actions to show a message at a place in a file.
 ///
 ///     ::warning file=models/a.toml,line=3,col=7,title=elgen diff::[gravity] vector[2]%3A -g -> g
 struct WorkflowCommand {
@@ -40,7 +39,7 @@ struct WorkflowCommand {
   std::string message = {};
 };
 
-/// Escaped as GitHub wants it, with its line end.
+/// The command with GitHub's escapes and a line end.
 [[nodiscard]] std::string text_of(const WorkflowCommand& command);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// fill_template: strict Mustache. kainjow's own context answers an unknown name with nothing; this
-// one throws, so that a misspelt hole fails the first test that renders it.
+// fill_template: strict Mustache. kainjow renders an unknown name as empty text; this context
+// throws, so that a misspelt hole fails the first test that renders it.
 #include "base/fill_template.hpp"
 
 #include <stdexcept>
@@ -19,7 +19,7 @@ class StrictContext final : public kainjow::mustache::context<std::string> {
   }
   [[nodiscard]] const TemplateData* get_partial(const std::string& name) const override {
     std::string text(template_at(template_beside(path_, name)));
-    text.pop_back();  // the line it stands on ends in the other template
+    text.pop_back();  // the including template ends the line
     return &partials_.insert_or_assign(name, TemplateData(text)).first->second;
   }
 

@@ -1,4 +1,5 @@
-// Diagnostics -> text: for people with position, message, source line, caret and hint.
+// format: diagnostics as text with position, message, source line, caret and hint; as JSON; or as
+// commands of GitHub workflows.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ Json json_position(const Span& span) {
   return json;
 }
 
-/// An object on a line of its own.
+/// A JSON object on one line.
 std::string json_line(const Diagnostic& diagnostic) {
   const CodeRow& row = code_row(diagnostic.code);
   Json json;
@@ -69,8 +70,8 @@ std::size_t code_points(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_code_point));
 }
 
-/// The text a terminal can show: tabs become single spaces, other hidden characters `?`, bytes that
-/// are no text `\x9e`.
+/// Text for a terminal: a tab becomes a space, another hidden character becomes `?`, and a byte
+/// that is not UTF-8 becomes `\x9e`.
 std::string printable(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -91,14 +92,14 @@ std::string printable(std::string_view text) {
 }
 
 struct Excerpt {
-  std::string text;        ///< the part of the line that is shown
+  std::string text;        ///< the visible part of the line
   std::size_t column = 0;  ///< code points before the caret
   std::size_t length = 1;  ///< code points under the caret
 };
 
 constexpr std::size_t widest_line = 160;
 
-/// Long lines are cut around the caret, on code point boundaries.
+/// Cuts a long line around the caret, on code point boundaries.
 Excerpt excerpt(const Span& span) {
   const LineColumn at = line_column(*span.source, span.begin);
   const std::string_view line = line_text(*span.source, at.line);
@@ -185,12 +186,12 @@ const DiagnosticFormatRow& format_row(DiagnosticFormat format) {
 }
 
 std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
-  // Programs get all.
+  // Programs read JSON, so it contains all diagnostics.
   const std::size_t maximum = style.format == DiagnosticFormat::json
                                   ? std::numeric_limits<std::size_t>::max()
                                   : style.maximum;
   std::string text;
-  std::array<std::size_t, 3> found{};  // by severity
+  std::array<std::size_t, 3> found{};  // per severity
   for (const Diagnostic& diagnostic : diagnostics) {
     const Severity severity = code_row(diagnostic.code).severity;
     if (++found.at(static_cast<std::size_t>(severity)) > maximum) continue;

@@ -1,4 +1,4 @@
-// Function slopes: the derivatives of function_derivatives.def over any arithmetic.
+// function_slopes: the derivatives of function_derivatives.def in any arithmetic.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace elgen {
 
 /// The derivatives of a function by its first and its second argument. `f` is its value at (x, y).
-/// An Operand has + - * /, products with an int, sqrt(x), and called(FunctionId, x, y).
+/// Operand needs + - * /, products with an int, sqrt(x), and called(FunctionId, x, y).
 template <class Operand>
 [[nodiscard]] std::array<Operand, 2> function_slopes(FunctionId function, const Operand& x,
                                                      const Operand& y, const Operand& f,

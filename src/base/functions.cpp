@@ -1,23 +1,24 @@
-// The table of functions: the laws of each, in the order of elgen/functions.def.
+// functions: the properties of each function, in the order of elgen/functions.def. The columns are:
 //
-// use: `anywhere`, or `forces` (kinks: no derivative is ever taken of them).
-// parity: f(-x) = f(x) `even`, in each argument but the k of stumpff; f(-x) = -f(x) `odd`.
-// smoothness: the real arguments at which it is analytic: `everywhere`; `positive`, everywhere and
-// with positive values; `poles`, everywhere but at poles; `real`, everywhere, though it branches at
-// complex arguments; `half_plane`, where the last argument is positive; `branches`, not on a
+// use: `anywhere`, or `forces` only, for functions with kinks, which are never differentiated.
+// parity: `even`, f(-x) = f(x), in each argument except the k of stumpff; `odd`, f(-x) = -f(x).
+// smoothness: the real arguments at which the function is analytic. `everywhere`; `positive`:
+// everywhere, with positive values; `poles`: except at poles; `real`: everywhere, with branch
+// points at complex arguments; `half_plane`: if the last argument is positive; `branches`: on no
 // connected domain.
-// domain: the first arguments that have a value; `up_to_one`, in magnitude.
-// units: `pure`, numbers alone; `kept`, the value has that of the argument; `shared`, the arguments
-// and the value have one; `ratio`, the arguments have one, the value none; `ignored`, the argument
-// has any, the value none.
-// roundings: errors of u in a value of the mathematical library. The manual of glibc 2.36 lists 2
-// ulp, which are 4 u, for the hyperbolic functions, and 1 ulp for log1p, expm1 and hypot; the
-// others are off by 0.6 ulp in its tests. stumpff was off by 8 u at k = 44, by 4 u up to k = 20; by
-// 17 u at k = -36, by 8 u from k = -7 on.
-// own_name: the function that emitted code defines where its library has none.
-// latex: the command in front of the arguments; empty where formulas are written otherwise.
-// exact_at, exact_value: with one argument, the number at which the value is a rational one.
-// far_values: of exponentials, whose values far out leave all ranges or have one limit.
+// domain: the first arguments for which the function has a value; `up_to_one`: |x| <= 1.
+// units: `pure`: argument and value are pure numbers; `kept`: the value has the unit of the
+// argument; `shared`: arguments and value have the same unit; `ratio`: the arguments have the same
+// unit, the value is a pure number; `ignored`: any unit, the value is a pure number.
+// roundings: error bound of the library's value, in units of u. The manual of glibc 2.36 lists 2
+// ulp, or 4 u, for the hyperbolic functions, and 1 ulp for log1p, expm1 and hypot. In its tests the
+// other functions are off by at most 0.6 ulp. Measured for stumpff: 8 u at k = 44, 4 u up to k =
+// 20, 17 u at k = -36, 8 u from k = -7 on.
+// own_name: the function that emitted code defines if the language's library lacks it.
+// latex: the command before the arguments; empty if formulas are written in another way.
+// exact_at, exact_value: for one argument: an argument at which the value is rational, and this
+// value.
+// far_values: for exponential functions: their limits at large negative and positive arguments.
 #include "elgen/functions.hpp"
 
 #include <algorithm>
@@ -38,6 +39,8 @@ using Far = FarValues;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
+/// use, parity, smoothness, domain, units, roundings, own_name, latex, exact_at, exact_value,
+/// far_values
 constexpr Row sin{anywhere, odd, everywhere, all, pure, 1, "", "\\sin", 0, 0, {}};
 constexpr Row cos{anywhere, even, everywhere, all, pure, 1, "", "\\cos", 0, 1, {}};
 constexpr Row tan{anywhere, odd, poles, all, pure, 1, "", "\\tan", 0, 0, {}};

@@ -1,4 +1,5 @@
-// Positive semidefinite second moments: all principal minors are at least zero.
+// inertia: the second moments must be positive semidefinite: all principal minors are at least
+// zero. The tolerance is 0.1 % of the trace, for rounded inertias.
 #include "elgen/inertia.hpp"
 
 #include <cln/rational.h>

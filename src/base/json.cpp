@@ -1,4 +1,4 @@
-// json: the tree is copied into one of the library, which prints it.
+// json: copies the tree into a tree of nlohmann/json, which prints it.
 #include "base/json.hpp"
 
 #include <algorithm>

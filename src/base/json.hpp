@@ -1,5 +1,5 @@
-// json: values for programs to read. nlohmann/json prints them, in json.cpp alone: a source that
-// includes that library takes two to four seconds more.
+// json: values for other programs. nlohmann/json prints them. Only json.cpp includes that library,
+// because it adds two to four seconds to the compilation of a source.
 //
 //     Json{{"name", "theta"}, {"range", {0, 1.5}}}.dump()      {"name":"theta","range":[0,1.5]}
 #pragma once
@@ -24,7 +24,7 @@ class Json {
   using Object = std::vector<std::pair<std::string, Json>>;  ///< in the order of insertion
 
   Json(std::nullptr_t = nullptr) {}
-  /// A whole number, true or false.
+  /// An integer or a boolean.
   template <std::integral Number>
   Json(Number number) : value_(Stored<Number>{number}) {}
   /// An infinite number is printed as null.
@@ -36,34 +36,34 @@ class Json {
   template <std::ranges::input_range Range>
   requires(!std::convertible_to<const Range&, std::string_view>) Json(const Range& elements)
       : value_(Array(elements.begin(), elements.end())) {}
-  /// An object if all elements are pairs whose first is a text, else an array.
+  /// An object if all elements are pairs whose first element is a text, else an array.
   Json(std::initializer_list<Json> elements);
 
   [[nodiscard]] static Json array(Array elements = {});
   [[nodiscard]] static Json object();
 
-  /// A member of an object, which is added if there is none; null becomes an object.
+  /// A member of an object, which is added if it does not exist; null becomes an object.
   Json& operator[](std::string_view key);
   /// Adds an element to an array; null becomes an array.
   Json& push_back(Json element);
-  /// Sets the members of another object in this one.
+  /// Copies the members of another object into this object.
   void update(const Json& object);
 
   [[nodiscard]] bool is_null() const { return std::holds_alternative<std::nullptr_t>(value_); }
   [[nodiscard]] bool is_object() const { return std::holds_alternative<Object>(value_); }
-  /// Whether it is an object or an array.
+  /// True for an object or an array.
   [[nodiscard]] bool is_structured() const {
     return is_object() || std::holds_alternative<Array>(value_);
   }
-  /// Whether there are no elements; only of arrays.
+  /// True if an array has no elements; the value must be an array.
   [[nodiscard]] bool empty() const { return std::get<Array>(value_).empty(); }
   [[nodiscard]] Json& back() { return std::get<Array>(value_).back(); }
 
   /// The members of an object, or the elements of an array with empty keys.
   [[nodiscard]] std::vector<std::pair<std::string_view, const Json*>> items() const;
 
-  /// The text, on one line or with so many blanks of indentation. Bytes that are no UTF-8 are
-  /// replaced; `is_ascii`: other characters are escaped.
+  /// The text, on one line or with `indent` blanks per level. Bytes that are not UTF-8 are
+  /// replaced; `is_ascii` escapes characters beyond ASCII.
   [[nodiscard]] std::string dump(int indent = -1, bool is_ascii = false) const;
 
  private:

@@ -1,8 +1,8 @@
-// The table of leaves: how each is written, and what states and functions do with it.
+// leaves: the table of leaves: their texts, and their role in states and functions.
 //
-// No two ranks are alike; numbers have 0, constants 1, and what is computed 4. Patterns have holes
-// for the name of the entry, text in models, identifier in dumps; in LaTeX s is its symbol. The
-// columns are explained in opcodes.hpp.
+// Every leaf has a different rank; numbers have rank 0, constants 1, computed values 4. In `text`
+// (of models) and `identifier` (of dumps), {} is the name of the entry; in LaTeX, s is its symbol.
+// opcodes.hpp explains the columns.
 #include <array>
 
 #include "elgen/opcodes.hpp"

@@ -1,4 +1,4 @@
-// The table behind --limits and --limit NAME=VALUE.
+// limits: the table behind --limits and --limit NAME=VALUE.
 #include "elgen/limits.hpp"
 
 namespace elgen {

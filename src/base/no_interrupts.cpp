@@ -1,4 +1,5 @@
-// no_interrupts: signals are blocked in this thread; others have to block theirs (Progress does).
+// no_interrupts: signals are blocked in this thread only; other threads must block them too, as
+// Progress does.
 #include "base/no_interrupts.hpp"
 
 #include <array>
@@ -9,7 +10,7 @@ namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-/// A blocked signal is kept even where it is ignored, so ignored ones are told apart here.
+/// Blocking keeps a signal pending even if it is ignored, so ignored signals are excluded here.
 bool is_ignored(int signal) {
   struct sigaction action {};
   sigaction(signal, nullptr, &action);

@@ -1,14 +1,14 @@
-// no_interrupts: what would end the process has to wait while something is half done.
+// no_interrupts: delays signals that would end the process in the middle of an action.
 #pragma once
 
 #include <csignal>
 
 namespace elgen {
 
-/// The signals that ask the process to end, without those it was started to ignore.
+/// The signals that ask the process to end, except signals that it was started to ignore.
 [[nodiscard]] sigset_t ending_signals();
 
-/// While this lives, ending signals wait. They arrive when it goes.
+/// Blocks ending signals while it exists. Pending signals arrive when it is destroyed.
 class NoInterrupts {
  public:
   NoInterrupts();
@@ -20,7 +20,7 @@ class NoInterrupts {
   sigset_t before_{};
 };
 
-/// Whether an ending signal waits.
+/// True if an ending signal is pending.
 [[nodiscard]] bool interrupt_waits();
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Questions to the table of outputs.
+// output_table: queries of the table of outputs.
 #include <algorithm>
 
 #include "elgen/outputs.hpp"

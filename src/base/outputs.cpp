@@ -1,9 +1,9 @@
-// The table of outputs: one row of each, by family.
+// outputs: the table of outputs, a row for each, by family.
 //
 // Equations are written in q, v, a, u, t with T = T2 + b_T.v + T0 (T2 = 1/2 v.M v), V = V0 + V1.v
-// and b = b_T - V1. Where the Lagrangian is given whole, T0 = 0 and V0 = -L(q, 0, t). With
-// rotations dq/dt = N(q) v, and [w]x is the cross product on the velocities of each rotation, 0
-// elsewhere: d/dt dL/dv + [w]x dL/dv - N^T dL/dq is what forces are equal to.
+// and b = b_T - V1. If the model gives L as a whole, T0 = 0 and V0 = -L(q, 0, t). With rotations,
+// dq/dt = N(q) v, and [w]x is the cross product on the velocities of each rotation, 0 elsewhere.
+// The generalised forces equal d/dt dL/dv + [w]x dL/dv - N^T dL/dq.
 #include "elgen/outputs.hpp"
 
 #include <array>
@@ -59,7 +59,7 @@ constexpr OutputRow input_matrix{
     .doc = "Generalized force per unit of each input.",
     .needs = {N::inputs}};
 
-// Forces, and the momentum.
+// Forces and momentum.
 
 constexpr OutputRow velocity_force{.symbol = {"C v", "C <v>"},
                                    .takes = Opcode::velocity,
@@ -198,7 +198,7 @@ constexpr OutputRow energy_function{
         "Energy function (Jacobi integral): dE/dt = v.(B u + A^T lambda + Q - dD/dv) - dL/dt.",
     .is_energy = true};
 
-// The accelerations that M is solved for, and derivatives.
+// Forward dynamics, and derivatives.
 
 #include "base/dynamics_rows.def"
 
@@ -341,7 +341,7 @@ constexpr OutputRow step_derivatives{
     .differentiates = true,
     .steps = true};
 
-/// Adds the needs that other columns imply.
+/// Sets kind and name, and adds the needs that other columns imply.
 constexpr OutputRow named(OutputKind kind, std::string_view name, OutputRow row) {
   row.kind = kind;
   row.name = name;

@@ -1,4 +1,4 @@
-// Report: collects the diagnostics of one run, each once.
+// Report: collects the diagnostics of one run without duplicates.
 #include "base/report.hpp"
 
 #include <algorithm>

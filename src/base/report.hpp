@@ -1,4 +1,4 @@
-// Report: collects the diagnostics of one run, each once.
+// Report: collects the diagnostics of one run without duplicates.
 #pragma once
 
 #include <set>
@@ -12,16 +12,16 @@ namespace elgen {
 
 class Report {
  public:
-  /// Repetition meets one mistake many times; messages at one place that differ in their numbers
-  /// only are kept once.
+  /// Drops a diagnostic if an earlier one has the same span, code and message up to digits, because
+  /// a repetition finds the same mistake for every index.
   void add(Diagnostic diagnostic);
   void add(Code code, const Span& span, std::string message, std::string hint = {});
 
   [[nodiscard]] std::size_t errors() const { return errors_; }
   [[nodiscard]] bool has(Code code) const;
-  /// Suggestions cost a search each; nobody reads the hundredth.
+  /// False from 100 errors on: a suggestion costs a search, and nobody reads the hundredth.
   [[nodiscard]] bool wants_suggestion() const { return errors_ < 100; }
-  /// Everything so far, in order of position.
+  /// All diagnostics in order of position.
   [[nodiscard]] Diagnostics sorted() const;
 
  private:

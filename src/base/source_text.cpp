@@ -1,4 +1,4 @@
-// SourceText: byte offsets to lines and columns. Columns count code points, as editors do.
+// SourceText: maps byte offsets to lines and columns. Columns count code points, as editors do.
 #include "elgen/source_text.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace elgen {
 
 namespace {
 
-/// A byte order mark is no character of the first line.
+/// A byte order mark does not count as a character of the first line.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Templates, and those they name.
+// templates: finds an embedded template, and a partial in the folder of another template.
 #include "elgen/templates.hpp"
 
 #include <fmt/format.h>

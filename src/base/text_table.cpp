@@ -1,4 +1,4 @@
-// text_table: widths first, then lines.
+// text_table: computes the widths first, then writes the lines.
 #include "base/text_table.hpp"
 
 #include <fmt/format.h>

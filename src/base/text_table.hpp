@@ -8,15 +8,16 @@
 namespace elgen {
 
 struct TextColumn {
-  bool is_right = false;   ///< cells end in one place
-  std::size_t least = 0;   ///< width
-  std::size_t before = 2;  ///< blanks in front of it
+  bool is_right = false;   ///< right-aligned
+  std::size_t least = 0;   ///< minimal width
+  std::size_t before = 2;  ///< blanks before the column
 };
 
 using TextRows = std::vector<std::vector<std::string>>;
 
-/// A line for each row, without blanks at its end. Cells behind the last column have its style.
-/// The last cell of a row needs no room in its column, unless that is right-aligned.
+/// A line for each row, without trailing blanks. Cells beyond the last column have the style of the
+/// last column. The last cell of a row does not widen its column, unless the column is
+/// right-aligned.
 [[nodiscard]] std::vector<std::string> table_lines(const TextRows& rows,
                                                    const std::vector<TextColumn>& columns);
 

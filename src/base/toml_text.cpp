@@ -1,4 +1,4 @@
-// Quoting, and columns: each but the last is padded to its widest cell.
+// toml_text: quoting, and columns padded to their widest cell.
 #include "base/toml_text.hpp"
 
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-// TOML as a person would align it.
+// toml_text: TOML with aligned columns.
 #pragma once
 
 #include <string>
@@ -10,17 +10,16 @@
 
 namespace elgen {
 
-/// Rows of cells, each column as wide as its widest cell; the last cell of a row is as wide as it
-/// is.
+/// Rows of cells, each column as wide as its widest cell. The last cell of a row is not padded.
 [[nodiscard]] std::vector<std::string> aligned(const TextRows& rows);
 
-/// In quotes, with what TOML escapes; hidden characters as their names.
+/// A quoted TOML string with its escapes; hidden characters are replaced by their names.
 [[nodiscard]] std::string toml_string(std::string_view text);
 
-/// The digits of a number; in quotes where TOML would not hold so wide an integer.
+/// The digits of a number, quoted if the integer is too wide for TOML.
 [[nodiscard]] std::string toml_number(std::string_view digits);
 
-/// As it is where TOML takes it bare, else in quotes.
+/// A bare key if TOML allows it, else quoted.
 [[nodiscard]] std::string toml_key(std::string_view key);
 
 /// "[1, 2]"
@@ -29,10 +28,10 @@ namespace elgen {
 /// Entries "a = 1" become "{ a = 1, b = 2 }".
 [[nodiscard]] std::string toml_inline_table(const std::vector<std::string>& entries);
 
-/// One line, whatever the text contains.
+/// A comment of one line for any text.
 [[nodiscard]] std::string toml_comment(std::string_view text);
 
-/// `[[header]]` and its keys, their equals signs in one column.
+/// `[[header]]` and its keys, with aligned equals signs.
 class TomlTable {
  public:
   explicit TomlTable(std::string header) : header_(std::move(header)) {}

@@ -1,8 +1,7 @@
-// Units: arithmetic on rational powers of m, kg, s, A, K, the table of known names, and their
-// spelling.
+// units: arithmetic on rational powers of m, kg, s, A, K; the table of unit names; and the text of
+// a unit.
 //
-// Exponents are kept in lowest terms; beyond `exponent_limit` they saturate, which no physical unit
-// reaches.
+// Exponents are in lowest terms. They saturate at `exponent_limit`, which no physical unit reaches.
 #include "elgen/units.hpp"
 
 #include <fmt/ranges.h>
@@ -45,7 +44,7 @@ Unit integer_unit(std::int32_t m, std::int32_t kg, std::int32_t s, std::int32_t 
   return Unit{{{{m, 1}, {kg, 1}, {s, 1}, {ampere, 1}, {kelvin, 1}}}};
 }
 
-/// A unit spelled as a product: powers of at most one derived unit and of the base units.
+/// A unit written as a product of powers of at most one derived unit and of the base units.
 struct UnitSpelling {
   std::string text;
   std::int64_t cost = 0;
@@ -61,10 +60,9 @@ std::string spelled_power(std::string_view name, std::int32_t numerator, std::in
   return text;
 }
 
-/// Heads the numerator with `derived` ("" for none); kg goes before m, as it is said.
+/// Puts `derived` ("" for none) first in the numerator. kg precedes m, as usual in speech.
 UnitSpelling spell(std::string_view derived, const Unit& rest) {
-  // A derived unit has to save this many base powers to be worth its place: m/s^2 stays, kg*m/s^2
-  // is N.
+  // A derived unit must save more base powers than this: m/s^2 remains, kg*m/s^2 becomes N.
   constexpr std::int64_t derived_cost = 3;
   constexpr std::array<std::size_t, base_unit_count> order{1, 0, 2, 3, 4};
   std::vector<std::string> above;
@@ -89,12 +87,13 @@ UnitSpelling spell(std::string_view derived, const Unit& rest) {
   return result;
 }
 
-/// Hz and rad are spelled 1/s and 1: a rate in rad/s is not a frequency.
+/// Hz and rad are written as 1/s and 1, because a rate in rad/s is not a frequency.
 bool is_spelled_by_name(const UnitRow& row) {
   return row.name != "Hz" && row.name != "rad" && row.name != "1";
 }
 
-/// At most one factor or divisor, and not kg, which is in the derived unit: N/s, J*m.
+/// True for at most one factor or divisor besides the derived unit, and no kg, which the derived
+/// unit contains: N/s, J*m.
 bool stands_beside_derived(const Unit& rest) {
   constexpr std::size_t kilogram = 1;
   std::int64_t count = 0;

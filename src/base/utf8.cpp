@@ -1,4 +1,4 @@
-// UTF-8 as RFC 3629 has it: no overlong forms, no surrogates, nothing beyond U+10FFFF.
+// utf8: UTF-8 as in RFC 3629: no overlong forms, no surrogates, nothing beyond U+10FFFF.
 #include "base/utf8.hpp"
 
 #include <fmt/format.h>
@@ -14,10 +14,10 @@ namespace elgen {
 namespace {
 
 struct ByteForm {
-  unsigned char mask;  ///< the bits of the first byte that tell the length
-  unsigned char mark;  ///< their value
+  unsigned char mask;  ///< bits of the first byte that encode the length
+  unsigned char mark;  ///< the value of these bits
   std::size_t bytes;
-  char32_t smallest;  ///< below, a shorter form exists
+  char32_t smallest;  ///< a smaller code point has a shorter form
 };
 
 constexpr std::array<ByteForm, 4> forms{ByteForm{0x80, 0x00, 1, 0x0}, ByteForm{0xE0, 0xC0, 2, 0x80},
@@ -29,7 +29,7 @@ struct CodePoints {
   char32_t last;
 };
 
-/// Categories Cc, Cf, Zl and Zp of Unicode 15, letters that are drawn as nothing, and tags.
+/// Categories Cc, Cf, Zl and Zp of Unicode 15, letters without a visible glyph, and tags.
 constexpr std::array hidden{
     CodePoints{0x0000, 0x001F},   CodePoints{0x007F, 0x009F},   CodePoints{0x00AD, 0x00AD},
     CodePoints{0x034F, 0x034F},   CodePoints{0x0600, 0x0605},   CodePoints{0x061C, 0x061C},

@@ -1,4 +1,4 @@
-// Wording: user text made fit for a message, counts and suggestions.
+// wording: user text for messages, counts, and suggestions.
 #include "elgen/wording.hpp"
 
 #include <algorithm>
@@ -12,7 +12,8 @@ namespace elgen {
 
 namespace {
 
-/// Insertions, deletions, substitutions and transpositions of neighbours that turn `a` into `b`.
+/// The number of insertions, deletions, substitutions and swaps of neighbours that turn `a` into
+/// `b` (optimal string alignment).
 std::size_t distance(std::string_view a, std::string_view b) {
   std::array<std::vector<std::size_t>, 3> rows;
   for (auto& row : rows) row.assign(b.size() + 1, 0);
@@ -86,9 +87,9 @@ std::string counted(std::size_t count, std::string_view noun) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
-  constexpr std::size_t longest_word = 64;  // beyond, nobody means a near miss
+  constexpr std::size_t longest_word = 64;  // a longer word is no typing error
   if (word.empty() || word.size() > longest_word) return {};
-  // One slip in a short word, one in three letters of a long one.
+  // The distance allowed: 1 for a short word, a third of the letters for a long word.
   const std::size_t allowed = std::max<std::size_t>(1, word.size() / 3);
   std::size_t best = allowed + 1;
   std::string result;
