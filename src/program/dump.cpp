@@ -17,7 +17,7 @@ std::string list_line(std::string_view word, const std::vector<std::string>& nam
   return names.empty() ? "" : fmt::format("{} {}\n", word, fmt::join(names, " "));
 }
 
-/// The parameters of which that is assumed.
+/// One line with the parameters under this assumption; "" if there are none.
 std::string assumption_line(std::string_view word, const LeafNames& leaves, Assumption wanted) {
   std::vector<std::string> names;
   for (std::uint32_t i = 0; i < leaves.parameters.size(); ++i) {
@@ -26,7 +26,7 @@ std::string assumption_line(std::string_view word, const LeafNames& leaves, Assu
   return list_line(word, names);
 }
 
-/// Without spaces, so that it is one word of a line.
+/// Spaces are removed, because a constant is one word of its line.
 std::string constant_text(const Constant& constant) {
   std::string text = text_of(constant.form);
   std::erase(text, ' ');
@@ -91,7 +91,7 @@ std::string dump(const Program& program) {
                      assumption_line("nonnegative", program.leaves, Assumption::nonnegative) +
                      list_line("open_values", program.leaves.f) +
                      list_line("coordinates", program.leaves.q);
-  // Where nothing rotates, velocities are called as their coordinates.
+  // Without rotations the velocities have the names of their coordinates.
   if (program.leaves.v != program.leaves.q) {
     text += list_line("velocities", program.leaves.v);
   }

@@ -1,8 +1,8 @@
-// check_invariants: what holds of every Program after every pass.
+// check_invariants: properties of every Program after every pass.
 //
-// Operands come before their users, leaves and constants exist, nothing is computed twice but by
-// repetitions, which do the same in the same order, nothing is dead, every field has rows * columns
-// entries, and unused operand slots are zero (so that equal means equal bytes).
+// Operands precede their users. Leaves and constants exist. Nothing is computed twice, except in
+// repetitions, which execute the same operations in the same order. No instruction is dead. Every
+// field has rows * columns entries. Unused operand slots are 0, so that equal means equal bytes.
 #include <fmt/core.h>
 
 #include <stdexcept>
@@ -66,17 +66,18 @@ std::string broken_field(const Function& function) {
   return "";
 }
 
-/// Whether an operand is that of the repetition before, one repetition further on.
+/// True if the operand is the previous repetition's, shifted by one length. Operands before the
+/// repetitions may be any.
 bool is_shifted(std::uint32_t before, std::uint32_t now, std::size_t first, std::uint32_t length) {
   return before < first ? now < first : now == before + length;
 }
 
-/// Vectors of the compiler have these alone.
+/// Operations that the compiler's vector types support.
 bool is_arithmetic(const Instruction& instruction) {
   return instruction.opcode != Opcode::call && instruction.opcode != Opcode::square_root;
 }
 
-/// Operands stand before their users, so those of the first repetition are of it or before it.
+/// Operands precede their users, so operands of the first repetition lie in it or before it.
 std::string broken_repetition(const Function& function) {
   const auto& [length, count] = function.repeated;
   const std::size_t size = std::size_t{length} * count;

@@ -1,7 +1,5 @@
-// Program, measured and pruned: operands, sizes, operations executed, cost; backwards over the
-// instructions for what is needed, forwards to renumber it.
-//
-// The table of costs is one function; which opcode counts as what is one switch.
+// Program: operand counts, sizes, operation counts, cost, and pruning. Pruning marks needed
+// instructions backwards and renumbers them forwards.
 #include "elgen/program.hpp"
 
 #include <cln/integer.h>
@@ -203,7 +201,7 @@ void take_name(std::string& known, const std::string& name) {
 
 namespace {
 
-/// Whether what is repeated stands at the end of the order as it stood.
+/// True if `order` ends with the repeated instructions in their old order.
 bool keeps_repetitions(const Function& function, const std::vector<std::uint32_t>& order) {
   std::size_t old = function.instructions.size();
   const std::size_t size = old - first_repeated(function);

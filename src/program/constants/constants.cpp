@@ -1,7 +1,7 @@
-// Constants as forms: equality and signs, values, formulas.
+// Constants as forms: equality, signs, values and formulas.
 //
-// Where digits cancel, or an angle is large, a form is evaluated again with more digits. In
-// formulas weights are signs, or exponents.
+// If digits cancel, or an angle is large, a form is evaluated again with more digits. The weight of
+// a part is a sign in sums and an exponent in products.
 #include <cln/integer.h>
 #include <cln/rational.h>
 
@@ -16,9 +16,9 @@
 namespace elgen {
 namespace {
 
-/// The digits to which a constant is known.
+/// Correct digits of every constant.
 constexpr int promised_digits = 200;
-/// Digits of the floats, tried in turn until the promise is kept.
+/// Digits of the floating-point numbers, tried in turn until `promised_digits` are correct.
 constexpr std::array<int, 4> working_digits{220, 440, 880, 1760};
 
 Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with);
@@ -60,7 +60,7 @@ Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
   }
 }
 
-/// Errors of what no length tells may grow beyond all floats.
+/// Unknown if an error bound overflows: it grows without limit if no precision decides the form.
 Enclosed value_with(const ConstantForm& form, int digits) {
   try {
     return value_of(form, EnclosedArithmetic(digits));
@@ -78,7 +78,7 @@ Formula sum_formula(const std::vector<ConstantPart>& parts) {
   return sum_of(std::move(terms));
 }
 
-/// The base with its exponent; a sum of one negative term keeps its sign in brackets.
+/// Base with exponent. A sum of one negative term keeps its sign in brackets: (-x)^2.
 Formula raised(const ConstantPart& factor) {
   const bool is_signed = factor.form.kind == ConstantKind::sum && factor.form.parts.size() == 1;
   Formula base = constant_formula(factor.form);
@@ -157,8 +157,8 @@ std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form) {
     last = found.number;
     if (last->error <= share * cln::abs(last->value)) return last;
   }
-  // A sum that cancels to so little at full length is taken for 0. Where no length tells, there is
-  // no value.
+  // The sum cancels. It counts as 0 if its absolute error is that small. Otherwise no precision
+  // decides, and the constant has no value.
   const bool is_negligible = last && last->error <= share;
   return is_negligible ? last : std::nullopt;
 }

@@ -1,5 +1,5 @@
-// L = v.p - E, so that it does not contain t where E and p do not. A momentum is constant where its
-// row of dL/dq, of the forces and of B, and its column of A are 0.
+// L = v.p - E, so L contains no t if E and p contain none. A momentum is constant if its row of
+// dL/dq, of the forces and of B and its column of A are 0.
 #include "program/evaluate/conservation.hpp"
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 namespace elgen {
 namespace {
 
-/// Whether the entries of an output are 0 that stand in one row, or in one column.
+/// True if the entries selected by `stands` are proved to be 0. Without `needs_proof`, sampled
+/// zeros suffice, and a missing function counts as 0.
 template <class Stands>
 bool are_zero(const Program& program, OutputKind kind, bool needs_proof, const Stands& stands) {
   const Function* const function = find_function(program, kind);

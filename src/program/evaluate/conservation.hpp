@@ -1,5 +1,5 @@
-// Conservation: the momenta that nothing changes, and what changes the energy, as those entries of
-// outputs tell that are the number 0.
+// Conservation: constant momenta and causes of energy change. Both follow from entries of outputs
+// that are the number 0.
 #pragma once
 
 #include "elgen/model.hpp"
@@ -8,17 +8,17 @@
 namespace elgen {
 
 struct Conservation {
-  std::vector<std::uint32_t> momenta = {};  ///< velocities, those of rotations aside
-  bool is_forced = false;                   ///< by an input, a force or dissipation
-  bool has_time = false;                    ///< whether L contains t, as E or a momentum does
+  std::vector<std::uint32_t> momenta = {};  ///< indices of velocities, never of angular ones
+  bool is_forced = false;                   ///< an input, a force or dissipation acts
+  bool has_time = false;                    ///< L contains t: E or a momentum does
 };
 
-/// `has_inputs`: whether inputs act. Where zeros need no proof, those count that were found by
-/// sampling, and outputs that the program does not have.
+/// `has_inputs`: inputs act on the system. Without `needs_proof`, zeros found by sampling count,
+/// and an output that the program lacks counts as zero.
 [[nodiscard]] Conservation find_conservation(const Model& model, const Program& program,
                                              bool has_inputs, bool needs_proof);
 
-/// Whether a function contains t. An open value does where an argument of its function does.
+/// True if the function contains t, directly or in an argument of an open value.
 [[nodiscard]] bool contains_time(const Model& model, const Function& function);
 
 }  // namespace elgen

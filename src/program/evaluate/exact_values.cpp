@@ -18,7 +18,7 @@ std::vector<Real> from_oracle(const Subject& subject, const State& state, Output
   return values;
 }
 
-/// Undefined where one of them is.
+/// Undefined if any value is undefined.
 Real largest_magnitude(const std::vector<Real>& values) {
   Real largest;
   for (const Real& value : values) largest = max(largest, abs(value));
@@ -33,7 +33,8 @@ ExactValues::ExactValues(const Subject& subject, State state)
   for (const Function& function : subject_.program.functions) {
     const std::vector<Real> values = evaluate_instructions(subject_.program, function, arguments_);
     const Real here = largest_magnitude(values);
-    // A function undefined here fails or skips its own rows only.
+    // If a function is undefined here, only its own rows fail or are skipped; the floor stays
+    // defined.
     if (here.is_defined()) largest = max(largest, here);
     values_[{function.kind, function.user}] = entries_of(function, values);
   }
@@ -67,7 +68,7 @@ Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
   const Model& model = subject_.model;
   if (model.functions.empty()) return direction;
   const State along = map_leaves([](const Real& x) -> cln::cl_R { return x.value(); }, direction);
-  // Functions and their derivatives share arguments, whose slopes cost most.
+  // Memoised: functions and their derivatives share arguments, and slopes of arguments cost most.
   std::map<std::uint32_t, Real> found;
   const auto slope_of = [&](std::uint32_t argument) {
     const auto known = found.find(argument);

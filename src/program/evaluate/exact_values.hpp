@@ -1,5 +1,5 @@
-// ExactValues: every function of a program at one state in 64 digits, and derivatives along
-// directions. Balance: sums of them that have to vanish.
+// ExactValues: every function of a program at one state in 64 digits, with directional derivatives.
+// Balance: sums that must vanish, and their residual.
 #pragma once
 
 #include <map>
@@ -20,15 +20,15 @@ class ExactValues {
   [[nodiscard]] const Arguments<Real>& arguments() const { return arguments_; }
   [[nodiscard]] std::size_t size() const { return state_.v.size(); }
 
-  /// The program's entries, or the oracle's where the program has no such function; undefined
-  /// entries where neither has a value.
+  /// The program's entries, or the oracle's if the program has no such function. Entries without a
+  /// value are undefined.
   [[nodiscard]] const std::vector<Real>& value(OutputKind kind, std::uint32_t user = 0);
 
-  /// The entries of a function of the program at other arguments.
+  /// The entries of the program's function at other arguments.
   [[nodiscard]] std::vector<Real> value_at(OutputKind kind, const Arguments<Real>& arguments) const;
 
-  /// Derivatives of the program's entries along a direction; open values move as their arguments
-  /// do, those of second derivatives not at all.
+  /// Directional derivatives of the program's entries. Open values follow their arguments by the
+  /// chain rule; second derivatives of open functions are held constant.
   [[nodiscard]] std::vector<Real> slopes(OutputKind kind, const Arguments<Real>& direction,
                                          std::uint32_t user = 0) const;
 
@@ -36,16 +36,16 @@ class ExactValues {
   [[nodiscard]] std::vector<Real> curvatures(OutputKind kind, const Arguments<Real>& direction,
                                              std::uint32_t user = 0) const;
 
-  /// A direction that moves nothing.
+  /// The zero direction.
   [[nodiscard]] Arguments<Real> at_rest() const;
 
   /// dq/dt with these velocities: N(q) v.
   [[nodiscard]] std::vector<Real> coordinate_rates(const std::vector<Real>& v) const;
 
-  /// d2q/dt2 with the state's velocities, where they do not change: 0 but for quaternions.
+  /// d2q/dt2 at the state's velocities if they are constant: 0 except for quaternions.
   [[nodiscard]] std::vector<Real> coasting_accelerations() const;
 
-  /// The bound below which differences are rounding: 1e-20 of the largest intermediate.
+  /// Smaller differences are rounding errors: 1e-20 of the largest intermediate value.
   [[nodiscard]] Real floor() const { return floor_; }
 
  private:
@@ -58,8 +58,8 @@ class ExactValues {
   Real floor_ = {};
 };
 
-/// Sums that have to vanish, one per entry, judged against the size of their terms. One scale for
-/// all entries: an entry that is zero on paper has terms of rounding alone.
+/// Sums that must vanish, one per entry, relative to the size of their terms. All entries share one
+/// scale, because the terms of an entry that is exactly zero are mere rounding errors.
 class Balance {
  public:
   explicit Balance(std::size_t entries) : sums_(entries), sizes_(entries) {}
@@ -69,8 +69,8 @@ class Balance {
     sizes_[entry] = sizes_[entry] + abs(term);
   }
 
-  /// max |sum| / (max sum of |terms| + floor); none where a term is undefined. `floor` is the size
-  /// below which terms are rounding of something bigger.
+  /// max |sum| / (max over entries of the sum of |terms| + floor); none if a term is undefined.
+  /// Terms below `floor` are rounding errors of larger values.
   [[nodiscard]] std::optional<double> figure(const Real& floor) const;
 
  private:

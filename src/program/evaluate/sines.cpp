@@ -1,5 +1,5 @@
-// The order of the operations is that of templates/cpp/trigonometry.hpp.mustache and
-// templates/c99/sine_cosine.h.mustache: every bit is the same.
+// Same order of operations as in templates/cpp/trigonometry.hpp.mustache and
+// templates/c99/sine_cosine.h.mustache, so that every bit is equal.
 #include "program/evaluate/sines.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@
 namespace elgen {
 namespace {
 
-/// The longest row of sine_polynomials.def has so many.
+/// Length of the longest row of sine_polynomials.def.
 constexpr std::size_t most_coefficients = 6;
 
 template <class Scalar>
@@ -32,8 +32,8 @@ std::vector<Scalar> coefficients_of(const SinePolynomial& polynomial) {
   return coefficients;
 }
 
-/// coefficients[0] + coefficients[1] x + ..., by Estrin's scheme: sums of neighbours, then of
-/// these.
+/// coefficients[0] + coefficients[1] x + ..., by Estrin's scheme: sums of neighbours, then sums of
+/// neighbouring sums.
 template <class Scalar>
 Scalar polynomial(Scalar x, const std::vector<Scalar>& coefficients) {
   assert(coefficients.size() <= most_coefficients);
@@ -68,9 +68,10 @@ const std::vector<SinePolynomial>& cosine_polynomials() {
   return all;
 }
 
-/// Numbers of 14, 13 and 13 bits times a k of 10 have the 24 of float, of 35 and 33 times a k of 16
-/// the 53 of double. No float up to 1e3 is nearer to a multiple of pi/2 than 2^-28, no double up to
-/// 1e5 than 2^-61: there the last part keeps 0.5 ulp.
+/// The product of k and every part except the last is exact. Float: 14, 13 and 13 bits times a k of
+/// 10 bits fit 24 bits. Double: 35 and 33 bits times a k of 16 bits fit 53 bits. No float up to 1e3
+/// is nearer to a multiple of pi/2 than 2^-28, no double up to 1e5 than 2^-61: the last part keeps
+/// 0.5 ulp.
 const AngleReduction& angle_reduction(ScalarKind scalar) {
   static const AngleReduction in_float{ScalarKind::single_precision,
                                        1e3,

@@ -1,14 +1,14 @@
 // Sines: sine and cosine as emitted code computes them, operation by operation.
 //
-// With k the integer nearest to 2/pi x, r - rest = x - k pi/2, |r| <= pi/4, and polynomials in r^2
-// that give the wanted accuracy there:
+// k is the integer nearest to 2/pi x, r - rest = x - k pi/2, |r| <= pi/4. s and c are polynomials
+// with the required accuracy in this range:
 //
 //     sin r = r - (rest - r^3 s(r^2))
 //     cos r = (1 - r^2/2) + (r^4 c(r^2) + r rest + the rounding error of 1 - r^2/2)
 //
-// The last two bits of k say which of them is the sine of x, and with which sign. pi/2 is taken off
-// in parts, so that k times each but the last is exact. Functions of numbers are off by at most
-// 1.5 ulp (0.9 in float), and by 0.5 beside multiples of pi/2.
+// The last two bits of k select sin r or cos r as the sine of x, and its sign. pi/2 is a sum of
+// parts, so that the product of k and every part except the last is exact. Errors of functions of
+// numbers are at most 1.5 ulp (0.9 in float), and 0.5 ulp next to multiples of pi/2.
 #pragma once
 
 #include <cln/rational.h>
@@ -22,53 +22,52 @@
 
 namespace elgen {
 
-/// One polynomial: of the sine from x^3 on, of the cosine from x^4 on.
+/// Coefficients of the sine from x^3 on, or of the cosine from x^4 on.
 struct SinePolynomial {
   int degree = 0;
-  double error = 0;  ///< at most, for angles up to pi/4, apart from rounding
+  double error = 0;  ///< bound for angles up to pi/4, without rounding errors
   std::vector<double> coefficients = {};
 };
 
 [[nodiscard]] const std::vector<SinePolynomial>& sine_polynomials();
 [[nodiscard]] const std::vector<SinePolynomial>& cosine_polynomials();
 
-/// How a scalar takes multiples of pi/2 off an angle.
+/// Constants that reduce an angle by multiples of pi/2 in this scalar.
 struct AngleReduction {
   ScalarKind scalar = ScalarKind::double_precision;
-  double domain = 0;               ///< the largest angle
-  std::vector<double> parts = {};  ///< of pi/2: its leading bits, the next ones, the rest rounded
+  double domain = 0;               ///< the largest angle that is reduced
+  std::vector<double> parts = {};  ///< sum to pi/2: leading bits, next bits, the rest rounded
   double inverse = 0;              ///< 2/pi, rounded
   double shift = 0;                ///< 1.5/epsilon: x + shift - shift is the integer nearest to x
-  double rounding = 0;             ///< the most that rounding adds to the error of a polynomial
+  double rounding = 0;             ///< the largest rounding error of a polynomial
 };
 
-/// The row of float or double.
+/// The constants of float or double.
 [[nodiscard]] const AngleReduction& angle_reduction(ScalarKind scalar);
 
-/// The polynomial of least degree whose error is at most `max_error` with what rounding in `scalar`
-/// adds; that of the largest degree where none is.
+/// The polynomial of least degree whose error plus rounding error in `scalar` is at most
+/// `max_error`; the polynomial of the largest degree if none is.
 [[nodiscard]] const SinePolynomial& cheapest(const std::vector<SinePolynomial>& all,
                                              const cln::cl_RA& max_error, ScalarKind scalar);
 
-/// The arithmetic of emitted functions. Beyond the domain packs give NaN, numbers what the library
-/// gives.
+/// Arithmetic of the emitted function. Beyond the domain packs give NaN; numbers call the library.
 enum class SinesOf : std::uint8_t { packs, numbers };
 
-/// The error that the polynomials of either have, at most: packs may ask for fewer digits.
+/// Largest permitted error of the polynomials. For packs the scene may ask for fewer digits.
 [[nodiscard]] cln::cl_RA sine_error(const Numerics& numerics, SinesOf arithmetic,
                                     ScalarKind scalar);
 
-/// Whether functions of numbers compute sines in line: of float and double, whichever the scene
-/// names, unless it asks for the library.
+/// True if functions of numbers compute sines inline: for float and double, whatever scalar the
+/// scene names, unless the scene asks for the library.
 [[nodiscard]] bool has_sines_in_line(const Scene& scene, ScalarKind scalar);
 
-/// A number of the algorithm: "domain", "inverse", "shift", "part_1", "sine_3", "cosine_4".
+/// A constant of the algorithm: "domain", "inverse", "shift", "part_1", "sine_3", "cosine_4".
 struct SineNumber {
   std::string name;
   double value;
 };
 
-/// All of them, as they are for a scalar.
+/// All constants of the algorithm for this scalar.
 [[nodiscard]] std::vector<SineNumber> sine_numbers(const Numerics& numerics, SinesOf arithmetic,
                                                    ScalarKind scalar);
 
@@ -92,7 +91,7 @@ class Sines {
   std::vector<Scalar> cosine_;
 };
 
-/// The rules of emitted code.
+/// Rules of fold.hpp that reproduce the bits of emitted code.
 template <class Scalar>
 struct CodeRules : interpreter::NumberRules<Scalar> {
   const Sines<Scalar>& sines;
@@ -104,7 +103,7 @@ struct CodeRules : interpreter::NumberRules<Scalar> {
   }
 };
 
-/// The entries of all fields as emitted code computes them.
+/// The entries of all fields, with the bits of emitted code.
 template <class Scalar>
 [[nodiscard]] std::vector<Scalar> evaluate_code(const Program& program, const Function& function,
                                                 const Arguments<Scalar>& arguments,

@@ -1,4 +1,4 @@
-// States between views: binary arguments become exact rationals, and text for people.
+// Conversions of states: binary arguments to exact rationals, and states to text.
 #include "program/evaluate/subject.hpp"
 
 #include <cln/dfloat.h>
@@ -19,7 +19,7 @@ namespace {
 
 using cln::cl_R;
 
-/// As many digits as tell a double from its neighbours, or six.
+/// Six digits, or the 17 that identify a double.
 std::string text_of(const cl_R& value, bool exactly) {
   if (!exactly) return short_text(value);
   return fmt::format("{:.17g}", ScalarTraits<double>::from_real(value));
@@ -42,7 +42,7 @@ std::string changed_parameters(const Subject& subject, const State& state, bool 
   std::string text;
   for (std::size_t i = 0; i < actual.size(); ++i) {
     const double scale = std::max(std::abs(nominal[i]), std::abs(actual[i]));
-    // A float's rounding of the nominal value is no change.
+    // A nominal value rounded to float has not changed.
     if (std::abs(actual[i] - nominal[i]) <= 1e-6 * scale) continue;
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", subject.model.parameters[i].name,
                         text_of(state.parameters[i], exactly));
@@ -78,9 +78,9 @@ State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
   for (const auto& fixed : subject.scene.specialisation.fixed) {
     state.parameters[fixed.first] = nominal.parameters[fixed.first];
   }
-  // Where quaternions are of length 1 only to rounding, the two sides of a comparison may go on
-  // differently off the unit sphere; on it, and by a few roundings from the arguments, they must
-  // not.
+  // Quaternions have length 1 only up to rounding. Off the unit sphere, the two sides of a
+  // comparison may legitimately differ; on it, a few roundings away from the arguments, they must
+  // agree.
   scale_to_length_one(subject.model, state);
   return state;
 }
@@ -137,7 +137,7 @@ std::string short_text(const cl_R& value) {
   if (std::isfinite(rounded) && std::abs(rounded) > std::numeric_limits<double>::min()) {
     return fmt::format("{:.6g}", rounded);
   }
-  // Beyond double: the leading digit by a power of ten from the binary exponent.
+  // Beyond double: divide by a power of ten, found from the binary exponent.
   const long decimal = std::lround(std::floor(decimal_exponent(number)));
   const cl_R scaled = number / cln::expt(cln::cl_float(10, number), cln::cl_I(decimal));
   return fmt::format("{:.3g}e{}", ScalarTraits<double>::from_real(scaled), decimal);

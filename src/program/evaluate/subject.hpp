@@ -1,5 +1,5 @@
-// Subject: the three views of one system that verification compares, and the ways between their
-// states.
+// Subject: model, scene and program of one system, which verification compares, and conversions
+// between their states.
 #pragma once
 
 #include <string>
@@ -22,37 +22,38 @@ struct Subject {
   operator StateSpace() const { return {model, scene, program.leaves}; }
 };
 
-/// The exact state the oracle gets for binary inputs; fixed parameters stay the exact numbers they
-/// are, and quaternions get the length 1 that rounding took from them. Scalar: double or float.
+/// The exact state that the oracle gets for binary arguments. Fixed parameters keep their exact
+/// values. Quaternions are scaled back to length 1. Scalar: double or float.
 template <class Scalar>
 [[nodiscard]] State exact_state(const Subject& subject, const Arguments<Scalar>& arguments);
 
-/// The arguments of a program at an exact state, rounded to Scalar where Scalar rounds.
+/// The program's arguments at an exact state, rounded if Scalar is a machine type.
 template <class Scalar>
 [[nodiscard]] Arguments<Scalar> arguments_at(const State& state) {
   return map_leaves([](const cln::cl_R& value) { return ScalarTraits<Scalar>::from_real(value); },
                     state);
 }
 
-/// The numbers behind Reals; none where one is undefined.
+/// The numbers of the Reals; none if one is undefined.
 [[nodiscard]] OracleValues defined_values(const std::vector<Real>& values);
 
-/// Null where the program has no function of this kind.
+/// Null if the program has no function of this kind.
 [[nodiscard]] const Function* find_function(const Program& program, OutputKind kind,
                                             std::uint32_t user = 0);
 
-/// 2 zeta omega r + omega^2 f of each constraint, for the entries of a residual: f, then r.
+/// 2 zeta omega r + omega^2 f of each constraint, the f term only for position constraints.
+/// `residual` holds all f, then all r.
 [[nodiscard]] std::vector<Real> stabilising_terms(const Model& model, const State& state,
                                                   const std::vector<Real>& residual);
 
-/// "q = (0.1, 2), v = (3, -1), u = (0.5), t = 2"; parameters only where they are not at their
-/// value.
+/// "q = (0.1, 2), v = (3, -1), u = (0.5), t = 2". Parameters appear only if they differ from their
+/// nominal value; lists end after 8 numbers.
 [[nodiscard]] std::string describe(const Subject& subject, const State& state);
 
-/// The same with every number in 17 digits, and none left out.
+/// The same with 17 digits for every number, and with complete lists.
 [[nodiscard]] std::string describe_exactly(const Subject& subject, const State& state);
 
-/// Six significant digits of an exact number, whatever its size.
+/// Six significant digits of an exact number; three, with a power of ten, if double cannot hold it.
 [[nodiscard]] std::string short_text(const cln::cl_R& value);
 
 }  // namespace elgen

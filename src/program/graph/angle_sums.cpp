@@ -1,4 +1,5 @@
-// angle_sums: see angle_sums.hpp. Angles are compared as rational combinations of nodes.
+// angle_sums: see angle_sums.hpp. Angles are compared as linear combinations of nodes with rational
+// coefficients.
 #include "program/graph/angle_sums.hpp"
 
 #include <cln/integer.h>
@@ -23,7 +24,7 @@ void add_scaled(Combination& to, NodeId node, const cl_RA& coefficient) {
   if (cln::zerop(at->second)) to.erase(at);
 }
 
-/// Adds coefficient * node, taken apart into terms.
+/// Adds coefficient * node, with sums and rational multiples expanded.
 void add_terms(const Graph& graph, NodeId id, const cl_RA& coefficient, Combination& to) {
   const Node& node = graph.node(id);
   if (node.kind == NodeKind::sum) {
@@ -51,7 +52,7 @@ Combination plus(Combination x, const Combination& y, int sign) {
 struct AngleTerms {
   NodeId argument = 0;
   Combination terms = {};
-  cl_RA size = 0;  ///< sum of |coefficients|: simpler angles are smaller
+  cl_RA size = 0;  ///< sum of |coefficients|; a simpler angle has a smaller sum
 };
 
 /// argument = first + sign * second
@@ -82,11 +83,11 @@ std::vector<AngleTerms> angles_of(const Expressions& expressions) {
   return angles;
 }
 
-/// Larger sets take cubic time.
+/// The search takes cubic time.
 constexpr std::size_t most_angles = 40;
 
-/// angle = first + second, or first - second, where nothing cancels: q1 + q3 as (q1 + q2) - (q2 -
-/// q3) would have the rounding of a q2 that it does not hold.
+/// angle = first + second, or first - second, if nothing cancels. q1 + q3 as (q1 + q2) - (q2 - q3)
+/// would carry the rounding error of q2, which it does not contain.
 std::optional<Split> split_into(const AngleTerms& angle, const AngleTerms& first,
                                 const AngleTerms& second, Splits which) {
   if (first.size + second.size != angle.size) return std::nullopt;
@@ -99,7 +100,7 @@ std::optional<Split> split_into(const AngleTerms& angle, const AngleTerms& first
   return std::nullopt;
 }
 
-/// The angle as a sum or difference of two of the simpler ones.
+/// The angle as a sum or difference of two simpler angles.
 std::optional<Split> split_of(const AngleTerms& angle, const std::vector<AngleTerms>& simpler,
                               Splits which) {
   for (const AngleTerms& first : simpler) {
@@ -115,13 +116,13 @@ std::map<NodeId, Split> splits_of(const Expressions& expressions, Splits which) 
   const std::vector<AngleTerms> angles = angles_of(expressions);
   if (angles.size() > most_angles) return splits;
   for (const AngleTerms& angle : angles) {
-    // A difference of squares loses the digits where it is small.
+    // Multiples of an angle stay: the difference of squares loses digits near its zeros.
     const Graph& graph = expressions.graph;
     if (is_exact_multiple(graph, angle.argument) || graph.is_constant(angle.argument)) continue;
     std::vector<AngleTerms> simpler;
     std::copy_if(angles.begin(), angles.end(), std::back_inserter(simpler),
                  [&](const AngleTerms& other) { return other.size < angle.size; });
-    // The sines and cosines of numbers are numbers.
+    // Constant terms may be split off, because their sines and cosines are constants.
     for (const Operand& term : graph.node(angle.argument).operands) {
       if (graph.is_constant(term.node)) simpler.push_back(angle_of(graph, term.node));
     }
@@ -130,8 +131,8 @@ std::map<NodeId, Split> splits_of(const Expressions& expressions, Splits which) 
   return splits;
 }
 
-/// The rule of one rebuild: what it has built of the new graph is built once, as a chain of splits
-/// refers to each of its angles again and again.
+/// The rule of one rebuild. Results are memoised, because chains of splits refer to an angle again
+/// and again.
 class AngleSums {
  public:
   AngleSums(std::map<NodeId, Split> splits, std::size_t nodes)
@@ -147,7 +148,7 @@ class AngleSums {
   }
 
  private:
-  /// An argument in the new graph, built anew: it may come later in the old one.
+  /// An argument in the new graph, built on demand, because it may come later in the old graph.
   Ref argument(Graph& graph, const RebuildStep& step, NodeId id) {
     if (is_built_[id]) return arguments_[id];
     for (const Operand& operand : step.old_graph.node(id).operands) {
@@ -182,7 +183,7 @@ class AngleSums {
   std::map<NodeId, Split> splits_;
   std::vector<Ref> arguments_;  ///< in the new graph, by old node
   std::vector<bool> is_built_;
-  std::map<std::pair<FunctionId, NodeId>, Ref> circular_;  ///< likewise
+  std::map<std::pair<FunctionId, NodeId>, Ref> circular_;  ///< by function and old argument
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// factor and flatten: see factor.hpp. Where terms or factors have met, the normal forms of sums and
-// products merge them.
+// factor and flatten: see factor.hpp. The normal forms of sums and products merge equal terms and
+// equal bases.
 #include "program/graph/factor.hpp"
 
 #include <algorithm>
@@ -9,17 +9,17 @@
 namespace elgen {
 namespace {
 
-/// Sums longer than this stay as they are; the greedy search takes quadratic time.
+/// Longer sums are not factored, because the greedy search takes quadratic time.
 constexpr std::size_t maximal_terms = 400;
 
-/// A term as its factors; one that is not divisible is not to be taken apart.
+/// A term as its factors. If it is not divisible, no factor is pulled out.
 struct FactoredTerm {
   bool negative = false;
   std::vector<Power> factors = {};
   bool is_divisible = false;
 };
 
-/// Each base stands once: a term is divided by a factor in one place.
+/// Keeps each base once, so that dividing by a factor changes one exponent.
 void multiply(FactoredTerm& term, NodeId factor, std::int32_t exponent) {
   const auto known = std::find_if(term.factors.begin(), term.factors.end(),
                                   [&](const Power& power) { return power.base.node == factor; });
@@ -73,7 +73,8 @@ class Factoring {
     return result;
   }
 
-  /// A coefficient times a product used nowhere else has the factors of both.
+  /// If the product is a coefficient times a product used nowhere else, the inner factors are
+  /// appended.
   void append_factors(const Graph& graph, const Graph& old_graph, NodeId old_node,
                       const Node& product, FactoredTerm& term) const {
     const std::vector<Operand>& old = old_graph.node(old_node).operands;
@@ -93,7 +94,7 @@ class Factoring {
     }
   }
 
-  /// The factor of most terms, or nothing where no two terms share one.
+  /// The factor that most terms have; none if no two terms share a factor.
   static std::optional<NodeId> most_common(const Graph& graph,
                                            const std::vector<FactoredTerm>& terms) {
     std::map<NodeId, std::size_t> counts;
@@ -128,7 +129,7 @@ class Factoring {
     return graph.sum(finished);
   }
 
-  /// common * inner; where inner is itself a product, its factors can be common again.
+  /// common * inner. If inner is a product, its factors may be common to other terms.
   static FactoredTerm product_term(Graph& graph, NodeId common, Ref inner) {
     FactoredTerm result{inner.negative, {{{common, false}, 1}}, true};
     const Node& node = graph.node(inner.node);
@@ -155,7 +156,8 @@ class Flattening {
   }
 
  private:
-  /// It has its user's kind, before and after its own renewal, and is used once.
+  /// True if the operand has its user's kind before and after renewal, and is used once or a
+  /// product that `all_products` asks for.
   bool is_spliced(const Graph& graph, const RebuildStep& step, const Operand& operand) const {
     const NodeKind kind = step.old_graph.node(step.old_node).kind;
     const bool is_wanted = uses_[operand.node] == 1 ||

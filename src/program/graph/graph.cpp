@@ -1,4 +1,4 @@
-// Graph: interning, leaves, calls, and the order of nodes. Sums and products are in
+// Graph: interning, leaves, calls, and the order of nodes. For sums and products see
 // normal_form.cpp.
 #include "program/graph/graph.hpp"
 
@@ -69,7 +69,7 @@ NodeId Graph::intern(Node node) {
     if (same(nodes_[it->second], node)) return it->second;
   }
   node.constant_size = constant_size(node);
-  // A constant is written alike wherever it appears.
+  // A constant is written in the same order wherever it appears, so it has no birth.
   node.birth = node.constant_size > 0 ? 0 : birth_;
   const auto id = static_cast<NodeId>(nodes_.size());
   nodes_.push_back(std::move(node));
@@ -117,7 +117,7 @@ std::optional<int> Graph::constant_sign(Ref value) const {
   return sign && value.negative ? std::optional(-*sign) : sign;
 }
 
-/// abs, sign, min and max of constants: one of the arguments, or its sign.
+/// abs, sign, min and max of constants: an argument or its sign; none if the sign is undecided.
 std::optional<Ref> Graph::kinked_call(FunctionId function, const std::vector<Ref>& arguments) {
   const Ref x = arguments.front();
   if (arguments.size() == 1) {
@@ -131,7 +131,7 @@ std::optional<Ref> Graph::kinked_call(FunctionId function, const std::vector<Ref
   return (*order < 0) == (function == FunctionId::min) ? x : arguments.back();
 }
 
-/// The call where it is a number known without computing, or one of its arguments.
+/// The call if it is a number known without rounding, or one of its arguments.
 std::optional<Ref> Graph::exact_call(FunctionId function, const std::vector<Ref>& arguments) {
   if (is_kinked(function)) return kinked_call(function, arguments);
   const std::optional<cln::cl_RA> x = rational_value(arguments.front());
@@ -157,7 +157,7 @@ Ref Graph::call(FunctionId function, std::vector<Ref> arguments) {
   return {intern(std::move(node)), negative};
 }
 
-/// Sums in sums are spliced, so that one number has few forms.
+/// Sums in sums are spliced, so that equal numbers have equal forms more often.
 Ref Graph::constant(const ConstantForm& form) {
   std::vector<Power> factors;
   std::vector<Ref> parts;

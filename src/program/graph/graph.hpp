@@ -2,10 +2,10 @@
 //
 // A Ref is a node and a sign, so negation is free: products carry no sign, the leading term of a
 // sum is positive, sin(-x) = -sin(x), cos(-x) = cos(x). Equal terms and equal bases are merged with
-// exact coefficients. Operands are ordered by less(): rational numbers, constants, leaves by kind
-// and declaration, everything else by birth (the definition during whose import it first appeared),
-// then structure. Nothing depends on the order in which operands were given. pi, roots and
-// functions of numbers are nodes like all others: only rational numbers are computed with.
+// exact coefficients. less() orders operands: rational numbers, constants, leaves by kind and
+// declaration, then all other nodes by birth and structure. The birth of a node is the definition
+// during whose import the node first appeared. The order of arguments has no effect. pi, roots and
+// functions of numbers are ordinary nodes: only rational numbers are computed with.
 #pragma once
 
 #include <cln/rational.h>
@@ -37,7 +37,7 @@ struct Ref {
 
 enum class NodeKind : std::uint8_t { rational, pi, leaf, product, square_root, call, sum };
 
-/// weight: the exponent in a product (not 0), the sign (1 or -1) elsewhere.
+/// weight: the exponent (not 0) in a product, the sign (1 or -1) in any other node.
 struct Operand {
   NodeId node = 0;
   std::int32_t weight = 1;
@@ -46,15 +46,15 @@ struct Operand {
 
 struct Node {
   NodeKind kind = NodeKind::rational;
-  Opcode leaf = Opcode::constant;         ///< which leaf
-  FunctionId function = FunctionId::sin;  ///< which call
+  Opcode leaf = Opcode::constant;         ///< of a leaf
+  FunctionId function = FunctionId::sin;  ///< of a call
   std::uint32_t index = 0;                ///< of the leaf or the rational number
   std::vector<Operand> operands = {};     ///< a rational factor or term comes first, then constants
   std::uint32_t birth = 0;
-  /// Nodes of a constant written as a tree, at most unwritable_constant; 0 where there are leaves.
+  /// Nodes of a constant written as a tree, at most unwritable_constant; 0 if it contains leaves.
   std::uint32_t constant_size = 0;
-  std::string name = {};  ///< what it is, for a reader
-  /// The product without its rational coefficient, once it was asked for.
+  std::string name = {};  ///< for readers; "" if it has none
+  /// Cache: the product without its rational coefficient.
   std::optional<NodeId> unscaled = {};
 };
 
@@ -62,12 +62,11 @@ struct Node {
   return node.kind == NodeKind::call && node.function == function;
 }
 
-/// A sine or a cosine.
 [[nodiscard]] inline bool is_sine_or_cosine(const Node& node) {
   return node.kind == NodeKind::call && is_circular(node.function);
 }
 
-/// A constant of so many nodes is too large for a form: a tree of what is shared outgrows the
+/// A constant with this many nodes has no form: as a tree it repeats shared nodes and outgrows the
 /// graph.
 inline constexpr std::uint32_t unwritable_constant = 400;
 
@@ -78,22 +77,22 @@ struct Power {
 
 class Graph {
  public:
-  /// Nodes first built from now on are born here; later births come later in the order.
+  /// The birth of nodes that are first built from now on; a later birth comes later in the order.
   void set_birth(std::uint32_t birth) { birth_ = birth; }
 
   Ref rational(const cln::cl_RA& value);
   Ref pi();
   Ref leaf(Opcode leaf, std::uint32_t index);
   Ref sum(const std::vector<Ref>& terms);
-  /// A base must not be the number 0 where its exponent is negative.
+  /// A base with a negative exponent must not be the number 0.
   Ref product(const std::vector<Power>& powers);
   Ref square_root(Ref radicand);
   Ref call(FunctionId function, std::vector<Ref> arguments);
 
-  /// A constant, node by node; sums in sums and products in products are spliced.
+  /// A constant, node by node; nested sums and nested products are spliced.
   Ref constant(const ConstantForm& form);
 
-  /// See take_name; leaves and constants have their own.
+  /// Names the node, see take_name. Leaves, constants and negated values are skipped.
   void name(Ref value, const std::string& name);
 
   [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
@@ -108,7 +107,7 @@ class Graph {
     return rationals_[node(id).index];
   }
   [[nodiscard]] bool is_zero(NodeId id) const;
-  /// The form of a constant that is not too large for one.
+  /// The form of a constant; has_form(id) must hold.
   [[nodiscard]] ConstantForm form_of(NodeId id) const;
   [[nodiscard]] ConstantForm form_of(Ref value) const;
 
@@ -154,10 +153,10 @@ class Graph {
   std::optional<NodeId> one_ = {};  ///< the coefficient of almost every product
 };
 
-/// Operands before users, each node once: what `outputs` need.
+/// The nodes that `outputs` need, each once, operands before users.
 [[nodiscard]] std::vector<NodeId> reachable(const Graph& graph, const std::vector<Ref>& outputs);
 
-/// How many operand slots and outputs hold each node.
+/// The number of operand slots and outputs that refer to each node.
 [[nodiscard]] std::vector<std::uint32_t> use_counts(const Graph& graph,
                                                     const std::vector<Ref>& outputs);
 

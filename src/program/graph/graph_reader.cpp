@@ -1,5 +1,5 @@
-// graph_reader: one node of the graph for each of the syntax; only powers are factors of the
-// product around them.
+// graph_reader: each syntax node becomes a graph node, but powers become factors of the product
+// around them.
 #include "program/graph/graph_reader.hpp"
 
 #include <cln/integer.h>

@@ -13,8 +13,8 @@
 
 namespace elgen {
 
-/// The sums and products of the text as it has them: a bracket is a node of its own. Names are
-/// those of coordinates. None where it is no expression of numbers, pi, functions and these.
+/// Keeps the sums and products of the text: a bracket is a separate node. Names are coordinates.
+/// None if the text contains anything but numbers, pi, functions and coordinates.
 [[nodiscard]] std::optional<Ref> read_value(Graph& graph, const std::string& text,
                                             const std::vector<std::string>& coordinates,
                                             const Limits& limits = {});

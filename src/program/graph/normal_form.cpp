@@ -1,7 +1,7 @@
 // Graph::sum and Graph::product: the normal forms of n-ary nodes.
 //
 //     sum:      y - x + 2*x          -> x + y        equal terms merged, leading term positive
-//               2*y - 2*x            -> -2*(x - y)   a coefficient all terms share pulled out
+//               2*y - 2*x            -> -2*(x - y)   common coefficient of all terms pulled out
 //               m*sin(x)^2 + m*cos(x)^2 -> m
 //               x + (y - x)          -> y
 //     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
@@ -16,7 +16,7 @@
 namespace elgen {
 namespace {
 
-/// Sorts by nodes, and puts what has one node together.
+/// Sorts by node and merges parts of the same node.
 template <class Part, class Merging>
 void merge_by_node(std::vector<Part>& parts, const Merging& merge) {
   std::ranges::sort(parts, {}, &Part::node);
@@ -33,13 +33,13 @@ void merge_by_node(std::vector<Part>& parts, const Merging& merge) {
 
 }  // namespace
 
-/// A product taken apart: its rational coefficient, and powers of other nodes.
+/// A product split into its rational coefficient and powers of other nodes.
 struct Graph::Factors {
   cln::cl_RA coefficient = 1;  ///< signed
   std::vector<Operand> powers = {};
 };
 
-/// coefficient * node; the node carries no rational coefficient of its own.
+/// coefficient * node; the node itself has no rational coefficient.
 struct Graph::Term {
   cln::cl_RA coefficient = 1;
   NodeId node = 0;
@@ -53,7 +53,7 @@ void Graph::collect(const Power& power, Factors& factors) {
     factors.coefficient = factors.coefficient * value;
     return;
   }
-  // A constant is one product, so that it has one form.
+  // The products of a constant are spliced, so that it has one form.
   const Node& base = node(power.base.node);
   if (base.kind == NodeKind::product && is_constant(power.base.node)) {
     const std::vector<Operand> operands = base.operands;
@@ -62,7 +62,8 @@ void Graph::collect(const Power& power, Factors& factors) {
     }
     return;
   }
-  // Coefficients meet outside; what they scale stays whole, because it may be shared.
+  // Only the coefficient is pulled out: the scaled product stays one node, because it may be
+  // shared.
   if (const std::optional<Term> scaled = scaled_product(power.base.node)) {
     factors.coefficient = factors.coefficient * cln::expt(scaled->coefficient, power.exponent);
     collect({{scaled->node, false}, power.exponent}, factors);
@@ -71,7 +72,7 @@ void Graph::collect(const Power& power, Factors& factors) {
   factors.powers.push_back({power.base.node, power.exponent});
 }
 
-/// Equal bases become one; sqrt(x)^2 becomes x, which may meet other powers of x.
+/// Merges equal bases. sqrt(x)^2 becomes x, which may merge with other powers of x.
 void Graph::merge_factors(Factors& factors) {
   std::vector<Operand>& powers = factors.powers;
   const auto is_squared = [this](const Operand& power) {
@@ -109,13 +110,13 @@ Ref Graph::build_product(Factors factors) {
 
 Ref Graph::product(const std::vector<Power>& powers) {
   Factors factors;
-  factors.powers.reserve(powers.size() + 1);  // a coefficient may join them
+  factors.powers.reserve(powers.size() + 1);  // + 1: the coefficient
   for (const Power& power : powers) collect(power, factors);
   merge_factors(factors);
   return build_product(std::move(factors));
 }
 
-/// c and the product without it, where a product has a rational coefficient c.
+/// c and the product without c, if the product has a rational coefficient c.
 std::optional<Graph::Term> Graph::scaled_product(NodeId id) {
   const Node& product = node(id);
   const bool is_scaled = product.kind == NodeKind::product && is_rational(product.operands[0].node);
@@ -166,7 +167,7 @@ Ref Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant)
   return is_common ? product({{rational(first)}, {result}}) : result;
 }
 
-/// The position of sin(x)^2 among the factors of a product, or its size.
+/// The index of sin(x)^2 among the factors of a product; the operand count if it has none.
 std::size_t Graph::squared_sine(NodeId id) const {
   const std::vector<Operand>& factors = node(id).operands;
   if (node(id).kind != NodeKind::product) return factors.size();
@@ -177,7 +178,7 @@ std::size_t Graph::squared_sine(NodeId id) const {
   return static_cast<std::size_t>(it - factors.begin());
 }
 
-/// Some of the terms in the order of the graph.
+/// The chosen terms in the order of the graph.
 template <class Choice>
 std::vector<Graph::Term*> Graph::in_order(std::vector<Term>& terms, const Choice& is_chosen) const {
   std::vector<Term*> sorted;
@@ -189,8 +190,8 @@ std::vector<Graph::Term*> Graph::in_order(std::vector<Term>& terms, const Choice
   return sorted;
 }
 
-/// Replaces the first f*sin(x)^2 that has an f*cos(x)^2 beside it by f. First in the order of the
-/// graph, because another pair could leave another sum.
+/// Replaces the first pair f*sin(x)^2 + f*cos(x)^2 by f. The first in the order of the graph,
+/// because another pair could give another sum.
 bool Graph::join_squares(std::vector<Term>& terms) {
   const auto has_squared_sine = [this](NodeId id) {
     return squared_sine(id) < node(id).operands.size();
@@ -223,8 +224,8 @@ void Graph::merge_terms(std::vector<Term>& terms) {
   std::erase_if(terms, [](const Term& term) { return cln::zerop(term.coefficient); });
 }
 
-/// Writes out the first sum among the terms that holds the opposite of another term: where the two
-/// do not meet, what is left is rounded as if it were as large as they are.
+/// Expands the first sum among the terms that contains the opposite of another term. If the two did
+/// not cancel, the result would carry rounding errors of their size.
 bool Graph::write_out_opposed(std::vector<Term>& terms) {
   const auto has_opposite = [&terms](const Term& part) {
     return std::any_of(terms.begin(), terms.end(), [&part](const Term& term) {

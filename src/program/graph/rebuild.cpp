@@ -1,4 +1,4 @@
-// rebuild: the frame of every pass from Graph to Graph; operands are renewed before their users.
+// rebuild: the loop of every pass from Graph to Graph; operands are renewed before their users.
 // from_program: one instruction after another.
 #include "program/graph/rebuild.hpp"
 
@@ -10,7 +10,7 @@ namespace elgen {
 
 namespace {
 
-/// The old node's operands in the new graph: terms of a sum or arguments, with their signs.
+/// The terms or arguments of the old node in the new graph, with their signs.
 std::vector<Ref> renewed_terms(const RebuildStep& step) {
   std::vector<Ref> terms;
   terms.reserve(step.old_graph.node(step.old_node).operands.size());
@@ -79,7 +79,7 @@ Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
 
 namespace {
 
-/// The values of a cone by the numbers of their instructions.
+/// The values of a cone, by instruction index.
 struct ConeRefs {
   const std::vector<std::uint32_t>& cone;
   std::vector<Ref> made;

@@ -1,5 +1,5 @@
-// Expressions: a Graph with the values that are wanted of it: from a Program, the way back from
-// instructions to sums and products, or rebuilt from another, node by node, through a rule.
+// Expressions: a Graph with its outputs, built from the instructions of a Program, or from other
+// Expressions, node by node, by a rule.
 #pragma once
 
 #include <functional>
@@ -9,31 +9,31 @@
 
 namespace elgen {
 
-/// A graph with the values that are wanted of it.
+/// A graph and its outputs.
 struct Expressions {
   Graph graph = {};
   std::vector<Ref> values = {};
 };
 
-/// Where a pass stands: the old node, and what its operands became.
+/// One step of a pass: the old node, and the new refs of its operands.
 struct RebuildStep {
   const Graph& old_graph;
   NodeId old_node;
   const std::vector<Ref>& renewed;  ///< by old NodeId
 };
 
-/// The old node in the new graph, unchanged.
+/// Copies the old node, unchanged, to the new graph.
 [[nodiscard]] Ref copy(Graph& graph, const RebuildStep& step);
 
-/// The only value of `from` in another graph.
+/// Copies the only value of `from` to another graph.
 [[nodiscard]] Ref copied(Graph& graph, const Expressions& from);
 
-/// The new node that a pass makes of an old one; births and names are carried over around it.
+/// The new value of an old node. `rebuild` carries over births and names.
 using RebuildRule = std::function<Ref(Graph&, const RebuildStep&)>;
 
 [[nodiscard]] Expressions rebuild(const Expressions& expressions, const RebuildRule& rule);
 
-/// The rules of fold.hpp for graphs.
+/// Rules of fold.hpp that build graph nodes.
 struct GraphRules {
   Graph& graph;
 
@@ -55,8 +55,8 @@ struct GraphRules {
   }
 };
 
-/// The values of the instructions `wanted`; those that `is_zero` says (none where it is empty) are
-/// 0 wherever they are used, so none of them may divide.
+/// The values of the instructions `wanted`. Instructions marked in `is_zero` (empty: none) become 0
+/// in all uses, so none of them may be a divisor.
 [[nodiscard]] Expressions from_program(const Program& program, const Function& function,
                                        const std::vector<std::uint32_t>& wanted,
                                        const std::vector<bool>& is_zero = {});

@@ -1,4 +1,4 @@
-// Classes of values, in one pass.
+// The class of each value, found in one pass.
 #include "program/network/analytic.hpp"
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 namespace elgen {
 namespace {
 
-/// Each class is part of the one before it.
+/// Each class contains the next.
 enum class Kind : std::uint8_t { unknown, analytic, smooth, nonnegative, positive };
 
 bool is_smooth(Kind x) { return x >= Kind::smooth; }
 bool is_positive(Kind x) { return x == Kind::positive; }
 
-/// The rules of fold.hpp; no operand is unknown, since these were replaced.
+/// Rules of fold.hpp. No operand is unknown, because unknowns were replaced by variables.
 struct KindRules {
   const LeafNames& leaves;
 
@@ -62,10 +62,10 @@ struct KindRules {
   }
 };
 
-/// Finds squares: x y x is x^2 y, whatever the order of its factors.
+/// Detects squares: x y x is x^2 y, whatever the order of its factors.
 class Signs {
  public:
-  /// The kind of the next instruction, which is one of a product by itself.
+  /// The next instruction's kind: a smooth product of even powers becomes nonnegative.
   Kind settled(const Instruction& i, Kind kind) {
     const auto at = static_cast<std::uint32_t>(odd_factors_.size());
     std::vector<std::uint32_t> odd = factors(i);
@@ -80,11 +80,11 @@ class Signs {
   }
 
  private:
-  /// Longer products are one factor, so that chains of them cost no square of their length.
+  /// A longer product is one factor, so that chains of products do not take quadratic time.
   static constexpr std::size_t most_factors = 16;
 
   [[nodiscard]] std::vector<std::uint32_t> factors(const Instruction& i) const {
-    if (i.opcode == Opcode::divide) return odd_factors_[i.a];  // smooth where i.b is positive
+    if (i.opcode == Opcode::divide) return odd_factors_[i.a];  // smooth only if i.b is positive
     if (i.opcode != Opcode::multiply) return {};
     std::vector<std::uint32_t> odd;
     std::ranges::set_symmetric_difference(odd_factors_[i.a], odd_factors_[i.b],

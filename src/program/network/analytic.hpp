@@ -1,20 +1,20 @@
-// analytic: the values that are no analytic function of what they are made of.
+// analytic: finds values that are no analytic function of their operands.
 //
 //     before    1 = multiply 0 0   2 = square_root 1   3 = subtract 2 0      sqrt(x^2) - x
 //     unknowns        .                  *                   .              0 for x > 0 only
 //
 // A real-analytic function on a connected domain that is zero near one point is zero. Roots, angles
-// and kinks break that rule: sqrt(x^2) is x on one side and -x on the other. Each value belongs to
-// one of these classes:
+// and kinks break this rule: sqrt(x^2) is x on one side and -x on the other. Each value has one of
+// these classes:
 //
 //     positive   analytic at every real state, and above 0
 //     smooth     analytic at every real state
-//     analytic   made of smooth values by operations that have poles: 1/x, tan(x), exp(1/x)
-//     unknown    anything else: sqrt, log, atan2 of what may not be positive, asin, abs, max, ...
+//     analytic   smooth values combined by operations that have poles: 1/x, tan(x), exp(1/x)
+//     unknown    anything else: sqrt, log, atan2 of values that may be <= 0, asin, abs, max, ...
 //
-// The poles of a meromorphic function do not disconnect its complex domain; a root of one (below
-// which x = 0 divides: sqrt(1 + 1/x^2)*x) may have another branch behind each pole, so that roots
-// are taken of positive values only. An unknown is a variable of its own, and smooth as such.
+// The poles of a meromorphic function do not disconnect its complex domain. Its root may have
+// another branch behind each pole (sqrt(1 + 1/x^2)*x at x = 0), so only roots of positive values
+// are smooth. An unknown counts as a new variable, which is smooth.
 #pragma once
 
 #include <vector>
@@ -23,8 +23,8 @@
 
 namespace elgen {
 
-/// Whether each instruction's value is an unknown. Parameters are positive where their assumption
-/// says so; ranges and values make nothing positive. Cost: one pass.
+/// True for each instruction whose value is unknown. A parameter is positive only by assumption,
+/// not by its range or value. Cost: one pass.
 [[nodiscard]] std::vector<bool> unknowns(const Program& program, const Function& function);
 
 }  // namespace elgen

@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// Larger graphs are not tried with all products written out, which takes them longest.
+/// For larger graphs the forms with all products expanded are skipped: they take longest.
 constexpr std::size_t maximal_nodes_written_out = 20'000;
 
 CostedNetwork candidate(Network network, const Function& unfilled) {
@@ -31,7 +31,7 @@ Expressions factored(const Expressions& flat) { return factor(flatten(factor(fla
 std::vector<CostedNetwork> networks_by_cost(const Expressions& expressions,
                                             const Function& unfilled, Splits splits) {
   std::vector<CostedNetwork> networks;
-  // Rational numbers have met in the graph.
+  // If all constants are rational, the graph has merged them, and joining changes nothing.
   const auto add = [&](const Expressions& form) {
     Network network = make_network(form);
     const bool is_done = std::ranges::all_of(

@@ -1,9 +1,9 @@
-// cheapest: the form in which the values of a function cost least.
+// cheapest: the form of a function's values with the lowest cost.
 //
-// Factoring sums saves products but can undo common subexpressions of two sums, and writing
-// products out lets factors meet but splits common ones; sines of sums of angles can be calls or
-// products of what is there. So several forms are made, counted after sharing, and put in the order
-// of their costs (the first made first on a tie).
+// Factoring sums saves products but can destroy common subexpressions of two sums. Expanding
+// products lets factors meet but splits shared products. The sine of a sum of angles can be a call,
+// or products of values that exist already. So several forms are built, counted after
+// common-subexpression elimination, and sorted by cost (on a tie, in the order of building).
 #pragma once
 
 #include <cstddef>
@@ -14,22 +14,22 @@
 
 namespace elgen {
 
-/// Factored twice, with sums flattened between: factoring takes sums apart, so that their terms can
-/// meet in one sum, which may factor again.
+/// Factors twice and flattens sums in between: the first pass splits sums, whose terms can then
+/// meet in one sum and be factored again.
 [[nodiscard]] Expressions factored(const Expressions& flat);
 
-/// A form, and what it costs as instructions.
+/// A form, and its cost as instructions.
 struct CostedNetwork {
   Network network = {};
   std::size_t cost = 0;
 };
 
-/// All forms, the cheapest first. `unfilled` says which values are the function's entries.
+/// All forms, the cheapest first. The entries of `unfilled` are indices of values, see unfilled().
 [[nodiscard]] std::vector<CostedNetwork> networks_by_cost(
     const Expressions& expressions, const Function& unfilled,
     Splits splits = Splits::sums_and_differences);
 
-/// The first of them.
+/// The cheapest form.
 [[nodiscard]] Network cheapest_network(const Expressions& expressions, const Function& unfilled,
                                        Splits splits = Splits::sums_and_differences);
 

@@ -1,5 +1,5 @@
-// Common subexpression elimination: see network.hpp. Counts of users may be too high: a pair is
-// recounted when its turn comes.
+// Common-subexpression elimination: see network.hpp. The count of users may be too high, so a pair
+// is recounted when it leaves the queue.
 #include <algorithm>
 #include <optional>
 #include <queue>
@@ -10,8 +10,7 @@
 namespace elgen {
 namespace {
 
-/// In longer operations only neighbours this near are paired, so that time stays linear in their
-/// length.
+/// In longer operations only operands this near are paired, so that time is linear in their length.
 constexpr std::size_t pairing_distance = 24;
 
 struct Pair {
@@ -33,7 +32,7 @@ struct PairHash {
 struct CommonPair {
   std::size_t count;
   Pair pair;
-  /// std::priority_queue takes the largest: most users, then the first pair.
+  /// std::priority_queue pops the largest: the pair with most users, then the first pair.
   friend bool operator<(const CommonPair& x, const CommonPair& y) {
     return x.count != y.count ? x.count < y.count : y.pair < x.pair;
   }
@@ -47,7 +46,7 @@ Pair pair_of(OperationKind kind, Ref x, Ref y) {
   return {kind, x.negative != y.negative, std::min(x.node, y.node), std::max(x.node, y.node)};
 }
 
-/// Positions of the pair's operands in an operation, the earlier first.
+/// Indices of the pair's operands in an operation, the smaller first.
 using OperandPositions = std::pair<std::size_t, std::size_t>;
 
 std::optional<OperandPositions> find(const Operation& operation, const Pair& pair) {
@@ -122,7 +121,7 @@ class CommonPairElimination {
     }
   }
 
-  /// A user that is nothing but the pair, or one past the end.
+  /// A user that equals the pair; the number of operations if there is none.
   NodeId existing_operation(const std::vector<NodeId>& users) const {
     for (const NodeId user : users) {
       if (network_.operations[user].operands.size() == 2) return user;
@@ -143,7 +142,7 @@ class CommonPairElimination {
     }
   }
 
-  /// The new operand makes new pairs with those that are left.
+  /// Queues the pairs of the new operand with the remaining operands.
   void announce(NodeId user, std::size_t place) {
     const std::vector<Ref>& operands = network_.operations[user].operands;
     const std::size_t begin = place > pairing_distance ? place - pairing_distance : 0;

@@ -1,4 +1,4 @@
-// Instructions: adds to a Function, nothing twice: value numbers, by what is computed.
+// Instructions: appends to a Function with value numbering, so that nothing is computed twice.
 #pragma once
 
 #include <unordered_map>
@@ -15,14 +15,14 @@ class Instructions {
     }
   }
 
-  /// Where its value is, which may have been there before.
+  /// The index of the value, which may exist already.
   std::uint32_t add(const Instruction& instruction) {
     const auto next = static_cast<std::uint32_t>(function_.instructions.size());
     const auto [known, is_new] = known_.emplace(instruction, next);
     return is_new ? append(instruction) : known->second;
   }
 
-  /// Behind all others, even where its value is there.
+  /// Appends the instruction even if its value exists.
   std::uint32_t append(const Instruction& instruction) {
     function_.instructions.push_back(instruction);
     function_.names.emplace_back();
@@ -33,7 +33,8 @@ class Instructions {
     return add(Instruction{.opcode = opcode, .a = a, .b = b});
   }
 
-  /// All of a function, with its names where values have none: the places of their values.
+  /// Adds all instructions of `from` and returns the indices of their values. Values without a name
+  /// get the name in `from`.
   std::vector<std::uint32_t> add_all(const Function& from) {
     std::vector<std::uint32_t> places;
     for (std::size_t at = 0; at < from.instructions.size(); ++at) {

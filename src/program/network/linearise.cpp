@@ -1,4 +1,4 @@
-// linearise: see linearise.hpp. Instructions are value numbers: nothing is computed twice.
+// linearise: see linearise.hpp. Value numbering: nothing is computed twice.
 #include "program/network/linearise.hpp"
 
 #include <algorithm>
@@ -87,7 +87,7 @@ class Linearising {
     return instructions_.add(instruction);
   }
 
-  /// Starts from the first positive term, so that nothing needs to be negated where there is one.
+  /// Starts with the first positive term, so that only an all-negative sum needs a negation.
   std::uint32_t sum(const Operation& operation) {
     const std::vector<Ref>& terms = operation.operands;
     auto start = std::find_if(terms.begin(), terms.end(), [](Ref term) { return !term.negative; });

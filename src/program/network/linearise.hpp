@@ -1,9 +1,10 @@
-// linearise: Network -> Function: instructions in the order they are executed, operands before use.
+// linearise: Network -> Function: instructions in order of execution, operands before users.
 //
-//     sum(a, -b, product(m, x))  ->  0 = a   1 = b   2 = subtract 0 1   3 = m   4 = x   5 =
-//     multiply 3 4   6 = add 2 5
+//     sum(a, -b, product(m, x))  ->  0 = a   1 = b   2 = subtract 0 1
+//                                    3 = m   4 = x   5 = multiply 3 4   6 = add 2 5
 //
-// Depth-first from the entries in their order; operands left to right; only what the entries need.
+// Depth-first from the entries in their order, operands from left to right, only operations that an
+// entry needs.
 #pragma once
 
 #include "elgen/program.hpp"
@@ -11,14 +12,14 @@
 
 namespace elgen {
 
-/// The same function without instructions, its entries numbered as values of a network.
+/// The same function without instructions; its entries are numbered as values of a network.
 [[nodiscard]] Function unfilled(const Function& function);
 
-/// Sets instructions and names of `function`, and turns the entries of its fields from positions in
-/// `network.values` into instructions. New constants are appended to those of `program`.
+/// Sets instructions and names of `function`. Entries of its fields change from indices into
+/// `network.values` to indices of instructions. New constants are appended to `program`.
 void linearise(const Network& network, Program& program, Function& function);
 
-/// The values of a network as a function of one field, with its constants.
+/// The values of a network as a function with one field, and its constants.
 struct Linearised {
   explicit Linearised(const Network& network);
 

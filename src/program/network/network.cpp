@@ -1,4 +1,4 @@
-// make_network: Graph -> Network, numbered depth-first from the values through operands in
+// make_network: Graph -> Network. Operations are numbered depth-first from the values, operands in
 // canonical order.
 #include "program/network/network.hpp"
 
@@ -12,20 +12,20 @@
 namespace elgen {
 namespace {
 
-/// Powers above this are squared repeatedly; up to it their factors may meet others.
+/// Higher powers are squared repeatedly. Up to this one, factors are repeated, and may be shared.
 constexpr std::int32_t written_out_power = 4;
 
-/// Numbers of more parts are not joined: people would not either, and forms are trees.
+/// Larger constants are not joined: a reader would not join them either, and forms are trees.
 constexpr std::uint32_t largest_joined = 64;
 
-/// The operands of a sum or product: what depends on leaves, and the constants as one number.
+/// The operands of a sum or product: operands with leaves, and all constants as one number.
 struct Operands {
   std::vector<Operand> rest = {};
-  std::optional<NodeId> constant = {};  ///< an operation
-  bool is_negative = false;             ///< the constant's sign
+  std::optional<NodeId> constant = {};  ///< its operation
+  bool is_negative = false;             ///< the constant is negative
 };
 
-/// Operations of a network, of which numbers and reciprocals are made once.
+/// The operations of a network. Each number and each reciprocal is one operation.
 class Operations {
  public:
   NodeId add(Operation operation) {
@@ -33,7 +33,7 @@ class Operations {
     return static_cast<NodeId>(network.operations.size() - 1);
   }
 
-  /// The number that a form stands for, its sign apart; none where it has no value.
+  /// The number of a form, as magnitude and sign; none if the form has no value.
   std::optional<Ref> folded(const ConstantForm& form) {
     Graph scratch;
     std::optional<Constant> constant = constant_of(scratch.form_of(scratch.constant(form)));
@@ -68,8 +68,8 @@ class Operations {
     return it->second;
   }
 
-  /// Whether this is a sum of which all numbers but one are rounded anyway: x - y keeps digits that
-  /// 0.7 x - 0.7 y loses.
+  /// True if this is a sum with at most one exact coefficient, so that scaling it costs no digits:
+  /// x - y keeps digits that 0.7 x - 0.7 y loses.
   bool takes_numbers(NodeId sum) const {
     const auto is_exact = [this](Ref term) {
       const ConstantForm number = scaled(term).first;
@@ -81,8 +81,8 @@ class Operations {
            std::ranges::count_if(operation.operands, is_exact) <= 1;
   }
 
-  /// Multiplies terms by a number and adds those that differ in theirs alone; false where it could
-  /// not, and changed nothing.
+  /// Multiplies terms by a number and adds terms that differ only in their numbers. If a number has
+  /// no value or too many nodes, returns false and changes nothing.
   bool join(std::vector<Ref>& terms, std::optional<NodeId> scale = {}) {
     struct Group {
       std::vector<Ref> rest;
@@ -128,7 +128,7 @@ class Operations {
     return scratch.node(scratch.constant(form).node).constant_size <= largest_joined;
   }
 
-  /// The number of a term, and what it multiplies.
+  /// The numeric factor of a term, and its other factors.
   std::pair<ConstantForm, std::vector<Ref>> scaled(Ref term) const {
     const Operation& operation = network.operations[term.node];
     std::vector<Ref> rest{{term.node}};
@@ -151,7 +151,7 @@ class Operations {
   std::map<NodeId, NodeId> reciprocals_ = {};
 };
 
-/// For each node, how many products divide by it.
+/// The number of products that divide by each node.
 std::vector<std::uint32_t> division_counts(const Graph& graph, const std::vector<Ref>& values) {
   std::vector<std::uint32_t> counts(graph.size(), 0);
   for (const NodeId id : reachable(graph, values)) {
@@ -195,7 +195,7 @@ class Conversion {
     return with_sign(result, value.negative && !graph_.is_zero(value.node));
   }
 
-  /// Each once: 1/2*pi*x multiplies x by one number.
+  /// Operands with all constants folded into one: 1/2*pi*x multiplies x by one number. Memoised.
   const Operands& operands_of(NodeId id) {
     const auto [at, is_new] = operands_.try_emplace(id);
     if (!is_new) return at->second;
@@ -220,7 +220,7 @@ class Conversion {
     return at->second = std::move(result);
   }
 
-  /// Operands that have to be converted before the node.
+  /// Operands that must be converted before the node.
   std::vector<Operand> needed_operands(NodeId id) {
     const NodeKind kind = graph_.node(id).kind;
     if (graph_.has_form(id) && fold(id)) return {};
@@ -228,7 +228,7 @@ class Conversion {
     return is_n_ary ? operands_of(id).rest : graph_.node(id).operands;
   }
 
-  /// Whether the node became a number.
+  /// True if the node became a number.
   bool fold(NodeId id) {
     if (!converted_[id]) converted_[id] = made_.folded(graph_.form_of(id));
     return converted_[id].has_value();
@@ -244,14 +244,14 @@ class Conversion {
                                                           : OperationKind::sum;
     operation.name = node.name;
     const bool is_sum = node.kind == NodeKind::sum;
-    // The constant of a sum stands where the first of its terms stood: at the front.
+    // The constant of a sum takes the place of its first constant term: the front.
     if (is_sum && operands_of(id).constant) {
       operation.operands.push_back({*operands_of(id).constant, operands_of(id).is_negative});
     }
     for (const Operand& operand : is_sum ? operands_of(id).rest : node.operands) {
       const Ref value = with_sign(*converted_[operand.node], operand.weight < 0);
       std::vector<Ref> terms{{value.node}};
-      // Numbers have made sums of products.
+      // Joining numbers may have turned the product into a sum.
       const Operation& made = made_.network.operations[value.node];
       const bool is_spliced = is_sum && is_own(operand.node) && made.kind == OperationKind::sum;
       if (is_spliced) terms = made.operands;
@@ -291,7 +291,7 @@ class Conversion {
     return {result, negative};
   }
 
-  /// Whether numbers are joined and one operation alone needs the node.
+  /// True if numbers are joined and only one operation uses the node.
   bool is_own(NodeId id) const { return !uses_.empty() && uses_[id] == 1; }
 
   bool put_inside(NodeId sum, NodeId number) {
@@ -304,8 +304,8 @@ class Conversion {
 
   const Graph& graph_;
   std::vector<std::optional<Ref>> converted_;
-  std::vector<std::uint32_t> uses_;       ///< where numbers are joined
-  std::vector<std::uint32_t> divisions_;  ///< products that divide by the node
+  std::vector<std::uint32_t> uses_;       ///< only if numbers are joined
+  std::vector<std::uint32_t> divisions_;  ///< number of products that divide by each node
   std::map<NodeId, Operands> operands_;   ///< of sums and products
   Operations made_;
 };

@@ -1,13 +1,12 @@
-// Network: n-ary operations on plain operand lists, what sharing and the order of evaluation work
-// on.
+// Network: n-ary operations on plain operand lists. Common-subexpression elimination and
+// linearisation work on it.
 //
 //     Graph:    m^2*x/(y*z)
 //     Network:  quotient(product(m, m, x), product(y, z))
 //
-// Powers are repeated factors. A divisor of two or more products becomes a reciprocal, computed
-// once. Constants of a sum or product are folded into one number each, which keeps its form.
-// NodeIds are dense and follow the canonical order of the graph, so from here on they may decide
-// ties.
+// A power is a repeated factor. A divisor of two or more products becomes a reciprocal, computed
+// once. The constants of a sum or product are folded into one number, which keeps its form. NodeIds
+// are dense and follow the canonical order of the graph, so that they may decide ties from here on.
 #pragma once
 
 #include "program/graph/rebuild.hpp"
@@ -39,7 +38,7 @@ struct Network {
   std::vector<Ref> values = {};
 };
 
-/// Whether numbers stay where the graph has them, or go into the sums that they multiply.
+/// Numbers keep their place in the graph, or are multiplied into the sums that they scale.
 ///
 ///     before:  3*cos(q) - 2*(sin(1)*sin(q) - cos(1)*cos(q))
 ///     after:   (3 + 2*cos(1))*cos(q) - 2*sin(1)*sin(q)          two numbers, two products
@@ -48,18 +47,17 @@ enum class Numbers : std::uint8_t { as_they_stand, joined };
 [[nodiscard]] Network make_network(const Expressions& expressions,
                                    Numbers numbers = Numbers::as_they_stand);
 
-/// Sub-sums and sub-products that several operations have in common are computed once.
+/// Computes sub-sums and sub-products that several operations share once.
 ///
 ///     before:  y = product(m, l, c)   z = product(m, l, s)
 ///     after:   p = product(m, l)   y = product(p, c)   z = product(p, s)
 ///
-/// The only common-subexpression elimination. Greedy: the pair of operands found in most operations
-/// becomes an operation; pairs of a sum count up to sign, a - b as b - a. Ties go to the pair that
-/// comes first in the network.
+/// The only common-subexpression elimination. Greedy: the pair of operands with most users becomes
+/// an operation. In sums, a - b and b - a are one pair. On a tie, the first pair in the network
+/// wins.
 void eliminate_common_subexpressions(Network& network);
 
-/// A value that is only needed negative is computed negative, where a difference can turn for
-/// nothing.
+/// Computes a value negated if all its uses negate it and a difference can be reversed at no cost.
 ///
 ///     before:  s = a - b   result -s        p = product(m, a - b)   result -p
 ///     after:   s = b - a   result s         p = product(m, b - a)   result p

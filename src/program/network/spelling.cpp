@@ -1,4 +1,4 @@
-// SpeltName: products, quotients and sums of texts.
+// SpeltName: names of products, quotients and sums from the names of their operands.
 #include "program/network/spelling.hpp"
 
 #include <fmt/core.h>
@@ -39,13 +39,13 @@ SpeltName quotient(const SpeltName& a, const SpeltName& b) {
   return is_plain ? joined(a, "_over_", b, End::divisor) : SpeltName{};
 }
 
-/// sin_a_minus_b is the sine of a - b.
+/// None for sin(a) - b: sin_a_minus_b reads as sin(a - b).
 SpeltName difference(const SpeltName& a, const SpeltName& b) {
   const bool reads_otherwise = a.end == End::call || b.end == End::sum;
   return reads_otherwise ? SpeltName{} : joined(a, "_minus_", b, End::sum);
 }
 
-/// "sin_half_theta"; sin_a_b is the sine of a + b.
+/// "sin_half_theta". Only of one name, because sin_a_b reads as sin(a + b).
 SpeltName called(std::string_view function, SpeltName a) {
   if (a.end != End::name || a.names != 1) return {};
   a.text = fmt::format("{}_{}", function, a.text);

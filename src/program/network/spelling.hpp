@@ -1,10 +1,10 @@
-// SpeltName: what a value is made of, as a name.
+// SpeltName: a name built from the operands of a value.
 //
 //     m*l*cos(theta)     m_l_cos_theta          x/l                x_over_l
 //     M + m              M_plus_m               1 - cos(theta)     one_minus_cos_theta
 //
-// Names stand before calls, so that q_sin_p is no sine of p + q. What has more than four names, or
-// would read as something else, has no spelling.
+// Names precede calls, because sin_p_q reads as sin(p + q). A value with more than four names has
+// no spelling, and neither has a value whose spelling would read as another value.
 #pragma once
 
 #include <cstddef>
@@ -19,17 +19,17 @@ struct SpeltName {
   enum class Begin : std::uint8_t { name, number, call };
   enum class End : std::uint8_t { name, call, divisor, sum };
 
-  std::string text = {};  ///< "" for none
+  std::string text = {};  ///< "" if the value has no spelling
   std::size_t names = 1;
-  bool is_told = false;  ///< some names are those of values, not of leaves
+  bool is_told = false;  ///< some names are of intermediate values, not of leaves
   Begin begin = Begin::name;
   End end = End::name;
 };
 
-/// Spells a constant; none but 1, 2, 3, 4 and 1/2.
+/// Spells the constants 1, 2, 3, 4 and 1/2; others have no spelling.
 [[nodiscard]] SpeltName spelt(const ConstantForm& form);
 
-/// Spells an operation on spelt values; `b` where it has two operands.
+/// Spells an operation on spelt values. If it has one operand, `b` must have a spelling, too.
 [[nodiscard]] SpeltName spelt(const Instruction& operation, const SpeltName& a, const SpeltName& b);
 
 }  // namespace elgen

@@ -1,17 +1,17 @@
-// temporary_names: what instructions are called in equations and emitted code.
+// temporary_names: names of instructions in equations and emitted code.
 //
 //     sin of a leaf, or of a sum of leaves       sin_theta, cos_q1_q2, sin_q1_minus_q2
 //     an instruction that has a name             that name
-//     made of a few leaves                       m_l_cos_theta, M_plus_m (spelling.hpp)
-//     told by the derivation                     moment_link5_y
-//     made of a few of all these                 m5_moment_link5_y
+//     an operation on few leaves                 m_l_cos_theta, M_plus_m (spelling.hpp)
+//     a named intermediate of the derivation     moment_link5_y
+//     an operation on few of all these           m5_moment_link5_y
 //     a part of one of these                     moment_link5_y_part, moment_link5_y_part_2
-//     else                                       t_4f2a9: a hash of what it computes
+//     else                                       t_4f2a9: a hash of the computation
 //
-// The last five are for what is used more than once, too long to read, or beside the cosine (sine)
-// of its angle. They depend on the value alone: where two values claim one name, or it means
-// something else, both have hashes. These cover leaves, constants and operations, not positions, so
-// a change elsewhere leaves them alone.
+// The last five name only values that are used twice, are too long to read, or are a sine or cosine
+// whose counterpart is used, too. They depend on the value alone: if two values claim one name, or
+// the name has another meaning, they get hashes. A hash covers leaves, constants and operations,
+// not positions, so that it survives changes elsewhere.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -28,29 +28,29 @@
 namespace elgen {
 namespace {
 
-/// Longer expressions are broken up, so that a line stays readable.
+/// Longer expressions are split, so that a line stays readable.
 constexpr std::size_t longest_expression = 12;
 constexpr std::size_t longest_name = 40;
-/// It stands on a line of 100 columns.
+/// The longest name that fits on a line of 100 columns.
 constexpr std::size_t longest_temporary = 60;
 constexpr int shortest_hash = 5;
-/// Beyond, a number says less than a hash, and changes more often.
+/// Beyond this, a number says less than a hash, and changes more often.
 constexpr std::size_t most_parts = 9;
 
-/// Names the emitted functions use themselves, beside arguments and functions of the language, and
-/// keywords and types that are made of words: co*await.
+/// Names that emitted functions use, besides arguments and functions of the language, and keywords
+/// and types that a spelling may produce: co*await.
 constexpr std::array<std::string_view, 16> reserved_names{
     "sqrt",         "constant",     "result",           "parameters", "Scalar",  "std",
     "co_await",     "co_yield",     "co_return",        "wchar_t",    "char8_t", "char16_t",
     "thread_local", "dynamic_cast", "reinterpret_cast", "size_t"};
 
-/// "M_E", "INT_MAX"
+/// Names such as "M_E" or "INT_MAX", without lower-case letters.
 bool is_like_macro(const std::string& name) {
   return std::ranges::none_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
 }
 
-/// How often each value is used. A negation is written out wherever it is used, so its uses are its
-/// operand's.
+/// The number of uses of each value. A negation is written at each of its uses, so they count for
+/// its operand.
 std::vector<std::size_t> uses_in(const Function& function) {
   std::vector<std::size_t> uses(function.instructions.size(), 0);
   for (const std::uint32_t entry : entries_of(function)) ++uses[entry];
@@ -62,7 +62,7 @@ std::vector<std::size_t> uses_in(const Function& function) {
   return uses;
 }
 
-/// FNV-1a over the operation, the spelling of leaves and constants, and the hashes of operands.
+/// FNV-1a of the operation, the text of leaves and constants, and the hashes of operands.
 std::vector<std::uint64_t> hashes_of(const Program& program, const Function& function) {
   std::vector<std::uint64_t> hashes;
   for (const Instruction& i : function.instructions) {
@@ -83,7 +83,7 @@ std::vector<std::uint64_t> hashes_of(const Program& program, const Function& fun
   return hashes;
 }
 
-/// The places of `wanted` in the expression of `whole`, as far as nothing has a name.
+/// The indices of `wanted` within the expression of `whole`, down to named values.
 std::vector<std::size_t> parts_of(std::size_t whole, const Function& function,
                                   const std::vector<std::string>& names,
                                   const std::set<std::size_t>& wanted) {
@@ -102,8 +102,8 @@ std::vector<std::size_t> parts_of(std::size_t whole, const Function& function,
   return parts;
 }
 
-/// "moment_link5_y_part", "moment_link5_y_part_2", … for `wanted`. Of several names the shortest,
-/// and of these the first.
+/// "moment_link5_y_part", "moment_link5_y_part_2", … for `wanted`. If a value has several such
+/// names, the shortest counts, then the alphabetically first.
 std::vector<std::string> part_names(const Function& function, const std::vector<std::string>& names,
                                     const std::set<std::size_t>& wanted) {
   std::vector<std::string> result(names.size());
@@ -218,7 +218,7 @@ class Naming {
     }
   }
 
-  /// One call computes both.
+  /// One call computes both sine and cosine of the angle.
   bool has_sine_and_cosine(const Instruction& i) const {
     return is_trigonometric(i) && angles_.at(i.a).size() == 2;
   }
@@ -230,7 +230,7 @@ class Naming {
     return angle_name(i).value_or(name.starts_with(told_mark) ? "" : name);
   }
 
-  /// A value made of leaves is spelt; else a told one is one name.
+  /// An operation on leaves is spelt. Otherwise a named intermediate is a single name.
   SpeltName spelling(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
     if (i.opcode == Opcode::constant) return spelt(program_.constants[i.a].form);
@@ -247,8 +247,7 @@ class Naming {
     return {.text = function_.names[at].substr(1), .is_told = true};
   }
 
-  /// The places that are left without a name: those that share one, or have one that means
-  /// something else.
+  /// Places that remain without a name, because another place claims it or it has another meaning.
   std::vector<std::size_t> name_alone(const std::vector<std::size_t>& places,
                                       std::vector<std::string>& names) {
     std::map<std::string, int> claims;
@@ -272,8 +271,7 @@ class Naming {
            name.size() > longest_temporary || name.find("__") != std::string::npos;
   }
 
-  /// "sin_theta", "cos_q1_minus_q2"; nothing where the argument is no short sum of
-  /// leaves.
+  /// "sin_theta", "cos_q1_minus_q2"; none if the argument is not a short sum of leaves.
   std::optional<std::string> angle_name(const Instruction& i) const {
     if (!is_trigonometric(i)) return std::nullopt;
     const std::optional<std::string>& argument = sums_[i.a];
@@ -281,7 +279,7 @@ class Naming {
     return fmt::format("{}_{}", function_row(i.function).name, *argument);
   }
 
-  /// "q1_minus_q2", from those of its operands.
+  /// "q1_minus_q2", from the names of its operands.
   std::optional<std::string> leaf_sum(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
     if (is_leaf(i.opcode)) return identifier_of(leaf_of(program_.leaves, i.opcode, i.a));
@@ -297,10 +295,10 @@ class Naming {
   const Function& function_;
   TakenNames taken_;
   const std::vector<std::size_t> uses_;
-  std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< the functions called with each
+  std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< functions called with each angle
   const std::vector<std::uint64_t> hashes_;
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
-  std::vector<std::string> own_;                  ///< of what has a name that is not told
+  std::vector<std::string> own_;                  ///< names of the first two rows above
   std::vector<SpeltName> spellings_;
 };
 

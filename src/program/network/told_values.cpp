@@ -1,5 +1,5 @@
-// told_values: doubles where all leaves are drawn at random. Sums, products and quotients round
-// alike on every machine; functions are computed in 64 digits, so that they do, too.
+// told_values: values in double with random leaves. Sums, products and quotients round the same on
+// every machine. Functions are computed in 64 digits, so that they do, too.
 #include "program/network/told_values.hpp"
 
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace elgen {
 namespace {
 
-/// Values that agree differ by rounding, some 1e-15; of ten thousand that do not, two are as near
-/// with a probability of 1e-4.
+/// Equal values differ by rounding, about 1e-15. Of ten thousand different values, two are this
+/// near with a probability of 1e-4.
 constexpr double rounding = 1e-12;
 
 struct PortableRules : interpreter::NumberRules<double> {
@@ -24,7 +24,7 @@ struct PortableRules : interpreter::NumberRules<double> {
   }
 };
 
-/// The value of each instruction.
+/// The value of each instruction at the random leaves.
 std::vector<double> values_of(const Program& program, const Function& function) {
   const LeafValues<double> at = Sampler(1).scaled_point(program.leaves, -2, 0);
   return fold<double>(PortableRules{{at}}, program, function);

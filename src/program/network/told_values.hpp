@@ -1,5 +1,5 @@
-// told_values: passes make other instructions of what was derived; by their values, names are found
-// again for those that have none.
+// told_values: passes change the instructions of the derivation. Its named intermediates are found
+// again by their numeric values, to name instructions that have no name.
 //
 //     moment_link5_y = m*l*cos(a + b)       ~moment_link5_y of  l*(cos(a)*cos(b) - sin(a)*sin(b))*m
 //                                           ~minus_moment_link5_y of its opposite
@@ -14,14 +14,15 @@
 
 namespace elgen {
 
-/// By magnitude, where all leaves are drawn at random: the name, and whether the value is negative.
+/// Magnitude with random leaves -> the name, and whether the value is negative.
 using ToldValues = std::map<double, std::pair<std::string, bool>>;
 
-/// `names`: of the values of `told`, one each; the first of those that have one value counts.
+/// `names`: one for each value of `told`. Of equal values the first name counts.
 [[nodiscard]] ToldValues told_values(const Expressions& told, const std::vector<std::string>& names,
                                      const LeafNames& leaves);
 
-/// The leaves of the program are those of told_values.
+/// Names the instructions without a name. The leaves of `program` must be the `leaves` of
+/// told_values.
 void name_told(const ToldValues& told, const Program& program, Function& function);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// turn_signs: see network.hpp. Only where a negation would be executed: at results, in calls and
+// turn_signs: see network.hpp. Only if a negation would be executed: at results, in calls and
 // roots.
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace {
 struct Uses {
   std::uint32_t all = 0;
   std::uint32_t negative = 0;
-  std::uint32_t negated = 0;  ///< negative ones that cost a negation
+  std::uint32_t negated = 0;  ///< negative uses that cost a negation
 };
 
 class Turning {
@@ -49,8 +49,8 @@ class Turning {
     }
   }
 
-  /// Turns the sign of an operation from inside, if it is a difference or has a factor that only it
-  /// uses.
+  /// Negates the operation at no cost: a difference, or a factor with no other use that can be
+  /// negated.
   bool turn(NodeId id) {
     Operation& operation = network_.operations[id];
     std::vector<Ref>& operands = operation.operands;

@@ -1,4 +1,4 @@
-// composed: two calls of the parts, M and forces first, then the derivatives at the accelerations.
+// composed: calls the parts twice: M and forces first, then the derivatives at the accelerations.
 #include "elgen/compose.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Places row_of(const ValueMatrix& matrix, std::size_t row) {
 
 class Derivatives {
  public:
-  /// `parts` outlives it, and is no function of the program.
+  /// `parts` must outlive this, and must not be a function of the program.
   Derivatives(Program& program, const Function& parts)
       : program_(program),
         parts_(parts),
@@ -49,7 +49,7 @@ class Derivatives {
   }
 
  private:
-  /// The parts of these names that are there, by one call.
+  /// The parts with these names that exist, by one call.
   std::vector<ValueMatrix> called(const std::vector<std::string_view>& names, const CallPoint& at) {
     Field all;
     std::vector<ValueMatrix> result;
@@ -69,7 +69,7 @@ class Derivatives {
     return result;
   }
 
-  /// M^-1 of all columns of some matrices.
+  /// M^-1 times every column of the matrices.
   std::vector<ValueMatrix> responses(const Factorised& mass, std::vector<ValueMatrix> forces) {
     const std::size_t n = parts_.elimination.size();
     std::vector<Places> columns;
@@ -91,8 +91,8 @@ class Derivatives {
     return forces;
   }
 
-  /// As fields of the output: each derivative is one, or A has the rates, the derivatives by q and
-  /// those by v below, and B those by u below zeros.
+  /// Writes the fields of the output. Without `rates` each derivative is a field. With `rates`, A =
+  /// [rates; d/dq, d/dv] and B = [0; d/du].
   void write(const std::vector<ValueMatrix>& derivatives, const std::vector<ValueMatrix>& rates) {
     if (rates.empty()) {
       for (const ValueMatrix& matrix : derivatives) add_field(matrix);

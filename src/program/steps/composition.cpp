@@ -1,5 +1,5 @@
-// Composition: instruction by instruction; what two calls compute alike is one value. L D L^T and
-// its substitutions value by value: what is 0 is left out.
+// Composition: instruction by instruction; two calls share the values that both compute. L D L^T
+// and its substitutions: entry by entry, without operations on zeros.
 #include "program/steps/composition.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// Code of fewer columns is as fast without a loop: a register of vectors holds up to 16 numbers.
+/// With fewer columns, code without a loop is as fast: a vector register holds up to 16 numbers.
 constexpr std::size_t least_columns = 16;
 
 /// value - x y
@@ -48,7 +48,7 @@ bool Composition::is_one(std::uint32_t place) const {
   return i.opcode == Opcode::constant && program_.constants[i.a].value == 1;
 }
 
-/// A value that is there already, or 0 or a change of sign.
+/// An existing value, 0 or a negation that the instruction reduces to.
 std::optional<std::uint32_t> Composition::trivial(const Instruction& i) {
   switch (i.opcode) {
     case Opcode::add:
@@ -115,7 +115,7 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
 Places Composition::call(const Program& from, const Function& callee, const Field& field,
                          const CallPoint& at, bool is_inner) {
   const std::vector<bool> needed = needed_for(callee, field.entries);
-  // Names that are spelt say of what a value is computed, which is another one here.
+  // Spelt names describe the operands of the callee, which differ here, so only own names are kept.
   const std::vector<std::string> names = own_names(from, callee);
   const std::string suffix = at.number > 1 ? fmt::format("_{}", at.number) : "";
   Places places(callee.instructions.size());
@@ -233,7 +233,7 @@ Factorised::Factorised(Composition& compose, Places order, const Places& mass)
   }
 }
 
-/// L^-1 r, by row.
+/// L^-1 r, indexed by row of M.
 Places Factorised::reduced(Composition& compose, const Places& r) const {
   Places z = r;
   for (std::size_t i = 0; i < order_.size(); ++i) {
@@ -243,7 +243,7 @@ Places Factorised::reduced(Composition& compose, const Places& r) const {
   return z;
 }
 
-/// L^-T D^-1 z, by row.
+/// L^-T D^-1 z, indexed by row of M.
 Places Factorised::substituted(Composition& compose, const Places& z) const {
   const std::size_t n = order_.size();
   Places x(n);

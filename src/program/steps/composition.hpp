@@ -1,5 +1,5 @@
-// Composition: a function that is made of calls of others, each copied with its leaves replaced.
-// Operations that then give 0, add 0, or multiply or divide by 1 are left out.
+// Composition: builds a function from calls of others, each copied with its leaves replaced.
+// Operations that then give 0, add 0, or multiply or divide by 1 are omitted.
 //
 //     a(q, u) = q*u   called at   q + h v   ->   0 = q   1 = h   2 = v   3 = multiply 1 2
 //                                                4 = add 0 3   5 = u   6 = multiply 4 5
@@ -17,22 +17,22 @@
 
 namespace elgen {
 
-/// Numbers of instructions.
+/// Indices of instructions.
 using Places = std::vector<std::uint32_t>;
 
-/// The arguments q, v, t and, where the callee takes it, a of a call. Parameters and u are the
+/// The arguments q, v, t of a call, and a if the callee needs it. Parameters and u are the
 /// caller's.
 struct CallPoint {
   Places q = {};
   Places v = {};
   std::uint32_t t = 0;
-  std::uint32_t number = 1;  ///< of the call: part of the names from the second on
+  std::uint32_t number = 1;  ///< of the call: a suffix of names from 2 on
   Places a = {};
 };
 
 class Composition {
  public:
-  /// Instructions are added to `function`, constants to `program`.
+  /// Adds instructions to `function` and constants to `program`.
   Composition(Program& program, Function& function)
       : program_(program), function_(function), instructions_(function) {}
 
@@ -45,30 +45,29 @@ class Composition {
   /// f(x), or f(x, y).
   [[nodiscard]] std::uint32_t applied(FunctionId function, std::uint32_t x, std::uint32_t y);
 
-  /// The same of entries: x + y, x - y.
+  /// Entry by entry: x + y, x - y.
   [[nodiscard]] Places add(Opcode opcode, const Places& x, const Places& y);
   /// x + c y
   [[nodiscard]] Places moved(const Places& x, std::uint32_t c, const Places& y);
 
-  /// The entries of a field of `callee`, a function of `from`, at a point. `is_inner`: of its
-  /// operations.
+  /// The entries of a field of `callee`, a function of `from`, at a point. `is_inner` marks its
+  /// operations, see Instruction::is_inner.
   [[nodiscard]] Places call(const Program& from, const Function& callee, const Field& field,
                             const CallPoint& at, bool is_inner = false);
 
   using Body = std::function<Places(Composition&, const Places&)>;
-  /// The values that `body` makes of each of the columns. Columns that have few zeros are the
-  /// repetitions of the function, which compute with these, and nothing is added behind them; all
-  /// others are composed one by one: those that take at most half of the operations so, or all
-  /// where few are left.
+  /// Applies `body` to each column. Columns with few zeros become the repetitions of the function,
+  /// and no instruction may follow them. The others are composed one by one: columns that need at
+  /// most two thirds of the operations, or all columns if fewer than 16 need more.
   ///
   ///     r -> r/d   of   (0 = q), (1 = v)   ->   3 = divide 0 2   4 = divide 1 2
   [[nodiscard]] std::vector<Places> repeat(const std::vector<Places>& columns, const Body& body);
 
-  /// Calls values "theta_2" that are computed and have no name yet.
+  /// Names values "theta_2", if they are computed and have no name yet.
   void name(const Places& values, Opcode kind, std::uint32_t number);
-  /// Calls a value so, likewise.
+  /// Names a value `name`, under the same condition.
   void name(std::uint32_t value, const std::string& name);
-  /// Calls them "reduced_theta", likewise.
+  /// Names values "reduced_theta", under the same condition.
   void name(const Places& values, const std::string& prefix);
 
  private:
@@ -77,8 +76,8 @@ class Composition {
   [[nodiscard]] bool is_zero(std::uint32_t place) const;
   [[nodiscard]] bool is_one(std::uint32_t place) const;
   [[nodiscard]] std::uint32_t add(const Instruction& instruction);
-  /// The columns for which the body takes more than two thirds of so many instructions; none where
-  /// they are few.
+  /// The columns for which the body needs more than two thirds of `length` instructions; none if
+  /// there are fewer than 16.
   [[nodiscard]] std::vector<std::size_t> long_columns(const std::vector<Places>& columns,
                                                       const Body& body, std::size_t length) const;
 
@@ -87,17 +86,17 @@ class Composition {
   Instructions instructions_;
 };
 
-/// A symmetric matrix M of values of a composition, as L D L^T, and what it is solved for.
+/// A symmetric matrix M of values of a composition, as L D L^T, and solutions of M x = r.
 ///
 ///     W_ij = M_ij - sum_{k<j} L_jk W_ik,   D_j = W_jj,   L_ij = W_ij / D_j
 ///     z = L^-1 r,   x = L^-T D^-1 z
 ///
-/// n^3/6 operations without those on zeros. Where frames branch the last row goes first, so that
-/// zeros stay (derive/lagrangian/symmetric_solve.hpp has the same on formulas).
+/// n^3/6 operations, minus the ones on zeros. If frames branch, the last row is eliminated first,
+/// so that zeros stay zero (derive/lagrangian/symmetric_solve.hpp is the same on formulas).
 class Factorised {
  public:
-  /// `mass`: n x n, row-major. `order`: its rows as they are eliminated. Without pivoting: M is
-  /// positive definite.
+  /// `mass`: n x n, row-major. `order`: its rows in the order of elimination. No pivoting, because
+  /// M is positive definite.
   Factorised(Composition& compose, Places order, const Places& mass);
 
   /// x with M x = r.
@@ -105,7 +104,7 @@ class Factorised {
     return substituted(compose_, reduced(compose_, r));
   }
 
-  /// The same of each column r (Composition::repeat).
+  /// Solves for every column r (Composition::repeat).
   [[nodiscard]] std::vector<Places> solve_columns(const std::vector<Places>& columns) const;
 
  private:
@@ -118,7 +117,7 @@ class Factorised {
   Places reciprocals_ = {};         ///< 1 / D
 };
 
-/// The velocities of a model in that order.
+/// The velocities of a model in the order of elimination.
 [[nodiscard]] Places order_of_elimination(const Model& model);
 
 }  // namespace elgen

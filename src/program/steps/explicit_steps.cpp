@@ -1,5 +1,5 @@
-// The explicit methods, which call nothing but accelerations (and rates, where rotations turn).
-// Tangents go along with all values: those of accelerations are a call of their derivatives.
+// The explicit methods. They call only accelerations, and coordinate rates if there are rotations.
+// All values carry tangents; tangents of accelerations are a call of their derivatives.
 //
 //     da = (da/dq) dq + (da/dv) dv + (da/du) du
 #include <algorithm>
@@ -82,7 +82,7 @@ class Explicit {
     return ended(end);
   }
 
-  /// The kick that ends a part and the one that begins the next are merged.
+  /// Merges the kick that ends a part of the step with the kick that begins the next part.
   NextState verlet() {
     CallPoint at = step_.start;
     MovingState x = seeded();
@@ -108,7 +108,7 @@ class Explicit {
  private:
   [[nodiscard]] std::size_t size() const { return step_.model.velocities.size(); }
 
-  /// The state that a step begins at; its directions are those of q, v and u.
+  /// The state at the start of the step; its directions are q, v and u.
   MovingState seeded() {
     MovingState start{{step_.start.q}, {step_.start.v}};
     const std::uint32_t zero = compose_.number(0);
@@ -173,7 +173,7 @@ class Explicit {
     return rates;
   }
 
-  /// The rates at the start and c k, for call `number`.
+  /// The rates at start + c k, for call `number`.
   MovingState rates_after(const MovingState& start, std::uint32_t c, const MovingState& k,
                           std::uint32_t number) {
     MovingState x{moved(compose_, start.q, c, k.q)};

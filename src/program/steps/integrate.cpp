@@ -1,4 +1,5 @@
-// integrate: what each method is for, what it starts from and calls, and the function it makes.
+// integrate: the models that a method accepts, the outputs that it calls, and the composed
+// function.
 #include "elgen/integrate.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +22,7 @@ constexpr NextState (*methods[])(const StepContext&) = {
 #undef ELGEN_STEP_METHOD
 };
 
-/// Behind the four calls of rk4, the only method of models with constraints: names of values
-/// differ.
+/// Suffix of projected values: rk4, the only method for models with constraints, has calls 1 to 4.
 constexpr std::uint32_t number_of_projected = 5;
 
 StepDomain domain_of(const OutputRequest& step) { return step_row(step.step->method).domain; }
@@ -33,7 +33,7 @@ void add_field(Function& function, std::string name, Places entries) {
   function.fields.push_back({std::move(name), rows, 1, std::move(entries)});
 }
 
-/// All entries, where what is called rests on zeros that were not proved.
+/// All entries if a called function rests on zeros that are not proved; otherwise none.
 std::vector<std::uint32_t> sampled_zeros(const Program& calls, const Function& step) {
   const bool is_sampled = std::ranges::any_of(
       calls.functions, [](const Function& f) { return !f.sampled_zeros.empty(); });
@@ -42,14 +42,16 @@ std::vector<std::uint32_t> sampled_zeros(const Program& calls, const Function& s
   return entries;
 }
 
-/// Whether an explicit method takes tangents along, by derivatives of accelerations: shorter than
-/// to differentiate its instructions, but for rotations, and where these derivatives are loops.
+/// True if an explicit method carries tangents, computed with derivatives of accelerations. That is
+/// shorter than differentiating its instructions, except with rotations or if the derivatives are
+/// loops.
 bool takes_tangents(const Model& model, const OutputRequest& step) {
   return output_row(step.kind).differentiates && domain_of(step) != StepDomain::quadratic &&
          model.rotations.empty() && model.velocities.size() < least_of_composed;
 }
 
-/// A and B from their columns, or where the method has none, from the instructions of the step.
+/// A and B from their columns. If the method gives none, the instructions of the step are
+/// differentiated.
 Function derivatives(const Model& model, const Program& calls, Function function,
                      std::vector<Places> columns, Program& program) {
   if (columns.empty()) {
@@ -73,13 +75,14 @@ Function derivatives(const Model& model, const Program& calls, Function function
   return pruned(function);
 }
 
-/// The outputs that only show whether a method applies.
+/// Outputs that only show if the method applies.
 std::vector<OutputKind> kinds_judged(const OutputRequest& step) {
   if (domain_of(step) != StepDomain::separable) return {};
   return {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum};
 }
 
-/// The outputs that a method calls where it applies; `dynamics` computes those before it together.
+/// Outputs that the method calls if it applies; `dynamics` computes the ones listed before it
+/// together.
 std::vector<OutputKind> kinds_called(const OutputRequest& step) {
   switch (domain_of(step)) {
     case StepDomain::separable:
@@ -94,7 +97,7 @@ std::vector<OutputKind> kinds_called(const OutputRequest& step) {
   return {OutputKind::forward_dynamics, OutputKind::coordinate_rates};
 }
 
-/// Puts a state at the time t + h back onto the constraints.
+/// Projects a state at the time t + h onto the constraints.
 void project(const StepContext& step, NextState& moved) {
   CallPoint at{.q = moved.q, .v = moved.v, .t = step.time_at(1), .number = number_of_projected};
   step.name(at);
@@ -115,8 +118,8 @@ std::string refusal(const CheckedModel& checked, const OutputRequest& step, cons
   return {};
 }
 
-/// "theta", "dot(x)" or "t": the first leaf of one of these kinds that the output reads; "" where
-/// it reads none.
+/// "theta", "dot(x)" or "t": the first leaf of these kinds that the output reads; "" if it reads
+/// none.
 std::string leaf_read(const Program& program, OutputKind kind, LeafSet kinds) {
   const Function* const function = find_function(program, kind);
   if (function == nullptr) return {};
@@ -128,7 +131,7 @@ std::string leaf_read(const Program& program, OutputKind kind, LeafSet kinds) {
   return {};
 }
 
-/// Whether p is more than M v, for an M that is constant.
+/// True if p contains more than M v; M must be constant.
 bool has_linear_terms(const CheckedModel& checked, const Program& program) {
   constexpr OutputKind momentum = OutputKind::momentum;
   if (!leaf_read(program, momentum, Opcode::coordinate | Opcode::time).empty()) return true;

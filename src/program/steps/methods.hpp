@@ -1,4 +1,4 @@
-// The methods of step_methods.def, each composed as its textbook has it.
+// The methods of step_methods.def, each composed as in its textbook.
 #pragma once
 
 #include <vector>
@@ -8,28 +8,29 @@
 
 namespace elgen {
 
-/// Where a step is composed, and from what.
+/// The inputs of composing a step.
 struct StepContext {
-  /// `the_calls` has what needed_for_step says of `request`. All arguments outlive it.
+  /// `the_calls` contains the outputs that needed_for_step returns for `request`. All arguments
+  /// must outlive this.
   StepContext(const CheckedModel& checked, const OutputRequest& request, const Program& the_calls,
               Composition& composition);
 
-  /// t + c; of no meaning where the model does not know t.
+  /// t + c; meaningless if the model does not contain t.
   [[nodiscard]] std::uint32_t time_after(std::uint32_t c) const;
-  /// t + c h, likewise.
+  /// t + c h, with the same exception.
   [[nodiscard]] std::uint32_t time_at(const cln::cl_RA& c) const;
   /// c h
   [[nodiscard]] std::uint32_t part(const cln::cl_RA& c) const;
-  /// Calls what was computed of q and v by the number of the point.
+  /// Names computed entries of q and v, with the number of the point.
   void name(const CallPoint& at) const;
 
   const Model& model;
   const Program& calls;
   Composition& compose;
   bool has_inner;                 ///< accelerations in float
-  std::size_t directions;         ///< along which explicit methods take tangents; 0: none
+  std::size_t directions;         ///< number of tangents of explicit methods; 0: none
   std::uint32_t iterations;       ///< of an implicit method
-  std::vector<cln::cl_RA> parts;  ///< of h, over which a symmetric method goes in turn
+  std::vector<cln::cl_RA> parts;  ///< steps of a composed symmetric method, in units of h
   std::uint32_t h;
   CallPoint start;
   std::uint32_t half;  ///< h/2
@@ -39,14 +40,14 @@ struct StepContext {
 struct NextState {
   Places q = {};
   Places v = {};
-  Places residual = {};              ///< of an implicit method
-  std::vector<Places> columns = {};  ///< d(q, v) along each direction of q, v, u, where asked for
+  Places residual = {};              ///< of an implicit method; otherwise empty
+  std::vector<Places> columns = {};  ///< d(q, v) along each direction of q, v, u; may be empty
 };
 
-/// The columns of A and B of x(t + h) = Phi(x, u) about a state, x = (dq, v), appended to `step`,
-/// which has the coordinates and rates of Phi: exact for its instructions, iterations and scalings
-/// of quaternions among them. `calls` has coordinate_rates where the model has rotations. Cost:
-/// about the step again for each column.
+/// The columns of A and B of x(t + h) = Phi(x, u) about a state, x = (dq, v). Appends them to
+/// `step`, which has the coordinates and rates of Phi. They are exact for its instructions,
+/// including iterations and scalings of quaternions. `calls` needs coordinate_rates if the model
+/// has rotations. Cost: about one step per column.
 [[nodiscard]] std::vector<Places> step_columns(const Model& model, const Program& calls,
                                                const Function& step, Composition& compose);
 

@@ -1,15 +1,15 @@
-// The implicit midpoint rule on q and p = M v + b, by successive substitution: at
-// m = (q + h/2 w, w, t + h/2), from w = v on,
+// The implicit midpoint rule on q and p = M v + b, by successive substitution. At m = (q + h/2 w,
+// w, t + h/2), starting with w = v:
 //
 //     M(m) w = p + h/2 dp/dt(m) - b(m)        dp/dt = dL/dq + F,   F = B u + Q - dD/dv
 //
-// and with the last w of all   q += h w,   p += h dp/dt(m).
+// With the last w: q += h w, p += h dp/dt(m).
 //
-// Where no force acts on a cyclic coordinate its momentum stays, however often w is substituted.
-// Every substitution takes the error of w times about h/2 |M^-1 (dp/dq - d2L/dv dq)|. A Jacobian
-// with these terms would do with half as many, each with a Coriolis matrix and an unsymmetric
-// elimination more. M is that of each point, for the bound of rounding: along w -= M^-1 r(w) it
-// would grow by 1 + cond M each time, here it shrinks as the error does.
+// If no force acts on a cyclic coordinate, its momentum is exact after any number of substitutions.
+// Each substitution multiplies the error of w by about h/2 |M^-1 (dp/dq - d2L/dv dq)|. Newton's
+// method would need half as many, each with a Coriolis matrix and an unsymmetric elimination more.
+// M is evaluated at each point, for the bound on rounding errors: with w -= M^-1 r(w) the bound
+// would grow by 1 + cond M each time; here it shrinks with the error.
 //
 // Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. VIII.6.
 #include <algorithm>
@@ -24,8 +24,8 @@ class Midpoint {
  public:
   explicit Midpoint(const StepContext& step) : step_(step), compose_(step.compose) {}
 
-  /// p goes from part to part of the step, v is what ends the last one; the last w of a part is the
-  /// first of the next one.
+  /// p passes through the parts of the step; v is computed after the last part. The last w of a
+  /// part is the first w of the next.
   NextState operator()() {
     Places p = part(OutputKind::momentum, step_.start);
     CallPoint end = step_.start;
@@ -75,7 +75,7 @@ class Midpoint {
     return sum;
   }
 
-  /// M^-1 (p - b) at a point, whatever its v.
+  /// M^-1 (p - b) at a point; its v is ignored.
   Places velocities(CallPoint at, const Places& p) {
     const Factorised mass(compose_, order_of_elimination(step_.model),
                           part(OutputKind::mass_matrix, at));
@@ -83,7 +83,7 @@ class Midpoint {
     return mass.solve(compose_.add(Opcode::subtract, p, part(OutputKind::momentum, at)));
   }
 
-  /// The middle of a part of the step that begins at `begin` with p, at the last w.
+  /// The midpoint of the part of the step that begins at `begin` with p, with the last w.
   CallPoint solved(const CallPoint& begin, const Places& p, const cln::cl_RA& length) {
     const std::uint32_t half = step_.part(length / 2);
     CallPoint at = begin;
@@ -99,7 +99,7 @@ class Midpoint {
 
   const StepContext& step_;
   Composition& compose_;
-  cln::cl_RA time_ = 0;  ///< until the part, in h
+  cln::cl_RA time_ = 0;  ///< start of the part, in units of h
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
-// step_columns: one forward pass over the instructions of a step for each direction of the
-// state and of the inputs. Every pass is the same code, so that dense ones are the repetitions of
-// the function.
+// step_columns: one forward pass over the instructions of a step for each direction of the state
+// and the inputs. Every pass has the same code, so dense passes become the repetitions of the
+// function.
 //
 //     s = a b    ->    ds = da b + a db
 //
-// Directions of a rotation are rotation vectors in the axes of the body, on both sides:
+// Directions of a rotation are rotation vectors in body axes, before and after the step:
 //
 //     dq = N(q) dx,    dx' = 4 N(q')^T dq'
 #include <optional>
@@ -18,9 +18,9 @@ namespace elgen {
 namespace {
 
 /// A derivative of a function, as the table writes it over values of a composition. It is composed
-/// afterwards, from left to right: compilers differ in the order of operands.
+/// later, from left to right, because compilers evaluate operands in different orders.
 struct Slope {
-  std::uint32_t place = 0;  ///< of a value, where there are no operands
+  std::uint32_t place = 0;  ///< of a value, if there are no operands
   Opcode opcode = Opcode::constant;
   FunctionId function = FunctionId::sin;
   std::vector<Slope> operands = {};
@@ -51,15 +51,15 @@ Slope called(FunctionId function, const Slope& x, const Slope& y) {
   return {.opcode = Opcode::call, .function = function, .operands = {x, y}};
 }
 
-/// A direction of the leaves of a step.
+/// The tangents of the leaves of a step along one direction.
 struct Seeds {
   Places q;
   Places v;
   Places u;
 };
 
-/// The tangents of all instructions of a step along a direction. The function of the composition
-/// begins with these instructions.
+/// The tangents of all instructions of a step along a direction. The composed function must begin
+/// with these instructions.
 class Tangents {
  public:
   Tangents(Composition& compose, const Function& step, const Seeds& seeds)
