@@ -1,4 +1,4 @@
-// Certificates as JSON, and as people read them:
+// Certificates as JSON and as text:
 //
 //     certificate of cart_pole, scene full, seed 1
 //
@@ -52,7 +52,7 @@ std::string skipped_text(const CertificateRow& row) {
   return text;
 }
 
-/// Where no state was looked at, "<Eigen/Core> is not installed".
+/// The skipped states, or "<Eigen/Core> is not installed" if no state was visited.
 std::string why_skipped(const CertificateRow& row) {
   return row.skipped.empty() ? row.worst : skipped_text(row);
 }
@@ -95,7 +95,7 @@ Verdict verdict_of(const Rows& rows) {
   return Verdict::skipped;
 }
 
-/// Rows of one output, in the order in which outputs come first.
+/// Rows grouped by output, in the order in which outputs first occur.
 std::vector<OutputRows> by_output(const Certificate& certificate) {
   std::vector<OutputRows> groups;
   for (const CertificateRow& row : certificate.rows) {
@@ -110,8 +110,8 @@ bool rests_on(const Rows& rows, Evidence evidence) {
   return std::ranges::count(rows, evidence, &CertificateRow::evidence) > 0;
 }
 
-/// The fewest states at which one of the rows was compared: of those with a loss, where there are
-/// such.
+/// The smallest number of compared states, over rows that hold and have a loss (`with_loss`) or
+/// none.
 std::optional<std::size_t> fewest_states(const Rows& rows, bool with_loss) {
   std::optional<std::size_t> fewest;
   for (const CertificateRow* row : rows) {
@@ -122,7 +122,7 @@ std::optional<std::size_t> fewest_states(const Rows& rows, bool with_loss) {
   return fewest;
 }
 
-/// The most states inside the ranges at which one of the rows was not compared.
+/// The largest number of states inside the ranges that one of the rows skipped.
 std::size_t most_skipped_inside(const Rows& rows) {
   std::size_t most = 0;
   for (const CertificateRow* row : rows) most = std::max(most, row->skipped_inside);

@@ -1,6 +1,6 @@
-// Bitwise comparison. Both sides do the same operations in the same order on one machine with one
-// libm and without contraction, so nothing may differ, whatever the optimisation and the width of
-// packs. Contraction changes the bits of a polynomial, not the error that it may have.
+// Bitwise comparison. Both sides execute the same operations in the same order on one machine with
+// one libm and without contraction. So all bits must agree, for any optimisation and any width of
+// packs. Contraction changes the bits of a polynomial, not its error bound.
 #include "verify/compiled_code.hpp"
 
 #include <fmt/format.h>
@@ -42,19 +42,19 @@ std::string kind_of_code(const CompiledHeader& compiled, std::string_view first)
   return text;
 }
 
-/// The error that a module may make in a field, in u of its largest entry: of interpreters that
-/// have code of their own for what a function calls. 0: none.
+/// The permitted error of a module in a field, in u of the largest entry; 0: all bits must agree.
+/// It is at least 4 if the interpreter has its own implementation of a called function.
 double allowed_roundings(const CompiledHeader& compiled, const Function& function) {
   const bool calls_own = std::ranges::any_of(function.instructions, [&](const Instruction& i) {
     return i.opcode == Opcode::call &&
            has_word(compiled.own_implementations, function_row(i.function).name);
   });
-  constexpr double of_own = 4;  // they are off by 1 ulp, 2 u, as the library may be
+  constexpr double of_own = 4;  // each is off by up to 1 ulp = 2 u, and so is the library
   return calls_own ? std::max<double>(of_own, compiled.roundings) : compiled.roundings;
 }
 
-/// The running errors of all entries, in u, where an interpreter may be off: it computes functions
-/// of the library in its own way, and sums that cancel show it. Infinite where they say nothing.
+/// The running errors of all entries, in u, for interpreters with their own library functions:
+/// cancelling sums magnify the difference. Infinite if they are void.
 template <class Scalar>
 std::vector<double> running_errors(const Subject& subject, const Function& function,
                                    const Arguments<Scalar>& at, double most) {
@@ -71,9 +71,9 @@ std::vector<double> running_errors(const Subject& subject, const Function& funct
   return errors;
 }
 
-/// The entries with other bits that are off by more than `most` u of the largest one of their
-/// field, and `most` times their running error. An exception agrees with numbers that are infinite
-/// or none.
+/// The number of entries with other bits whose difference exceeds both `most` u of the field's
+/// largest entry and `most` times their running error. No values, after an exception, agree with
+/// values that are not all finite.
 template <class Scalar>
 std::size_t differing(const Function& function, const std::vector<Scalar>& given,
                       const std::vector<Scalar>& expected, const std::vector<double>& errors,
@@ -93,7 +93,7 @@ std::size_t differing(const Function& function, const std::vector<Scalar>& given
     for (; i < end; ++i) {
       const double error = std::abs(given[i] - expected[i]);
       const double allowed = most * unit_roundoff * std::max(largest, errors[i]);
-      // Where a pivot is rounding alone, one sine gives a number and another one none.
+      // If a pivot is mere rounding, one sine may give a number and the other NaN.
       const bool is_known = std::isfinite(errors[i]);
       const bool is_near = most > 0 && (!is_known || error <= allowed);
       if (!is_near && !same_bits(given[i], expected[i])) ++count;
@@ -119,7 +119,7 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
                             const Function& function,
                             const std::vector<SampledState<Scalar>>& states,
                             const std::vector<std::vector<Scalar>>& values) {
-  // A batch takes one state after another where numbers are compared.
+  // If numbers are compared, a batch processes one state after another.
   const bool in_packs = compiled.in_packs && !needs_order(function);
   const Sines<Scalar> sines(subject.scene, in_packs ? SinesOf::packs : SinesOf::numbers);
   const double most = allowed_roundings(compiled, function);
@@ -148,7 +148,7 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
   return row;
 }
 
-/// |s - sin x| or |c - cos x|, whichever is larger.
+/// max(|s - sin x|, |c - cos x|).
 template <class Scalar>
 double error_of_sines(const CompiledModel& functions, Scalar angle) {
   Arguments<Scalar> arguments;
@@ -200,8 +200,8 @@ CertificateRow sine_row(const Subject& subject, const CompiledHeader& compiled) 
   return row;
 }
 
-/// f(x, order) from 2^-26, where series begin, to 2^10, beyond what stretches and turns are; where
-/// it grows as cosh(x) does, to 2^6, which float has.
+/// Checks f(x, order) from x = 2^-26, inside the range of its series, to 2^10, beyond stretches and
+/// angles. If f grows as cosh(x), the end is 2^6, so that float can hold it.
 template <class Scalar>
 CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
   constexpr std::size_t arguments = 256;
@@ -278,7 +278,7 @@ CertificateRow without_code(const CompiledHeader& compiled) {
 
 namespace {
 
-/// The row of code whose interpreter ended before it answered.
+/// The row of code whose interpreter ended without an answer.
 CertificateRow silent_code(const Diagnostic& why) {
   CertificateRow row;
   row.check = row.output = "compiled code vs program";

@@ -1,4 +1,4 @@
-// self_check: precedes every write. The size of the program decides how many states are visited.
+// self_check: runs before every write. The size of the program decides the number of states.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::size_t least_checked = 4;
 constexpr std::size_t most_checked = 32;
-/// States times instructions. Most models of textbooks are visited at 32 states, two links at 9, an
-/// arm of seven joints at 4: twice as much work makes generation of all models 5 % slower.
+/// States times instructions. Most textbook models get 32 states, two links 9, an arm of seven
+/// joints 4. Twice this work would slow the generation of all models by 5 %.
 constexpr std::size_t checked_work = 16'000;
-/// Many models have a value at a small part of the states that are drawn.
+/// Many models have a value at few of the drawn states.
 constexpr std::size_t draws_per_state = 8;
 
-/// The oracle evaluates this many nodes of the energies while the program runs one instruction.
-/// They take longer than the program if ten thousand points move by one coordinate.
+/// The oracle evaluates this many nodes of the energies while the program executes one instruction.
+/// If ten thousand points move by one coordinate, the oracle takes longer than the program.
 constexpr std::size_t nodes_per_instruction = 8;
 
 std::size_t states_checked(const Subject& subject) {
@@ -33,8 +33,7 @@ std::size_t states_checked(const Subject& subject) {
   return std::clamp(checked_work / work, least_checked, most_checked);
 }
 
-/// Entries that rest on a zero that nobody proved. `dynamics` repeats the others and does not
-/// count.
+/// Entries that rest on zeros without proof. `dynamics` does not count, because it repeats others.
 std::size_t count_sampled_zeros(const Program& program) {
   std::size_t count = 0;
   for (const Function& function : program.functions) {
@@ -48,8 +47,8 @@ bool may_be_undefined(const Expression& node) {
          node.kind == ExpressionKind::function;
 }
 
-/// The first expression of the output, operands before their users, that is undefined at all the
-/// states; none where only a derivative, or the solution of the equations, is.
+/// The first expression of the output, operands before users, that is undefined at all states. None
+/// if only a derivative or the solution of the equations is undefined.
 std::optional<ExpressionId> undefined_expression(const Model& model, const Function& function,
                                                  const std::vector<State>& states) {
   const auto roots = output_row(function.kind).of_user ? output_roots(model, function.user)
@@ -95,7 +94,7 @@ class SelfChecking {
     result_.states += is_compared || !result_.failure.empty() ? 1 : 0;
   }
 
-  /// An output that is undefined so far, which calls for more states.
+  /// True if some output is undefined so far; then more states are visited.
   [[nodiscard]] bool lacks_value() const {
     return std::ranges::find(without_value_, true) != without_value_.end();
   }
@@ -108,7 +107,7 @@ class SelfChecking {
   }
 
  private:
-  /// The worst regime of the function's fields, up to the first that is wrong.
+  /// The worst regime of the function's fields; stops at the first mistake.
   Regime look_at(Visit<double>& visit, std::size_t index) {
     Regime regime = Regime::regular;
     for (const FieldPlace& place : field_places(subject_, index)) {
@@ -146,7 +145,7 @@ class SelfChecking {
     result_.failure += ", nor has " + in_backticks(*result_.place);
   }
 
-  /// Whether M has no inverse at any state.
+  /// True if M has no inverse at any state.
   [[nodiscard]] bool is_singular() const {
     return std::ranges::none_of(states_, [this](const State& state) {
       const OracleValues m =
@@ -165,7 +164,7 @@ class SelfChecking {
     return "M is singular" + (zeros.empty() ? "" : " where 0 is the value of " + zeros);
   }
 
-  /// Where an output was asked for; the model's name where all of them were.
+  /// The place that requests the output; the model's name if all outputs are requested.
   [[nodiscard]] Span place_of(const Function& function) const {
     const OutputRequest* request = find_request(subject_.scene, function.name);
     const bool was_named = request != nullptr && request->span.source != nullptr;
@@ -174,8 +173,8 @@ class SelfChecking {
 
   const Subject& subject_;
   Sampler draw_{1};
-  std::vector<bool> without_value_;  ///< by function
-  bool is_infinite_ = false;         ///< a value at the state that is visited
+  std::vector<bool> without_value_;  ///< by function: no value so far
+  bool is_infinite_ = false;         ///< some value is infinite at the current state
   std::vector<State> states_ = {};
   std::optional<double> loss_ = {};  ///< the largest
   SelfCheck result_ = {};

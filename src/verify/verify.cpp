@@ -1,5 +1,5 @@
 // verify: oracle, program and compiled code of one scene, compared row by row. Each kind of check
-// lives in a file of its own; here is only the order of the certificate.
+// has its own file; this file sets the order of the certificate.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace elgen {
 namespace {
 
-/// How many states are visited where nobody says it: `samples` random ones with all extremes, or as
-/// many of them as the work allows, in instructions times states.
+/// Default effort: `samples` random states and all extremes, reduced until states times
+/// instructions are at most `work`.
 struct Effort {
   std::size_t samples;
   std::size_t work;
@@ -28,11 +28,11 @@ struct Effort {
 
 /// About half a minute in 64 digits.
 constexpr Effort thorough{256, 1 << 20};
-/// A few seconds. Of the longest programs one state is left in each scalar.
+/// A few seconds. The longest programs keep one state per scalar.
 constexpr Effort quick{16, 1 << 18};
-/// From so many velocities on all entries of all outputs take the oracle minutes.
+/// From this many velocities on, the oracle takes minutes for all entries of all outputs.
 constexpr std::size_t projected_velocities = 9;
-/// Identities hold at all states or at none, so that few states tell.
+/// Identities hold at all states or at none, so few states suffice.
 constexpr std::size_t structure_samples = 32;
 
 void append(std::vector<CertificateRow>& rows, const std::vector<CertificateRow>& more) {
@@ -66,7 +66,7 @@ std::vector<SampledState<Scalar>> states_for(const Subject& subject, const Verif
   return some;
 }
 
-/// Adds states on the sides of kinks that none of them lies on. Returns the kinks that are left.
+/// Adds states on sides of kinks that no state lies on. Returns the kinks without both sides.
 template <class Scalar>
 std::string add_sides(const Subject& subject, const VerifyOptions& options,
                       std::vector<SampledState<Scalar>>& states) {
@@ -135,8 +135,8 @@ std::string numbers(const std::vector<std::uint32_t>& entries) {
   return text;
 }
 
-/// The zeros that cancel sampled (elgen/cancel.hpp): one row per function with such entries; it
-/// holds, since cancel looked at every point.
+/// Zeros that `cancel` found by sampling (elgen/cancel.hpp): one row per function with such
+/// entries. It holds, because cancel checked every point.
 std::vector<CertificateRow> sampled_zeros(const Program& program) {
   std::vector<CertificateRow> rows;
   for (const Function& function : program.functions) {
@@ -155,8 +155,8 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
   return rows;
 }
 
-/// The header of one state as users compile it, the language's own or that in a wider scalar; null
-/// where there is none, or not for this scalar.
+/// The functions of the header for single states as users compile it, in the usual or the wider
+/// scalar (`is_wide`). Null if there is none, or if it lacks this scalar.
 const CompiledModel* users_code(const CompiledHeaders& compiled, bool is_wide, ScalarKind scalar) {
   for (const CompiledHeader& header : compiled) {
     const bool is_sought = !header.in_packs && header.is_wide == is_wide;
@@ -166,7 +166,7 @@ const CompiledModel* users_code(const CompiledHeaders& compiled, bool is_wide, S
   return nullptr;
 }
 
-/// All that is compared with the program rather than with the oracle.
+/// Rows that compare compiled code with the program, not with the oracle.
 std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHeaders& compiled,
                                        const std::vector<SampledState<double>>& doubles,
                                        const std::vector<SampledState<float>>& floats) {
@@ -193,7 +193,7 @@ std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHea
   return rows;
 }
 
-/// Few states, or many velocities: the time goes where it tells most.
+/// Projections save time with few states or many velocities.
 Comparison comparison_for(const Model& model, const VerifyOptions& options) {
   const bool is_large = model.velocities.size() >= projected_velocities;
   return options.quick || is_large ? Comparison::projections : Comparison::entries;

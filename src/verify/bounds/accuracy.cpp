@@ -1,4 +1,4 @@
-// Program against oracle: what the visits to all states say of each field, tallied.
+// Program against oracle: the findings of all visits, tallied by field.
 #include "verify/bounds/accuracy.hpp"
 
 #include <fmt/format.h>
@@ -17,18 +17,18 @@
 namespace elgen {
 namespace {
 
-/// One field of a function, and what was found of it so far.
+/// One field of a function, and its findings so far.
 struct FieldRecord {
   FieldPlace place = {};
   std::vector<double> errors = {};  ///< at nominal states
-  std::size_t compared = 0;         ///< states
+  std::size_t compared = 0;         ///< number of states
   std::map<Obstacle, std::size_t> skipped = {};
-  std::size_t skipped_inside = 0;  ///< of nominal states in double
-  std::string mistake = {};        ///< the first, and where
+  std::size_t skipped_inside = 0;  ///< number of nominal states in double
+  std::string mistake = {};        ///< the first one
   std::string mistake_at = {};
 };
 
-/// Why exact values were not compared.
+/// The reason why exact values were not compared.
 Obstacle obstacle_of(Regime regime) {
   if (regime == Regime::overflow) return Obstacle::overflow;
   return regime == Regime::unsettled ? Obstacle::unsettled : Obstacle::undefined;
@@ -59,7 +59,7 @@ std::string name_of(const FieldPlace& place) {
   return place.function->name + (field.empty() ? "" : "." + field);
 }
 
-/// The subject of a comparison, in words: the field, and the scalar.
+/// The subject of a row: the field and the scalar.
 std::string subject_of(const FieldPlace& place, std::string_view scalar) {
   return fmt::format("{} ({})", name_of(place), scalar);
 }
@@ -91,7 +91,7 @@ CertificateRow row_of(const FieldRecord& record, std::string_view scalar,
   return row;
 }
 
-/// A check of compiled code, and its words.
+/// A check of compiled code, with the texts of its row.
 struct CodeCheck {
   std::string check = {};
   std::string formula = {};
@@ -100,8 +100,8 @@ struct CodeCheck {
   std::string tolerance = {};
 };
 
-/// As users compile: the code with optimisation, the machine's own instructions and contraction,
-/// which rounds otherwise than what is written.
+/// Code built as users do, with optimisation, the machine's own instructions and contraction, which
+/// rounds differently.
 CodeCheck users_check() {
   return {
       "as users compile", "|x_users - x| / (u E); x_users of -O3 -march=native, contraction on",
@@ -121,12 +121,12 @@ CodeCheck wide_check(InnerScalar inner) {
                       most_of_wide, row.roundoff)};
 }
 
-/// The largest distance of all fields from what a check of code compares with, and whose it is.
+/// The largest error of all fields in one check of code, and the field with this error.
 class CodeRecord {
  public:
   explicit CodeRecord(CodeCheck check) : check_(std::move(check)) {}
 
-  /// `field`: "forward_dynamics.acceleration (double)"; `at` is the number of the state.
+  /// `field`: "forward_dynamics.acceleration (double)"; `at`: index of the state.
   void add(const std::string& field, const CodeFinding& finding, const State& state,
            std::size_t at) {
     if (!finding.error) return;
@@ -142,10 +142,10 @@ class CodeRecord {
 
  private:
   CodeCheck check_;
-  Tally errors_ = {};  ///< in its unit
+  Tally errors_ = {};  ///< in the unit of the check
   std::set<std::string> fields_ = {};
   std::set<std::size_t> states_ = {};
-  std::string worst_ = {};  ///< the field of the largest
+  std::string worst_ = {};  ///< the field with the largest error
   std::string mistake_ = {};
 };
 
@@ -168,11 +168,10 @@ CertificateRow CodeRecord::row(const Subject& subject, std::string_view scalar) 
   return row;
 }
 
-/// How many of its digits one output loses, over all states in one scalar: a figure and never a
-/// failure.
+/// The digits that one output loses, over all states in one scalar: a figure, never a failure.
 class LostDigits {
  public:
-  /// `at` is the number of the state.
+  /// `at`: index of the state.
   void add(const FieldPlace& place, const Finding& finding, const Subject& subject,
            const State& state, std::size_t at) {
     if (!finding.loss) return;
@@ -189,8 +188,8 @@ class LostDigits {
 
   [[nodiscard]] bool is_empty() const { return states_.empty(); }
 
-  /// The entry that loses most and its state, both of what one rounding of the inputs would cost,
-  /// and of the largest entry of its field. Noted where that is more than half of all digits.
+  /// The entry that loses most and its state, relative to R = |x*| + K and relative to the largest
+  /// entry of its field. Noted if the second loss exceeds half of all digits.
   [[nodiscard]] CertificateRow row(ScalarKind scalar) const;
 
  private:
@@ -201,7 +200,7 @@ class LostDigits {
   };
 
   std::set<std::size_t> states_ = {};
-  std::size_t untold_ = 0;  ///< entries and states at which nothing is told
+  std::size_t untold_ = 0;  ///< entries at states with R = 0
   Worst of_entry_ = {};
   Worst of_field_ = {};
 };
@@ -248,7 +247,7 @@ std::vector<CertificateRow> rows_at(const Subject& subject,
   std::map<const Function*, LostDigits> losses;
   visit_all(subject, states, options, [&](std::size_t i, const Findings& findings) {
     const State state = exact_state(subject, states[i].values);
-    // Ranges are chosen for double: with an exponential most of them overflow in float.
+    // Ranges are chosen for double: in float, an exponential overflows in most of them.
     const bool is_inside =
         scalar_kind<Scalar> == ScalarKind::double_precision && states[i].region == Region::nominal;
     for (std::size_t k = 0; k < records.size(); ++k) {

@@ -1,4 +1,4 @@
-// Exact runs along a function, and errors measured in roundoffs.
+// Exact runs of a function, and errors measured in roundoffs.
 #include "verify/bounds/exact_run.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace elgen {
 namespace {
 
-/// The worst that holds of one instruction.
+/// The worst regime that applies to one instruction.
 Regime regime_of(const Running<Real>& x, const Rounding<Real>& rounding) {
   if (!x.value.is_defined()) return Regime::undefined;
   if (!(abs(x.value) <= rounding.largest)) return Regime::overflow;

@@ -1,5 +1,5 @@
-// Exact runs: a function in 64 digits at one state, with the running error E that rounding to a
-// scalar may leave in each value (accuracy/running_errors.hpp).
+// Exact runs: a function in 64 digits at one state. Each value has a running error E, the bound on
+// the rounding errors of a scalar (accuracy/running_errors.hpp).
 #pragma once
 
 #include <vector>
@@ -14,12 +14,11 @@ enum class Regime : std::uint8_t {
   regular,
   undefined,        ///< an intermediate has no value (1/0, sqrt(-1))
   overflow,         ///< an exact intermediate, or its rounding, exceeds max/16 of the scalar
-  ill_conditioned,  ///< a divisor, radicand or argument is uncertain by more than 1/1000: E says
-                    ///< nothing
-  unsettled,        ///< 1000 digits do not tell whether the exact value is the oracle's
+  ill_conditioned,  ///< a divisor, radicand or argument is uncertain by more than 1/1000: E is void
+  unsettled,        ///< 1000 digits do not decide if the exact value is the oracle's
 };
 
-/// An undefined value outweighs an overflow, and an overflow outweighs a lost error.
+/// An undefined value outweighs an overflow; an overflow outweighs a lost error.
 [[nodiscard]] Regime worse(Regime x, Regime y);
 
 struct ExactRun {
@@ -31,12 +30,12 @@ struct ExactRun {
 [[nodiscard]] ExactRun exact_run(const Program& program, const Function& function,
                                  const State& state, const Rounding<Real>& rounding);
 
-/// |x - exact| less `operations` times the smallest denormal, which underflow may cost; undefined
-/// where x is not a number.
+/// max(0, |x - exact| - operations eta), eta the smallest denormal, which an underflow may cost.
+/// Undefined if x is not finite.
 [[nodiscard]] Real excess_error(double x, const Real& exact, std::size_t operations,
                                 const Rounding<Real>& rounding);
 
-/// excess/(u scale): 0 where there is no excess, infinite where it has no value or the scale is 0.
+/// excess/(u scale): 0 if the excess is 0, infinite if it has no value or the scale is 0.
 [[nodiscard]] double in_roundoffs(const Real& excess, const Real& scale,
                                   const Rounding<Real>& rounding);
 

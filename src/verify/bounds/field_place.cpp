@@ -20,14 +20,14 @@ OutputRequest request_of(const Subject& subject, const Function& function, const
           .independent = function.independent};
 }
 
-/// The number of a field in the output table; 0 where the output has none of that name.
+/// The index of a field in the output table; 0 if the output has no field of this name.
 std::size_t number_of_field(OutputKind kind, std::string_view name) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   const auto found = std::ranges::find(fields, name, &FieldRow::name);
   return found == fields.end() ? 0 : static_cast<std::size_t>(found - fields.begin());
 }
 
-/// The form of one field of functions[index], whose entries start at `first`.
+/// The closed form of one field of functions[index], whose entries start at `first`.
 ClosedForm form_of(const Program& program, std::size_t index, const Field& field,
                    std::size_t first) {
   const Function& function = program.functions[index];
@@ -37,7 +37,7 @@ ClosedForm form_of(const Program& program, std::size_t index, const Field& field
         index < program.readable.size() && !program.readable[index].fields.empty();
     return is_readable ? ClosedForm{&program.readable[index], first} : ClosedForm{};
   }
-  // `dynamics` repeats the entries of the function that bears the field's name.
+  // `dynamics` repeats the entries of the function with the field's name.
   for (const Function& readable : program.readable) {
     if (readable.name == field.name && !readable.fields.empty()) return {&readable, 0};
   }

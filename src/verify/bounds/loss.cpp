@@ -1,5 +1,5 @@
-// loss: R at one state, computed where it is asked for; solved columns are weighed by the oracle's
-// M and A.
+// loss: R at one state, computed on demand. The weights of solved columns come from the oracle's M
+// and A.
 #include "verify/bounds/loss.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-/// D^1/2; empty where an entry is not positive.
+/// D^1/2; empty if an entry is not positive.
 std::vector<Real> roots_of_diagonal(OracleCache& oracle) {
   std::vector<Real> roots;
   for (const cln::cl_R& entry : oracle.diagonal_of_mass()) {
@@ -22,7 +22,7 @@ std::vector<Real> roots_of_diagonal(OracleCache& oracle) {
   return roots;
 }
 
-/// The lengths of the rows of A D^-1/2; empty where A has no value.
+/// The lengths of the rows of A D^-1/2; empty if A has no value.
 std::vector<Real> lengths_of_rows(const std::vector<Real>& roots, OracleCache& oracle) {
   const OracleValues& jacobian = oracle.values({.kind = OutputKind::constraint_jacobian});
   if (!jacobian) return {};
@@ -36,15 +36,15 @@ std::vector<Real> lengths_of_rows(const std::vector<Real>& roots, OracleCache& o
   return lengths;
 }
 
-/// Two roundings: 0.3 digits.
+/// Two roundings, or 0.3 digits.
 constexpr double negligible_loss = 2;
-/// K of an entry takes a sweep over its function; so many of a field keep its cost linear in its
-/// length.
+/// K of an entry needs a sweep over its function. This limit per field keeps the cost linear in the
+/// length of the function.
 constexpr std::size_t most_sweeps = 16;
 
-/// The constants that parameters which a scene fixed may have left, alone or multiplied. Literals
-/// of the model are none, powers of two scale without error, and what has pi or a root in it is
-/// left by a parameter of that kind alone.
+/// Marks constants that may come from parameters fixed by the scene, alone or multiplied. Literals
+/// of the model do not count, and powers of two scale without error. A constant with pi or a root
+/// counts only if a fixed parameter has an irrational value.
 std::vector<bool> constants_of_fixed(const Model& model, const Scene& scene,
                                      const Program& program) {
   const FixedParameters& fixed = scene.specialisation.fixed;
@@ -75,7 +75,7 @@ std::vector<SolvedColumn> solved_columns(const FieldPlace& place, OracleCache& o
   std::vector<Real> weights = roots_of_diagonal(oracle);
   if (is_multiplier && !weights.empty()) weights = lengths_of_rows(weights, oracle);
   if (weights.empty()) return {};
-  // A linearization begins with the rates of positions, which are not solved for.
+  // A linearisation begins with the rates of positions, which are not solved for.
   const std::size_t above = field.rows - weights.size();
   std::vector<SolvedColumn> columns(field.columns);
   for (std::size_t k = 0; k < field.columns; ++k) {
@@ -124,7 +124,7 @@ bool Losses::knows_angles() const {
   return true;
 }
 
-/// Columns are looked for only where an entry of a field that solves may have lost digits.
+/// Columns are built only if an entry of the field may have lost digits.
 auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
                     const std::vector<Real>& exact) -> std::vector<Group> {
   std::vector<double> most;
@@ -151,7 +151,7 @@ auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
   return result;
 }
 
-/// None where R is 0: exact values have 60 digits of E, and what is left out of them is no R.
+/// None if R is 0: exact values have 60 digits of E, and a smaller R is a rounding error.
 std::optional<double> Losses::figure_of(const FieldPlace& place, const ExactRun& run,
                                         const Group& group, const std::vector<Real>& errors,
                                         const std::vector<Real>& exact) {
@@ -187,7 +187,7 @@ Loss Losses::of_field(const FieldPlace& place, const ExactRun& run, const std::v
   std::size_t sweeps = 0;
   for (const Group& group : all) {
     if (group.most <= std::max(loss.of_entry.figure, least_)) break;
-    // Without K the loss is told by |x*| alone, which is no less.
+    // Without K, R is |x*| alone, which gives no smaller loss.
     if (std::isfinite(group.most) && sweeps++ >= most_sweeps) {
       loss.of_entry = {group.most, group.entry};
       break;

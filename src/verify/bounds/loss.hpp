@@ -2,11 +2,11 @@
 //
 //     loss = max(0, |x - x*| - N eta) / (u R),     R = |x*| + K
 //
-// K = sum |z dx/dz| (accuracy/conditioning.hpp) is what one rounding of every input would cost, so
-// that an angle of 1e15 rad, which is known to a tenth, excuses what is made of it. In solutions of
-// M x = b the norm |D^1/2 x| is taken of errors and of R alike. Both are looked at only where |x -
-// x*| > 2 u |x*|, and at 16 entries of a field; elsewhere |x*| stands for R, and the loss is no
-// less than it would be. Where R is 0 on paper, nothing is told.
+// K = sum |z dx/dz| (accuracy/conditioning.hpp) is the error from rounding every input once. So an
+// angle of 1e15 rad, which is known to 0.1 rad, excuses errors of its sine. For solutions of
+// M x = b, errors and R are measured in the norm |D^1/2 x|. K and the norm are computed only if
+// |x - x*| > 2 u |x*|, for at most 16 entries of a field. Otherwise R = |x*|, which gives no
+// smaller loss. If R is exactly 0, no loss is reported.
 #pragma once
 
 #include <map>
@@ -21,17 +21,17 @@
 
 namespace elgen {
 
-/// The entries of solutions x of M x = b that lose digits together, as one number: in the norm
-/// |D^1/2 x|, D the diagonal of M. A small entry beside large ones has no digits of its own. Under
-/// constraints M a = b + A^T y, A a = c, multipliers y have the lengths of the rows of A D^-1/2 for
-/// D^1/2.
+/// Entries of a solution x of M x = b that share one loss, in the norm |D^1/2 x|, D the diagonal of
+/// M: next to large entries a small one has no digits of importance. Constrained equations are
+/// M a = b + A^T y, A a = c. The weights of their multipliers y are the lengths of the rows of
+/// A D^-1/2.
 struct SolvedColumn {
-  std::vector<std::size_t> entries = {};  ///< of the field
-  std::vector<Real> weights = {};         ///< one for each of them
+  std::vector<std::size_t> entries = {};  ///< indices in the field
+  std::vector<Real> weights = {};         ///< one weight per entry
 };
 
-/// The columns of a field; empty where nothing is solved for, or M has a diagonal that is not
-/// positive. Cost: n contractions of M.
+/// The columns of a field; empty if it is no solution, or if the diagonal of M is not positive.
+/// Cost: n contractions of M.
 [[nodiscard]] std::vector<SolvedColumn> solved_columns(const FieldPlace& place,
                                                        OracleCache& oracle);
 
@@ -40,36 +40,36 @@ struct SolvedColumn {
 
 struct LostEntry {
   double figure = 0;
-  std::size_t entry = 0;  ///< of the field
+  std::size_t entry = 0;  ///< index in the field
 };
 
-/// The entries that lose most.
+/// The largest losses of a field.
 struct Loss {
-  LostEntry of_entry = {};  ///< in u R of its own
+  LostEntry of_entry = {};  ///< in u R of the entry
   LostEntry of_field = {};  ///< in u of the largest entry
-  std::size_t untold = 0;   ///< entries that are off while R is 0
+  std::size_t untold = 0;   ///< entries with an error but R = 0
 };
 
 class Losses {
  public:
-  /// All arguments outlive it. No loss of an entry below `least` is told.
+  /// All arguments must outlive this. Losses of entries below `least` are not computed.
   Losses(const Subject& subject, OracleCache& oracle, const Rounding<Real>& rounding,
          double least = 0);
 
-  /// Whether angles are known well enough for K, which is of first order: to 1/1000 rad.
+  /// True if angles are known to 1/1000 rad: K is of first order and needs that.
   [[nodiscard]] bool knows_angles() const;
 
-  /// The loss of entries that are off by `errors` (without N eta) from `exact`, in a run of the
-  /// place's function. 0 where K has no value.
+  /// The losses of a field whose entries differ by `errors` (without N eta) from `exact`, in a run
+  /// of the place's function. 0 if K has no value.
   [[nodiscard]] Loss of_field(const FieldPlace& place, const ExactRun& run,
                               const std::vector<Real>& errors, const std::vector<Real>& exact);
 
  private:
-  /// Entries that are judged together: one alone, or a solved column.
+  /// Entries with one loss: a single entry, or a solved column.
   struct Group {
     SolvedColumn column = {};
-    double most = 0;        ///< what it may lose, as R is no less than |x*|
-    std::size_t entry = 0;  ///< that of `most`
+    double most = 0;        ///< upper bound of the loss, because R >= |x*|
+    std::size_t entry = 0;  ///< the entry with this bound
   };
 
   [[nodiscard]] std::vector<Group> groups(const FieldPlace& place, const std::vector<Real>& errors,
@@ -85,7 +85,7 @@ class Losses {
   OracleCache& oracle_;
   const Rounding<Real>& rounding_;
   double least_;
-  std::vector<bool> fixed_;  ///< of the program's constants, those that fixed parameters have left
+  std::vector<bool> fixed_;  ///< marks program constants from fixed parameters
   std::map<const Function*, std::unique_ptr<Conditioning>> conditioning_ = {};
 };
 

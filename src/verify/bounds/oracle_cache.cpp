@@ -1,5 +1,5 @@
-// Values of the oracle, kept per output: `dynamics` and the functions it repeats ask for the same
-// ones. Agreement has one rule, and two numbers in it.
+// Memoised values of the oracle: `dynamics` and the functions that it repeats need the same values.
+// One rule with two constants decides agreement.
 #include "verify/bounds/oracle_cache.hpp"
 
 #include "elgen/oracle.hpp"
@@ -9,11 +9,11 @@
 namespace elgen {
 namespace {
 
-/// Values have 64 digits, errors are of first order in 53 bits: what is left out of E, and what the
-/// rounding of many operations adds to it, is far below the other 14 digits.
+/// Values have 64 digits, and E is a first-order bound for 53 bits. Neglected terms of E, and the
+/// rounding of many operations, are far below the other 14 digits.
 constexpr int digits_of_error = 50;
-/// The oracle promises 60 digits. Eight are left for sums of many terms: the entries of a
-/// projection, and the oracle's own derivatives.
+/// The oracle promises 60 digits. The other eight allow for long sums: the entries of a projection,
+/// and the oracle's own derivatives.
 constexpr int digits_of_drowning = 52;
 
 }  // namespace
@@ -55,7 +55,7 @@ cln::cl_R OracleCache::force() {
   cln::cl_R largest = 0;
   for (const OutputKind kind :
        {OutputKind::velocity_force, OutputKind::gravity, OutputKind::bias}) {
-    // Whatever the scene asks for and calls it: the model decides what there is.
+    // The model decides which of these outputs exist, not the requests of the scene.
     const OutputRequest request = request_of(subject_.model, kind, 0);
     if (!is_available(subject_.model, request)) continue;
     const OracleValues& entries = values(request);

@@ -1,5 +1,5 @@
-// OracleCache: the oracle's values at one state, each output computed once, and when an exact
-// number of the program is the oracle's.
+// OracleCache: the oracle's values at one state, each output computed once, and the rule by which
+// an exact number of the program agrees with the oracle's.
 #pragma once
 
 #include <map>
@@ -24,14 +24,15 @@ class OracleCache {
   /// The diagonal of M; an entry without a value is 0.
   [[nodiscard]] const std::vector<cln::cl_R>& diagonal_of_mass();
 
-  /// |E| and the magnitudes of V's terms, in whose rounding most of the oracle's zeros drown; 0
-  /// where E is undefined.
+  /// |E| and the magnitudes of V's terms: most zeros of the oracle are rounding errors of this
+  /// size. 0 if E is undefined.
   [[nodiscard]] const cln::cl_R& energy();
 
-  /// The energy, and what other zeros of the oracle drown in, each 0 where it has no value:
+  /// The size whose rounding errors hide any zero of the oracle: energy() plus these, each 0 if it
+  /// has no value:
   ///
-  ///     |force| of the motion    differences of forces (drift), where that is larger than |E|
-  ///     |M| (|v| + |a|)          derivatives of inertial forces where M does not depend on q
+  ///     |force| of the motion    differences of forces (drift), if larger than |E|
+  ///     |M| (|v| + |a|)          derivatives of inertial forces if M does not depend on q
   ///     |v|^2 + |a|              accelerations of points and frames, also without energies
   [[nodiscard]] const cln::cl_R& drowning();
 
@@ -47,22 +48,22 @@ class OracleCache {
   [[nodiscard]] cln::cl_R inertia();
 };
 
-/// To 50 digits of E + |truth|, or 52 of `drowning`: a number that is zero on paper has no E worth
-/// the name. An undefined number agrees with none.
+/// |value - truth| <= 1e-50 (E + |truth|) + 1e-52 drowning. The last term serves numbers that are
+/// exactly zero, whose E is too small. An undefined number never agrees.
 [[nodiscard]] bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning);
 
-/// Likewise, with nothing for `drowning`, the oracle's energy, or all of its own.
+/// agrees() with 0, the oracle's energy() or its drowning() as `drowning`.
 [[nodiscard]] bool agrees_with_oracle(const Running<Real>& number, const cln::cl_R& truth,
                                       OracleCache& oracle);
 
-/// Two exact numbers that should be one, in words; no words where they agree.
+/// Two exact numbers that should be equal, described by a text; the text is empty if they agree.
 struct Mismatch {
   std::string text = {};
   Real value = {};  ///< of the program
   Real truth = {};
 };
 
-/// Whether more digits changed neither number by more than 1e-50 of the larger one.
+/// True if more digits changed neither number by more than 1e-50 of the sum of both magnitudes.
 [[nodiscard]] bool is_settled(const Mismatch& before, const Mismatch& now);
 
 /// "1.5", or "undefined".

@@ -1,8 +1,8 @@
-// Projections against oracle_contraction. Relative pivots are compared with the oracle's own solve
-// for up to four coordinates, and for more of them with the pivots of the program's mass matrix,
-// which is checked itself; accelerations at which derivatives are taken come the same way. Under
-// constraints the equations that are solved hold multipliers, which few outputs give: the oracle
-// solves them itself.
+// Projections against oracle_contraction. Up to four coordinates, relative pivots are compared with
+// the oracle's own solution. Beyond, they are compared with the pivots of the program's mass
+// matrix, which has its own check. Accelerations at which derivatives are evaluated have the same
+// source. Under constraints the solved equations contain multipliers, which few outputs return, so
+// the oracle solves them.
 #include "verify/bounds/projection.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 using cln::cl_R;
 using RealNumbers = std::vector<cl_R>;
 
-/// Up to so many coordinates the oracle solves by itself.
+/// Up to this many coordinates the oracle solves the equations itself.
 constexpr std::size_t directly_solved = 4;
 
 Mismatch mismatch(const std::string& what, const Real& value, const cl_R& truth) {
@@ -27,7 +27,7 @@ Mismatch mismatch(const std::string& what, const Real& value, const cl_R& truth)
           value, Real(truth)};
 }
 
-/// Both sides of an equation between projected forces, each a number of the oracle's.
+/// Compares both sides of an equation between projected forces, each a number of the oracle.
 Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& right,
                         OracleCache& oracle) {
   const Running<Real> sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
@@ -35,7 +35,7 @@ Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& r
   return mismatch(what, sum.value, right);
 }
 
-/// Values of the program where it has them and the model is big, else the oracle's.
+/// The program's values if it has this function and the model is large, otherwise the oracle's.
 OracleValues values_of(const Subject& subject, OutputKind kind, OracleCache& oracle) {
   const Function* function = find_function(subject.program, kind);
   const State& state = oracle.state();
@@ -44,7 +44,7 @@ OracleValues values_of(const Subject& subject, OutputKind kind, OracleCache& ora
   return defined_values(evaluate(subject.program, *function, arguments_at<Real>(state)));
 }
 
-/// In the model's order of elimination.
+/// Relative pivots in the model's order of elimination.
 OracleValues pivots_of_mass(const Subject& subject, OracleCache& oracle) {
   OracleValues m = values_of(subject, OutputKind::mass_matrix, oracle);
   if (!m) return std::nullopt;
@@ -55,7 +55,7 @@ OracleValues pivots_of_mass(const Subject& subject, OracleCache& oracle) {
   return pivots;
 }
 
-/// One field at one state.
+/// The comparison of one field at one state.
 class Projection {
  public:
   Projection(const Subject& subject, const FieldPlace& place, const ExactRun& run,
@@ -80,7 +80,7 @@ class Projection {
   }
   [[nodiscard]] const FieldRow& row() const { return place_.row(); }
 
-  /// As many entries as w and y have.
+  /// sum w_i x_ij y_j, over as many entries as w and y have.
   [[nodiscard]] Running<Real> contracted(const Contraction& by) const {
     Running<Real> sum;
     const std::size_t columns = by.y.empty() ? 1 : by.y.size();
@@ -93,7 +93,7 @@ class Projection {
     return sum;
   }
 
-  /// Compares the first rows.
+  /// Compares the first `rows` rows.
   Mismatch compare_contraction(std::size_t rows) {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
@@ -108,7 +108,7 @@ class Projection {
     return mismatch((is_matrix ? "w.X y" : "w.x") + of_field, sum.value, *truth);
   }
 
-  /// An entry is undefined: a mistake where the oracle has a value.
+  /// For an undefined entry: a mistake if the oracle has a value.
   Mismatch compare_undefined(const std::string& what) {
     const OracleValues& truth = oracle_.values(place_.request);
     return truth ? mismatch(what, Real::undefined(), truth->front()) : Mismatch();
@@ -140,14 +140,14 @@ class Projection {
     if (!pivots) return {};
     for (std::size_t i = 0; i < pivots->size(); ++i) {
       const Real truth((*pivots)[i]);
-      // A pivot that cancels is known to rounding of 1. An indefinite M has pivots of any size.
+      // A pivot that cancels has rounding errors of 1. The pivots of an indefinite M have any size.
       if (agrees({entry(i).value, abs(truth)}, truth, Real(1))) continue;
       return mismatch("a relative pivot", entry(i).value, (*pivots)[i]);
     }
     return {};
   }
 
-  /// X y in the rows of accelerations; none where an entry is undefined.
+  /// X y in the rows of accelerations; none if an entry is undefined.
   [[nodiscard]] OracleValues response(const RealNumbers& y) const {
     const std::size_t n = state().v.size();
     const std::size_t above = place_.field().rows - n;
@@ -161,7 +161,7 @@ class Projection {
     return defined_values(z);
   }
 
-  /// The number that w.M z has to be, where z is the response to the changes y.
+  /// The right value of w.M z if z is the response to the changes y.
   std::optional<cl_R> response_force(const RealNumbers& w, const RealNumbers& y) {
     const std::optional<Line> column = line_at(subject_.model, row().columns, 0);
     if (column && column->leaf == Opcode::input) return input_force(w, y);
@@ -192,7 +192,7 @@ class Projection {
     const auto right = response_force(w, y);
     if (!left || !right) return {};
     const Mismatch wrong = compare_forces("w.M (X y) of " + field.name, *left, *right, oracle_);
-    // Nothing is solved for in the rows above those of accelerations.
+    // The rows above the accelerations are not solved for.
     return wrong.text.empty() && field.rows > n ? compare_contraction(n) : wrong;
   }
 

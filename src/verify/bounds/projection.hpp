@@ -1,5 +1,5 @@
-// Projections: one exact number per field and state, contracted with random rational directions,
-// that program and oracle both give at small cost.
+// Projections: one exact number per field and state, contracted with random rational directions.
+// Program and oracle both compute it at small cost.
 #pragma once
 
 #include "sample/points.hpp"
@@ -9,9 +9,9 @@
 
 namespace elgen {
 
-/// Without words where the contraction of the field's exact entries is the oracle's, to 50 digits
-/// of sum |w_i y_j| E_ij, or where the oracle has none; otherwise both numbers. The program may be
-/// undefined. Solutions are put into the equation that they solve, which needs no solution:
+/// Compares the contraction of a field's exact entries with the oracle's, to 50 digits of
+/// sum |w_i y_j| E_ij. The text is empty if they agree or the oracle has no value. The program's
+/// entries may be undefined. Solutions are inserted into their equation, which needs no solving:
 ///
 ///     every field:                  w.x, w.X y
 ///     accelerations:                w.(M a + bias) = w.B u

@@ -1,4 +1,4 @@
-// Visits: runs of one function after another, each compared and measured once.
+// Visits: each function runs once; its fields are compared and measured.
 #include "verify/bounds/visit.hpp"
 
 #include <fmt/format.h>
@@ -16,11 +16,11 @@
 namespace elgen {
 namespace {
 
-/// Digits of looks at values that differ: each look has twice the digits of the one before.
+/// Digits of repeated runs at values that differ; each run doubles them.
 constexpr unsigned digits_of_first_look = 64;
 constexpr unsigned digits_of_last_look = 1024;
 
-/// Constants that are not rational are known to 200 digits: more of them say nothing.
+/// Irrational constants are known to 200 digits, so more digits decide nothing.
 unsigned most_digits(const Program& program) {
   constexpr unsigned digits_of_constants = 256;
   const auto is_exact = [](const Constant& constant) { return is_rational(constant); };
@@ -28,9 +28,10 @@ unsigned most_digits(const Program& program) {
   return are_exact ? digits_of_last_look : digits_of_constants;
 }
 
-/// Two runs that agree are right where the first has so many digits. With fewer, 1 - cos(x) may be
-/// 0 in both, and quotients by x^2 agree but are wrong. Second derivatives of such quotients depend
-/// on powers of x up to the eighth. Parameters are near their values.
+/// Two runs that agree are right if the first has this many digits. With fewer, 1 - cos(x) may be 0
+/// in both, and quotients by x^2 agree but are wrong. Second derivatives of such quotients contain
+/// powers of x up to the eighth. Parameters do not count, because they are near their nominal
+/// values.
 double telling_digits(const State& state) {
   double farthest = 0;
   const auto look = [&farthest](Opcode kind, std::uint32_t, const cln::cl_R& x) {
@@ -60,7 +61,7 @@ Mismatch mismatch(std::size_t entry, const Real& value, const Real& truth) {
           value, truth};
 }
 
-/// The function of one field that a field of `dynamics` repeats; null where there is none.
+/// The function with one field that a field of `dynamics` repeats; null if there is none.
 const Function* repeated(const Program& program, const FieldPlace& place) {
   if (!output_row(place.function->kind).repeats) return nullptr;
   const auto found = std::ranges::find(program.functions, place.field().name, &Function::name);
@@ -128,7 +129,7 @@ Mismatch Visit<Scalar>::differing_from(const FieldPlace& place, const Function& 
   for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
     const Running<Real>& own = exact(place, i);
     Running<Real> other = others.entries[first + i];
-    // Beyond ordinary states one way may have a value where another is 0/0.
+    // Outside of nominal states, one form may have a value while another is 0/0.
     const bool may_lack = sample_.region != Region::nominal || !own.value.is_defined();
     if (may_lack && !other.value.is_defined()) continue;
     other.error = other.error + own.error;
@@ -144,8 +145,8 @@ template <class Scalar>
 Mismatch Visit<Scalar>::differing_projection(const FieldPlace& place, Sampler& draw) {
   const Function* const same = repeated(subject_.program, place);
   if (same != nullptr) return differing_from(place, *same, 0, "the function of its name");
-  // An entry without a value is compared with the oracle alone: a closed form may have one outside
-  // of the domain, where a solution that it belongs to has none.
+  // An undefined entry is compared with the oracle only. Outside of the domain its closed form may
+  // have a value although the solution has none.
   bool is_defined = true;
   for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
     is_defined = is_defined && exact(place, i).value.is_defined();
@@ -226,7 +227,7 @@ CodeFinding Visit<Scalar>::judged_wide(const FieldPlace& place) const {
   });
 }
 
-/// Float rounds arguments, and has a smaller range.
+/// Float rounds arguments and has a smaller range.
 template <class Scalar>
 bool Visit<Scalar>::suits_inner() {
   in_float_.clear();
@@ -237,9 +238,8 @@ bool Visit<Scalar>::suits_inner() {
          std::ranges::none_of(run.entries, &Running<Real>::underflows);
 }
 
-/// Exact values have 60 digits of E: values and errors that are no larger than what is left out of
-/// them are 0, and so are errors of what underflows on the way. NaN and infinity have no digit,
-/// wherever there is an exact value.
+/// Exact values have 60 digits of E. Smaller values and errors count as 0, and so do errors after
+/// an underflow. NaN and infinity lose all digits if an exact value exists.
 template <class Scalar>
 std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place) {
   static const Real negligible(power_of_ten(-45));
@@ -258,7 +258,7 @@ std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place) {
     references.push_back(abs(own.value) > unknown ? own.value : Real());
   }
   Loss loss = losses_.of_field(place, *exact_, errors, references);
-  // Where the largest entry itself cancels, what the inputs' rounding costs is no loss.
+  // If the largest entry itself cancels, the rounding of the inputs excuses its error.
   double& of_field = loss.of_field.figure;
   if (sample_.region == Region::near_zero) of_field = std::min(of_field, loss.of_entry.figure);
   return loss;
@@ -299,7 +299,7 @@ auto Visit<Scalar>::found(const FieldPlace& place, Sampler& draw) -> Look {
   finding.regime = exact_->regime;
   finding.is_compared = has_values(finding.regime);
   finding.is_finite = has_finite_values(place);
-  // At ordinary states the oracle is asked all the same: what has a value there must have one here.
+  // At nominal states the oracle is asked even so: if it has a value, the program must have one.
   if (!finding.is_compared && sample_.region != Region::nominal) return look;
   look.mismatch = options_.comparison == Comparison::entries ? differing_entry(place, finding)
                                                              : differing_projection(place, draw);
@@ -318,8 +318,8 @@ std::size_t work_of_state(const Subject& subject) {
   std::size_t work = 1;
   for (const Function& function : subject.program.functions) work += function.instructions.size();
   if (subject.model.constraints.empty()) return work;
-  // Elimination: n^3 operations on fractions whose digits grow with n. A 32nd of it leaves loops of
-  // a few bars all their states, and a chain of twelve rods (n = 36) five.
+  // Elimination: n^3 operations on fractions whose digits grow with n. The factor 1/32 allows loops
+  // of a few bars all their states, and a chain of twelve rods (n = 36) five.
   const std::size_t n = subject.model.velocities.size() + subject.model.constraints.size();
   return work + n * n * n * n / 32;
 }

@@ -1,5 +1,5 @@
-// Visits by several processes: each writes its findings to a file without a name, which this
-// process reads when all have ended.
+// Visits by several processes. Each process writes its findings to an unnamed file, which this
+// process reads after all have ended.
 #include <fmt/format.h>
 #include <sys/mman.h>
 
@@ -18,7 +18,7 @@
 namespace elgen {
 namespace {
 
-/// Calls `pass` with every member, one after another.
+/// Calls `pass` with every member in turn.
 template <class AnyFinding, class Pass>
 void each_member(AnyFinding& finding, const Pass& pass) {
   auto& [regime, is_compared, is_finite, mistake, errors, loss, users, wide] = finding;
@@ -27,8 +27,7 @@ void each_member(AnyFinding& finding, const Pass& pass) {
       wide.mistake);
 }
 
-/// Findings of one state after another, as the bytes in memory. Processes that are forked write,
-/// this one reads.
+/// Findings of consecutive states, as bytes in memory. Forked processes write; this process reads.
 class FindingsFile {
  public:
   FindingsFile() : file_(::fdopen(::memfd_create("elgen", MFD_CLOEXEC), "w+")) {}
@@ -91,8 +90,8 @@ class FindingsFile {
   std::unique_ptr<std::FILE, Closing> file_;
 };
 
-/// A derivative of the dynamics costs the oracle as much as all other outputs together, n times: of
-/// more than three velocities every sixteenth state has to do.
+/// A derivative of the dynamics costs the oracle as much as all other outputs together, n times.
+/// With more than three velocities, only every sixteenth state is due.
 bool is_due(OutputKind kind, std::size_t velocities, std::size_t sample, Comparison comparison) {
   const bool is_costly = comparison == Comparison::entries && velocities > 3;
   return !is_costly || !output_row(kind).differentiates || sample % 16 == 0;
@@ -127,7 +126,7 @@ class Visits {
     return findings;
   }
 
-  /// False where a process failed; then nothing was taken.
+  /// False if a process failed; then `take` was not called.
   [[nodiscard]] bool make_shared_out(std::size_t jobs, const TakeFindings& take) const {
     const std::vector<FindingsFile> files(jobs);
     if (!std::ranges::all_of(files, &FindingsFile::is_open)) return false;
@@ -148,7 +147,7 @@ class Visits {
     return true;
   }
 
-  /// `at` is the number of the state.
+  /// `at`: index of the state.
   void tell(std::size_t at) const {
     if (!options_.on_step) return;
     options_.on_step(fmt::format("accuracy in {}, state {} of {}", name_of(scalar_kind<Scalar>),

@@ -1,4 +1,4 @@
-// A list of maps, and one way to apply them: nothing below asks which convention it has.
+// A list of maps, and one way to apply them, which does not depend on the convention.
 #include "verify/foreign/conventions.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace {
 using cln::cl_R;
 using RealNumbers = std::vector<cl_R>;
 
-/// Pairs of more than eight coordinates take the oracle minutes.
+/// Limits the time: the pairs of more than eight coordinates would take the oracle minutes.
 constexpr std::size_t most_conventions = 300;
 constexpr std::size_t most_coordinates = 16;
 constexpr std::size_t most_permuted = 3;
@@ -46,13 +46,13 @@ IntegerMatrix transposed(const IntegerMatrix& a) {
 }
 
 Convention identity(const Model& model) {
-  // Components of a quaternion mean nothing one by one.
+  // Single components of a quaternion have no meaning.
   const bool is_small = model.rotations.empty() && model.coordinates.size() <= most_coordinates;
   const std::size_t n = is_small ? model.coordinates.size() : 0;
   return {"", identity(n), identity(n), std::vector<int>(n), identity(model.inputs.size())};
 }
 
-/// `b`, then `a`.
+/// The composition: first `b`, then `a`.
 Convention both(const Convention& a, const Convention& b) {
   std::vector<int> half_turns = a.half_turns;
   for (std::size_t i = 0; i < half_turns.size(); ++i) {
@@ -64,7 +64,7 @@ Convention both(const Convention& a, const Convention& b) {
           product(a.U, b.U)};
 }
 
-/// For each coordinate and input the choices of its direction and its zero.
+/// Other directions and zeros, for each coordinate and input.
 std::vector<std::vector<Convention>> choices(const Model& model) {
   const Convention same = identity(model);
   std::vector<std::vector<Convention>> all;
@@ -90,7 +90,7 @@ std::vector<std::vector<Convention>> choices(const Model& model) {
   return all;
 }
 
-/// Each angle from the one before, where ours are from one direction, and the other way round.
+/// Each angle relative to the one before, if ours are absolute; and the reverse.
 void add_relative_angles(const Model& model, std::vector<Convention>& all) {
   Convention relative = identity(model);
   relative.name = "each of its angles is ours less the one before";
@@ -125,7 +125,7 @@ void add_orders(const Model& model, std::vector<Convention>& all) {
   }
 }
 
-/// The map times each block of rows of X that has its size; the empty map leaves X as it is.
+/// The map times each block of rows of x that has its size; the empty map does not change x.
 RealNumbers times(const IntegerMatrix& map, const RealNumbers& x, std::size_t columns = 1) {
   const std::size_t n = map.size;
   if (n == 0) return x;
@@ -158,8 +158,8 @@ RealNumbers transposed(const RealNumbers& x, std::size_t columns) {
   return y;
 }
 
-/// The map of rows or columns that stand for leaves of a kind; entries that follow coordinates
-/// change as velocities do, or as forces.
+/// The map of rows or columns that belong to leaves of a kind. Entries along coordinates transform
+/// as velocities or as forces.
 IntegerMatrix map_of(const Convention& convention, std::optional<Opcode> leaf, bool as_velocities) {
   if (leaf == Opcode::input) return convention.U;
   if (leaf != Opcode::coordinate && leaf != Opcode::velocity) return {};

@@ -1,4 +1,4 @@
-// Conventions: coordinates and inputs as others may have chosen them, all of one form,
+// Conventions: choices of coordinates and inputs that other code may have made, all of the form
 //
 //     q' = S q + pi c,   v' = S v,   a' = S a,   p' = S^-T p,   forces f' = S^-T f,   u' = U u
 #pragma once
@@ -36,14 +36,14 @@ struct Convention {
   IntegerMatrix U = {};              ///< its own inverse
 };
 
-/// Signs and half turns of single coordinates and inputs, then of two; relative and absolute
-/// angles; other orders of up to three coordinates. Of models with rotations those of inputs alone.
+/// Signs and half turns of one coordinate or input, then of two; relative and absolute angles;
+/// other orders of up to three coordinates. For models with rotations: signs of inputs only.
 [[nodiscard]] std::vector<Convention> conventions(const Model& model);
 
-/// The state that is `theirs` to others.
+/// Our state, given the state in their convention.
 [[nodiscard]] State our_state(const Convention& convention, State theirs);
 
-/// Values of a field of an output, as others have them.
+/// Our values of a field of an output, in their convention.
 [[nodiscard]] std::vector<cln::cl_R> their_values(const Model& model, const Convention& convention,
                                                   const OutputRequest& output,
                                                   const ForeignField& field,

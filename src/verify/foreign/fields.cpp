@@ -1,4 +1,4 @@
-// Sizes alone tell which fields an answer has: a list of numbers has no names.
+// The size of an answer decides which fields it has, because a list of numbers has no names.
 #include "verify/foreign/fields.hpp"
 
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-// Fields: which fields of an output the numbers of foreign code are.
+// Fields: the fields of an output to which the numbers of foreign code belong.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// A field of an output: its shape, and where its entries begin among the oracle's.
+/// A field of an output: its shape, and the index of its first entry among the oracle's.
 struct ForeignField {
   const FieldRow* row = nullptr;
   std::size_t first = 0;
@@ -23,18 +23,17 @@ struct ForeignField {
 };
 using ForeignFields = std::vector<ForeignField>;
 
-/// The fields that the model gives, none of them empty; without remainders of a method that does
-/// not iterate.
+/// The non-empty fields that the model has; no remainders for a method that does not iterate.
 [[nodiscard]] ForeignFields fields_of(const Model& model, const OutputRequest& output);
 
-/// The entries of all of them.
+/// The number of entries of all fields.
 [[nodiscard]] std::size_t size_of(const ForeignFields& fields);
 
-/// The fields of an answer of `count` numbers: the first one, all without pivots and remainders,
-/// all, or another one alone, whatever fits first. Empty: none fits.
+/// The fields of an answer of `count` numbers. The first choice that fits: the first field, all
+/// without pivots and remainders, all, or a single other field. Empty: none fits.
 [[nodiscard]] ForeignFields answered_fields(const ForeignFields& fields, std::size_t count);
 
-/// The fields that a claim is about. E601, E603.
+/// The fields of a claim; E601 or E603 if it has none.
 [[nodiscard]] Result<ForeignFields> claimed_fields(const CheckedModel& checked,
                                                    const ForeignClaim& claim);
 

@@ -1,5 +1,4 @@
-// judge_foreign: compares answers with the oracle, then explains in which situations they are
-// wrong.
+// judge_foreign: compares answers with the oracle and explains in which situations they are wrong.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -36,33 +35,33 @@ struct ForeignSample {
   std::vector<double> answer;
 };
 
-/// The entry of an answer that is farthest off, in parts of the largest entry of its field.
+/// The entry with the largest error, relative to the largest entry of its field.
 struct Deviation {
   double error = 0;
-  std::size_t place = 0;  ///< in the answer
+  std::size_t place = 0;  ///< index in the answer
   std::size_t field = 0;
-  std::size_t entry = 0;  ///< of the field
+  std::size_t entry = 0;  ///< index in the field
 };
 
 /// A thousand roundings of 2^-24.
 constexpr double digits_of_float = 6e-5;
 
-/// The entries of one field in a list of those of all.
+/// The entries of one field in the list of all entries.
 RealNumbers part_of(const RealNumbers& values, std::size_t first, std::size_t size) {
   const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
   return {begin, begin + static_cast<std::ptrdiff_t>(size)};
 }
 
-/// Whether some field may hold nothing but what is left of terms up to 1e30 in 64 digits.
+/// True if some field may be pure rounding: terms up to 1e30 that cancel in 64 digits.
 bool may_be_rounding(const RealNumbers& largest) {
   return std::ranges::any_of(largest,
                              [](const cl_R& x) { return !cln::zerop(x) && x < power_of_ten(-30); });
 }
 
-/// The row of one claim. Answers are compared with the oracle, then explained.
+/// The row of one claim: answers are compared with the oracle, then explained.
 class ForeignJudge {
  public:
-  /// `fields`: of the claim; `is_moved`: states are moved onto the constraints.
+  /// `fields`: the fields of the claim; `is_moved`: states are moved onto the constraints.
   ForeignJudge(const Subject& subject, const ForeignOptions& options, const OutputRequest& output,
                ForeignFields fields, bool is_moved)
       : subject_(subject),
@@ -71,7 +70,7 @@ class ForeignJudge {
         fields_(std::move(fields)),
         is_moved_(is_moved) {}
 
-  /// E716.
+  /// The row; E716 if the code does not run.
   Result<CertificateRow> judge(const ForeignClaim& claim) {
     states_ = states_of(subject_, options_, output_.kind, is_moved_);
     row_.check = "foreign code vs oracle";
@@ -113,8 +112,8 @@ class ForeignJudge {
     return row_;
   }
 
-  /// The entries of the fields that are compared; of terms that cancel the oracle has roundings,
-  /// which more digits tell from values.
+  /// The oracle's entries of the compared fields. If terms cancel, more digits distinguish a value
+  /// from rounding.
   [[nodiscard]] OracleValues truth_at(const State& state) const {
     OracleValues truth = compared(oracle_values(subject_.model, output_, state));
     if (!truth || !may_be_rounding(largest_by_field(*truth))) return truth;
@@ -147,7 +146,7 @@ class ForeignJudge {
   [[nodiscard]] Deviation deviation(const std::vector<double>& answer,
                                     const RealNumbers& truth) const;
 
-  /// Whether these values are what code gives at all states.
+  /// True if the code gives these values at all states.
   [[nodiscard]] bool agrees(
       const std::function<OracleValues(const ForeignSample&)>& expected) const {
     return std::ranges::all_of(samples_, [&](const ForeignSample& sample) {
@@ -177,9 +176,9 @@ class ForeignJudge {
   ForeignStates states_ = {};
   CertificateRow row_ = {};
   std::vector<ForeignSample> samples_ = {};
-  RealNumbers least_ = {};  ///< by field
+  RealNumbers least_ = {};  ///< lower bounds of the scales, by field
   Tally tally_ = {};
-  std::array<std::optional<bool>, situation_count> wrong_ = {};  ///< none: nothing compared there
+  std::array<std::optional<bool>, situation_count> wrong_ = {};  ///< none: not compared
 };
 
 Deviation ForeignJudge::deviation(const std::vector<double>& answer,
@@ -202,8 +201,8 @@ Deviation ForeignJudge::deviation(const std::vector<double>& answer,
   return worst;
 }
 
-/// If not, the row says why, and names the first state without an answer. Answers of code that
-/// fails behind the last one are not believed.
+/// True if every state has an answer of the right size. Otherwise the row fails and names the first
+/// state without an answer. Answers do not count if the code fails after the last one.
 bool ForeignJudge::all_answered(const ForeignAnswers& answers, const States& states) {
   const ForeignFields claimed = fields_;
   const std::size_t count = answers.values.empty() ? 0 : answers.values.front().size();
@@ -229,8 +228,8 @@ bool ForeignJudge::all_answered(const ForeignAnswers& answers, const States& sta
   return false;
 }
 
-/// If all entries of a field are smaller at a state than 1e-6 of the largest at all states, errors
-/// are parts of this bound: terms that cancel on paper leave 1e-16 of the largest.
+/// If all entries of a field at a state are smaller than 1e-6 of the largest at all states, errors
+/// are relative to this bound: terms that cancel exactly leave 1e-16 of the largest.
 void ForeignJudge::compare(const ForeignAnswers& answers) {
   least_.assign(fields_.size(), 0);
   for (std::size_t i = 0; i < states_.values.size(); ++i) {
@@ -281,8 +280,8 @@ std::string ForeignJudge::when() const {
   return "only where parameters are varied: agrees at those of the file";
 }
 
-/// `changed`: the parameters that differ from the first state in the states behind the compared
-/// ones, one each.
+/// Names the parameters that the code ignores. `changed`: parameters that differ from the first
+/// state, one for each state behind the compared ones.
 std::string ForeignJudge::ignored(const ForeignAnswers& answers, const States& states,
                                   const std::vector<std::uint32_t>& changed) const {
   const OracleValues truth = truth_at(exact_state(subject_, states.front()));
@@ -300,7 +299,7 @@ std::string ForeignJudge::ignored(const ForeignAnswers& answers, const States& s
   return names.empty() ? "" : fmt::format("ignores {}", fmt::join(names, ", "));
 }
 
-/// The same quotient of all entries at all states: another unit, sign, length or inertia.
+/// A common quotient of all entries at all states: another unit, sign, length or inertia.
 std::string ForeignJudge::factor() const {
   const ForeignSample& first = samples_.front();
   const auto largest = std::ranges::max_element(first.truth, std::ranges::less(),
@@ -343,7 +342,7 @@ LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outpu
   return leaves;
 }
 
-/// Without compared states the findings are about the answers.
+/// Without compared states, the findings describe the answers.
 Diagnostic disagreement(const Model& model, const CertificateRow& row) {
   const std::string name = in_backticks(row.subject);
   const std::string found = fmt::format("{}", fmt::join(row.findings, "; "));
@@ -351,8 +350,8 @@ Diagnostic disagreement(const Model& model, const CertificateRow& row) {
   return {Code::E717, {}, name + " " + row.worst + (found.empty() ? "" : "; " + found)};
 }
 
-/// The row of one claim. Code that fails on the constraints is judged off them, too: an output such
-/// as x^2 + y^2 - l^2 is all rounding on them.
+/// The row of one claim. Code that fails on the constraints is also judged off them, because an
+/// output such as x^2 + y^2 - l^2 is pure rounding on them.
 Result<CertificateRow> judged_row(const Subject& subject, const ForeignOptions& options,
                                   const ForeignFields& fields, const ForeignClaim& claim) {
   const OutputRequest& output = *find_request(subject.scene, claim.output);

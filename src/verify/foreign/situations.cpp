@@ -1,4 +1,4 @@
-// The states are drawn inside the declared ranges, then changed as their situation says.
+// States are drawn inside the declared ranges, then changed as their situation requires.
 #include "verify/foreign/situations.hpp"
 
 #include <algorithm>
@@ -22,14 +22,14 @@ Arguments<double> state_in(Situation situation, const Subject& subject,
     for (auto* const drive : {&state.a, &state.u}) std::ranges::fill(*drive, 0.0);
   }
   if (situation == Situation::varied) {
-    constexpr std::size_t half_to_twice = 2;  // a turn in which parameters are that
+    constexpr std::size_t half_to_twice = 2;  // parameters: half to twice
     const State drawn = drawn_state(subject.model, subject.scene, draw, half_to_twice);
     state.parameters = arguments_at<double>(drawn).parameters;
   }
   return state;
 }
 
-/// Moves the state onto the constraints; false if no step of Newton puts it there.
+/// Moves the state onto the constraints; false if no step of Newton's method reaches them.
 bool meet_constraints(const Subject& subject, OutputKind output, Arguments<double>& state) {
   const State drawn = exact_state(subject, state);
   std::optional<State> kept = on_constraints(subject.model, drawn);

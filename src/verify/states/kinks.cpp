@@ -1,4 +1,4 @@
-// Kinks: a side is the sign of the argument, or of the difference of two.
+// Kinks: the side is the sign of the argument, or of the difference of both arguments.
 #include "verify/states/kinks.hpp"
 
 #include <fmt/ranges.h>

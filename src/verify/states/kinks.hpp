@@ -1,7 +1,7 @@
-// Kinks: on which sides of abs, sign, min and max a set of states lies.
+// Kinks: the sides of abs, sign, min and max on which a set of states lies.
 //
-// Two functions that agree on one side of a kink may differ on the other, so that states are drawn
-// until both have been seen.
+// Functions that agree on one side of a kink may differ on the other, so states are drawn until
+// both sides have been seen.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@
 
 namespace elgen {
 
-/// So many states are drawn for sides that have not been seen.
+/// The number of draws for sides that have not been seen.
 inline constexpr std::size_t most_draws_for_kinks = 256;
 
 class Kinks {
  public:
-  /// Finds kinks of all forces of the model, which outlives it.
+  /// Finds all kinks of the model, which must outlive this.
   explicit Kinks(const Model& model);
 
-  /// Whether the state lies on a side that no state before it lay on. Cost: the arguments of the
-  /// kinks that are left, by the oracle.
+  /// True if the state lies on a side that no state before it lay on. Cost: the oracle evaluates
+  /// the arguments of kinks that have not been seen on both sides.
   bool add(const State& state);
 
   [[nodiscard]] bool are_seen() const { return left_.empty(); }
 
-  /// "`max(x - 5, 0)`, `abs(y)`": the calls that were seen on one side, or on none.
+  /// "`max(x - 5, 0)`, `abs(y)`": the calls that have not been seen on both sides.
   [[nodiscard]] std::string unseen() const;
 
  private:

@@ -1,5 +1,5 @@
-// Zeros of sums: |sum| on ever finer grids along one coordinate, which find zeros with and without
-// a change of sign alike.
+// Zeros of sums: searches |sum| on ever finer grids along one coordinate, which finds zeros with
+// and without a change of sign.
 #include "verify/states/near_zeros.hpp"
 
 #include <algorithm>
@@ -24,11 +24,11 @@ constexpr std::size_t most_work = 1 << 20;
 constexpr int cells = 16;
 constexpr int grids =
     18;  ///< each eight times as fine as the last: 8^-18 is less than a double's u
-/// A fraction of the largest |sum| on the first grid. Doubles leave 1e-16 of a zero; a sum that
-/// comes no nearer to 0 than this loses few digits.
+/// A fraction of the largest |sum| on the first grid. Rounding to double leaves 1e-16 at a zero; a
+/// sum that stays above this fraction loses few digits.
 constexpr double vanishing = 1e-10;
 
-/// A sum of positions: rates are drawn at random, or 0.
+/// A sum that depends on positions only: rates are random, or 0.
 struct SoughtSum {
   ExpressionId id = 0;
   std::set<std::uint32_t> coordinates = {};
@@ -39,7 +39,7 @@ std::vector<SoughtSum> typed_sums(const Model& model) {
       Opcode::velocity | Opcode::acceleration | Opcode::open_value | Opcode::momentum;
   std::vector<SoughtSum> sums;
   for (const ExpressionId id : reached(model, equation_roots(model))) {
-    if (sums.size() == most_states) break;  // no more of them are visited
+    if (sums.size() == most_states) break;  // no more sums can be visited
     if (model.expressions[id].kind != ExpressionKind::add || holds_leaf(model, id, others))
       continue;
     SoughtSum sum{id};
@@ -56,7 +56,7 @@ std::vector<SoughtSum> typed_sums(const Model& model) {
 
 class NearZeros {
  public:
-  /// `ratio`: of a distance to the one before.
+  /// `ratio`: the quotient of consecutive distances.
   NearZeros(const Subject& subject, const Sampling& sampling, double ratio)
       : subject_(subject),
         ratio_(ratio),
@@ -71,7 +71,7 @@ class NearZeros {
     Arguments<double> common = drawn_within(subject_, ranges_, draw_);
     std::set<std::uint32_t> held;
     for (const SoughtSum& sum : sums) take_if_zero(sum, common, held);
-    // Each distance once moving and once at rest, as their number is odd.
+    // The number of distances is odd, so two rounds cover each at rest and in motion.
     for (int i = 0; i < 2 && !held.empty(); ++i) add_near(common, held);
     for (const SoughtSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {
@@ -85,7 +85,7 @@ class NearZeros {
   }
 
  private:
-  /// Infinite where the sum has no value, and where no evaluations are left.
+  /// Infinite if the sum has no value, or if no evaluations remain.
   double size_of(const SoughtSum& sum, const Arguments<double>& at) {
     constexpr double none = std::numeric_limits<double>::infinity();
     if (evaluations_left_ == 0) return none;
@@ -94,7 +94,7 @@ class NearZeros {
     return value ? ScalarTraits<double>::from_real(cln::abs(*value)) : none;
   }
 
-  /// Moves one coordinate to the smallest |sum|; returns whether that is a zero.
+  /// Moves one coordinate to the smallest |sum|; true if the sum is zero there.
   bool moves_to_zero(const SoughtSum& sum, std::uint32_t coordinate, Arguments<double>& at) {
     auto [low, high] = ranges_.q[coordinate];
     double place = at.q[coordinate];
@@ -117,7 +117,7 @@ class NearZeros {
     return largest > 0 && smallest <= vanishing * largest;
   }
 
-  /// Makes one more sum 0, by moving coordinates that no earlier sum depends on.
+  /// Makes one more sum 0 by moving a coordinate that no earlier sum depends on.
   void take_if_zero(const SoughtSum& sum, Arguments<double>& common,
                     std::set<std::uint32_t>& held) {
     Arguments<double> at = common;
@@ -129,7 +129,7 @@ class NearZeros {
     }
   }
 
-  /// Moves each coordinate by another fraction, so that no two stay equal.
+  /// Moves each coordinate by a different fraction, so that no two stay equal.
   void add_near(const Arguments<double>& zero, const std::set<std::uint32_t>& coordinates) {
     double distance = 1;
     for (std::size_t i = 0; i < distances; ++i) {
@@ -147,7 +147,7 @@ class NearZeros {
     }
   }
 
-  /// Moves x by a fraction of |x|, or of half the range up to 1 where that is more.
+  /// Moves x by a fraction of max(|x|, min(1, half the range)).
   static double beside(double x, double distance, const Range& range) {
     const double change =
         distance * std::max(std::abs(x), std::min(1.0, range.high / 2 - range.low / 2));
@@ -169,7 +169,8 @@ class NearZeros {
 template <class Scalar>
 std::vector<SampledState<Scalar>> states_near_zeros(const Subject& subject,
                                                     const Sampling& sampling) {
-  // To 1e-12, beyond which differences of doubles have few digits themselves; to 1e-6 in float.
+  // Down to distances of 1e-12, or 1e-6 in float: closer, differences of the scalar have few
+  // digits.
   constexpr double ratio = std::is_same_v<Scalar, float> ? 1e-2 : 1e-4;
   std::vector<SampledState<Scalar>> states;
   for (const SampledState<double>& state : NearZeros(subject, sampling, ratio).make()) {

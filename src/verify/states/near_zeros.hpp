@@ -1,5 +1,6 @@
-// States near zeros of the sums that a model's author typed, where code that multiplied them out
-// loses digits: (x - 1)^2 + (y - 0.3)^2 near (1, 0.3). Found from the Model by the oracle alone.
+// States near zeros of the sums that a model's author typed: (x - 1)^2 + (y - 0.3)^2 near (1, 0.3).
+// Code that expanded such a sum loses digits near its zero. Model and oracle alone determine these
+// states.
 #pragma once
 
 #include <vector>
@@ -9,9 +10,10 @@
 
 namespace elgen {
 
-/// At three distances from each zero, inside the ranges: first where as many sums vanish together
-/// as can, then where each does along one coordinate. Every second state is at rest, for random
-/// accelerations hide what a holding force loses. At most as many as random states, and 64.
+/// Three distances from each zero, inside the ranges: first near a common zero of as many sums as
+/// possible, then near zeros of each sum along one coordinate. Every second state is at rest,
+/// because random accelerations hide digits that a holding force loses. At most `sampling.count`
+/// and at most 64 states.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> states_near_zeros(const Subject& subject,
                                                                   const Sampling& sampling);

@@ -1,4 +1,4 @@
-// Tally: the largest of many figures, where it occurred, and how many states had none.
+// Tally: the largest of many figures, its state, and the number of states without a figure.
 #pragma once
 
 #include <cmath>
@@ -12,10 +12,10 @@ namespace elgen {
 
 class Tally {
  public:
-  /// Whether the figure is the worst so far.
+  /// True if the figure is the worst so far.
   bool add(double figure, const State& state) {
     ++samples_;
-    // A NaN is the worst there is.
+    // A NaN is worse than any number.
     if (worst_state_ && (std::isnan(worst_) || figure <= worst_)) return false;
     worst_ = figure;
     worst_state_ = state;
@@ -28,12 +28,12 @@ class Tally {
   [[nodiscard]] std::string where(const Subject& subject) const {
     return worst_state_ ? describe(subject, *worst_state_) : std::string();
   }
-  /// Skipped where nothing was sampled; a NaN fails.
+  /// Skipped if nothing was sampled; a NaN fails.
   [[nodiscard]] Verdict verdict(double tolerance) const {
     if (samples_ == 0) return Verdict::skipped;
     return worst_ <= tolerance ? Verdict::holds : Verdict::fails;
   }
-  /// Writes the result of its states into a row; `obstacle`: why some were skipped.
+  /// Writes the result into a row; `obstacle`: the reason for skipped states.
   void tell(CertificateRow& row, const Subject& subject, double tolerance,
             Obstacle obstacle = Obstacle::undefined) const {
     row.samples = samples_;

@@ -1,5 +1,5 @@
-// Compares the numerators of both forms over one denominator, or, if their own denominators are
-// different sums, these.
+// Compares the numerators of both forms over one denominator; if their denominators are different
+// sums, compares the denominators.
 #include "verify/structure/differing_terms.hpp"
 
 #include <fmt/ranges.h>
@@ -17,12 +17,12 @@
 namespace elgen {
 namespace {
 
-/// Products of terms that a comparison may take, some milliseconds: textbook equations take less
-/// than a tenth of them.
+/// The limit of products of terms per comparison: some milliseconds. Textbook equations need less
+/// than a tenth.
 constexpr std::size_t most_work_of_terms = 20'000;
-/// More terms than these are no slip of the pen.
+/// More differing terms are not a slip of the pen.
 constexpr std::size_t most_told = 4;
-/// As `elgen diff` prints.
+/// The limit of `elgen diff`.
 constexpr std::size_t longest_form = 100;
 
 bool is_no_angle(const Atom& atom) { return atom.kind != AtomKind::circular; }
@@ -33,7 +33,7 @@ const Polynomial& part_of(const TermsByPowers& terms, const Monomial& powers) {
   return found == terms.end() ? none : found->second;
 }
 
-/// Without the sign in front of a product.
+/// The text of a product without its sign.
 std::string without_sign(const std::string& text) {
   const bool is_product = text.find(' ') == std::string::npos;
   return is_product && text.starts_with('-') ? text.substr(1) : text;
@@ -87,8 +87,8 @@ bool has_divisor(const Fraction& form, std::uint32_t factor, std::int32_t expone
   return found != form.denominator.end() && found->second >= exponent;
 }
 
-/// Whether the rest of both forms has only divisors that both have, so that these terms are terms
-/// of the forms as they are written.
+/// True if the rest of both forms has only divisors that both forms have. Then the terms occur in
+/// the written forms.
 bool are_of_forms(Algebra& algebra, const Fraction& right, const Fraction& written,
                   const DifferingTerms& terms) {
   Arithmetic arithmetic(algebra, most_work_of_terms);
@@ -100,7 +100,7 @@ bool are_of_forms(Algebra& algebra, const Fraction& right, const Fraction& writt
          });
 }
 
-/// How the written denominator differs from the one with which the written numerator is right.
+/// The difference of the written denominator from the one for which the written numerator is right.
 std::optional<DifferingTerms> terms_of_denominators(Algebra& algebra, const Fraction& right,
                                                     const Fraction& written) {
   Arithmetic arithmetic(algebra, most_work_of_terms);

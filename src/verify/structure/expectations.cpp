@@ -1,6 +1,6 @@
-// Expectations: proved where that succeeds. Otherwise they are compared to 45 digits at 64 random
-// points and more where these miss a side of a kink; the row says that it was sampled, since that
-// is no proof.
+// Expectations: proved if possible. Otherwise they are compared to 45 digits at 64 random points,
+// and at more points if these miss a side of a kink. Then the row says "sampled", which is no
+// proof.
 #include "verify/structure/expectations.hpp"
 
 #include <fmt/format.h>
@@ -23,18 +23,18 @@ namespace {
 using cln::cl_R;
 
 constexpr std::size_t point_count = 64;
-/// The oracle has 60 digits; fifteen may cancel in either form.
+/// The oracle has 60 digits; fifteen may cancel in each form.
 constexpr double tolerance = 1e-45;
 constexpr const char* sampled_reason = "1e-45 of the largest entry: sampled, no proof";
 constexpr const char* proof = "proved: both are one canonical sum";
 constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
 constexpr const char* proof_of_equation = "proved: along the motion it is the empty canonical sum";
-/// Equations hold accelerations everywhere or nowhere, but for kinks: few states tell.
+/// Equations contain accelerations everywhere or nowhere, except at kinks, so few states suffice.
 constexpr std::size_t states_of_rank = 8;
-/// A form that holds for the values of the file alone is an identity in the state: few states tell.
+/// A form that holds for the file's values only is an identity in the state, so few states suffice.
 constexpr std::size_t states_of_values = 16;
 
-/// Where the model is sampled, and the sides of kinks that are not among it.
+/// The states at which the model is sampled, and the sides of kinks that they miss.
 struct SamplingStates {
   std::vector<State> states = {};
   std::string unseen = {};
@@ -80,7 +80,7 @@ CertificateRow proved_row(const ExpectedEntry& entry) {
   return row;
 }
 
-/// The value in the file and the right one at a state, and the scale that judges their difference.
+/// The value of the file and the derived value at a state, and the scale of their difference.
 struct Sample {
   cl_R written;
   cl_R derived;
@@ -106,11 +106,11 @@ Diagnostic nothing_compared(const ExpectedEntry& entry) {
           "declare a `range` inside the domain"};
 }
 
-/// A state, and what an output is there by the oracle; of a rate the state alone.
+/// A state and the oracle's values of the output; for a rate the state alone.
 struct SampledPoint {
   State state;
   OracleValues entries = {};
-  cl_R scale = 0;  ///< of what counts as zero: the largest entry of the output and of M
+  cl_R scale = 0;  ///< scale of zero: the largest entry of the output and of M
 };
 
 SampledPoint derived_at(const Model& model, const OutputRequest& request, const State& state) {
@@ -129,8 +129,7 @@ std::optional<Sample> value_sample(const ExpectedEntry& entry, const SampledPoin
   return Sample{*written, (*derived.entries)[index], cln::max(derived.scale, cln::abs(*written))};
 }
 
-/// The state with the acceleration that it has; none where M is singular, or the constraints cannot
-/// be kept.
+/// The state with its accelerations; none if M is singular, or if the constraints cannot be met.
 std::optional<State> motion_at(const Model& model, const State& start) {
   std::optional<State> state = on_constraints(model, start);
   if (!state) return std::nullopt;
@@ -141,7 +140,7 @@ std::optional<State> motion_at(const Model& model, const State& start) {
   return state;
 }
 
-/// The same at rest of inputs, with the momenta and the energy that it then has.
+/// The same with zero inputs, and with the momenta and the energy of that state.
 std::optional<State> free_motion(const Model& model, State start) {
   for (cl_R& u : start.u) u = 0;
   std::optional<State> state = motion_at(model, start);
@@ -154,8 +153,8 @@ std::optional<State> free_motion(const Model& model, State start) {
   return state;
 }
 
-/// The value f(a) of a function of the acceleration, with the scale of what it sums: `size`, |f(0)|
-/// and the part of each a_i, where a_i is as large as `sizes` says.
+/// The value f(a) of a function of the acceleration. Its scale is `size` + |f(0)| + the sum over i
+/// of |f(sizes_i e_i) - f(0)|.
 template <class F>
 std::optional<Sample> sample_of_parts(const F& f, const State& motion, const cl_R& size,
                                       const std::vector<cl_R>& sizes) {
@@ -175,13 +174,13 @@ std::optional<Sample> sample_of_parts(const F& f, const State& motion, const cl_
   return result;
 }
 
-/// de/dt along the motion, judged by the size of its terms and by |e|; of an equation e itself.
+/// de/dt along the motion, relative to the size of its terms and to |e|; for an equation e itself.
 std::optional<Sample> motion_sample(const ExpectedEntry& entry, const State& motion) {
   const Model& model = entry.subject.model;
   const ExpressionId id = entry.expression();
   const auto value = [&](const State& at) { return oracle_expression(model, id, at); };
   if (entry.of.are_equations()) {
-    // An acceleration that is 0 has the rounding of the largest one.
+    // A zero acceleration has rounding errors of the size of the largest one.
     const std::vector<cl_R> largest(motion.a.size(), largest_of(motion.a));
     return sample_of_parts(value, motion, 0, largest);
   }
@@ -195,7 +194,7 @@ bool is_of_motion(const Expectation& expectation) {
   return expectation.is_conserved() || expectation.are_equations();
 }
 
-/// Where one expectation is sampled.
+/// The points at which one expectation is sampled.
 std::vector<SampledPoint> points_of(const Model& model, const Expectation& expectation,
                                     const std::vector<State>& states) {
   const auto request = find_request(model, expectation.output);
@@ -212,9 +211,9 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
   return points;
 }
 
-/// How the forms differ; "" where there are none, or it is too long to be read.
+/// The difference of the forms; "" if a form is missing or the text is too long to read.
 std::string difference_text(const ExpectedEntry& entry, Proofs& proofs) {
-  // Terms of typed quotients are told as quotients, not as functions of Stumpff.
+  // Typed quotients are reported as quotients, not as Stumpff functions.
   if (!entry.subject.model.typed.empty() && proofs.quotients() != nullptr) {
     Proofs by_quotients(entry.subject, proofs.quotients());
     return difference_text(entry, by_quotients);
@@ -243,8 +242,8 @@ double error_of(const Sample& sample) {
   return quotient(sample.written - sample.derived, sample.scale);
 }
 
-/// Whether an entry that is wrong elsewhere holds at these states with the parameters of the file,
-/// as 5/7 g sin(alpha) does of a homogeneous ball.
+/// True if an entry that is wrong elsewhere holds at these states with the parameters of the file.
+/// Example: 5/7 g sin(alpha) of a homogeneous ball.
 bool holds_at_values(const ExpectedEntry& entry, const std::vector<SampledPoint>& points) {
   const Model& model = entry.subject.model;
   const State nominal = nominal_state(model, {});
@@ -262,7 +261,7 @@ bool holds_at_values(const ExpectedEntry& entry, const std::vector<SampledPoint>
   return held > 0 && !model.parameters.empty();
 }
 
-/// How a wrong entry differs, and if it holds at the values of the file.
+/// The difference of a wrong entry, and whether it holds for the file's values.
 std::string hint_of(const ExpectedEntry& entry, Proofs& proofs,
                     const std::vector<SampledPoint>& points) {
   std::string hint = difference_text(entry, proofs);
@@ -271,13 +270,13 @@ std::string hint_of(const ExpectedEntry& entry, Proofs& proofs,
   return hint + "it holds for the values of the parameters in the file";
 }
 
-/// Where entries are sampled, and the sides of kinks that none of these points is on.
+/// The points at which entries are sampled, and the sides of kinks that no point lies on.
 struct SampledPoints {
   const std::vector<SampledPoint>& points;
   const std::string& unseen;
 };
 
-/// Compares one entry at all states; the first where it is wrong becomes the diagnostic.
+/// Compares one entry at all states; the first wrong state is reported.
 void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proofs,
              const SampledPoints& sampled) {
   Tally tally;
@@ -297,7 +296,7 @@ void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proo
   tally.tell(row, entry.subject, tolerance);
   row.worst = fmt::format("{:.1e} relative", tally.worst());
   if (row.verdict == Verdict::holds) row.where.clear();
-  // The author expects a value: where there is none, the expectation is not met.
+  // The author expects a value: without a value, the expectation fails.
   if (tally.samples() == 0) row.verdict = Verdict::fails;
   if (!sampled.unseen.empty()) row.tolerance += "; not seen on both sides: " + sampled.unseen;
   if (!wrong.empty()) {
@@ -309,7 +308,7 @@ void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proo
   }
 }
 
-/// The motion at the first states that have one.
+/// The motions at the first states that have one.
 std::vector<State> first_motions(const Model& model, const std::vector<State>& states) {
   std::vector<State> motions;
   for (std::size_t i = 0; i < states.size() && motions.size() < states_of_rank; ++i) {
@@ -355,7 +354,7 @@ CertificateRow blank_row(const ExpectedEntry& entry) {
 ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
                                      std::uint64_t seed) {
   ExpectationReport report;
-  // They speak of the exact model.
+  // Expectations describe the exact model.
   if (subject.model.expectations.empty() || subject.model.approximation) return report;
   Proofs proofs(subject, forms);
   const SamplingStates points = random_points(subject.model, seed);

@@ -1,4 +1,4 @@
-// [[expect]]: the closed forms an author writes down, proved equal to what was derived, or compared
+// [[expect]]: the closed forms of a model's author, proved equal to the derived forms, or compared
 // with the oracle at random exact points.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace elgen {
 
 struct ExpectationReport {
   std::vector<CertificateRow> rows = {};
-  /// One E510 at each entry that is wrong or has no value at any point, E540 at equations that do
+  /// One E510 for each entry that is wrong or has no value at any point, E540 for equations that do
   /// not determine the accelerations.
   Diagnostics diagnostics = {};
 };
@@ -29,18 +29,18 @@ struct ExpectedEntry {
   [[nodiscard]] Span span() const { return index < of.spans.size() ? of.spans[index] : of.span; }
 };
 
-/// "gravity[2]": as the file calls it.
+/// "gravity[2]": the name in the file.
 [[nodiscard]] std::string name_of(const ExpectedEntry& entry);
 
-/// Its row of the certificate, without a verdict.
+/// The certificate row of the entry, without a verdict.
 [[nodiscard]] CertificateRow blank_row(const ExpectedEntry& entry);
 
-/// Entries that `forms` (may be null) does not prove are sampled, and the row says so: 64 points
-/// with rational coordinates, rates and inputs (in their ranges) and parameters (from half to twice
-/// their value, with the sign they have; fixed ones too, since an expectation speaks of the model).
-/// `conserved` entries: their rate along the motion with u = 0 is zero. `equations`: left - right
-/// is zero along the motion. Those `at` a state are judged there. Hints tell in closed form how a
-/// wrong one differs.
+/// Entries that `forms` (may be null) does not prove are sampled, and the row says so. The 64
+/// points have rational coordinates, rates and inputs in their ranges. Parameters lie between half
+/// and twice their value, with its sign; fixed ones, too, because an expectation describes the
+/// model. `conserved` entries: the rate along the motion with u = 0 is zero. `equations`:
+/// left - right is zero along the motion. Expectations `at` a state are compared at that state.
+/// Hints give the difference of a wrong entry in closed form.
 [[nodiscard]] ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
                                                    std::uint64_t seed);
 

@@ -49,7 +49,7 @@ Arguments<Real> unit_rate(const ExactValues& at, std::size_t i) {
   return direction;
 }
 
-/// The derivatives of an energy along the directions of all velocities.
+/// The slopes of an energy along the unit directions of all velocities.
 Values gradient(const ExactValues& at, K energy,
                 Arguments<Real> (*direction)(const ExactValues&, std::size_t)) {
   Values slopes;
@@ -76,7 +76,7 @@ Values input_force(ExactValues& at) {
   return force;
 }
 
-/// A^T lambda of forward dynamics, which the program has; zero without constraints.
+/// A^T lambda of the program's forward dynamics; zero without constraints.
 Values held_force(ExactValues& at) {
   Values force(at.size());
   const Subject& subject = at.subject();
@@ -111,8 +111,8 @@ Balance skew(ExactValues& at) {
   return balance;
 }
 
-/// dE/dt - v.(B u + Q - dD/dv + A^T lambda) + dL/dt, where -dL/dt = dE/dt - v.dp/dt, both at rest,
-/// since L = v.p - E
+/// dE/dt - v.(B u + Q - dD/dv + A^T lambda) + dL/dt. L = v.p - E gives -dL/dt = dE/dt - v.dp/dt,
+/// with partial derivatives by t.
 Balance power(ExactValues& at) {
   Arguments<Real> motion = at.at_rest();
   motion.q = at.coordinate_rates(at.arguments().v);
@@ -208,7 +208,7 @@ Balance regressor_of_reference(ExactValues& at) {
       {{at.value_at(K::regressor_reference, arguments)}, {at.value(K::regressor), -1}});
 }
 
-/// The state with the velocities that its momenta give; none where M is singular.
+/// The state with the velocities of its momenta; none if M is singular.
 std::optional<ExactValues> at_momenta(ExactValues& at) {
   const OracleValues v = defined_values(at.value(K::velocities_of_momenta));
   if (!v) return std::nullopt;
@@ -217,7 +217,7 @@ std::optional<ExactValues> at_momenta(ExactValues& at) {
   return ExactValues(at.subject(), std::move(state));
 }
 
-/// An entry without a value.
+/// A balance whose only entry has no value.
 Balance undefined() { return balance_of({BalanceTerms{{Real::undefined()}}}); }
 
 Balance momenta_of_velocities(ExactValues& at) {
@@ -232,7 +232,7 @@ Balance hamiltonian_energy(ExactValues& at) {
   return balance_of({{at.value(K::hamiltonian)}, {moving->value(K::energy_function), -1}});
 }
 
-/// d/dt (q, dL/dv) along the motion, less (dq/dt, dp/dt)
+/// d/dt (q, dL/dv) along the motion, minus (dq/dt, dp/dt)
 Balance canonical_motion(ExactValues& at) {
   std::optional<ExactValues> moving = at_momenta(at);
   if (!moving) return undefined();

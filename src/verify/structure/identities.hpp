@@ -1,4 +1,4 @@
-// The tables of identities between the functions of a program, and what their balances share.
+// The tables of identities between the functions of a program, and helpers of their balances.
 #pragma once
 
 #include <string_view>
@@ -11,16 +11,15 @@ namespace elgen {
 struct Identity {
   std::string_view check;
   std::string_view formula;
-  std::vector<OutputKind>
-      functions;  ///< which the program must have; the first is the row's subject
-  Balance (*balance)(ExactValues& at);        ///< the left side less the right side
-  std::string_view constrained_formula = {};  ///< with constraints, where it is another
+  std::vector<OutputKind> functions;    ///< required of the program; the first is the row's subject
+  Balance (*balance)(ExactValues& at);  ///< left side minus right side
+  std::string_view constrained_formula = {};  ///< with constraints; empty: the same
 };
 
 [[nodiscard]] const std::vector<Identity>& identities();
 
-/// The identity between an [[output]] y and a derivative of it. Of a frame y is a pose, and its
-/// twist stands for dy/dt: quaternions must be of norm 1 then.
+/// The identity between an [[output]] y and one of its derivatives. For a frame, y is a pose, and
+/// its twist replaces dy/dt; then quaternions must have norm 1.
 struct OutputIdentity {
   OutputKind derivative;
   std::string_view check;
@@ -31,14 +30,14 @@ struct OutputIdentity {
 
 [[nodiscard]] const std::vector<OutputIdentity>& output_identities();
 
-/// Terms of a balance: factor times so many values in each entry, one entry after another.
+/// Terms of a balance: factor times the sum of `per_entry` consecutive values, entry by entry.
 struct BalanceTerms {
   std::vector<Real> values = {};
   int factor = 1;
   std::size_t per_entry = 1;
 };
 
-/// The sum of all terms; the first of them say how many entries there are.
+/// The sum of all terms; the first element determines the number of entries.
 [[nodiscard]] Balance balance_of(const std::vector<BalanceTerms>& all);
 
 /// A unit displacement along velocity i.

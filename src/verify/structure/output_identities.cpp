@@ -8,8 +8,8 @@ namespace {
 using K = OutputKind;
 using Values = std::vector<Real>;
 
-// The pose [R p] of a frame's output gives its twist (angular velocity; velocity of the origin) as
-// a form linear in the pose and in its rate, so that its rate is that form twice:
+// The twist of a frame's output (angular velocity; velocity of the origin) is a form linear in the
+// pose [R p] and in its rate. So the rate of the twist is the sum of two such forms:
 //
 //     in the world's axes    S = dR/dt R^T    v = dp/dt
 //     in the frame's         S = R^T dR/dt    v = R^T dp/dt        omega = (S_32, S_13, S_21)
@@ -21,7 +21,7 @@ const Real& entry(const Values& pose, std::size_t row, std::size_t column) {
   return pose[columns * row + column];
 }
 
-/// The terms of a twist, three of each component: S_32, S_13, S_21, then dp/dt along the columns of
+/// The terms of a twist, three per component: S_32, S_13, S_21, then dp/dt along the columns of
 /// `along`.
 Values twist(const Values& pose, const Values& along, const Values& rate, bool in_world) {
   Values terms;
@@ -41,7 +41,7 @@ Values twist(const Values& pose, const Values& along, const Values& rate, bool i
   return terms;
 }
 
-/// The axes that a twist is told in: those of the frame, or of the world.
+/// The axes of the twist's components: the frame's, or the world's.
 Values axes_of(const Values& pose, bool in_world) {
   if (!in_world) return pose;
   Values world(axes * columns);
@@ -88,14 +88,14 @@ Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
   const bool in_world = output.in_world;
   const Values& pose = at.value(K::user_value, user);
   const Values rate = at.slopes(K::user_value, motion, user);
-  // The world's axes stay.
+  // The world's axes do not move.
   const Values turning = in_world ? Values(rate.size()) : rate;
   return balance_of({{bias},
                      {twist(pose, axes_of(pose, in_world), acceleration, in_world), -1, axes},
                      {twist(rate, turning, rate, in_world), -1, axes}});
 }
 
-/// Appends dy along `count` unit changes, row-major.
+/// Appends the derivatives of y along `count` unit changes, row-major.
 template <class Unit>
 void append_slopes(Values& slopes, ExactValues& at, std::uint32_t user, std::size_t count,
                    const Unit& unit) {

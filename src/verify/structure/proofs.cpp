@@ -1,5 +1,4 @@
-// Forms are looked up among those of the program; what is proved is that a difference is the empty
-// sum.
+// Forms are looked up in the program's forms. A proof shows that a difference is the empty sum.
 #include "verify/structure/proofs.hpp"
 
 #include <algorithm>
@@ -12,7 +11,8 @@ namespace elgen {
 
 namespace {
 
-/// Whether forms for proofs of the program, or of what the file expects, are other ones.
+/// True if the forms for proofs, of the program or of the file's expectations, differ from the
+/// others.
 bool has_other_forms(const Subject& subject) {
   const auto is_other = [](const Expression& e) {
     return e.kind == ExpressionKind::function && is_taken_apart(e.function);
@@ -65,7 +65,7 @@ std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
   return result;
 }
 
-/// The forms of p and E in `conserved`, as far as they are known.
+/// The forms of p and E that are known, for `conserved`.
 Replacements Proofs::momenta() const {
   Replacements result;
   for (const auto& [leaf, kind] : {std::pair{Opcode::momentum, OutputKind::momentum},
@@ -110,7 +110,7 @@ bool Proofs::holds(const Expectation& expectation, std::size_t entry) {
   if (forms_ == nullptr || !has_other_forms(subject_)) return false;
   if (!other_forms_) {
     Program derived = subject_.program;
-    derived.functions.resize(forms_->functions.size());  // steps behind them have no forms
+    derived.functions.resize(forms_->functions.size());  // steps, which come last, have no forms
     other_forms_ = present_for_proofs(derived);
   }
   return Proofs(subject_, &*other_forms_).holds_as_it_is(expectation, entry);

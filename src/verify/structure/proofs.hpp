@@ -1,5 +1,5 @@
 // Proofs of [[expect]] by closed forms. The author's form comes straight from the model, the
-// derived one from the program, so that they share nothing but the ring they are compared in.
+// derived form from the program; they share only the ring in which they are compared.
 #pragma once
 
 #include <optional>
@@ -17,31 +17,31 @@ class Proofs {
   /// Without `forms` nothing is proved.
   Proofs(const Subject& subject, ClosedForms* forms) : subject_(subject), forms_(forms) {}
 
-  /// An entry equals that of the output derived, is constant along the motion at u = 0, or vanishes
-  /// along it, as the expectation says, by the forms or else by forms for proofs. False says
-  /// nothing.
+  /// True if the entry is proved, by the forms or by forms for proofs. Depending on the
+  /// expectation, it equals the derived output, is constant along the motion at u = 0, or vanishes
+  /// along the motion. False shows nothing.
   [[nodiscard]] bool holds(const Expectation& expectation, std::size_t entry);
 
-  /// The form of an entry as the file gives it, and as it is derived; none where there is none, or
-  /// where it rests on zeros that were sampled.
+  /// The form of an entry in the file, and the derived form. None if there is no form, or if it
+  /// rests on sampled zeros.
   [[nodiscard]] std::optional<Fraction> written(const Expectation& expectation, std::size_t entry);
   [[nodiscard]] std::optional<Fraction> derived(const Expectation& expectation,
                                                 std::size_t entry) const;
 
-  /// The first field of an output; none where an entry has no such form.
+  /// The first field of an output; none if an entry has no such form.
   [[nodiscard]] std::optional<std::vector<Fraction>> entries(OutputKind kind) const;
 
-  /// With the accelerations of the motion in place of all others.
+  /// The form with the accelerations of the motion inserted.
   [[nodiscard]] std::optional<Fraction> along_motion(const Fraction& form) const;
 
   /// The rate along the motion at u = 0.
   [[nodiscard]] std::optional<Fraction> free_rate(const Fraction& form) const;
 
   [[nodiscard]] const Subject& subject() const { return subject_; }
-  /// The forms with quotients; null until a proof has asked for forms for proofs, and if these hold
-  /// powers of exponentials, which nobody has typed.
+  /// The forms with quotients. Null until a proof needs forms for proofs, and if they contain
+  /// powers of exponentials, which no author typed.
   [[nodiscard]] ClosedForms* quotients();
-  /// Null: there are no forms.
+  /// Null if there are no forms.
   [[nodiscard]] Algebra* algebra() const { return forms_ == nullptr ? nullptr : &forms_->algebra; }
 
  private:
@@ -53,7 +53,7 @@ class Proofs {
 
   const Subject& subject_;
   ClosedForms* forms_;
-  std::optional<ClosedForms> other_forms_ = {};  ///< made for the first proof that asks for them
+  std::optional<ClosedForms> other_forms_ = {};  ///< built by the first proof that needs them
 };
 
 }  // namespace elgen

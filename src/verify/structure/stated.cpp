@@ -1,6 +1,6 @@
-// Factors of equations are quotients of a term of the equation by one of the row that holds the
-// same rates: those of accelerations first. Numbers are compared in 60 digits that more
-// digits do not change.
+// Candidate factors of an equation are quotients of one of its terms by a term of a row with the
+// same rates; only terms with accelerations count. Numbers are compared in 60 digits, and only if
+// more digits do not change them.
 #include "verify/structure/stated.hpp"
 
 #include <fmt/ranges.h>
@@ -24,7 +24,7 @@ namespace {
 
 using cln::cl_R;
 
-/// The rows M a + bias - B u; none where one has no form.
+/// The rows M a + bias - B u; none if a row has no form.
 std::optional<std::vector<Fraction>> rows_of_motion(const Proofs& proofs) {
   const Model& model = proofs.subject().model;
   auto rows = proofs.entries(OutputKind::inverse_dynamics);
@@ -45,7 +45,8 @@ std::optional<std::vector<Fraction>> rows_of_motion(const Proofs& proofs) {
 
 constexpr LeafSet of_motion = Opcode::velocity | Opcode::acceleration | Opcode::input;
 
-/// The terms with accelerations of a form, by their powers of rates, accelerations and inputs.
+/// The terms of a form that contain accelerations, by their powers of rates, accelerations and
+/// inputs.
 std::vector<std::pair<Monomial, Fraction>> accelerated_terms(Algebra& algebra,
                                                              const Fraction& form) {
   Arithmetic arithmetic(algebra);
@@ -75,7 +76,7 @@ Value without_accelerations(const Model& model, Algebra& algebra, const Fraction
   return substituted(algebra, form, rest);
 }
 
-/// The factors that turn a term of the row into one of the equation, each once.
+/// The distinct factors that turn a term of the row into a term of the equation.
 std::vector<Fraction> factors_of(Algebra& algebra, const Fraction& equation, const Fraction& row) {
   Arithmetic arithmetic(algebra);
   std::vector<Fraction> factors;
@@ -89,7 +90,7 @@ std::vector<Fraction> factors_of(Algebra& algebra, const Fraction& equation, con
   return factors;
 }
 
-/// d(left - right)/da of each equation, with the rows of A below; empty where one has no value.
+/// d(left - right)/da of each equation, above the rows of A; empty if an equation has no value.
 std::vector<cl_R> slopes_of(const Model& model, const Expectation& equations, const State& motion) {
   std::vector<cl_R> slopes;
   State direction = map_leaves([](const cl_R&) { return cl_R(0); }, motion);
@@ -127,10 +128,11 @@ bool meets_all(const Model& model, const Expectation& equations, const State& mo
   return true;
 }
 
-/// Another acceleration that meets all equations, as that of a square does. It is searched on the
-/// line on which all others stay, where left - right is f(s) and f(0) = 0: the other zero of a
-/// parabola, s = f'/(f' - f(1)), and the mirror image of d(left - right)/da a, for even functions.
-/// None if the motion does not meet them: with a wrong sign they may determine another one.
+/// Another acceleration that meets all equations, as the other root of a square. It is searched on
+/// lines along which the other equations keep their values. On a line left - right is f(s),
+/// f(0) = 0. The candidates are the other zero of a parabola, s = f'/(f' - f(1)), and the mirror
+/// image of d(left - right)/da a, for even functions. None if the motion does not meet the
+/// equations: with a wrong sign they may determine another acceleration.
 std::optional<State> other_motion(const Model& model, const Expectation& equations,
                                   const State& motion, const std::vector<cl_R>& slopes) {
   if (!meets_all(model, equations, motion, slopes)) return std::nullopt;
@@ -163,7 +165,7 @@ std::optional<State> other_motion(const Model& model, const Expectation& equatio
   return std::nullopt;
 }
 
-/// The right form that is nearest so far.
+/// The right form with the fewest differing terms so far.
 struct Nearest {
   std::string right = {};  ///< in words
   std::optional<DifferingTerms> terms = {};
@@ -181,7 +183,7 @@ std::string row_text(const Model& model, const Algebra& algebra, std::size_t row
                      is_plain ? "" : ", times ", is_plain ? "" : text);
 }
 
-/// The field of an expectation by the oracle.
+/// The oracle's values of the field of an expectation.
 SettledValues field_at(const Model& model, const Expectation& expectation, const State& state) {
   const auto request = find_request(model, expectation.output);
   if (!request) return {};
@@ -200,7 +202,7 @@ std::string also_met(const State& motion) {
   return fmt::format("a = ({}) meets all equations, too", fmt::join(values, ", "));
 }
 
-/// As many digits as doubles keep.
+/// 15 digits, as many as doubles keep.
 std::string digits_of(const cl_R& value) {
   return fmt::format("{:.15g}", ScalarTraits<double>::from_real(value));
 }
@@ -216,7 +218,7 @@ std::string difference_from_motion(const Proofs& proofs, const Fraction& equatio
   Nearest nearest;
   for (std::size_t i = 0; i < rows->size(); ++i) {
     for (const Fraction& factor : factors_of(algebra, equation, (*rows)[i])) {
-      // Over a sum that the author solved by, terms are not those of the row.
+      // If the author divided by a sum to solve the equation, its terms do not match the row's.
       const Value divisor = divisor_of(algebra, factor);
       if (!divisor || divisor->numerator.size() > 1) continue;
       const Value right = arithmetic.multiply(factor, (*rows)[i]);
@@ -237,8 +239,8 @@ std::string difference_from_motion(const Proofs& proofs, const Fraction& equatio
   return whole.empty() ? "" : fmt::format("left - right is {} along the motion", whole);
 }
 
-/// If the sum has the rate r and its term t the rate r_t, the sum with t (1 - r/r_t) for t is
-/// conserved. It is told if r/r_t is a rational number.
+/// If the sum has the rate r and its term t the rate r_t, the sum with t (1 - r/r_t) in place of t
+/// is conserved. Only rational r/r_t are reported.
 std::string difference_from_conserved(const Proofs& proofs, const Fraction& written) {
   Algebra& algebra = *proofs.algebra();
   Arithmetic arithmetic(algebra);
@@ -298,8 +300,8 @@ void check_rank(ExpectationReport& report, const Expectation& equations, const S
   report.rows.push_back(std::move(row));
 }
 
-/// One state in 60 digits. Parameters have the values of the file there, whatever a scene fixes: an
-/// expectation speaks of the model.
+/// One state in 60 digits. Parameters have the values of the file, whatever a scene fixes, because
+/// an expectation describes the model.
 void check_numbers(ExpectationReport& report, const Expectation& expectation,
                    const Subject& subject) {
   const Model& model = subject.model;

@@ -1,5 +1,4 @@
-// The rows of structure: the table of identities, and the two properties of M that are no
-// identities.
+// The rows of structure: the table of identities, and two properties of M.
 #include "verify/structure/structure.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +22,7 @@ constexpr double identity_tolerance = 1e-40;
 constexpr const char* identity_reason =
     "1e-40 of the largest term: 64-digit arithmetic less 24 digits for cancellation";
 
-/// Pivots below this are those of a singular chart (a pole, a gimbal), where no sign is claimed.
+/// Smaller pivots belong to a singular chart (a pole, a gimbal), whose sign is not checked.
 constexpr double singular_pivot = 1e-10;
 
 CertificateRow row_of(const Function& function, std::string_view check, std::string_view formula) {
@@ -34,7 +33,7 @@ CertificateRow row_of(const Function& function, std::string_view check, std::str
   return row;
 }
 
-/// Points at which `figure` gives none are skipped.
+/// Tallies `figure` at all points; points without a figure are skipped.
 template <class Figure>
 Tally tally_of(std::vector<ExactValues>& points, const Figure& figure) {
   Tally tally;
@@ -49,8 +48,8 @@ Tally tally_of(std::vector<ExactValues>& points, const Figure& figure) {
   return tally;
 }
 
-/// Whether 64 digits are enough for what is known to cancel: the running error of every entry stays
-/// below the tolerance.
+/// True if 64 digits suffice for cancelling terms: the running error of every entry is below the
+/// tolerance.
 bool keeps_digits(const ExactValues& at, const Function& function) {
   static const Real roundoff(power_of_ten(-64));
   static const Real tolerance(power_of_ten(-40));
@@ -114,7 +113,8 @@ std::vector<ExactValues> points_at(const Subject& subject, const std::vector<Sta
   return points;
 }
 
-/// The states with quaternions of norm 1, which those in double are to 16 digits: R turns there.
+/// The states with quaternions of norm 1. In double the norm is 1 to 16 digits only, and then R is
+/// no rotation.
 std::vector<State> on_sphere(const Subject& subject, std::vector<State> states) {
   for (State& state : states) scale_to_length_one(subject.model, state);
   return states;
@@ -143,7 +143,7 @@ void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& po
   }
 }
 
-/// Largest |M_ij - M_ji| as the program computes it in double.
+/// The largest |M_ij - M_ji| of the program in double.
 double asymmetry(const std::vector<double>& m, std::size_t n) {
   double largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -168,8 +168,8 @@ CertificateRow symmetry_row(const Subject& subject, const Function& function,
   return row;
 }
 
-/// The smallest D_i / M_ii; -1 where a diagonal entry of M is negative, 0 where M is singular. None
-/// where undefined.
+/// The smallest D_i / M_ii; -1 if a diagonal entry of M is negative, 0 if M is singular, none if M
+/// is undefined.
 std::optional<double> smallest_pivot(const std::vector<Real>& m, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     if (!m[i * n + i].is_defined()) return std::nullopt;
@@ -210,7 +210,7 @@ std::vector<CertificateRow> check_structure(const Subject& subject,
   const Function* mass = find_function(subject.program, OutputKind::mass_matrix);
   if (mass != nullptr) {
     rows.push_back(symmetry_row(subject, *mass, states));
-    // An expansion of M is positive definite near its point only.
+    // An expansion of M is positive definite only near its point.
     if (!subject.model.approximation) rows.push_back(definiteness_row(*mass, points));
   }
   add_identities(rows, points);

@@ -19,7 +19,7 @@ namespace elgen {
 ///     H(q, p) = E, dL/dv = p and (dq/dt, dp/dt) = d/dt (q, dL/dv) at v = M^-1 (p - b)
 ///     Jacobians and biases of [[output]]s from the derivatives of their values
 ///
-/// and that M is symmetric (in every bit) and positive definite (by its pivots).
+/// Two more rows: M is symmetric (in every bit), and positive definite (by its pivots).
 [[nodiscard]] std::vector<CertificateRow> check_structure(const Subject& subject,
                                                           const std::vector<State>& states);
 
