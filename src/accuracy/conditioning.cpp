@@ -1,4 +1,4 @@
-// conditioning: every instruction's slopes by its operands once, then one sweep for each value.
+// conditioning: the slopes of every instruction by its operands, then one reverse sweep per value.
 #include "accuracy/conditioning.hpp"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// Operands, of which one moves.
+/// The operands, one of them with tangent 1.
 struct OneMoves {
   const std::vector<Real>& values;
   std::uint32_t moving;
@@ -20,24 +20,24 @@ struct OneMoves {
   }
 };
 
-/// To an ulp, which is in the bound; infinite, or 0, beyond the range of doubles.
+/// Rounded to an ulp, which the bound includes; infinite or 0 outside of the range of doubles.
 double rounded(const Real& x) {
   return x.is_defined() ? cln::double_approx(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// How far roundings may have taken K, of which a tenth of a decimal digit is told; the bound grows
-/// with the length of a function. Where slopes cancel, K is left to Real.
+/// Relative error of K in doubles; K is reported to a tenth of a decimal digit. The bound grows
+/// with the length of a function. If slopes cancel, Real computes K.
 constexpr double tolerated_error = 1e-4;
 
-/// More than a product of doubles, or a factor, loses where it underflows.
+/// More than a product or factor in double loses by underflow.
 constexpr double lost_to_underflow = 1e-300;
 
-/// A derivative, and how far the roundings of doubles may have taken it.
+/// A derivative, and a bound on its rounding errors in double.
 struct Adjoint {
   double value = 0;
   double error = 0;
 
-  /// Adds x times a factor that is rounded itself.
+  /// Adds x times a factor, which is rounded, too.
   void add(const Adjoint& x, double factor) {
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     const double term = x.value * factor;
@@ -66,7 +66,7 @@ Conditioning::Conditioning(const Program& program, const Function& function,
   for (const Real& value : values_) rounded_values_.push_back(rounded(value));
 }
 
-/// A term has slope 1 or -1, and a factor the other factor; all else goes by dual numbers.
+/// A term has slope 1 or -1, and a factor the other factor. Other slopes come from dual numbers.
 Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
   const bool is_first = operand == i.a;
   if (is_sum(i) && i.a != i.b) return Real(is_first || i.opcode == Opcode::add ? 1 : -1);
@@ -95,7 +95,7 @@ std::optional<double> Conditioning::in_doubles(std::uint32_t instruction) const 
     if (operands > 0) adjoints[i.a].add(adjoint, rounded_slopes_[at].by_a);
     if (operands > 1) adjoints[i.b].add(adjoint, rounded_slopes_[at].by_b);
   }
-  // Neither is a number where a factor is none.
+  // Both are NaN if a factor is NaN.
   if (std::isfinite(sum.value) && sum.error <= tolerated_error * sum.value) return sum.value;
   return std::nullopt;
 }

@@ -1,11 +1,9 @@
-// Conditioning: how far one rounding of everything that a value is made from takes it, however it
-// is computed:
+// Conditioning: the error of a value if all its inputs are rounded once, however it is computed:
 //
 //     K = sum |z dx/dz|      over inputs z and parameters z
 //
-// in units of u. A formula whose error is far beyond u (|x| + K) loses digits that another keeps.
-// Literals are exact: pi/2 - atan(x), which loses them where x is large, is atan2(1, x), which has
-// them all.
+// in units of u. A formula with an error far beyond u (|x| + K) loses digits that another keeps.
+// Literals are exact: at large x, pi/2 - atan(x) loses digits, and atan2(1, x) keeps all.
 #pragma once
 
 #include <optional>
@@ -16,32 +14,32 @@
 
 namespace elgen {
 
-/// Errors of so many u (|x| + K) are what rounding and a few operations explain: more is lost to
-/// the formula.
+/// Rounding and a few operations explain an error of this many u (|x| + K). Beyond, the formula
+/// loses digits.
 inline constexpr double tolerated_loss = 64;
 
-/// Losses that differ by less are alike: the cheaper rewriting is taken.
+/// Losses within this factor count as equal; then the cheaper rewriting wins.
 inline constexpr double similar_losses = 8;
 
-/// Derivatives along a function at one point, by one sweep against its order for each value.
+/// Derivatives of a function at one point: one reverse sweep for each value.
 class Conditioning {
  public:
-  /// `values`: those of all instructions. `parameters`: of the program's constants, those that
-  /// count; empty where all are literals. Program and function outlive it. Cost: two operations of
-  /// dual numbers per instruction.
+  /// `values`: of all instructions. `parameters`: marks the program's constants that count as
+  /// parameters; empty if all are literals. Program and function must outlive this. Cost: two
+  /// operations of dual numbers per instruction.
   Conditioning(const Program& program, const Function& function, std::vector<Real> values,
                std::vector<bool> parameters = {});
 
-  /// K of an instruction; undefined where a derivative is. Doubles give it to four digits, with a
-  /// bound of their error, and Real where that is too large. Cost: ten operations of double, or
-  /// else two of Real, for each instruction before it.
+  /// K of an instruction; undefined if a derivative is. Doubles give four digits and an error
+  /// bound; if the bound is too large, Real computes K. Cost: ten operations of double, and two of
+  /// Real if needed, for each instruction before it.
   [[nodiscard]] Real of(std::uint32_t instruction) const;
 
  private:
   [[nodiscard]] Real slope(const Instruction& i, std::uint32_t operand) const;
   [[nodiscard]] bool counts(const Instruction& i) const;
 
-  /// Slopes of an instruction by its operands; by both together where they are one.
+  /// Slopes of an instruction by its operands; if both are one, `by_a` is the total.
   template <class Number>
   struct Slopes {
     Number by_a = {};

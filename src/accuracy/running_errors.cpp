@@ -14,7 +14,8 @@ using std::abs;
 using std::max;
 using std::sqrt;
 
-/// An operand that is right to one part in 1000 leaves errors of first order right within a few.
+/// Relative error of an operand up to which first-order errors are right within a few parts in
+/// 1000.
 constexpr double certain = 0x1p-10;
 
 bool is_number(const Real& x) { return x.is_defined(); }
@@ -43,7 +44,7 @@ Rounding<Number> rounding_of() {
           }};
 }
 
-/// A result of these operands.
+/// A value with its error, computed from x and y.
 template <class Number>
 Running<Number> made(const Number& value, const Number& error, const Running<Number>& x,
                      const Running<Number>& y, const Rounding<Number>& rounding) {
@@ -56,21 +57,22 @@ Running<Number> made(const Number& value, const Number& error, const Running<Num
   return result;
 }
 
-/// Whether multiplying by x rounds nothing. Values that were rounded are powers of two by chance.
+/// True if multiplying by x is exact. A rounded value may be a power of two by chance and does not
+/// count.
 template <class Number>
 bool is_scale(const Running<Number>& x) {
   return is_zero(x.error) && is_power_of_two(x.value);
 }
 
-/// Whether the error of x is small beside a scale.
+/// True if the error of x is small compared with `scale`.
 template <class Number>
 bool is_known(const Running<Number>& x, const Number& scale, const Rounding<Number>& rounding) {
   static const auto share = number<Number>(certain);
   return x.error * rounding.roundoff <= scale * share;
 }
 
-/// Whether a function can be taken at x: entire ones change little where x does, others where x
-/// does beside its own size.
+/// True if the error of f(x) is of first order. Entire functions need an error of x that is small
+/// compared with max(|x|, 1), others compared with |x|.
 template <class Number>
 bool is_known_argument(const FunctionRow& row, const Running<Number>& x,
                        const Rounding<Number>& rounding) {
@@ -85,9 +87,9 @@ bool is_far_out(const FunctionRow& row, const Real& x) {
   return row.far_values && far < abs(x);
 }
 
-/// The value of an exponential function so far out that 64 digits do not tell it from its limit;
-/// the exponent of exp(1e300) would leave even CLN's range. Infinite limits are beyond the overflow
-/// threshold.
+/// The limit of an exponential function if 64 digits do not distinguish it from the value: the
+/// exponent of exp(1e300) exceeds even CLN's range. Infinite limits become numbers beyond the
+/// overflow threshold.
 std::optional<Real> limit_value(const FunctionRow& row, const Real& x,
                                 const Rounding<Real>& rounding) {
   if (!is_far_out(row, x)) return std::nullopt;

@@ -1,19 +1,18 @@
-// Running errors: how far rounding takes a value, in u, half the epsilon of a scalar type. Of each
-// instruction the error is that of its operands, times how much the instruction makes of it, and
-// one rounding:
+// Running errors: a bound E on the rounding errors of a value, in u, half the epsilon of a scalar
+// type. Each instruction propagates the errors of its operands and adds one rounding:
 //
-//     leaf        |x|, or 0 where x is a number of the scalar
+//     leaf        |x|, or 0 if x is a number of the scalar
 //     x +- y      Ex + Ey + |x +- y|
-//     x y         Ex |y| + Ey |x| + u Ex Ey + |x y|, without the last where x or y is a power of
-//     two x / y       (Ex + |x/y| Ey) / |y| + |x/y| f(x)        |f'| Ex + |f|; of sines and cosines
-//     also u/2 Ex^2
+//     x y         Ex |y| + Ey |x| + u Ex Ey + |x y|, without |x y| if x or y is a power of two
+//     x / y       (Ex + |x/y| Ey) / |y| + |x/y|
+//     f(x)        |f'| Ex + |f|; for sine and cosine also u/2 Ex^2
 //
-// Beside that a result below the normal numbers is off by eta/u, eta the smallest denormal. This is
-// the first order of N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section
-// 3.3, and the second where it is all that remains: at a zero of f', and in (x^2 - y^2)^2 at x = y.
+// A result below the normal numbers adds eta/u, eta the smallest denormal. This is the first order
+// of N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 3.3. The second
+// order is added if it is all that remains: at a zero of f', and in (x^2 - y^2)^2 at x = y.
 //
-// Number is Real, or double for a rough figure, right within a factor of two on every machine as
-// long as nothing but the last digits of a value is lost.
+// Number is Real, or double for a rough figure. It is right within a factor of two on every
+// machine, as long as a value loses only its last digits.
 #pragma once
 
 #include "elgen/evaluate.hpp"
@@ -22,32 +21,31 @@
 
 namespace elgen {
 
-/// The numbers of a scalar type that errors depend on.
+/// The constants of a scalar type in the error formulas.
 template <class Number>
 struct Rounding {
-  Number roundoff;                           ///< u
-  Number underflow;                          ///< eta/u
-  Number smallest;                           ///< normal number: below it eta counts
-  Number largest;                            ///< finite number / 16: above it overflow is near
-  bool (*is_exact)(const cln::cl_R& value);  ///< whether the scalar has the value
+  Number roundoff;   ///< u
+  Number underflow;  ///< eta/u
+  Number smallest;   ///< the smallest normal number; below it eta counts
+  Number largest;    ///< the largest finite number / 16; above it overflow is near
+  bool (*is_exact)(const cln::cl_R& value);  ///< true if the scalar can represent it
 };
 
-/// Scalar: double or float, of which double alone has rough figures.
+/// Scalar: double or float; rough figures exist for double only.
 template <class Scalar, class Number = Real>
 [[nodiscard]] const Rounding<Number>& rounding();
 
-/// Up to sign; multiplying by it rounds nothing.
+/// Up to sign. Multiplying by a power of two is exact.
 [[nodiscard]] bool is_power_of_two(const Real& x);
 [[nodiscard]] bool is_power_of_two(double x);
 
-/// A value with the error of its rounding.
+/// A value with its running error.
 template <class Number>
 struct Running {
   Number value = {};
-  Number error = {};     ///< E, in u; undefined where the value or a slope is
-  bool is_lost = false;  ///< made of a quotient, root, function or sign of what is hardly known, so
-                         ///< that E says nothing
-  bool underflows = false;  ///< something it is made of is below the normal numbers
+  Number error = {};        ///< E, in u; undefined if the value or a slope is
+  bool is_lost = false;     ///< E is void: a quotient, root, function or sign of an uncertain value
+  bool underflows = false;  ///< it depends on a value below the normal numbers
 };
 
 template <class Number>
@@ -58,25 +56,25 @@ template <class Number>
   return values;
 }
 
-/// A leaf: rounded once where the scalar does not have its value.
+/// A leaf, rounded once if the scalar cannot represent its value.
 template <class Number>
 [[nodiscard]] Running<Number> running_leaf(const cln::cl_R& value,
                                            const Rounding<Number>& rounding);
 
-/// Whether the rules take the limit of a function for its value: of an exponential one if |x| >
-/// 2^20, since 64 digits do not tell them apart. A limit of 0 is no divisor. `y`: x if there is
-/// one argument.
+/// True if the rules replace a value by its limit: exponential functions at |x| > 2^20, because 64
+/// digits do not distinguish them. A limit of 0 must not be a divisor. `y`: x if there is one
+/// argument.
 [[nodiscard]] bool takes_limit(FunctionId function, const Real& x, const Real& y);
 
-/// The leaves are given exactly, or each is rounded once, so that at an angle of 1e6 both cos(q +
-/// 1) and cos(q)*cos(1) - sin(q)*sin(1) have as few digits as the angle itself.
+/// Leaves are exact, or each is rounded once. Then cos(q + 1) and cos(q)*cos(1) - sin(q)*sin(1) at
+/// an angle of 1e6 have as few digits as the angle.
 enum class Leaves : std::uint8_t { exact, rounded };
 
 template <class Number>
 [[nodiscard]] LeafValues<Running<Number>> running_leaves(const Arguments<double>& point,
                                                          Leaves leaves);
 
-/// The rules of fold.hpp.
+/// Rules of fold.hpp that compute running errors.
 template <class Number>
 struct RunningErrorRules {
   using Value = Running<Number>;
@@ -99,8 +97,8 @@ struct RunningErrorRules {
   [[nodiscard]] Value multiply(const Value& x, const Value& y) const;
   [[nodiscard]] Value divide(const Value& x, const Value& y) const;
   [[nodiscard]] Value square_root(const Value& x) const;
-  /// Kinked functions pass an operand on; the sign of what is hardly known is lost. Functions of
-  /// one argument ignore y.
+  /// Kinked functions pass on the larger error of their operands; the sign of an uncertain value is
+  /// lost. Functions of one argument ignore y.
   [[nodiscard]] Value call(FunctionId function, const Value& x, const Value& y) const;
 };
 
