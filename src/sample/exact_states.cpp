@@ -13,7 +13,7 @@ using cln::cl_R;
 /// Rational, so that states are exact.
 const cln::cl_RA half_turn = cln::cl_RA(355) / 113;
 
-/// Lengths, rates and forces without a range have one of these magnitudes, in turn.
+/// Largest magnitudes of lengths, rates and forces without a range, in turn.
 const std::array<cln::cl_RA, 3>& scales() {
   static const std::array<cln::cl_RA, 3> all{1, cln::cl_RA(1) / 1000, 1000};
   return all;
@@ -53,7 +53,7 @@ void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& sta
     }
   };
   for_each_leaf(set, state);
-  // By a copy, so that these leave all that follows as it is.
+  // A copy, so that these draws do not change the numbers that follow.
   Sampler of_few = draw;
   const auto set_taken = [&](const LeafRow& row, std::vector<cl_R>& list) {
     if (row.passed != Passed::if_taken) return;

@@ -1,4 +1,4 @@
-// points: see points.hpp. Nothing that libm rounds is called.
+// points: see points.hpp. No function of libm is called, because its rounding varies.
 #include "sample/points.hpp"
 
 #include <cmath>
@@ -8,8 +8,8 @@ namespace {
 
 constexpr double right_angle = 1.5707963267948966;
 
-/// If three terms are drawn alike, each is the largest at a third of all points: all of 12 wide
-/// points miss it in one of 130 cases.
+/// Of three terms with equal distribution, each is the largest at a third of all points. All 12
+/// wide points miss it in one of 130 cases.
 constexpr std::size_t mixed_count = 16;
 
 /// The binary logarithms of magnitudes.

@@ -1,5 +1,5 @@
-// points: random numbers, vectors, and points of functions whatever model they are of. Exact points
-// tell which values vanish; rounded ones tell which lose digits.
+// points: random numbers, vectors and points, for functions of any model. Exact points show which
+// values vanish; rounded points show which values lose digits.
 #pragma once
 
 #include <cln/real.h>
@@ -15,13 +15,13 @@ namespace elgen {
 
 /// The parameters of an exact point that are positive.
 enum class Positive : std::uint8_t {
-  parameters,  ///< all of them, as most masses and lengths have to be
-  assumed,     ///< those that the model assumes to be
+  parameters,  ///< all, as most masses and lengths must be
+  assumed,     ///< only parameters that the model assumes to be positive
 };
 
-/// Where angles are, so that sums of their sines and cosines cancel.
+/// Places of angles at which sums of their sines and cosines cancel.
 enum class AnglePlace : std::uint8_t {
-  right,     ///< 1e-8 from odd multiples of a right angle: a square of that is lost beside 1
+  right,     ///< 1e-8 from odd multiples of a right angle: its square is lost next to 1
   straight,  ///< 1e-8 from even multiples
   equal,     ///< 1e-3 from one another
   tiny,      ///< 1e-8 from 0
@@ -29,16 +29,17 @@ enum class AnglePlace : std::uint8_t {
 inline constexpr AnglePlace angle_places[]{AnglePlace::right, AnglePlace::straight,
                                            AnglePlace::equal, AnglePlace::tiny};
 
-/// Draws everything that is random: the same for a seed on every machine. A copy goes on alike.
+/// Draws all random numbers: the same for a seed on every machine. A copy draws the same numbers as
+/// the original.
 class Sampler {
  public:
   explicit Sampler(std::uint64_t seed) : random_(seed) {}
 
   /// Exact, in [-1, 1] without 0 (numbers/random.hpp).
   [[nodiscard]] cln::cl_RA number() { return random_.rational(); }
-  /// So many of them.
+  /// `size` numbers.
   [[nodiscard]] std::vector<cln::cl_R> vector(std::size_t size);
-  /// One for every leaf that has a name.
+  /// A number for every leaf that has a name.
   [[nodiscard]] LeafValues<cln::cl_RA> point(const LeafNames& leaves,
                                              Positive positive = Positive::parameters);
 
@@ -49,7 +50,7 @@ class Sampler {
   [[nodiscard]] double side() { return random_.uniform(-1, 1) < 0 ? -1 : 1; }
   /// A number of either sign and a magnitude in [2^low, 2^(high + 1)).
   [[nodiscard]] double scaled(int low, int high) { return random_.log_uniform(low, high); }
-  /// Such a number for every leaf that has a name; parameters are positive.
+  /// A scaled number for every leaf that has a name; parameters are positive.
   [[nodiscard]] LeafValues<double> scaled_point(const LeafNames& leaves, int low, int high);
   /// Moves the coordinates that are angles to a place.
   void move_angles(AnglePlace place, const std::vector<bool>& is_angle, std::vector<double>& q);
@@ -62,11 +63,11 @@ using Points = std::vector<LeafValues<double>>;
 
 /// Points at which rewritings of one value are compared by their rounding errors:
 ///
-///     2*a*(x + y) + b*z - a*(2*x + y)     has two terms more that cancel,   2 a x: where they are
-///     a*y + b*z                           large, no digit of the first is right
+///     2*a*(x + y) + b*z - a*(2*x + y)     has two more terms that cancel,   2 a x: if they are
+///     a*y + b*z                           large, no digit of the first form is right
 ///
-/// A cancelling term shows only where it outweighs all others. So every leaf has a magnitude of its
-/// own: ordinary at a quarter of the points, at the others from 2^-26 to 2^26, as wide as programs
+/// A cancelling term shows only if it outweighs all others. So every leaf has its own magnitude:
+/// ordinary at a quarter of the points, otherwise from 2^-26 to 2^26, the range in which programs
 /// are checked.
 [[nodiscard]] Points mixed_points(const LeafNames& leaves);
 

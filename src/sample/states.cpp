@@ -1,5 +1,5 @@
-// Sampled states. The extremes of float are milder than those of double: its exponents are an
-// eighth as wide.
+// Sampled states. Float has milder extremes than double, because its exponents have an eighth of
+// the range.
 #include "sample/states.hpp"
 
 #include <fmt/format.h>
@@ -19,8 +19,7 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 
-/// Ranges may reach beyond every scalar. A quarter of the largest number leaves their widths
-/// finite.
+/// Ranges may exceed every scalar. A quarter of the largest number keeps their widths finite.
 double within_scalar(const cln::cl_R& value) {
   constexpr double largest = std::numeric_limits<double>::max() / 4;
   return std::clamp(ScalarTraits<double>::from_real(value), -largest, largest);
@@ -34,7 +33,7 @@ Range range_or(const std::optional<Interval>& interval, double otherwise) {
 /// The scale of rates, momenta, accelerations, inputs, open values and time.
 constexpr double default_rate = 10;
 constexpr std::size_t domain_states = 8;
-constexpr Range steps{0, 0.1};  ///< in s: a rate of 10 moves by 1 in the longest one
+constexpr Range steps{0, 0.1};  ///< in s: at a rate of 10, the longest step moves by 1
 
 using Ranges = LeafValues<Range>;
 
@@ -43,13 +42,14 @@ LeafValues<double> values_of(const StateSpace& space) {
                     nominal_state(space.model, space.scene));
 }
 
-/// Parameters keep their values; kinds that only some functions take are drawn if one takes them.
+/// Parameters keep their values. A kind of leaf that only some functions take is drawn if one takes
+/// it.
 bool is_drawn(const LeafNames& leaves, Opcode kind) {
   if (kind == Opcode::step) return !leaves.h.empty();
   return kind != Opcode::parameter && is_passed(leaves, kind);
 }
 
-/// From `values`: parameters stay.
+/// `values` with all variables drawn from their ranges; parameters stay.
 LeafValues<double> nominal(const LeafNames& leaves, const Ranges& ranges, LeafValues<double> values,
                            Sampler& draw) {
   const auto set = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
@@ -59,7 +59,7 @@ LeafValues<double> nominal(const LeafNames& leaves, const Ranges& ranges, LeafVa
   return values;
 }
 
-/// Every variable of magnitude 2^low … 2^high.
+/// `values` with every variable of magnitude 2^low … 2^high.
 LeafValues<double> scaled(const LeafNames& leaves, LeafValues<double> values, Sampler& draw,
                           int low, int high) {
   const auto set = [&](Opcode kind, std::uint32_t, double& value) {
@@ -69,7 +69,7 @@ LeafValues<double> scaled(const LeafNames& leaves, LeafValues<double> values, Sa
   return values;
 }
 
-/// How far a scalar's extremes reach.
+/// The magnitudes of a scalar's extremes.
 struct Reach {
   std::vector<double> tiny;
   std::vector<double> angles;
@@ -90,8 +90,8 @@ Reach reach() {
   }
 }
 
-/// Makes the extremes, each from a fresh nominal state: one thing at a time, and then what loses
-/// digits together.
+/// Makes the extremes, each from a fresh nominal state: first one change at a time, then
+/// combinations that lose digits.
 class Extremes {
  public:
   Extremes(const StateSpace& space, Sampler& draw)
@@ -150,13 +150,13 @@ class Extremes {
     for_each_list(set, add(std::move(name)));
   }
 
-  /// Every second parameter times `ratio`.
+  /// Multiplies every second parameter by `ratio`.
   void ratios(double ratio) {
     LeafValues<double>& values = add(fmt::format("parameter ratios {:g}", ratio));
     for (std::size_t i = 0; i < values.parameters.size(); i += 2) values.parameters[i] *= ratio;
   }
 
-  /// Angles one part in 1e15 from where charts break: gimbals, poles, aligned links.
+  /// Angles about 1e-15 from singular charts: gimbals, poles, aligned links.
   void charts() {
     for (const double angle : {0.0, pi / 2, pi}) {
       LeafValues<double>& values = add(fmt::format("angles 1e-15 from {:.3g}", angle));
@@ -167,8 +167,8 @@ class Extremes {
     }
   }
 
-  /// Each parameter far from its value, and angles at every place: sums of masses or lengths that
-  /// cancel, and quotients of what is left of them.
+  /// One parameter far from its value, and angles at every place: sums of masses or lengths cancel,
+  /// and their small results are divided.
   void combinations(const std::vector<double>& sizes, std::size_t most) {
     const std::size_t places = std::size(angle_places);
     const std::size_t per_parameter = 2 * sizes.size() * places;

@@ -1,5 +1,5 @@
-// states: exact ones of a model, and those that programs are checked at: random ones over the
-// declared ranges, tiny and huge ones, and a fixed list of extremes. Deterministic for a seed.
+// states: exact states of a model, and the states at which programs are checked. These are random
+// over the declared ranges, tiny or huge, and a fixed list of extremes. Deterministic for a seed.
 #pragma once
 
 #include <optional>
@@ -13,46 +13,47 @@
 
 namespace elgen {
 
-/// Everything but parameters and h: in the declared range; else angles anywhere in a turn, and all
-/// others, momenta among them, up to 1, 1e-3 or 1e3 in magnitude, in turn; quaternions of length 1.
-/// Outside of its domain a model has no value, and callers draw again.
+/// Draws everything except parameters and h, inside the declared range. Without a range: angles in
+/// one turn, all others (also momenta) up to 1, 1e-3 or 1e3 in magnitude, in turn. Quaternions have
+/// length 1. Outside of its domain a model has no value; then callers draw again.
 void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& state);
 
-/// The same of a new state. Parameters that are not fixed have their own values in turn 0, zeros
-/// too; else in even turns half to twice their value inside their range, or a positive number up to
-/// 1 where that is 0; in odd turns any in the range, where one is declared.
+/// A new state, with a motion of draw_motion. Parameters that are not fixed: in turn 0 their own
+/// value. In even turns half to twice their value, clamped to their range; if the value is 0, a
+/// positive number up to 1. In odd turns anywhere in the declared range; without a range as in even
+/// turns.
 [[nodiscard]] State drawn_state(const Model& model, const Scene& scene, Sampler& draw,
                                 std::size_t turn);
 
 /// Gives every quaternion the length 1, by the oracle.
 void scale_to_length_one(const Model& model, State& state);
 
-/// A state in which these leaves have these values, and quaternions the length 1. Momenta that are
-/// not among them are those of the rates, where they have a value.
+/// `state` with these leaves set, and quaternions of length 1. Momenta that are not set follow from
+/// the rates, if they have a value.
 [[nodiscard]] State with_leaves(const Model& model, State state,
                                 const std::vector<StatedLeaf>& leaves);
 
-/// The state moved onto the constraints to all digits: one more step of Newton than a pose asks
-/// for. The state itself without constraints; none if no steps lead there.
+/// The state moved onto the constraints to all digits, with one step of Newton's method more than a
+/// pose needs. Without constraints the state itself; none if the method does not converge.
 [[nodiscard]] std::optional<State> on_constraints(const Model& model, const State& state);
 
-/// Whether values of an output are compared at states on the constraints. constraint_residual and
-/// projected would be 0 and the state itself there.
+/// True if an output is compared at states on the constraints. Not for constraint_residual and
+/// projected, which would be 0 and the state itself.
 [[nodiscard]] bool is_compared_on_constraints(const Model& model, OutputKind output);
 
-/// The state at which values of such an output are compared, from a drawn state and the same on the
-/// constraints: `completed` takes the rates that were drawn, and functions of momenta take the
+/// The state at which such an output is compared, from a drawn state and the same state moved onto
+/// the constraints (`kept`). `completed` takes the drawn rates; functions of momenta take the
 /// momenta of the rates.
 [[nodiscard]] State compared_state(const Model& model, OutputKind output, const State& drawn,
                                    State kept);
 
 enum class Region : std::uint8_t {
   nominal,    ///< uniform over the ranges; parameters at their value
-  near_zero,  ///< the same, but near a zero of a sum that was typed (verify/states)
+  near_zero,  ///< as nominal, but near a zero of a typed sum (verify/states)
   small,      ///< magnitudes 1e-12 … 1e-3
   large,      ///< magnitudes 1e-8 … 1e8
   extreme,  ///< ends of ranges, denormals, big angles and rates, parameter ratios, singular charts,
-            ///< and ratios together with angles at which sums cancel
+            ///< and ratios with angles at which sums cancel
 };
 
 template <class Scalar>
@@ -62,43 +63,43 @@ struct SampledState {
   LeafValues<Scalar> values = {};
 };
 
-/// About 0.618 of `count` and without a divisor in common with it: taken again and again it meets
-/// all regions, which take turns, and the extremes, which come last. The first state is ordinary.
+/// A number near 0.618 `count` without a common divisor. Steps of this size reach all regions,
+/// which take turns, and the extremes, which come last. The first state is nominal.
 [[nodiscard]] std::size_t golden_step(std::size_t count);
 
 struct Sampling {
-  /// Random states: half nominal, a quarter small, a quarter large. There are at most as many
-  /// extremes of parameters and angles.
+  /// Random states: half nominal, a quarter small, a quarter large. At most this many extremes
+  /// combine parameters and angles.
   std::size_t count = 256;
   std::uint64_t seed = 1;
   bool extremes = true;
 };
 
-/// The ranges that the model declares; else the value of a parameter, a turn or a unit of a
-/// coordinate, and 10 of rates, accelerations, inputs, open values and time.
+/// The ranges that the model declares. Without one: the value of a parameter, [-pi, pi] for angles,
+/// [-1, 1] for other coordinates, [-10, 10] for all others; [0, 0.1] s for h.
 [[nodiscard]] LeafValues<Range> ranges_of(const StateSpace& space);
 
-/// Gives every quaternion the length 1, each component rounded once; (1, 0, 0, 0) where there is no
-/// direction. Number: double or Real.
+/// Gives every quaternion the length 1, each component rounded once; (1, 0, 0, 0) if it is 0.
+/// Number: double or Real.
 template <class Number>
 void scale_quaternions(const Model& model, LeafValues<Number>& values);
 
-/// Uniform inside these ranges, parameters at their values; quaternions of length 1.
+/// Uniform inside these ranges, with nominal parameters and quaternions of length 1.
 [[nodiscard]] LeafValues<double> drawn_within(const StateSpace& space,
                                               const LeafValues<Range>& ranges, Sampler& draw);
 
-/// The same rounded; what is finite in double stays so in float. Scalar: double or float.
+/// The values rounded; a finite double stays finite in float. Scalar: double or float.
 template <class Scalar>
 [[nodiscard]] LeafValues<Scalar> nearest_finite(const LeafValues<double>& values);
 
-/// The states of sample_states one after another, where it is not known how many are needed.
+/// The states of sample_states one by one, for callers that do not know how many they need.
 template <class Scalar>
 class StateSequence {
  public:
-  /// The model, the scene and the leaves outlive it.
+  /// The model, the scene and the leaves must outlive this.
   StateSequence(const StateSpace& space, const Sampling& sampling);
 
-  /// None where all have been given.
+  /// None after the last state.
   [[nodiscard]] std::optional<SampledState<Scalar>> next();
 
  private:
@@ -111,12 +112,11 @@ class StateSequence {
   LeafValues<double> at_value_;
   LeafValues<Range> ranges_;
   std::size_t drawn_ = 0;
-  std::optional<std::vector<SampledState<double>>> extremes_ = {};  ///< once it is their turn
+  std::optional<std::vector<SampledState<double>>> extremes_ = {};  ///< built on demand
 };
 
-/// A missing range is [-pi, pi] for coordinates in rad, [-1, 1] for others, [-10, 10] for rates,
-/// accelerations, inputs, open values and time. Scalar: double or float; the list of extremes is
-/// the scalar's own.
+/// All states of `sampling`, inside the ranges of ranges_of. Scalar: double or float; each has its
+/// own list of extremes.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> sample_states(const StateSpace& space,
                                                               const Sampling& sampling);
