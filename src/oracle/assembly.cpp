@@ -1,10 +1,10 @@
-// Assembly: Newton's method from any state to one that meets the constraints.
+// Assembly: Newton's method from any state to a state that meets the constraints.
 //
 //     q + N s x,   M x = A^T y,   A x = -f,   s = 1, 1/2, 1/4, ... until the errors shrink
 //
-// The error of an equation is f over the length of its row of A: how far off the coordinates are.
-// Rows that follow from those before them take no part, so that redundant equations that agree are
-// met like others. A step is as long as a float, since exact rationals double in length each time.
+// The error of an equation is f divided by the length of its row of A: a distance in coordinates.
+// Rows that depend linearly on earlier rows are dropped, so redundant but consistent equations can
+// be solved. Steps are rounded to floats, since exact rationals double in length each time.
 #include <numeric>
 #include <utility>
 
@@ -21,13 +21,13 @@ using cln::cl_R;
 constexpr unsigned most_newton_steps = 60;
 constexpr unsigned most_halvings = 10;
 
-/// A row follows from others where less of its length than this is left.
+/// A row is dependent if its part orthogonal to the earlier rows is shorter than this share of it.
 const cl_R& dependent_share() {
   static const cl_R share = power_of_ten(-12);
   return share;
 }
 
-/// Equations count as met within this part of the coordinates.
+/// Relative tolerance for "constraint satisfied".
 const cl_R& met_share() {
   static const cl_R share = power_of_ten(-60);
   return share;
@@ -38,8 +38,8 @@ cl_R length_of(const Direction& row) {
   return cln::zerop(square) ? cl_R(0) : real_power(square, cln::cl_RA(1) / 2);
 }
 
-/// The rows that do not follow from those before them where `fixed` velocities are 0, by Gram and
-/// Schmidt.
+/// The rows that are linearly independent of earlier rows if `fixed` velocities are 0, by the
+/// Gram-Schmidt method.
 Shortage independent(const Shortage& all, const std::vector<bool>& fixed) {
   Shortage kept;
   std::vector<Direction> basis;
@@ -62,7 +62,7 @@ Shortage independent(const Shortage& all, const std::vector<bool>& fixed) {
   return kept;
 }
 
-/// None where the system has no solution.
+/// Empty if the system has no solution.
 std::optional<Direction> newton_step(const Model& model, const State& state,
                                      const Shortage& shortage, const std::vector<bool>& fixed) {
   std::optional<Direction> step =
@@ -74,7 +74,7 @@ std::optional<Direction> newton_step(const Model& model, const State& state,
   return step;
 }
 
-/// The length of each row; 1 of one that is 0.
+/// The length of each row; 1 for a zero row.
 std::vector<cl_R> scales_of(const Shortage& shortage) {
   std::vector<cl_R> lengths;
   for (const Direction& row : shortage.rows) {
@@ -84,7 +84,7 @@ std::vector<cl_R> scales_of(const Shortage& shortage) {
   return lengths;
 }
 
-/// `at` are the coordinates, or the rates, that are to be determined.
+/// `at`: the coordinates or the rates that Newton's method solves for. They scale the tolerance.
 bool is_met(const Shortage& shortage, const std::vector<cl_R>& at) {
   const std::vector<cl_R> lengths = scales_of(shortage);
   const cl_R share = met_share() * (1 + largest_of(at));
@@ -94,7 +94,7 @@ bool is_met(const Shortage& shortage, const std::vector<cl_R>& at) {
   return true;
 }
 
-/// The sum of squares of errors; `left` begins with an equation for each length.
+/// The sum of squares of errors. `left` starts with one residual per length; the rest is ignored.
 cl_R squared_error(const std::vector<cl_R>& left, const std::vector<cl_R>& lengths) {
   cl_R sum = 0;
   for (std::size_t k = 0; k < lengths.size(); ++k) {
@@ -104,7 +104,7 @@ cl_R squared_error(const std::vector<cl_R>& left, const std::vector<cl_R>& lengt
   return sum;
 }
 
-/// As far along a step as errors shrink; none where they do not.
+/// The state after the first step s = 1, 1/2, ... that shrinks the errors; empty if no step does.
 std::optional<State> nearer(const Model& model, const State& state, const Shortage& shortage,
                             const std::vector<bool>& fixed) {
   std::optional<Direction> step = newton_step(model, state, shortage, fixed);
@@ -120,7 +120,7 @@ std::optional<State> nearer(const Model& model, const State& state, const Shorta
   return std::nullopt;
 }
 
-/// Gives the state consistent rates, as far as there are any.
+/// Moves the rates onto the constraints; `has_rates` is true if they meet them.
 void assemble_rates(const Model& model, Assembly& at, const std::vector<bool>& fixed) {
   const Shortage shortage = rate_shortage(model, at.state);
   if (!is_met(shortage, at.state.v)) {

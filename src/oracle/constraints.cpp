@@ -1,4 +1,4 @@
-// Constraints: values and slopes by jets, systems by elimination with full rows.
+// Constraints: values and derivatives by jets, linear systems by elimination of the whole matrix.
 #include "oracle/constraints.hpp"
 
 #include <algorithm>
@@ -25,7 +25,8 @@ Jet rate_of_rate(Evaluation& at, const Constraint& constraint) {
   return constraint.is_position ? at.second_rate(constraint.value) : at.rate(constraint.value);
 }
 
-/// dr/dt + 2 zeta omega r + omega^2 f with the acceleration of the motion.
+/// dr/dt + 2 zeta omega r + omega^2 f at the motion's acceleration; f for position constraints
+/// only.
 Jet stabilised(Evaluation& at, const Constraint& constraint) {
   Jet result = rate_of_rate(at, constraint);
   if (!constraint.omega) return result;
@@ -36,7 +37,8 @@ Jet stabilised(Evaluation& at, const Constraint& constraint) {
   return result + omega * omega * at.value(constraint.value);
 }
 
-/// The motion displaced along one unit virtual displacement or velocity: what A is the slope by.
+/// The motion displaced along w: in position for position constraints, else in velocity. The
+/// derivative of the constraint along it is A w.
 Motion pushed(const Model& model, const Constraint& constraint, Motion motion, const Direction& w) {
   if (constraint.is_position) {
     displace_position(model, motion, w, pushing);
@@ -46,7 +48,7 @@ Motion pushed(const Model& model, const Constraint& constraint, Motion motion, c
   return motion;
 }
 
-/// w.A^T as a jet in what is left of the motion: of the k-th constraint.
+/// The entry of A w for this constraint, as a jet in the remaining generators of the motion.
 Jet along(const Model& model, const Constraint& constraint, const Motion& motion,
           const Direction& w) {
   const Motion moved = pushed(model, constraint, motion, w);
@@ -62,7 +64,7 @@ Direction jacobian_row(const Model& model, const Constraint& constraint, const M
   return row;
 }
 
-/// `of` each constraint along the motion with a = 0.
+/// Applies `of` to every constraint at a = 0.
 Values at_zero_acceleration(const Model& model, const State& state,
                             Jet (*of)(Evaluation& at, const Constraint& constraint)) {
   Motion motion = motion_of(state);
@@ -80,7 +82,8 @@ Values difference(Values values, const Values& other) {
   return values;
 }
 
-/// The largest entry of each row of a square system, the last column its right side.
+/// The largest absolute entry of each row of a square system, without its last column, the right
+/// side.
 Values row_scales(const Values& matrix, std::size_t rows) {
   Values scales;
   for (std::size_t i = 0; i < rows; ++i) {
@@ -93,7 +96,8 @@ Values row_scales(const Values& matrix, std::size_t rows) {
   return scales;
 }
 
-/// x of a square system, the last column its right side; entries count by the scales of their rows.
+/// Solves a square system whose last column is the right side. Pivots are relative to `scales`.
+/// Throws OutsideDomain if the system is singular.
 Values eliminated(const Values& matrix, const Values& scales) {
   const std::size_t n = scales.size();
   if (std::ranges::any_of(scales, [](const cl_R& scale) { return cln::zerop(scale); })) {
@@ -129,7 +133,7 @@ Values column_of(const Values& matrix, std::size_t column, std::size_t columns) 
   return result;
 }
 
-/// x where it is independent, 0 elsewhere, completed so that A x = s.
+/// Solves A x = s for the dependent entries of x; the independent entries are given.
 Values completed_by(const std::vector<std::uint32_t>& independent, const Values& jacobian,
                     const Values& x, const Values& s) {
   const std::size_t n = x.size();
@@ -331,8 +335,8 @@ Values completed(const Model& model, const std::vector<std::uint32_t>& independe
   return values;
 }
 
-/// u makes tau - B u as small as can be of what A leaves free, in the norm of M^-1: with P r = M x
-/// of M x = r + A^T y, A x = 0, that is B^T x = 0.
+/// Minimises |P (tau - B u)| in the M^-1 norm, P the projection onto the free motions: P r = M x
+/// with M x = r + A^T y, A x = 0. The normal equations are B^T x = 0 for r = tau - B u.
 Values constrained_inverse(const Model& model, const State& state) {
   Mechanics at(model, state);
   const ConstrainedSystem system = constrained_system(at);
@@ -344,7 +348,7 @@ Values constrained_inverse(const Model& model, const State& state) {
   for (std::size_t i = 0; i < n; ++i) force.push_back(inverse_dynamics(at, at.unit(i)));
   const Values answer = solve_constrained(system, force, still).x;
   Values matrix(inputs * (inputs + 1));
-  Values free;  // B^T M^-1 B: what the inputs would move without constraints
+  Values free;  // diagonal of B^T M^-1 B, without constraints: scales of the pivots
   for (std::size_t j = 0; j <= inputs; ++j) {
     const Values response =
         j == inputs ? answer : solve_constrained(system, column_of(b, j, inputs), still).x;

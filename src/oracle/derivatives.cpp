@@ -1,4 +1,4 @@
-// Derivatives, entry by entry.
+// Derivatives of the dynamics, one directional derivative per entry.
 #include <algorithm>
 
 #include "oracle/constraints.hpp"
@@ -11,13 +11,13 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// A change of positions (the first field of derivatives) or of velocities (the second) along y.
+/// y as a change of positions (field 0 of derivatives) or of velocities (field 1).
 Displacement displacement(const Mechanics& at, std::size_t field, const Direction& y) {
   const Direction rest(at.size(), cl_R(0));
   return field == 0 ? Displacement{y, rest} : Displacement{rest, y};
 }
 
-/// d(M a + bias - B u)/dq, then d/dv.
+/// d(M a + bias - B u)/dq, then d/dv, each n x n row-major.
 Values residual_derivatives(Mechanics& at, const Direction& a, const Direction& u) {
   const std::size_t n = at.size();
   Values values;
@@ -28,7 +28,7 @@ Values residual_derivatives(Mechanics& at, const Direction& a, const Direction& 
   return values;
 }
 
-/// Slope of M a + bias - B u - A^T lambda, by velocity, along a displacement.
+/// Derivative of M a + bias - B u - A^T lambda along a displacement, one entry per velocity.
 Values force_slopes(Mechanics& at, const ConstrainedMotion& motion, const Displacement& along) {
   Values values;
   for (std::size_t i = 0; i < at.size(); ++i) {
@@ -39,12 +39,12 @@ Values force_slopes(Mechanics& at, const ConstrainedMotion& motion, const Displa
   return values;
 }
 
-/// Puts a column, of as many rows as it is long, into a matrix of so many columns.
+/// Writes column j of a row-major matrix with this number of columns.
 void put_column(const Values& column, std::size_t j, std::size_t columns, Values& matrix) {
   for (std::size_t i = 0; i < column.size(); ++i) matrix[i * columns + j] = column[i];
 }
 
-/// Changes of accelerations and multipliers along a displacement.
+/// Derivatives of accelerations and multipliers along a displacement; empty `inputs` do not change.
 ConstrainedMotion slope_along(Mechanics& at, const ConstrainedSystem& system,
                               const ConstrainedMotion& motion, const Displacement& along,
                               const Direction& inputs) {
@@ -56,7 +56,7 @@ ConstrainedMotion slope_along(Mechanics& at, const ConstrainedSystem& system,
   return response(at, system, forces, shortage);
 }
 
-/// da/dq, or da/dv.
+/// da/dq (field 0) or da/dv (field 1).
 Values state_derivatives(Mechanics& at, const ConstrainedSystem& system,
                          const ConstrainedMotion& motion, std::size_t field) {
   const std::size_t n = at.size();
@@ -68,7 +68,8 @@ Values state_derivatives(Mechanics& at, const ConstrainedSystem& system,
   return matrix;
 }
 
-/// w.(da/dx) along a displacement: y.dc - z.dr with M z = w + A^T y, A z = 0.
+/// w.(da/dx) along a displacement: y.dc - z.dr with M z = w + A^T y, A z = 0. r = M a + bias - B u
+/// - A^T lambda, c = A a + stabilised bias.
 cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& along) {
   const ConstrainedSystem system = constrained_system(at);
   const ConstrainedMotion motion = constrained_motion(at, system);
@@ -80,7 +81,7 @@ cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& a
   return sum;
 }
 
-/// w.(da/du) y: z.B y with M z = w + A^T y', A z = 0.
+/// w.(da/du) y = z.B y with M z = w + A^T y', A z = 0.
 cl_R along_inputs(Mechanics& at, const Direction& w, const Direction& y) {
   const Values still(at.model().constraints.size());
   return at.input_force(response(at, constrained_system(at), w, still).x, y);
@@ -142,7 +143,7 @@ Values state_matrices(Mechanics& at) {
   const Values parts = forward_derivatives(at);
   const std::size_t n = at.size();
   const std::size_t inputs = at.state().u.size();
-  const std::size_t b = 4 * n * n;  // where B begins
+  const std::size_t b = 4 * n * n;  // offset of B
   Values values(b + 2 * n * inputs, cl_R(0));
   for (std::size_t j = 0; j < n; ++j) {
     const Direction across = at.across_velocity(at.unit(j));
@@ -158,7 +159,7 @@ Values state_matrices(Mechanics& at) {
   return values;
 }
 
-/// w has positions first, then velocities; so has y, unless it is one of inputs.
+/// w holds positions, then velocities. y does too, unless the field is B (field 1).
 cl_R state_contraction(Mechanics& at, const Contraction& by) {
   const auto middle = static_cast<std::ptrdiff_t>(at.size());
   const Direction w_position(by.w.begin(), by.w.begin() + middle);

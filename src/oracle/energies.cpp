@@ -22,7 +22,7 @@ Jet translation_energy(Evaluation& at, const std::optional<ExpressionId>& mass,
   return half() * at.value(*mass) * sum;
 }
 
-/// The terms of gravity on every mass, axis by axis: the summands of m gravity.p.
+/// The summands of m gravity.p, mass by mass and axis by axis.
 std::vector<Jet> weight_terms(Evaluation& at) {
   const Model& model = at.model();
   std::vector<Jet> terms;
@@ -67,8 +67,8 @@ Jet armature_energy(Evaluation& at) {
   return sum;
 }
 
-/// The value of an expression with all terms of its sums and of their factors made positive:
-/// rounding is relative to it, however much cancels. Recursion is as deep as expressions are.
+/// The value of an expression with all terms of its sums and factors made positive. Rounding errors
+/// are relative to it even if sums cancel. Recursion is as deep as the expression.
 Jet magnitude(Evaluation& at, ExpressionId id) {
   const Expression& e = at.model().expressions[id];
   Jet result;
@@ -87,11 +87,11 @@ Jet magnitude(Evaluation& at, ExpressionId id) {
   }
 }
 
-/// The last of the directions of differentiation, which no caller takes.
+/// The two highest directions of differentiation; no caller uses them.
 constexpr Generators along_first = generator(6);
 constexpr Generators along_second = generator(7);
 
-/// L0, w and M_cc, row-major.
+/// L0, w and M_cc (row-major) of the Routhian in energies.hpp.
 struct CyclicParts {
   Jet rest;
   std::vector<Jet> excess = {};
@@ -124,7 +124,7 @@ CyclicParts cyclic_parts(const Evaluation& at) {
   return parts;
 }
 
-/// The rates of the cyclic coordinates: M_cc x = w, by elimination from the first row to the last.
+/// v_c from M_cc v_c = w, by elimination from the first row to the last.
 std::vector<Jet> rates_of(const CyclicParts& parts) {
   const std::size_t n = parts.excess.size();
   std::vector<Jet> both;
@@ -195,7 +195,7 @@ Jet potential_magnitude(Evaluation& at) {
 
 Jet lagrangian(Evaluation& at) {
   if (has_routhian(at.model())) return routhian(at);
-  const Jet kinetic = kinetic_energy(at);  // first: with its rates it makes the values of V as well
+  const Jet kinetic = kinetic_energy(at);  // first: its rates memoise values that V needs
   return value_or_zero(at, at.model().energies.L) + kinetic - potential_energy(at);
 }
 

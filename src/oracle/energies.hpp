@@ -1,12 +1,11 @@
-// Energies: L, T, V and D of a Model as jets, summed from what the file gives and its points and
-// bodies.
+// Energies L, T, V and D of a Model as jets: the energies of the file plus its points and bodies.
 //
 //     T = [energy].T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v_i^2
 //     V = [energy].V - sum m gravity.p
-//     L = T - V, or [energy].L (+ armatures) where that is given
+//     L = T - V, or [energy].L (+ armatures) if the file gives L
 //
-// A scene that takes cyclic coordinates out has R in the place of L, of the whole model; dL/dv_c
-// and M_cc are coefficients of two more generators of it:
+// With [routh] the Routhian R of the whole model replaces L. dL/dv_c and M_cc are coefficients of
+// two more generators:
 //
 //     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   all at v_c = 0
 #pragma once
@@ -19,14 +18,15 @@ namespace elgen::oracle {
 
 [[nodiscard]] Jet kinetic_energy(Evaluation& at);
 [[nodiscard]] Jet potential_energy(Evaluation& at);
-/// Its summands without their signs: what V gives as a sum, and m g_i p_i of every mass and axis.
+/// The sum of the absolute summands of V: terms of [energy].V, and m g_i p_i of every mass and
+/// axis.
 [[nodiscard]] Jet potential_magnitude(Evaluation& at);
-/// L, or R.
+/// L, or R if the scene has [routh].
 [[nodiscard]] Jet lagrangian(Evaluation& at);
-/// The motion of the whole model: what is locked stands at its functions of time, what is cyclic at
-/// 0, at rest.
+/// The motion of the whole model: locked coordinates follow their functions of time, cyclic
+/// coordinates are 0 and at rest.
 [[nodiscard]] Motion whole_motion(const Model& model, const Motion& motion);
-/// v_c, in the order of Variant::cyclic. OutsideDomain where M_cc is singular.
+/// v_c, in the order of Variant::cyclic. OutsideDomain if M_cc is singular.
 [[nodiscard]] std::vector<Jet> cyclic_rates(const Evaluation& at);
 [[nodiscard]] Jet dissipation(Evaluation& at);
 

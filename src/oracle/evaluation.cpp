@@ -1,5 +1,5 @@
-// Evaluation: operands before what is made of them, as often differentiated by time as the most
-// that was asked for.
+// Evaluation: operands first, without recursion. Each value is memoised at the highest time order
+// that a caller requested.
 #include "oracle/evaluation.hpp"
 
 #include "elgen/references.hpp"
@@ -13,7 +13,7 @@ constexpr unsigned first_time_generator = 8;
 
 Generators time_generator(unsigned k) { return generator(first_time_generator + k); }
 
-/// The time generators beyond the first `order`.
+/// The time generators after the first `order`.
 Generators beyond(unsigned order) { return all_generators & ~(time_generator(order) - 1); }
 
 /// s = e_1 + ... + e_order
@@ -46,7 +46,7 @@ bool Evaluation::knows(ExpressionId id, unsigned time_order) const {
   return known_[id] && known_[id]->time_order >= time_order;
 }
 
-/// Chains of names may be thousands of links long: nothing here is recursive.
+/// Not recursive, because chains of names may be thousands of links long.
 Jet Evaluation::made(ExpressionId root, unsigned time_order) {
   struct Wanted {
     ExpressionId id = 0;
@@ -74,7 +74,7 @@ Jet Evaluation::made(ExpressionId root, unsigned time_order) {
   return operand(root, time_order);
 }
 
-/// The value with no more time generators than its user wants.
+/// The memoised value, without time generators beyond `time_order`.
 Jet Evaluation::operand(ExpressionId id, unsigned time_order) const {
   const auto& [value, known_order] = *known_[id];
   return known_order == time_order ? value : value.without(beyond(time_order));
@@ -102,7 +102,7 @@ Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
   }
 }
 
-/// Taylor's formula; what it lacks has no value.
+/// Taylor's formula to second order. OutsideDomain if a missing derivative would contribute.
 Jet Evaluation::open_value(const Expression& e, unsigned time_order) const {
   const auto known = [this](std::uint32_t value, std::uint32_t argument) {
     const auto derivative = derivative_of(model_, value, argument);

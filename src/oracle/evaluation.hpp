@@ -1,14 +1,15 @@
-// Evaluation: the values of expressions, and their rates along the motion, on jets; each is
-// computed when it is asked for, with what it is made of.
+// Evaluation: values of expressions and their time derivatives along the motion, on jets. Values
+// are computed on demand, with their operands.
 //
-// Time is one more set of generators: with s = e_1 + ... + e_k (k the time order of an expression),
+// Time uses more generators: with s = e_1 + ... + e_k (k the time order of an expression),
 //
 //     q(s) = q + v s + a s^2/2,    v(s) = v + a s,    t(s) = t + s,
 //
-// (a quaternion e: e + 1/2 e w s + 1/2 (1/4 e w w + 1/2 e dw/dt) s^2, products of quaternions),
-// so that the coefficient of e_1 is d/dt along the motion and that of e_1 e_2 is d2/dt2.
+// and for a quaternion e + 1/2 e w s + 1/2 (1/4 e w w + 1/2 e dw/dt) s^2 with quaternion products.
+// The coefficient of e_1 is d/dt along the motion, the coefficient of e_1 e_2 is d2/dt2.
 //
-// An open function of x + d, d nilpotent, is f + f_i d_i + 1/2 f_ij d_i d_j, all f of the state.
+// An open function at x + d, d nilpotent, is f + f_i d_i + 1/2 f_ij d_i d_j. The state supplies f,
+// f_i and f_ij.
 #pragma once
 
 #include <memory>
@@ -21,13 +22,13 @@
 
 namespace elgen::oracle {
 
-/// A state whose entries may carry directions of differentiation, generators 0 to 7, of which R
-/// takes 6 and 7.
+/// A state whose entries may carry directions of differentiation: generators 0 to 7. The Routhian
+/// uses 6 and 7.
 using Motion = LeafValues<Jet>;
 
 class Evaluation {
  public:
-  /// Evaluations at one state share `functions`, which remember their values.
+  /// Evaluations at one state share `functions`, which memoises function values.
   Evaluation(const Model& model, const Motion& motion,
              std::shared_ptr<JetFunctions> functions = std::make_shared<JetFunctions>());
 
@@ -39,11 +40,11 @@ class Evaluation {
   /// d/dt along the motion.
   [[nodiscard]] Jet rate(ExpressionId expression);
 
-  /// d2/dt2 along the motion with constant acceleration.
+  /// d2/dt2 along the motion, at constant acceleration.
   [[nodiscard]] Jet second_rate(ExpressionId expression);
 
  private:
-  /// The value with the first `time_order` generators of time.
+  /// A value with the first `time_order` time generators.
   struct Known {
     Jet value;
     unsigned time_order = 0;
@@ -62,7 +63,7 @@ class Evaluation {
   const Model& model_;
   const Motion& motion_;
   std::shared_ptr<JetFunctions> functions_;
-  std::vector<std::optional<Known>> known_;  ///< by expression
+  std::vector<std::optional<Known>> known_;  ///< indexed by expression
 };
 
 }  // namespace elgen::oracle

@@ -1,5 +1,5 @@
-// Jets: sums merge terms, products multiply terms of disjoint generators, quotients go by the chain
-// rule, and so do functions: their derivatives are those of the table and nothing else.
+// Jets: sums merge terms, products multiply terms with disjoint generators. Quotients and functions
+// use the chain rule; derivatives of functions come from the table only.
 #include "oracle/jet.hpp"
 
 #include <cln/integer.h>
@@ -18,15 +18,15 @@ using cln::cl_R;
 
 bool is_exact_zero(const cl_R& x) { return is_rational(x) && cln::zerop(x); }
 
-/// The generators of a product of terms: the sum of disjoint sets is their union, and grades that
-/// vanish carry over.
+/// The generators of a product of terms: disjoint sets add to their union, and grades add. Empty if
+/// a generator repeats or the grade exceeds its 8 bits, because the product vanishes.
 std::optional<Generators> product_of(Generators x, Generators y) {
   const std::uint64_t product = std::uint64_t{x} + y;
   if ((x & y & all_generators) != 0 || product >> 32 != 0) return std::nullopt;
   return static_cast<Generators>(product);
 }
 
-/// Newton's r <- r (2 - y r) doubles the number of powers of s that are right.
+/// Newton's r <- r (2 - y r) doubles the number of correct powers of s.
 Jet graded_reciprocal(const Jet& y) {
   Jet r = quotient(1, y.real());
   if (y.lowest_grade() == 0) return r;
@@ -52,23 +52,23 @@ Jet reciprocal(const Jet& y) {
 using cln::cl_I;
 using cln::cl_RA;
 
-/// x ^ n for n >= 1, by squaring.
+/// x ^ n for n >= 1, by repeated squaring.
 Jet whole_power(const Jet& x, const cl_I& n) {
   if (n == 1) return x;
   const Jet root = whole_power(x, cln::floor1(n, 2));
   return cln::oddp(n) ? root * root * x : root * root;
 }
 
-/// 0 ^ exponent, without generators.
+/// 0 ^ exponent for a base without generators.
 Jet power_of_zero(const cl_RA& exponent) {
   if (exponent <= 0) throw OutsideDomain("zero to a power of zero or less");
   return {};
 }
 
-/// Generators from here on stand for powers of s while a function is evaluated.
+/// The first of the generators that represent powers of s while a function is evaluated.
 constexpr unsigned first_power_generator = 16;
 
-/// f(x, y) for jets in s alone.
+/// f(x, y) for jets whose only symbol is s.
 template <class Function>
 Jet composed(const Jet& x, const Jet& y, const Function& f) {
   Generators lowest = x.lowest_grade();
@@ -91,14 +91,14 @@ Jet composed(const Jet& x, const Jet& y, const Function& f) {
   return sum;
 }
 
-/// A sine and a cosine of one angle are each other's derivatives, and so are their parts with fewer
-/// generators; a few angles may be between them.
+/// A sine and a cosine of one angle are each other's derivatives, at every set of generators. A few
+/// other angles may be evaluated between them.
 constexpr std::size_t remembered_calls = 32;
 
 bool is_graded(const Jet& x) { return x.lowest_grade() != 0; }
 
-/// The power of a displacement by which a function leaves its value where it has no derivative:
-/// acos(1 - d) is sqrt(2 d) to lowest order. None elsewhere.
+/// The power p with f(x + d) - f(x) ~ |d|^p at a point where f has no derivative: acos(1 - d) is
+/// sqrt(2 d) to lowest order, p = 1/2. Empty at every other point.
 std::optional<cl_RA> bend_of(FunctionId function, const Jet& x, const Jet& y) {
   const bool is_arc = function == FunctionId::asin || function == FunctionId::acos;
   if (is_arc && cln::abs(x.real()) == 1) return cl_RA(1) / 2;
@@ -145,7 +145,7 @@ void Jet::depend_on(const Jet& x, const Jet& y) {
   order_ = std::min(x.order_, y.order_);
 }
 
-/// A jet has all its terms of the first power, so that without one the order is 2 or more.
+/// All first-order terms are stored, so the order is 2 or more if none is present.
 unsigned Jet::order() const {
   const auto is_first = [](Generators g) { return std::has_single_bit(g & all_generators); };
   if (order_ != 1 || std::ranges::any_of(unknown_, is_first)) return order_;

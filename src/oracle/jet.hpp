@@ -6,22 +6,22 @@
 // f(x + w e_0 + y e_1) is the second derivative of f in the directions w and y, exactly. Absent
 // terms are exact zeros and take no part in any operation.
 //
-// One more symbol s is kept to any order: its powers have grades that add up in products, and what
-// reaches 256 vanishes. With grade 64 for s, s^3 is the last power, and the coefficients of 1, s,
-// s^2, s^3 in f(x + y s) are those of Taylor's formula.
+// One more symbol s is kept to any order. Its powers have grades, which add in products; terms of
+// grade 256 or more vanish. If s has grade 64, s^3 is the last power, and the coefficients of 1, s,
+// s^2, s^3 in f(x + y s) are the Taylor coefficients.
 //
 // Functions of jets, by the chain rule from the table of derivatives:
 //
 //     f(x0 + x1 e, y0 + y1 e) = f(x0, y0) + (f_x x1 + f_y y1) e
 //
-// applied to one generator after another, so that only real functions are left. Powers of s turn
-// into generators first: with e = e_1 + ... + e_n, f(x0 + x1(s) e) has at e_1 ... e_j j! times the
-// part of f(x0 + x1(s)) of degree j in x1.
+// applied to one generator after another, until only real functions remain. Powers of s become
+// generators first: with e = e_1 + ... + e_n, the coefficient of e_1 ... e_j in f(x0 + x1(s) e) is
+// j! times the part of f(x0 + x1(s)) of degree j in x1.
 //
-// x^2 at x = 0 has no terms left. So a jet also knows the generators that it depends on, and the
-// lowest power of them by which it may leave its real part. sqrt(x^2) leaves 0 by the power 1: it
-// has a bend there, and its derivatives are unknown coefficients. Reading one throws OutsideDomain;
-// a product with an exact zero, as in sqrt(x^2)^2, drops it.
+// x^2 at x = 0 has no terms. Therefore a jet also stores the generators that it depends on, and the
+// lowest power of them by which it may deviate from its real part. sqrt(x^2) deviates from 0 with
+// power 1: it has a kink at 0, and its derivatives are unknown coefficients. Reading an unknown
+// coefficient throws OutsideDomain; a product with an exact zero, as in sqrt(x^2)^2, drops it.
 #pragma once
 #include <cln/rational.h>
 #include <cln/real.h>
@@ -36,7 +36,7 @@
 
 namespace elgen::oracle {
 
-/// A set of generators, one bit each, and a grade in the eight highest bits.
+/// A set of generators, one bit each. The eight highest bits hold the grade of the power of s.
 using Generators = std::uint32_t;
 
 [[nodiscard]] constexpr Generators generator(unsigned index) { return Generators{1} << index; }
@@ -44,7 +44,7 @@ using Generators = std::uint32_t;
 inline constexpr unsigned first_grade_bit = 24;
 inline constexpr Generators all_generators = generator(first_grade_bit) - 1;
 
-/// s, of which powers up to `order` are kept.
+/// s; powers above `order` vanish.
 [[nodiscard]] constexpr Generators graded_symbol(unsigned order) {
   return ((256 + order) / (order + 1)) << first_grade_bit;
 }
@@ -57,33 +57,34 @@ class Jet {
   Jet(const cln::cl_R& real);
   Jet(int real) : Jet(cln::cl_R(real)) {}
 
-  /// coefficient * product of the generators.
+  /// coefficient times the product of the generators.
   Jet(Generators generators, const cln::cl_R& coefficient);
 
   [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
-  /// OutsideDomain if it is unknown.
+  /// OutsideDomain if the coefficient is unknown.
   [[nodiscard]] cln::cl_R coefficient(Generators generators) const;
   [[nodiscard]] cln::cl_R real() const { return coefficient(0); }
 
-  /// No coefficient but exact zeros.
+  /// True if every coefficient is an exact zero.
   [[nodiscard]] bool is_zero() const { return terms_.empty() && unknown_.empty(); }
 
-  /// All generators that occur.
+  /// All generators in terms and unknown coefficients.
   [[nodiscard]] Generators support() const;
 
-  /// All generators that it may depend on.
+  /// All generators that the value may depend on, even if no term has them.
   [[nodiscard]] Generators moving() const { return moving_; }
 
-  /// A lower bound of the power of displacements along them by which it leaves its real part.
+  /// A lower bound of the power of displacements along `moving()` in the deviation from the real
+  /// part.
   [[nodiscard]] unsigned order() const;
 
-  /// The factor of a generator: the derivative, itself a jet in the others.
+  /// The coefficient of a generator: the derivative along it, a jet in the other generators.
   [[nodiscard]] Jet tangent(Generators one) const { return part(one, one); }
 
-  /// Drops every term that has one of the generators.
+  /// Drops every term with any of these generators.
   [[nodiscard]] Jet without(Generators any) const { return part(any, 0); }
 
-  /// The lowest power of s that occurs, by its grade; 0 where none does.
+  /// The lowest power of s that occurs, as its grade; 0 if none occurs.
   [[nodiscard]] Generators lowest_grade() const;
 
   /// The coefficient of exactly these generators.
@@ -92,20 +93,21 @@ class Jet {
   /// The value at s = 1: terms of all grades summed.
   [[nodiscard]] Jet ungraded() const;
 
-  /// Every coefficient without its sign.
+  /// Every coefficient replaced by its absolute value.
   [[nodiscard]] Jet magnitudes() const;
 
-  /// Without the real part, and without zeros that are floats: some power of it vanishes.
+  /// Without the real part and without zeros that are floats, so that some power of it vanishes.
   [[nodiscard]] Jet nilpotent() const;
 
-  /// Depends on what x and y depend on, as a function of both does.
+  /// Sets generators and order of the dependence as for a function of x and y.
   void depend_on(const Jet& x, const Jet& y);
 
-  /// A number to which |d|^order is added, d a displacement along the generators: derivatives of
-  /// lower order are 0, the others unknown. OutsideDomain if the first one is infinite.
+  /// real + c |d|^order with c unknown and d a displacement along the generators `moving`.
+  /// Derivatives of lower order are 0, all others unknown. OutsideDomain if order < 1: the first
+  /// derivative is infinite.
   [[nodiscard]] static Jet bent(const cln::cl_R& real, Generators moving, const cln::cl_RA& order);
 
-  /// Too long rationals become floats.
+  /// Converts rationals that are too long to floats.
   void shorten();
 
   friend Jet operator+(const Jet& x, const Jet& y);
@@ -113,11 +115,11 @@ class Jet {
   friend Jet operator*(const Jet& x, const Jet& y);
   /// OutsideDomain if the real part of y is zero.
   friend Jet operator/(const Jet& x, const Jet& y);
-  /// As numbers, and exact alike.
+  /// Equal numbers, with the same coefficients exact.
   friend bool is_same(const Jet& x, const Jet& y);
 
  private:
-  /// The coefficient of exactly these generators `of` some.
+  /// The terms whose generators among `of` are exactly these, divided by these generators.
   [[nodiscard]] Jet part(Generators of, Generators exactly) const;
   void add(Generators generators, const cln::cl_R& coefficient);
   void add_unknown(Generators generators);
@@ -126,8 +128,8 @@ class Jet {
   /// The order of a constant.
   static constexpr unsigned never = 255;
 
-  std::vector<Term> terms_ = {};          ///< ascending in their generators, no exact zeros
-  std::vector<Generators> unknown_ = {};  ///< whose coefficients do not exist
+  std::vector<Term> terms_ = {};          ///< ascending by generators, no exact zeros
+  std::vector<Generators> unknown_ = {};  ///< generators of coefficients that do not exist
   Generators moving_ = 0;
   unsigned order_ = never;
 };
@@ -141,8 +143,8 @@ class JetFunctions {
   /// f(x), or f(x, y).
   [[nodiscard]] Jet value(FunctionId function, const Jet& x, const Jet& y = {});
 
-  /// x ^ exponent. Whole exponents take every x (negative ones every x but 0), others x > 0, and
-  /// x = 0 where the value exists there; derivatives that do not are unknown.
+  /// x ^ exponent. Integer exponents: any x, but x != 0 if exponent <= 0. Others: x > 0, and x = 0
+  /// if the value exists. Derivatives that do not exist are unknown.
   [[nodiscard]] Jet power(const Jet& x, const cln::cl_RA& exponent);
 
  private:
@@ -159,7 +161,7 @@ class JetFunctions {
   Gradient gradient(FunctionId function, const Jet& x, const Jet& y, const Jet& f);
 
   RealFunctions real_ = {};
-  std::deque<Call> known_ = {};  ///< with generators, the latest first
+  std::deque<Call> known_ = {};  ///< calls with generators, the latest first
 };
 
 }  // namespace elgen::oracle

@@ -1,5 +1,5 @@
-// Mechanics: each quantity is the coefficient of its generators in one evaluation of an energy.
-// Expansion: the point from the model's expressions, and motions scaled towards it.
+// Mechanics: each quantity is a coefficient of generators in one evaluation of an energy.
+// Expansion: the model's expressions give the point, and motions are scaled towards it.
 #include "oracle/mechanics.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ void scale(std::vector<Jet>& quantity, const KnownValues& about, const Jet& s) {
   }
 }
 
-/// Evaluates expressions made of parameters.
+/// Evaluates expressions in parameters; an absent expression has no value.
 KnownValues values_of(const Model& model,
                       const std::vector<std::optional<ExpressionId>>& expressions,
                       const State& state) {
@@ -117,8 +117,8 @@ Jet Mechanics::potential_at(const Motion& motion) {
                                       : energy_at(oracle::potential_energy, motion);
 }
 
-/// Coefficient of e0 e1 in L(q, v + w e0 + y e1). Where L is quadratic M has no v in it, and rest
-/// is cheaper.
+/// Coefficient of e0 e1 in L(q, v + w e0 + y e1). If L is quadratic, M does not depend on v, and
+/// evaluation at rest is cheaper.
 cl_R Mechanics::mass(const Direction& w, const Direction& y) {
   Motion motion = model_.quadratic ? at_rest() : base_;
   displace(motion.v, w, first);
@@ -126,9 +126,9 @@ cl_R Mechanics::mass(const Direction& w, const Direction& y) {
   return energy_at(lagrangian, motion).coefficient(first | second);
 }
 
-/// The coefficient of e_i g_j in L(q, v + sum e_i w_i + sum g_j y_j): nine entries by one
-/// evaluation with six generators, where L is quadratic. Otherwise that would compose functions of
-/// all six.
+/// The coefficient of e_i g_j in L(q, v + sum e_i w_i + sum g_j y_j). If L is quadratic, one
+/// evaluation with six generators gives nine entries. Otherwise functions of jets in all six would
+/// cost more.
 std::vector<cl_R> Mechanics::mass_matrix() {
   const std::size_t n = size();
   const std::size_t block = model_.quadratic ? 3 : 1;
@@ -174,7 +174,7 @@ cl_R Mechanics::momentum(const Direction& w) {
   return energy_at(lagrangian, motion).coefficient(first);
 }
 
-/// p_i is the coefficient of e0 in L(v + e_i e0), v.dL/dv in L(v + v e0).
+/// p_i is the coefficient of e0 in L(v + e_i e0), v.dL/dv its coefficient in L(v + v e0).
 void Mechanics::add_momenta(Motion& motion) {
   motion.momenta.assign(size(), Jet());
   for (std::size_t i = 0; i < size(); ++i) {
@@ -241,7 +241,8 @@ cl_R Mechanics::dissipation_force(const Direction& w) {
   return energy_at(dissipation, motion).coefficient(first);
 }
 
-/// Forces along small coordinates are expanded to the order of the equations, others to one more.
+/// Forces along small coordinates are expanded to the order of the equations, forces along other
+/// coordinates to one order more.
 Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   if (!point_) return exact_force_along(motion, w);
   Direction small = w;
@@ -253,7 +254,8 @@ Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   return along(point_->order, small) + along(point_->order + 1, others);
 }
 
-/// sum Q_i w_i + sum F.(dp/dq w) + sum N.turn, where e0 displaces along w.
+/// sum Q_i w_i + sum F.(dp/dq w) + sum N.turn; e0 displaces along w, turn is the rotation it
+/// causes.
 Jet Mechanics::exact_force_along(const Motion& motion, const Direction& w) {
   Motion displaced = motion;
   displace_position(model_, displaced, w, first);

@@ -1,8 +1,9 @@
-// Mechanics: directional derivatives of the energies at one state, which every output is made of.
+// Mechanics: directional derivatives of the energies at one state, from which all outputs are
+// computed.
 //
-// w, x, y are directions (virtual displacements or rates). One call is one or two evaluations of an
-// energy. Source of the equations: Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 1.5
-// and 8.1.
+// w, x, y are directions (virtual displacements or rates). A call costs a few evaluations of
+// energies. Source of the equations: Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., 1.5 and
+// 8.1.
 #pragma once
 
 #include <optional>
@@ -17,13 +18,13 @@ namespace elgen::oracle {
 
 using Direction = std::vector<cln::cl_R>;
 
-/// The i-th of n unit vectors.
+/// The i-th unit vector of length n.
 [[nodiscard]] Direction unit_direction(std::size_t n, std::size_t i);
 
-/// A state without long rationals.
+/// The state with long rationals converted to floats.
 [[nodiscard]] State shortened(const State& state);
 
-/// Its motion, without generators.
+/// The state as jets without generators.
 [[nodiscard]] Motion motion_of(const State& state);
 
 /// quantity += direction * generators, entry by entry.
@@ -35,7 +36,7 @@ void displace(std::vector<Jet>& quantity, const std::vector<Number>& direction,
   }
 }
 
-/// q += N(q) direction * generators, to first order, where dq/dt = N(q) v.
+/// q += N(q) direction * generators, to first order, with dq/dt = N(q) v.
 template <class Number>
 void displace_position(const Model& model, Motion& motion, const std::vector<Number>& direction,
                        Generators generators) {
@@ -43,7 +44,7 @@ void displace_position(const Model& model, Motion& motion, const std::vector<Num
   displace(motion.q, coordinate_rates(model, motion.q, moving), generators);
 }
 
-/// q, v and t move on by `along`, with acceleration a.
+/// q += N v along, v += a along, t += along.
 template <class Number>
 void move_on(const Model& model, Motion& motion, const std::vector<Number>& a, Generators along) {
   displace_position(model, motion, motion.v, along);
@@ -51,19 +52,18 @@ void move_on(const Model& model, Motion& motion, const std::vector<Number>& a, G
   motion.t = motion.t + Jet(along, 1);
 }
 
-/// A change of position and velocity.
+/// A change x of position and y of velocity.
 struct Displacement {
   Direction x = {};
   Direction y = {};
 };
 
-/// The point about which a scene expands energies and forces: values of what is small; none for the
-/// rest. The motions
+/// The point about which a scene expands energies and forces. Only small quantities have a value.
+/// Taylor's formula in s, at s = 1, along the motion
 ///
-///     q0 + s (q - q0),  s v,  s a,  u0 + s (u - u0)       for what is small, the rest as it is
+///     q0 + s (q - q0),  s v,  s a,  u0 + s (u - u0)       for small quantities, others unchanged
 ///
-/// give by Taylor's formula in s to some order, at s = 1, the joint expansion in all deviations.
-/// That is all the oracle knows of it: no term of an expansion is ever written down.
+/// gives the joint expansion in all deviations. The oracle writes down no term of an expansion.
 struct ExpansionPoint {
   unsigned order = 1;
   std::vector<std::optional<cln::cl_R>> q = {};
@@ -71,10 +71,10 @@ struct ExpansionPoint {
   std::vector<std::optional<cln::cl_R>> u = {};
 };
 
-/// The point at the parameters of a state; none where the model is exact.
+/// The point at the parameters of a state; empty if the scene does not expand the model.
 [[nodiscard]] std::optional<ExpansionPoint> expansion_point(const Model& model, const State& state);
 
-/// The motion above, with powers of s up to `order`.
+/// The motion above; powers of s beyond `order` vanish.
 [[nodiscard]] Motion towards(const ExpansionPoint& point, const Motion& motion, unsigned order);
 
 class Mechanics {
@@ -95,31 +95,31 @@ class Mechanics {
   /// M, n x n for n velocities, row-major.
   [[nodiscard]] std::vector<cln::cl_R> mass_matrix();
 
-  /// w.M y with directions turned: w.([v]x M y) is (w x v).M y, on the velocities of rotations.
+  /// w.([v]x M y) is (w x v).M y on the velocities of rotations. This is (w x by).M y.
   [[nodiscard]] cln::cl_R turned_mass(const Direction& w, const Direction& by, const Direction& y);
 
-  /// d/dq (w.M y) along x; for Lagrangians quadratic in the rates.
+  /// d/dq (w.M y) along x. Only for Lagrangians that are quadratic in the rates.
   [[nodiscard]] cln::cl_R mass_gradient(const Direction& x, const Direction& w, const Direction& y);
 
   /// w.dL/dv
   [[nodiscard]] cln::cl_R momentum(const Direction& w);
 
-  /// Gives a motion its p = dL/dv and E = v.dL/dv - L; generator 0 is free in it.
+  /// Sets p = dL/dv and E = v.dL/dv - L of a motion, which must not use generator 0.
   void add_momenta(Motion& motion);
 
-  /// w.dL/dq, along the rotation vector where rotations turn
+  /// w.dL/dq; for rotations w is a rotation vector.
   [[nodiscard]] cln::cl_R position_gradient(const Direction& w);
 
-  /// w.(d/dt dL/dv + [w]x dL/dw - dL/dq + dD/dv - Q), the second term for angular velocities,
-  /// with acceleration a: w.(M a + bias)
+  /// w.(M a + bias) = w.(d/dt dL/dv + [omega]x dL/domega - dL/dq + dD/dv - Q) with acceleration a.
+  /// The second term is for angular velocities only.
   [[nodiscard]] cln::cl_R inverse_dynamics(const Direction& w, const Direction& a);
 
-  /// Slope of w.(M a + bias - B u) where q moves along x and v along y, to first order. For a
-  /// rotation x is its rotation vector in its own axes. u acts as in `inputs`.
+  /// Derivative of w.(M a + bias - B u) if q changes along x and v along y; u = `inputs`. For a
+  /// rotation x is a rotation vector in body axes.
   [[nodiscard]] cln::cl_R residual_slope(const Direction& w, const Displacement& along,
                                          const Direction& a, const Direction& inputs);
 
-  /// w.dV0/dq; V0 = V(q, 0, t), or -L(q, 0, t)
+  /// w.dV0/dq; V0 = V(q, 0, t), or -L(q, 0, t) if L is given as a whole.
   [[nodiscard]] cln::cl_R gravity(const Direction& w);
 
   /// w.dD/dv
@@ -131,10 +131,10 @@ class Mechanics {
   /// w.B y, B = dQ/du; y is a direction of the inputs.
   [[nodiscard]] cln::cl_R input_force(const Direction& w, const Direction& y);
 
-  /// T, or 1/2 v.M v where the Lagrangian is given whole.
+  /// T; 1/2 v.M v if L is given as a whole.
   [[nodiscard]] cln::cl_R kinetic_energy();
 
-  /// V(q, v, t); where the Lagrangian is given whole, -L(q, 0, t).
+  /// V(q, v, t); -L(q, 0, t) if L is given as a whole.
   [[nodiscard]] cln::cl_R potential_energy();
 
   /// V(q, 0, t)
@@ -143,13 +143,13 @@ class Mechanics {
   /// v.dL/dv - L
   [[nodiscard]] cln::cl_R energy_function();
 
-  /// |E| and the magnitudes of the terms that V sums (of an L given whole none are known).
+  /// |E| plus the absolute terms of V. An L given as a whole has no known terms.
   [[nodiscard]] cln::cl_R energy_magnitude();
 
  private:
   using Energy = Jet (*)(Evaluation& at);
 
-  /// The value of `quantity` at a motion, or where the scene expands it, its expansion to `order`.
+  /// `quantity` at a motion, or its expansion to `order` if the scene expands it.
   template <class Quantity>
   Jet expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
   Jet energy_at(Energy energy, const Motion& motion);
@@ -162,28 +162,28 @@ class Mechanics {
   const Model& model_;
   State state_;
   std::optional<ExpansionPoint> point_;
-  Motion base_;  ///< of the state, with a = 0 and u = 0
+  Motion base_;  ///< the state with a = 0 and u = 0
   std::shared_ptr<JetFunctions> functions_ = std::make_shared<JetFunctions>();
 };
 
-/// w.([v]x M y + [y]x M v + M [v]x y) on the velocities of rotations, v the state's.
+/// w.([v]x M y + [y]x M v + M [v]x y) on the velocities of rotations, with v of the state.
 [[nodiscard]] cln::cl_R turning(Mechanics& at, const Direction& w, const Direction& y);
 
 /// w.C v = d/dq (w.M v) v - 1/2 d/dq (v.M v) w + w.[v]x M v
 [[nodiscard]] cln::cl_R velocity_force(Mechanics& at, const Direction& w);
 
-/// w.C y = 1/2 (d/dq (w.M y) v + d/dq (w.M v) y - d/dq (y.M v) w), and for angular velocities
-/// + 1/2 w.([v]x M y + [y]x M v + M [v]x y): half the gradient of w.C v, and what makes dM/dt - 2
-/// C skew.
+/// w.C y = 1/2 (d/dq (w.M y) v + d/dq (w.M v) y - d/dq (y.M v) w). Angular velocities add 1/2
+/// w.([v]x M y + [y]x M v + M [v]x y). C y is half the derivative of C v by v along y, which makes
+/// dM/dt - 2 C skew-symmetric.
 [[nodiscard]] cln::cl_R coriolis(Mechanics& at, const Direction& w, const Direction& y);
 
-/// w.(tau at a = 0)
+/// w.tau at a = 0.
 [[nodiscard]] cln::cl_R bias(Mechanics& at, const Direction& w);
 
-/// w.tau at the state's a
+/// w.tau at the acceleration of the state.
 [[nodiscard]] cln::cl_R inverse_dynamics(Mechanics& at, const Direction& w);
 
-/// The part of the bias that no other output holds.
+/// bias - C v - g - dD/dv + Q: the part of the bias that no other output contains.
 [[nodiscard]] cln::cl_R drift(Mechanics& at, const Direction& w);
 
 }  // namespace elgen::oracle

@@ -1,4 +1,4 @@
-// The oracle's interface: turns every failure of the domain into an empty value.
+// The oracle's interface: errors of the domain become empty values.
 #include "elgen/oracle.hpp"
 
 #include "elgen/leaf_names.hpp"

@@ -1,5 +1,5 @@
-// Output values: a row of each output: its definition, and how it is contracted. Of a reaction
-// nothing of the locked model is used but which of its entries stand where.
+// Output values: one row per output with its definition and its contraction. Reactions are computed
+// in the whole model; the locked model only supplies the locks.
 #include "oracle/output_values.hpp"
 
 #include <functional>
@@ -18,7 +18,7 @@ namespace {
 
 using cln::cl_R;
 
-/// w.(M a + bias - B u) of the whole model for w along each locked velocity that wants it.
+/// w.(M a + bias - B u) of the whole model, w along each velocity that `reaction` has a row for.
 std::vector<cl_R> reaction(const Model& model, const State& state) {
   const std::vector<std::uint32_t> held = held_velocities(model);
   if (held.empty()) return {};
@@ -36,12 +36,12 @@ std::vector<cl_R> reaction(const Model& model, const State& state) {
 
 struct OracleRow {
   Values (*values)(const Question&);
-  /// w.x or w.X y; null where it takes all values.
+  /// w.x or w.X y; null: contract the entries of `values`.
   cl_R (*contraction)(const Question&, const Contraction&) = nullptr;
 };
 
-/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + turning) with dM/dt along v and R_ij = d/dq_j (M v)_i: half
-/// the work of one contraction for each entry.
+/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + turning) with dM/dt along v and R_ij = d/dq_j (M v)_i. This
+/// is half the work of one contraction per entry.
 Values coriolis_entries(Mechanics& at) {
   const std::size_t n = at.size();
   const Direction& v = at.state().v;
@@ -64,7 +64,7 @@ Values coriolis_entries(Mechanics& at) {
 
 cl_R total_energy_of(Mechanics& at) { return at.kinetic_energy() + at.potential_energy(); }
 
-/// a, the relative pivots of M and of S, and the multipliers.
+/// a, the relative pivots of M and of S = A M^-1 A^T, and the multipliers.
 Values solved(Mechanics& at) {
   const ConstrainedSystem system = constrained_system(at);
   const ConstrainedMotion motion = constrained_motion(at, system);
@@ -80,7 +80,8 @@ bool has_reference(const Question& of) {
   return output_row(of.output.kind).takes.has_any(Opcode::reference);
 }
 
-/// Y, then rest: forces of unit vectors, and of none.
+/// Y, then rest. Column k of Y is the force at the k-th unit parameter vector minus rest; rest is
+/// the force at zero parameters.
 Values all_of_regressor(const Question& of) {
   const std::size_t n = of.state.v.size();
   const std::size_t count = extent_of(of.model, Extent::inertial);
@@ -117,14 +118,14 @@ Values rates_of_coordinates(const Question& of) {
   return values;
 }
 
-/// The state with the velocities that its momenta give.
+/// The state with v computed from its momenta.
 State moving_state(const Question& of) {
   State state = of.state;
   state.v = velocities_of_momenta(of.model, of.state, of.state.momenta);
   return state;
 }
 
-/// M^-1 by columns.
+/// M^-1, column by column.
 Values inverse_of_mass(Mechanics& at) {
   const std::size_t n = at.size();
   const Values mass = at.mass_matrix();
@@ -136,7 +137,7 @@ Values inverse_of_mass(Mechanics& at) {
   return entries;
 }
 
-/// w.d(B u)/dq y: what u takes from the slope of w.(M a + bias - B u).
+/// w.d(B u)/dq y: the slope of w.(M a + bias - B u) at u = 0 minus its slope at u.
 cl_R input_force_slope(Mechanics& at, const Direction& w, const Direction& y) {
   const Displacement along{y, Direction(at.size(), cl_R(0))};
   const Direction& none = along.y;
@@ -145,7 +146,7 @@ cl_R input_force_slope(Mechanics& at, const Direction& w, const Direction& y) {
          at.residual_slope(w, along, none, at.state().u);
 }
 
-/// The slopes of all units.
+/// d(B u)/dq along all coordinates, n x n row-major.
 Values input_force_slopes(Mechanics& at) {
   const std::size_t n = at.size();
   Values entries;
@@ -155,7 +156,7 @@ Values input_force_slopes(Mechanics& at) {
   return entries;
 }
 
-/// v.dL/dv - L at those velocities.
+/// v.dL/dv - L at the velocities that the momenta give.
 Values hamiltonian_of(const Question& of) {
   const State state = moving_state(of);
   return {Mechanics(of.model, state).energy_function()};
@@ -170,7 +171,7 @@ Values canonical_rates(const Question& of) {
   return values;
 }
 
-/// w.x of one field of columns.
+/// w.x for the field `by.field`, a column.
 template <Values (*values)(const Question&)>
 cl_R contracted_field(const Question& of, const Contraction& by) {
   const Values all = values(of);
@@ -194,14 +195,14 @@ Values rates_taken_out(const Question& of) {
   return values;
 }
 
-/// All entries of what one function gives: a number, or every entry.
+/// Adapts a scalar or vector function of Mechanics to OracleRow::values.
 template <auto whole>
 Values entries(const Question& of) {
   Mechanics at(of.model, of.state);
   return {std::invoke(whole, at)};
 }
 
-/// x_i = e_i.x
+/// x_i = e_i.x for each unit vector e_i.
 template <auto product>
 Values column_entries(const Question& of) {
   Mechanics at(of.model, of.state);
@@ -212,7 +213,7 @@ Values column_entries(const Question& of) {
   return values;
 }
 
-/// w.x, w.X y, or what the function makes of both.
+/// Adapts a function of w, of (w, y) or of a Contraction to OracleRow::contraction.
 template <auto product>
 cl_R contracted(const Question& of, const Contraction& by) {
   Mechanics at(of.model, of.state);

@@ -1,7 +1,7 @@
-// Real functions: exact where the value is rational and obvious, else CLN floats.
+// Real functions: exact if the value is rational and obvious, otherwise CLN floats.
 //
-// CLN reduces sin and exp with the digits of their argument only; so arguments are widened by the
-// digits their magnitude takes away, and the result is rounded to working precision.
+// CLN reduces sin and exp only with the digits of their argument. Arguments are therefore widened
+// by the digits before their point, and results are rounded to working precision.
 #include "oracle/real_functions.hpp"
 
 #include <cln/integer.h>
@@ -18,20 +18,20 @@ using cln::cl_I;
 using cln::cl_R;
 using cln::cl_RA;
 
-/// exp of more than this exceeds every scalar type by far, and CLN would take minutes.
+/// exp of a larger number exceeds every scalar type by far, and CLN would need minutes.
 const cl_R largest_exponent = 1'000'000;
 
-/// Beyond it tanh is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x), and exp(-4) < 0.1.
+/// For larger x tanh is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x), and exp(-4) < 0.1.
 cl_R tanh_saturation() { return 200 + 2 * MoreDigits::count(); }
 
-/// An angle beyond 2^20000 has left every built-in scalar long before.
+/// A binary exponent: an angle beyond 2^20000 exceeds every built-in scalar.
 constexpr long largest_angle_exponent = 20'000;
 
 unsigned all_digits() { return working_digits + MoreDigits::count(); }
 
 cln::float_format_t working_format() { return cln::float_format(all_digits()); }
 
-/// Working precision plus the digits in front of the decimal point of `x`.
+/// `x` with its digits before the decimal point in addition to working precision.
 cl_F widened(const cl_R& x) {
   if (is_rational(x)) {
     const cl_I integer_part = cln::truncate1(x);
@@ -51,7 +51,7 @@ cl_R rounded(const cl_R& x) {
   return is_rational(x) ? x : cl_R(cln::cl_float(cln::the<cl_F>(x), working_format()));
 }
 
-/// e^x is 10^(0.43 x), and squares of it hide twice as many digits.
+/// e^x is 10^(0.43 x), and its square hides twice as many digits: fewer than x.
 void hide_exponential(const cl_R& x) {
   const cl_R size = cln::min(cln::abs(x), largest_exponent);
   MoreDigits::hide(cln::cl_I_to_uint(cln::ceiling1(size)));
@@ -86,7 +86,7 @@ cl_R logarithm(const cl_R& x) {
   return x == 1 && is_rational(x) ? cl_R(0) : cl_R(cln::ln(as_float(x)));
 }
 
-/// log(1 + x) = 2 (z + z^3/3 + z^5/5 + …), z = x/(2 + x), where 1 + x loses digits.
+/// log(1 + x) = 2 (z + z^3/3 + z^5/5 + …), z = x/(2 + x), for small x, because 1 + x loses digits.
 cl_R logarithm_of_sum(const cl_R& x) {
   if (cln::abs(x) > cl_RA(1) / 2) return logarithm(1 + x);
   const cl_R z = as_float(x / (2 + x));
@@ -100,7 +100,7 @@ cl_R logarithm_of_sum(const cl_R& x) {
   }
 }
 
-/// e^x - 1 = x + x^2/2! + …, where the difference loses digits.
+/// e^x - 1 = x + x^2/2! + …, for small x, because the difference loses digits.
 cl_R exponential_less_one(const cl_R& x) {
   if (x < -largest_exponent) {
     hide_exponential(x);
@@ -117,15 +117,15 @@ cl_R exponential_less_one(const cl_R& x) {
   }
 }
 
-/// c_0 = cos(x) or c_1 = sin(x)/x, or those of i x.
+/// c_0 = cos(x) or c_1 = sin(x)/x; if hyperbolic, the same functions of i x.
 cl_R first_of_series(const cl_F& x, bool is_odd, bool is_hyperbolic) {
   if (is_hyperbolic) return is_odd ? cln::sinh(x) / x : cln::cosh(x);
   return is_odd ? cln::sin(x) / x : cln::cos(x);
 }
 
-/// c_k(x), the sum of (-1)^i x^(2 i)/(2 i + k)!, in all the digits that its largest term takes
-/// away; far out by c_(n+2) = (1/n! - c_n)/x^2, which takes none. With an order below 0, that of
-/// i x.
+/// c_k(x) = sum of (-1)^i x^(2 i)/(2 i + k)!, k = |order|; c_k(i x) if order < 0. For small x the
+/// sum, with additional digits for its largest term. For large x c_(n+2) = (1/n! - c_n)/x^2, which
+/// loses no digits.
 cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
   const bool is_hyperbolic = cln::minusp(order);
   const unsigned k = cln::cl_I_to_uint(cln::round1(cln::abs(order)));
@@ -150,7 +150,7 @@ cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
   }
 }
 
-/// Every function but sin and cos.
+/// Every function except sin and cos.
 cl_R computed(FunctionId function, const cl_R& x, const cl_R& y) {
   switch (function) {
     case FunctionId::sin:
@@ -240,7 +240,7 @@ cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {
   return entry != known_.end() ? entry->second : remembered(function, x, y);
 }
 
-/// Sines and cosines are computed together: a derivative of one asks for the other next.
+/// Sine and cosine are computed together, because the derivative of one is the other.
 cl_R RealFunctions::remembered(FunctionId function, const cl_R& x, const cl_R& y) {
   if (!is_circular(function)) {
     return known_[Call{function, x, y}] = rounded(computed(function, x, y));

@@ -1,11 +1,10 @@
 // Real arithmetic of the oracle: the functions of the model language to working_digits decimal
-// digits. It is the oracle's own, and shares no value of a function with what it judges but CLN's
-// sines and cosines.
+// digits. The code under test shares no function with it, except CLN's sines and cosines.
 //
-// Exact rationals stay exact as long as they are short, and exact zeros stay exact, so that
-// derivatives that vanish cost nothing. Drawn doubles are floats, in which they are exact, too.
-// Arguments of any size are reduced with as many digits as their magnitude asks for. Undefined
-// values throw OutsideDomain, which is caught at the oracle's interface.
+// Exact rationals stay exact while they are short. Exact zeros stay exact, so that derivatives that
+// vanish cost nothing. Random doubles become floats, which represent them exactly. Arguments are
+// reduced with as many digits as their magnitude needs. Undefined values throw OutsideDomain, which
+// the oracle's interface catches.
 #pragma once
 
 #include <cln/exception.h>
@@ -22,12 +21,12 @@
 
 namespace elgen::oracle {
 
-/// 60 digits are promised (more where a computation asks); the other 35 are what sums may cancel:
-/// 1e-8 rad from a singular chart the textbook expressions lose 16, and 1e-150 rad is a matter of
-/// exponents, not of digits.
+/// The oracle promises 60 digits, or more inside with_digits(). Cancellation may cost the other 35:
+/// 1e-8 rad from a singular chart the textbook expressions lose 16.
 inline constexpr unsigned working_digits = 95;
 
-/// The quantity is undefined at this state: division by zero, a root or logarithm of a negative
+/// The quantity is undefined at this state: division by zero, or a root or logarithm of a negative
+/// number.
 /// number.
 struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -38,13 +37,14 @@ struct BeyondReach : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
 
-/// `x` in working precision, unless it already is a float.
+/// `x` in working precision; a float is returned unchanged.
 [[nodiscard]] cln::cl_R as_float(const cln::cl_R& x);
 
-/// Rationals of more bits become floats: gcds of longer ones dominate the cost of everything else.
+/// Rationals of more bits become floats, because the gcds of longer ones dominate all other costs.
 inline constexpr unsigned longest_rational = 4096;
-/// Likewise leaves: decimals of 14 digits and the rationals of exact states are shorter. Drawn
-/// doubles have about 106 bits, and as rationals make sums and products two to four times as slow.
+/// The limit for leaves of a state. Decimals of 14 digits and the rationals of exact states are
+/// shorter. Random doubles have about 106 bits; as rationals they slow sums and products 2 to 4
+/// times.
 inline constexpr unsigned longest_leaf = 96;
 
 /// `x` itself, or a float if it is a rational of more bits than `longest`.
@@ -53,16 +53,16 @@ inline constexpr unsigned longest_leaf = 96;
 /// pi in working precision.
 [[nodiscard]] cln::cl_R real_pi();
 
-/// x / y; OutsideDomain where y = 0.
+/// x / y; OutsideDomain if y = 0.
 [[nodiscard]] cln::cl_R quotient(const cln::cl_R& x, const cln::cl_R& y);
 
-/// x ^ exponent for x > 0 and rational exponents; exact where the square root of a rational is.
+/// x ^ exponent for x > 0 and rational exponents; exact if a square root is rational.
 [[nodiscard]] cln::cl_R real_power(const cln::cl_R& x, const cln::cl_RA& exponent);
 
-/// Remembers every value: each direction of a derivative meets the same arguments again.
+/// Memoises every value, because all directions of a derivative use the same arguments.
 class RealFunctions {
  public:
-  /// The value of a function; `y` is the second argument of those that have one.
+  /// `y` is the second argument of binary functions.
   [[nodiscard]] cln::cl_R value(FunctionId function, const cln::cl_R& x, const cln::cl_R& y = 0);
 
  private:
@@ -72,7 +72,7 @@ class RealFunctions {
   std::map<Call, cln::cl_R> known_ = {};
 };
 
-/// CLN and the oracle throw where a value does not exist; callers get an empty optional.
+/// Empty if the value does not exist: CLN and the oracle throw then.
 template <class Computation>
 auto attempt(const Computation& computation) -> std::optional<decltype(computation())> {
   try {
@@ -84,7 +84,7 @@ auto attempt(const Computation& computation) -> std::optional<decltype(computati
   }
 }
 
-/// To as many digits as its angles ask for: without them a value may seem not to exist.
+/// attempt() with as many digits as large angles need; with fewer a value may seem undefined.
 template <class Computation>
 auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
   return with_enough_digits([&] { return attempt(computation); });

@@ -1,4 +1,4 @@
-// Regressor: energies of units, written as expressions of a copy of the model.
+// Regressor: energies at unit parameters, as expressions of a copy of the model.
 #include "oracle/regressor.hpp"
 
 #include <array>
@@ -11,8 +11,8 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// The model in which the inertial parameters have given values: bodies, masses and armatures give
-/// way to terms of T and V.
+/// A copy of the model with given inertial parameters. Terms of T and V replace its bodies, masses
+/// and armatures.
 class ModelOfParameters {
  public:
   ModelOfParameters(const Model& model, const Values& values) : source_(model), model_(model) {
@@ -118,19 +118,19 @@ class ModelOfParameters {
 
   const Model& source_;
   Model model_;
-  ExpressionId value_ = 0;  ///< of the parameter that is added
+  ExpressionId value_ = 0;  ///< value of the parameter that is added
   std::vector<ExpressionId> kinetic_ = {};
   std::vector<ExpressionId> potential_ = {};
 };
 
-/// w.(M a + C(q, v) r + drift(r) + g + dD/dv(r) - Q(v))
+/// w.(M a + C(q, v) r + drift(r) + g + dD/dv(r) - Q(v)), r the reference velocity
 cl_R force_by_reference(Mechanics& at, Mechanics& at_reference, const Direction& w) {
   return at.mass(w, at.state().a) + coriolis(at, w, at_reference.state().v) +
          drift(at_reference, w) + at.gravity(w) + at_reference.dissipation_force(w) -
          at.applied_force(w);
 }
 
-/// About the origin of its frame.
+/// The parameter of a body in a frame, about the frame's origin.
 cl_R of_body_in_frame(Evaluation& at, const Body& body, std::uint32_t component) {
   const auto value = [&at](ExpressionId id) { return at.value(id).real(); };
   const BodyInFrame& local = *body.local;

@@ -1,4 +1,4 @@
-// Rotations on jets: unit quaternions and the directions in which velocities move them.
+// Rotations on jets: unit quaternions and their rates.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace elgen::oracle {
 using Quaternion = std::array<Jet, quaternion_size>;  ///< w, x, y, z
 using Spin = std::array<Jet, axis_count>;             ///< in the axes of the body
 
-/// 1/2 e (0, w): the rate of e where the body turns with w.
+/// 1/2 e (0, w): the rate of e at angular velocity w in body axes.
 [[nodiscard]] Quaternion rate_of(const Quaternion& e, const Spin& w);
 
 [[nodiscard]] Quaternion quaternion_of(const Rotation& rotation, const std::vector<Jet>& q);
@@ -21,7 +21,7 @@ using Spin = std::array<Jet, axis_count>;             ///< in the axes of the bo
 [[nodiscard]] std::vector<Jet> coordinate_rates(const Model& model, const std::vector<Jet>& q,
                                                 const std::vector<Jet>& v);
 
-/// w x y on the velocities of rotations, all else 0.
+/// w x y on the velocities of rotations, 0 elsewhere.
 template <class Number>
 [[nodiscard]] std::vector<Number> turned(const Model& model, const std::vector<Number>& w,
                                          const std::vector<Number>& y) {

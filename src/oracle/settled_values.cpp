@@ -1,12 +1,12 @@
-// Settled values: computed in twice as many digits each time, until their first digits stay.
+// Settled values: computed with twice as many digits each time, until their first digits stay.
 //
-// While all terms cancel, a value is rounding and falls with every look, as a zero does. It is
-// taken for 0 if the earlier of two looks had the digits in which Taylor's formula would show
-// another value: 1 - cos(1e-100) is 5e-201, which 155 digits do not show. A value that stays is
-// taken only then, too, or at the last look: in 155 digits log(exp(x)) - x is -x at x = 1e-300.
+// If all terms cancel, a value consists of rounding errors and shrinks with every look, like a
+// zero. It counts as 0 if the earlier of two looks had enough digits to show a non-zero Taylor
+// term: 1 - cos(1e-100) is 5e-201, which 155 digits do not show. A value that stays is accepted
+// under the same condition, or at the last look: in 155 digits log(exp(x)) - x is -x at x = 1e-300.
 //
-// Numbers of a state that are not rational, such as pi, have 100 digits. A value that falls with
-// these, such as sin(pi), is 0.
+// Irrational numbers of a state, such as pi, have 100 digits. A value that shrinks with their
+// digits, such as sin(pi), is 0.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -23,15 +23,15 @@ namespace {
 using cln::cl_R;
 using oracle::working_digits;
 
-/// Digits more than the oracle's own.
+/// Digits in addition to working_digits.
 constexpr unsigned digits_of_first_look = 60;
 constexpr unsigned digits_of_last_look = 1920;
 static_assert(working_digits + digits_of_last_look >= most_settled_digits);
 
-/// Two more than are printed.
+/// Two more digits than elgen prints.
 constexpr int digits_that_stay = 62;
 
-/// Floats of a state get zeros behind their digits, more than a look computes with.
+/// Pads the floats of a state with zeros to more digits than a look computes with.
 State lengthened(const State& state, unsigned digits) {
   constexpr unsigned spare_digits = 45;
   const cln::float_format_t format = cln::float_format(working_digits + digits + spare_digits);
@@ -39,23 +39,24 @@ State lengthened(const State& state, unsigned digits) {
       [&](const cl_R& x) { return is_rational(x) ? x : cl_R(cln::cl_float(x, format)); }, state);
 }
 
-/// Digits of a number before or behind its point: 1 + 1e-100 is 1e-100 in a difference.
+/// Digits of a number before or behind its point, since cancellation may remove the rest: 100 for 1
+/// + 1e-100.
 double size_in_digits(const cl_R& x) {
   if (!is_rational(x)) return std::abs(decimal_exponent(x));
   const auto r = cln::the<cln::cl_RA>(x);
   return std::max(decimal_exponent(cln::numerator(r)), decimal_exponent(cln::denominator(r)));
 }
 
-/// Fewer than the 100 of a state, by more than those of share_of_a_zero.
+/// Less than the 100 digits of a state, by more than the 20 digits of share_of_a_zero().
 constexpr unsigned digits_of_rounded_state = 60;
 
-/// A zero falls by so much from one look to the next.
+/// A zero shrinks at least by this factor from one look to the next.
 const cl_R& share_of_a_zero() {
   static const cl_R share = power_of_ten(-20);
   return share;
 }
 
-/// Floats of a state with fewer digits; none where all of its numbers are rational.
+/// The floats of a state with fewer digits; empty if all of its numbers are rational.
 std::optional<State> rounded(const State& state) {
   static const cln::float_format_t format = cln::float_format(digits_of_rounded_state);
   bool has_floats = false;
@@ -82,7 +83,7 @@ unsigned digits_of_powers(const Model& model, const State& state) {
 
 struct Look {
   OracleValues values = {};
-  bool is_beyond = false;  ///< some number is too large to compute
+  bool is_beyond = false;  ///< a number is too large to compute
   unsigned hidden = 0;     ///< digits that exponentials may hide
 };
 
@@ -106,11 +107,11 @@ Look look_at(const Computation& values, const State& state, unsigned digits) {
 }
 
 struct LookPair {
-  bool tells = false;  ///< the first look has the digits to show a value that is not 0
+  bool tells = false;  ///< the first look has enough digits to show a non-zero value
   bool is_last = false;
 };
 
-/// The value by two looks; none if it is not settled.
+/// The value from two looks; empty if it is not settled.
 std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, const LookPair& looks) {
   static const cl_R share_that_stays = power_of_ten(-digits_that_stay);
   const bool stays = cln::abs(now - before) <= cln::abs(now) * share_that_stays;
@@ -121,7 +122,7 @@ std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, const Loo
   return stays && (looks.tells || looks.is_last) ? std::optional(now) : std::nullopt;
 }
 
-/// All values by two looks; none if one is not settled.
+/// All values from two looks; empty if one is not settled.
 std::optional<SettledValues> settled_by(const Look& before, const Look& now,
                                         const LookPair& looks) {
   const bool lacks = !before.values && !now.values;
@@ -136,7 +137,7 @@ std::optional<SettledValues> settled_by(const Look& before, const Look& now,
   return SettledValues{std::move(values)};
 }
 
-/// Sets to 0 what falls with the digits of the numbers of a state.
+/// Sets values to 0 that shrink with the digits of the state's numbers.
 void clear_rounding(std::vector<cl_R>& settled, const OracleValues& at_rounded) {
   if (!at_rounded) return;
   for (std::size_t i = 0; i < settled.size(); ++i) {

@@ -1,6 +1,6 @@
-// The mass matrix entry by entry, then one linear solve: row i of L from the rows above it;
-// forward, diagonal and backward substitution. Velocities of momenta are one solve with the
-// oracle's own M; rates of momenta are what is left of Lagrange's equation.
+// Entries of the mass matrix, then one linear solve: row i of L from the rows above it, then
+// forward, diagonal and backward substitution. Velocities of momenta need one solve with the
+// oracle's own M. Rates of momenta are the remaining terms of Lagrange's equation.
 #include "oracle/solved_dynamics.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using cln::cl_R;
 
-/// A pivot below this share of its diagonal entry is what cancelled rounding errors leave of zero.
+/// A pivot below this share of its diagonal entry is zero up to rounding errors.
 const cl_R& lost_pivot() {
   static const cl_R share = cln::expt(cl_R(10), -75);
   return share;
@@ -27,7 +27,7 @@ cl_R pivot_share(const cl_R& pivot, const cl_R& diagonal) {
   return share;
 }
 
-/// Replaces the lower triangle by L and the diagonal by D; returns D_i / M_ii.
+/// Replaces the lower triangle by L and the diagonal by D; returns the relative pivots D_i / M_ii.
 std::vector<cl_R> factorise(std::vector<cl_R>& m, std::size_t n) {
   std::vector<cl_R> shares;
   for (std::size_t i = 0; i < n; ++i) {

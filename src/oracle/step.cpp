@@ -1,8 +1,8 @@
-// step: states are moved as vectors x = (q, v), and put on the unit sphere where they are read.
-// With `projects` the end is put back onto the constraints.
+// step: a state moves as a vector x = (q, v); quaternions are normalised before it is evaluated.
+// With `projects` the end is projected onto the constraints.
 //
-// Derivatives are central differences over 1e-45 in 135 digits more, of which those over 1e-48
-// agree to 80 digits.
+// Derivatives are central differences over 1e-45, computed with 135 more digits. Differences over
+// 1e-48 must agree to 80 digits; otherwise smaller differences follow.
 #include <cln/float.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// The part of a state that a step moves, and the residual of the equation of an implicit method.
+/// The part of a state that a step changes, and the residual of an implicit method.
 struct Moved {
   Values q;
   Values v;
@@ -59,7 +59,7 @@ class Stepping {
     return sum(sum(sum(sum(x, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
   }
 
-  /// Kick, drift, kick, over every part of the step.
+  /// Kick, drift, kick for each substep.
   Moved verlet() {
     Moved x{start_.q, start_.v};
     cl_R time = 0;
@@ -73,8 +73,8 @@ class Stepping {
     return x;
   }
 
-  /// M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2), substituted as often as is asked for, over
-  /// every part of the step; the residual is that of the part in the middle.
+  /// M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2) in each substep, by `iterations`
+  /// substitutions. The residual belongs to the middle substep.
   Moved midpoint() {
     Values p = momentum(start_);
     Moved x{start_.q, start_.v};
@@ -116,7 +116,7 @@ class Stepping {
     return velocities_of_momenta(model_, state, p);
   }
 
-  /// dx/dt at the time t + `later`.
+  /// dx/dt at the time t + later.
   [[nodiscard]] Moved rates(const Moved& x, const cl_R& later) const {
     const State state = state_of(x, later);
     Mechanics at(model_, state);
@@ -132,7 +132,7 @@ class Stepping {
   const Model& model_;
   const State& start_;
   std::uint32_t iterations_;
-  std::vector<cln::cl_RA> parts_;  ///< of h, of a method that is composed
+  std::vector<cln::cl_RA> parts_;  ///< substeps as fractions of h; {1} if not composed
 };
 
 constexpr Moved (Stepping::*methods[])() = {
@@ -141,13 +141,13 @@ constexpr Moved (Stepping::*methods[])() = {
 #undef ELGEN_STEP_METHOD
 };
 
-/// Floats with room for differences of 10^-digits.
+/// Converts to floats with enough digits for differences of 10^-digits.
 State extended(const State& state, unsigned digits) {
   const cln::float_format_t format = cln::float_format(150 + 3 * digits);
   return map_leaves([&](const cl_R& x) { return cl_R(cln::cl_float(x, format)); }, state);
 }
 
-/// The state moved by `size` along a direction of (q, v, u), q by rotation vectors.
+/// The state moved by `size` along a direction of (q, v, u); for q along rotation vectors.
 State displaced(const Model& model, State state, const Direction& along, const cl_R& size) {
   const std::size_t n = state.v.size();
   const std::vector<Jet> moving(along.begin(), along.begin() + static_cast<std::ptrdiff_t>(n));
@@ -162,7 +162,7 @@ State displaced(const Model& model, State state, const Direction& along, const c
   return state;
 }
 
-/// dq as changes of velocities: of a quaternion e the rotation vector 4 N(e)^T de.
+/// dq in the components of velocities; for a quaternion e the rotation vector 4 N(e)^T de.
 Values by_velocity(const Model& model, const Values& q, const Values& dq) {
   Values result;
   const std::size_t n = model.velocities.size();
@@ -178,13 +178,13 @@ Values by_velocity(const Model& model, const Values& q, const Values& dq) {
   return result;
 }
 
-/// Steps along a line through a state, and the slope of where they end.
+/// Steps from the states of a line, and the derivative of their ends along it.
 class StepLine {
  public:
   StepLine(const Model& model, const OutputRequest& output, State start, const Direction& along)
       : model_(model), output_(output), start_(std::move(start)), along_(along) {}
 
-  /// dx(t + h), where central differences of two sizes agree to 80 digits.
+  /// dx(t + h) along the line; empty unless central differences of two sizes agree to 80 digits.
   [[nodiscard]] std::optional<Values> slope(unsigned digits) const {
     const Values wide = quotient(power_of_ten(-static_cast<long>(digits)));
     const Values narrow = quotient(power_of_ten(-static_cast<long>(digits) - 3));
@@ -200,7 +200,7 @@ class StepLine {
     const Values there = step(model_, output_, displaced(model_, start_, along_, size));
     const Values back = step(model_, output_, displaced(model_, start_, along_, -size));
     const std::size_t coordinates = start_.q.size();
-    Values middle;  // of a quaternion 1 + O(size^2) long
+    Values middle;  // quaternions have length 1 + O(size^2)
     Values change;
     for (std::size_t i = 0; i < coordinates + start_.v.size(); ++i) {
       middle.push_back((there[i] + back[i]) / 2);
@@ -218,8 +218,8 @@ class StepLine {
   const Direction& along_;
 };
 
-/// dx(t + h) along a direction of (q, v, u), by ever smaller differences in ever more digits: steps
-/// that are too long for a system amplify them by hundreds of orders.
+/// dx(t + h) along a direction of (q, v, u). Retries use smaller differences and more digits: steps
+/// that are too long for a system amplify differences by hundreds of orders of magnitude.
 Values slope(const Model& model, const OutputRequest& output, const State& state,
              const Direction& along) {
   for (const unsigned digits : {45U, 150U, 450U}) {

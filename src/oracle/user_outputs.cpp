@@ -1,5 +1,5 @@
-// Values of [[output]]s: slopes by jets along what the values are made of; a twist is linear in the
-// rates, and its Jacobian are its coefficients.
+// Values of [[output]]s. Jacobians are directional derivatives by jets; a twist is linear in the
+// rates, so its Jacobian contains its coefficients.
 #include "oracle/user_outputs.hpp"
 
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 using cln::cl_R;
 
-/// The state, with the accelerations and multipliers of its motion where the output asks for them.
+/// The state. If the output uses the motion, its accelerations and multipliers are set.
 Motion motion_of_user(const Question& of) {
   Motion motion = motion_of(of.state);
   if (!of.of_user().motion) return motion;
@@ -32,8 +32,7 @@ struct MotionChange {
   Direction inputs = {};
 };
 
-/// dy along a direction from a motion; where the output asks for it, accelerations and multipliers
-/// go along.
+/// dy along a direction. If the output uses the motion, accelerations and multipliers vary too.
 Values slopes_along(const Question& of, Motion motion, const MotionChange& change) {
   constexpr Generators moving = generator(0);
   displace_position(of.model, motion, change.along.x, moving);
@@ -54,7 +53,7 @@ Values slopes_along(const Question& of, Motion motion, const MotionChange& chang
   return values;
 }
 
-/// dy along each unit direction of one part of a change, row-major.
+/// dy along each unit vector of one member of a change, row-major.
 Values slopes_by(const Question& of, std::size_t count, Direction& (*part)(MotionChange&)) {
   const std::size_t n = of.state.v.size();
   const MotionChange still{
@@ -75,8 +74,8 @@ Direction& velocity_of(MotionChange& change) { return change.along.y; }
 Direction& acceleration_of(MotionChange& change) { return change.a; }
 Direction& inputs_of(MotionChange& change) { return change.inputs; }
 
-/// A field of the derivatives: dy/dq along N, dy/dv, dy/da, dy/du; no entries of dy/da where a is
-/// that of the motion.
+/// One field of the derivatives: dy/dq along N, dy/dv, dy/da or dy/du. dy/da is empty if the output
+/// uses the acceleration of the motion.
 Values derivative_of_user(const Question& of, std::size_t field) {
   constexpr std::size_t acceleration = 2;
   constexpr std::array parts{position_of, velocity_of, acceleration_of, inputs_of};
@@ -85,7 +84,7 @@ Values derivative_of_user(const Question& of, std::size_t field) {
   return slopes_by(of, is_by_input ? of.state.u.size() : of.state.v.size(), parts.at(field));
 }
 
-/// The fields of the equation of motion along y.
+/// The fields of operational_of_user().
 std::array<Values, 4> operational_fields(const Question& of) {
   Mechanics at(of.model, of.state);
   const std::size_t n = at.size();

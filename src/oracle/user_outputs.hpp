@@ -1,5 +1,4 @@
-// Values of [[output]]s at one state: their entries, Jacobians, derivatives, and the equation of
-// motion along them.
+// Values of [[output]]s at one state: entries, Jacobians, derivatives, operational-space dynamics.
 #pragma once
 
 #include <vector>
@@ -10,7 +9,7 @@ namespace elgen::oracle {
 
 using Values = std::vector<cln::cl_R>;
 
-/// The request: an output of a model at a state.
+/// A request for an output of a model at a state.
 struct Question {
   const Model& model;
   const OutputRequest& output;
@@ -26,20 +25,21 @@ struct Question {
 /// w.x, or w.X y of a matrix.
 [[nodiscard]] cln::cl_R contracted_entries(const Values& values, const Contraction& by);
 
-/// y.
+/// The values y of the output.
 [[nodiscard]] Values values_of_user(const Question& of);
 
-/// dy/dq along N; of a frame its twist's by v.
+/// dy/dq along N; for a frame the derivative of its twist by v.
 [[nodiscard]] Values jacobian_of_user(const Question& of);
 
-/// d2y/dt2 at a = 0; of a frame d twist/dt.
+/// d2y/dt2 at a = 0; for a frame the rate of its twist.
 [[nodiscard]] Values bias_of_user(const Question& of);
 
-/// dy/dq along N, dy/dv, dy/da, dy/du, one after the other.
+/// dy/dq along N, dy/dv, dy/da, dy/du, one after another.
 [[nodiscard]] Values all_derivatives_of_user(const Question& of);
 [[nodiscard]] cln::cl_R contracted_derivatives(const Question& of, const Contraction& by);
 
-/// (J M^-1 J^T)^-1, M^-1 J^T times it, it times (J M^-1 bias - bias of y), and the relative pivots.
+/// Operational-space dynamics: Lambda = (J M^-1 J^T)^-1, M^-1 J^T Lambda, Lambda (J M^-1 bias -
+/// bias of y), and the relative pivots of J M^-1 J^T.
 [[nodiscard]] Values operational_of_user(const Question& of);
 [[nodiscard]] cln::cl_R contracted_operational(const Question& of, const Contraction& by);
 
