@@ -1,5 +1,4 @@
-// Charts as SVG, in black and grey on white, positions in pixels: the axes of a chart, and texts
-// around it.
+// Charts as SVG, black and grey on white, with positions in pixels: axes, and text around them.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +11,7 @@
 
 namespace elgen {
 
-/// The opening tag, a white ground, and the title of the plot, in the topmost 30 pixels.
+/// The opening tag, a white background, and the title of the plot in the top 30 pixels.
 [[nodiscard]] inline std::string svg_start(double width, double height, const std::string& title) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
@@ -28,20 +27,20 @@ namespace elgen {
       x2, y2);
 }
 
-/// `anchor`: what of the text is at x: "start", "middle" or "end".
+/// `anchor`: the part of the text at x: "start", "middle" or "end".
 [[nodiscard]] inline std::string svg_label(double x, double y, const char* anchor,
                                            const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
                      xml_text(text));
 }
 
-/// The title of a part of the plot, in bold, from x on.
+/// The title of a part of the plot, in bold, beginning at x.
 [[nodiscard]] inline std::string svg_title(double x, double y, const std::string& text) {
   return fmt::format("<text x=\"{}\" y=\"{}\" font-weight=\"bold\">{}</text>\n", x, y,
                      xml_text(text));
 }
 
-/// A line across a chart, and the text at its end.
+/// A line across a chart, and its label.
 struct ChartTick {
   double at = 0;
   std::string label = {};
@@ -51,15 +50,15 @@ struct ChartAxis {
   double low = 0;
   double high = 1;
   std::vector<ChartTick> ticks = {};
-  std::string title = {};  ///< of x; "": neither title nor labels, which another chart below has
+  std::string title = {};  ///< of x; "": no title and no labels, because the chart below has them
 
-  /// How far a number is from the low end, of the length; those beyond the axis are at its ends.
+  /// The position of a number on the axis: 0 at the low end, 1 at the high end, clamped.
   [[nodiscard]] double part(double number) const {
     return (std::clamp(number, low, high) - low) / (high - low);
   }
 };
 
-/// A rectangle between two axes.
+/// A rectangle with an x axis and a y axis.
 struct Chart {
   double left = 0;
   double top = 0;
@@ -71,7 +70,7 @@ struct Chart {
   [[nodiscard]] double x_of(double number) const { return left + width * x.part(number); }
   [[nodiscard]] double y_of(double number) const { return top + height * (1 - y.part(number)); }
 
-  /// All ticks, with the labels of x and its title below, and those of y on the left.
+  /// Lines at all ticks, with labels and title of x below the chart and labels of y on the left.
   [[nodiscard]] std::string grid() const {
     const double bottom = top + height;
     std::string svg;

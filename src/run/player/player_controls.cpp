@@ -1,4 +1,5 @@
-// player_controls: a slider goes over the range that the model declares, else about its value.
+// player_controls: a slider covers the range that the model declares, or an interval around its
+// value.
 #include "run/player/player_controls.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ struct Slider {
   std::string name = {};
   std::string unit = {};
   double value = 0;
-  double reach = 1;  ///< on both sides, where there is no range
+  double reach = 1;  ///< half the width of the interval if `range` is empty
   std::optional<Interval> range = {};
 };
 
@@ -69,7 +70,7 @@ Sliders of_velocities(const Model& model, const LeafNames& leaves) {
   return list;
 }
 
-/// The inputs that have no law.
+/// Sliders of inputs without a law.
 Sliders of_inputs(const CheckedModel& checked) {
   const Model& model = checked.model;
   constexpr double reach = 10;

@@ -7,11 +7,11 @@
 
 namespace elgen {
 
-/// Sets the holes for them in the template of the page.
+/// Sets the template's variables for sliders, buttons and choices.
 void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,
                   const Products& read);
 
-/// A text within quotes of HTML.
+/// Escapes a text for use in a quoted HTML attribute.
 [[nodiscard]] std::string attribute_text(const std::string& text);
 
 }  // namespace elgen

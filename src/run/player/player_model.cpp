@@ -1,4 +1,4 @@
-// player_model: one function for each list that the script reads.
+// player_model: one function for each list that the page's script reads.
 #include "run/player/player_model.hpp"
 
 #include <fmt/ranges.h>
@@ -42,7 +42,7 @@ Json velocities_json(const Model& model, const LeafNames& leaves) {
   return list;
 }
 
-/// The input of each law, and where it is cut: nowhere where it is one number.
+/// The input of each law and its limits; none if the law is constant along a run.
 Json laws_json(const CheckedModel& checked) {
   const Model& model = checked.model;
   constexpr double most = std::numeric_limits<double>::max();
@@ -86,7 +86,7 @@ Json integrals_json(const Model& model) {
   return list;
 }
 
-/// The first row of each place in the output of places.
+/// The first row of each place in the output of all places.
 std::vector<std::size_t> first_rows(const Model& model, const std::vector<ShownPlace>& places) {
   std::vector<std::size_t> rows;
   std::size_t next = 0;
@@ -102,14 +102,14 @@ bool is_zero(const Model& model, ExpressionId id) {
   return e.kind == ExpressionKind::number && cln::zerop(e.number);
 }
 
-/// Whether every third component is 0, and no frame leaves the plane.
+/// True if every third component is 0 and no place is a frame.
 bool is_planar(const Model& model, const std::vector<ShownPlace>& places) {
   return std::ranges::all_of(places, [&](const ShownPlace& place) {
     return place.kind != PlaceKind::frame && is_zero(model, rows_of(model, place)[2]);
   });
 }
 
-/// The axis along which weight acts, y in a plane.
+/// The last axis with a component of gravity; z without gravity.
 std::size_t up_axis(const Model& model) {
   if (!model.gravity) return 2;
   std::size_t up = 2;
@@ -142,7 +142,7 @@ void add_places(Json& json, const Model& model) {
   json["up"] = up_axis(model);
 }
 
-/// "theta = 3.14159": the coordinates that are not any.
+/// "theta = 3.14159"; coordinates that may have any value are omitted.
 std::string text_of(const Model& model, const RestPoint& point) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
@@ -153,7 +153,7 @@ std::string text_of(const Model& model, const RestPoint& point) {
   return parts.empty() ? "anywhere" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Where a motion along the mode begins.
+/// The start of a motion along the mode, displaced by 0.1 of its shape.
 ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode& mode) {
   constexpr double part = 0.1;
   const double omega = std::sqrt(nearest(mode.omega_squared));
@@ -165,7 +165,7 @@ ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode
   return start;
 }
 
-/// Seconds of the run in one of the clock: those of the clock, where that can be watched.
+/// Simulated seconds per second of the clock: 1 if the run takes 2 to 60 s, otherwise 20 s in all.
 double pace_of(const SimulationOptions& options) {
   constexpr double shortest = 2;
   constexpr double longest = 60;

@@ -1,4 +1,4 @@
-// player_model: what the script of a page knows of a system beside its functions, as JSON.
+// player_model: the data of a system that the page's script reads besides its functions, as JSON.
 #pragma once
 
 #include <string>
@@ -15,16 +15,18 @@ namespace elgen {
   return ScalarTraits<double>::from_real(value);
 }
 
-/// A start at rest that has a button.
+/// A start at rest with a button on the page.
 struct ShownStart {
   std::string name = {};  ///< "At rest: theta = 0 (stable)", "Mode of 4.43 rad/s: theta = 0"
   std::vector<double> q = {};
 };
 
-/// The points of rest, and a tenth along each normal mode about stable ones. None along rotations.
+/// The equilibria, and starts displaced by 0.1 along their normal modes with omega^2 > 0; 12 at
+/// most. Models with rotations have no starts along modes.
 [[nodiscard]] std::vector<ShownStart> shown_starts(const Model& model, const Products& read);
 
-/// Names, units, starts, places, laws and points of rest, without markup of HTML.
+/// Names, units, starts, places, laws and equilibria as JSON. `<` is escaped, so that no markup of
+/// HTML occurs.
 [[nodiscard]] std::string player_model(const CheckedModel& checked, const Program& program,
                                        const Products& read, const SimulationOptions& options);
 

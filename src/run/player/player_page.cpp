@@ -1,5 +1,5 @@
-// player_page: the functions of the program as a script, the model as JSON, the equations as
-// MathML, in one file.
+// player_page: one file with the program's functions as a script, the model as JSON, and the
+// equations as MathML.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace elgen {
 namespace {
 
-/// "places", "mass_matrix": what the script knows the function by.
+/// "places", "mass_matrix": the name by which the script calls the function.
 std::string kind_of_call(const Scene& scene, const Function& function) {
   const bool is_shown = is_value_of_user(output_row(function.kind));
   return std::string(is_shown ? name_of(scene.shown.at(function.user))
@@ -45,13 +45,13 @@ TemplateData calls_data(const CheckedModel& checked, const Program& program) {
   });
 }
 
-/// Three years. A step that is a ten-thousandth of a longer run shows no motion.
+/// Three years. The default step, a ten-thousandth of the run, shows no motion in a longer run.
 constexpr double longest_time = 1e8;
 
-/// A browser makes some 1e5 steps a second, so that more of them take minutes.
+/// A browser makes about 1e5 steps per second, so more steps would take minutes.
 constexpr double most_steps = 1e7;
 
-/// E621: runs that take a browser too long.
+/// E621: the run takes a browser too long.
 Diagnostics refuse_length(const SimulationOptions& options) {
   if (options.time > longest_time) {
     return {{Code::E621,
@@ -67,7 +67,7 @@ Diagnostics refuse_length(const SimulationOptions& options) {
        "a page takes a ten-thousandth of the run unless it is given"}};
 }
 
-/// Longer derivations are left out: `show --what steps` has them.
+/// A longer derivation is omitted; `show --what steps` prints it.
 constexpr std::size_t longest_derivation = 200'000;
 
 struct Readable {

@@ -1,4 +1,4 @@
-// Pivots at every state that a run reaches, beside those before.
+// RankWatch: pivots at every state that a run reaches, compared with earlier pivots.
 #include "run/simulate/ranks.hpp"
 
 #include <fmt/format.h>
@@ -12,15 +12,15 @@
 namespace elgen {
 namespace {
 
-/// Half of the 16 digits of double are lost to such a pivot. Beyond it the step back onto the
-/// constraints goes where rounding says, and takes energy with it: at 1e-11 some 1e-9 of it.
+/// A smaller pivot loses half of the 16 digits of double. Rounding errors then dominate the step
+/// back onto the constraints, which changes the energy: at 1e-11 by about 1e-9 of it.
 constexpr double smallest_share = 1e-8;
 
-/// A step that turns a row by more than 120 degrees has no digit left, unless the row went through
-/// 0.
+/// A cosine: a step that turns a row by more than 120 degrees has no correct digit, unless the row
+/// passed through 0.
 constexpr double turned_round = -0.5;
 
-/// The pivots of X Y^T, of n columns each, without interchanges.
+/// The pivots of X Y^T without interchanges; X and Y have n columns.
 Numbers pivots_of_product(const Numbers& x, const Numbers& y, std::size_t n) {
   const std::size_t m = x.size() / n;
   Numbers product(m * m);
@@ -53,7 +53,7 @@ std::string RankWatch::weakest() const {
   for (std::size_t i = 1; i < largest_.size(); ++i) {
     if (share(i) < share(least)) least = i;
   }
-  // A pivot that kept its first four digits does not make a step too short.
+  // A pivot that lost less than four digits does not make a step too short.
   if (largest_.empty() || share(least) > 1e-4) return "";
   return fmt::format(": the pivot of {} is {:.1e} of its largest", name(least), share(least));
 }
@@ -79,7 +79,7 @@ void RankWatch::measure(const Numbers& state, double t) {
   }
 }
 
-/// The ratio of a pivot to its largest value; 1 where it was always 0.
+/// The ratio of a pivot to its largest value so far; 1 if the pivot was always 0.
 double RankWatch::share(std::size_t i) const {
   return largest_[i] > 0 ? std::abs(pivots_[i]) / largest_[i] : 1;
 }
@@ -92,7 +92,8 @@ std::string RankWatch::name(std::size_t i) const {
   return fmt::format("`{}` in M", leaf_text(system_.leaves(), Opcode::velocity, velocity));
 }
 
-/// D_i alone may be small where a coordinate is: m r^2 of an orbit that comes near its centre.
+/// D_i is only checked for a change of sign: it may be small because a coordinate is, as m r^2 of
+/// an orbit near its centre.
 std::string RankWatch::lost(const Numbers& pivots_before, const Numbers& rows_before) const {
   const std::size_t n = system_.velocities();
   const std::size_t both = pivots_.size() - n;

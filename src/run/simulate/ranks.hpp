@@ -1,10 +1,12 @@
-// RankWatch: whether M and A keep their ranks along a run, so that accelerations are determined.
+// RankWatch: checks that M and A keep their ranks along a run, so that accelerations are
+// determined.
 //
 //     M = L D L^T,   B = A diag(M)^(-1/2),   B B^T = L' D' L'^T
 //
-// Rank is nearly lost where D_i / M_ii or D'_k falls far below its largest value on the way;
-// D'_k / (B B^T)_kk would stay 1 where a row of A vanishes. A step may jump over such a place: then
-// D_i changes its sign, or what a row of B has beside the rows before it turns round.
+// Rank is nearly lost if D_i / M_ii or D'_k falls far below its largest value so far. The ratio
+// D'_k / (B B^T)_kk cannot show this: it remains 1 if a row of A vanishes. A step may jump over a
+// loss of rank. Then D_i changes its sign, or the part of a row of B orthogonal to the earlier rows
+// is reversed.
 #pragma once
 
 #include <string>
@@ -16,13 +18,14 @@ namespace elgen {
 
 class RankWatch {
  public:
-  /// `hint`: what to do where rank is lost.
+  /// `hint`: the remedy that E624 names.
   RankWatch(System& system, std::string hint) : system_(system), hint_(std::move(hint)) {}
 
-  /// At the start and after every step: E624 where rank is nearly lost, or was since the last look.
+  /// Call at the start and after every step. E624 if rank is nearly lost, or was lost since the
+  /// last call.
   [[nodiscard]] Diagnostics look(const Numbers& state, double t);
 
-  /// ": the pivot of `dot(x)` in M is 1.0e-12 of its largest", at the last look; "" where none
+  /// ": the pivot of `dot(x)` in M is 1.0e-12 of its largest", at the last look(); "" if no pivot
   /// fell.
   [[nodiscard]] std::string weakest() const;
 

@@ -1,4 +1,4 @@
-// Rows and drifts, sample by sample.
+// Recorder: adds one sample after another to the rows and drifts.
 #include "run/simulate/recorder.hpp"
 
 #include <fmt/format.h>
@@ -14,17 +14,17 @@
 namespace elgen {
 namespace {
 
-/// A step's error is estimated by a method of lower order, so most runs stay far within the
-/// tolerance. The estimate may be too small by this factor if a step is long for its order.
+/// The error estimate belongs to a method of lower order, so most runs stay far within the
+/// tolerance. If a step is long for its order, the error may exceed the estimate by this factor.
 constexpr double energy_margin = 10;
 
-/// Shares of the scale, in steps of one length: a plot shows a loss of 1 %, and a run that loses 10
-/// % is that of another system.
+/// Shares of the scale, for steps of one length. A plot shows a loss of 1 %; a run that loses 10 %
+/// no longer shows the motion of the system.
 constexpr double told_loss = 0.01;
 constexpr double refused_loss = 0.1;
 
-/// E is a sum of many rounded terms, whose rounding is all that changes it near rest: some thousand
-/// of them, each of 2e-16.
+/// E is a sum of many rounded terms, and near rest only their rounding errors change it: about a
+/// thousand terms, each with an error of 2e-16.
 constexpr double rounding_share = 1e-12;
 
 bool is_finite(const Numbers& values) {
@@ -123,7 +123,8 @@ double Recorder::energy_scale() const {
   return largest_kinetic_ + (highest_potential_ - lowest_potential_);
 }
 
-/// The energy of a symmetric step swings about a constant, so that means are compared.
+/// The energy of a symmetric method oscillates about a constant, so the means of the first and last
+/// tenth of the run are compared.
 void Recorder::judge_energy(Trajectory& trajectory) {
   const Drift& drift = trajectory.energy;
   const bool is_symmetric = step_of_run(options_).has_value();
@@ -160,7 +161,7 @@ void Recorder::judge_conserved(const std::vector<ConservedDrift>& conserved) {
   }
 }
 
-/// sum |dC/dx| |x| over q and v, which is not small if the terms of C cancel.
+/// sum |dC/dx| |x| over q and v, which is not small even if the terms of C cancel.
 Numbers Recorder::conserved_scales(const TrajectorySample& sample) const {
   Numbers state = sample.state;
   const auto values = [&] {
@@ -183,8 +184,8 @@ std::string_view Recorder::energy_name() const {
   return system_.does_work() ? "E - E0 - work" : "E - E0";
 }
 
-/// A step may change E - work by what its error is worth, each number taken by itself, and by the
-/// rounding of E. None of it grows later, since the exact motion keeps E - work.
+/// A step may change E - work by the effect of its error in each number, and by the rounding error
+/// of E. These changes do not grow later, since the exact motion conserves E - work.
 void Recorder::look_at_energy(const TrajectorySample& sample, double energy) {
   const std::size_t work = sample.state.size() - 1;
   const auto error = [&](std::size_t i) {

@@ -1,4 +1,4 @@
-// Recorder: what is kept of a run: rows, and the drifts of what should stay.
+// Recorder: collects the rows of a run and the drifts of quantities that should be constant.
 #pragma once
 
 #include <limits>
@@ -11,7 +11,6 @@
 
 namespace elgen {
 
-/// A mean of numbers with weights.
 class WeightedMean {
  public:
   void add(double value, double weight) {
@@ -25,18 +24,18 @@ class WeightedMean {
   double weight_ = 0;
 };
 
-/// How far a number goes that should stay, in one pass over a run: the worst deviation, and the
-/// means of the first and the last tenth.
+/// The drift of a number that should be constant, in one pass over a run: the worst deviation, and
+/// the means over the first and the last tenth.
 class DriftMeter {
  public:
-  /// `deviation` at `part` of the run (0 to 1), for the time `weight`; `magnitude` is that of what
-  /// deviates.
+  /// `deviation` at the fraction `part` of the run, with the time `weight` as its weight.
+  /// `magnitude` is the size of the quantity that deviates.
   void add(double part, double weight, double deviation, double magnitude);
 
-  /// The largest magnitude.
+  /// The largest magnitude so far.
   [[nodiscard]] double scale() const { return scale_; }
 
-  /// Relative to the largest magnitude, or absolute where that is 0.
+  /// Relative to the largest magnitude, or absolute if that is 0.
   [[nodiscard]] Drift drift(std::string name, std::string measure) const;
 
  private:
@@ -46,7 +45,7 @@ class DriftMeter {
   WeightedMean last_tenth_ = {};
 };
 
-/// A state that was reached, q, v and work, and the inputs there.
+/// A state (q, v, work) that the run reached, and the inputs at it.
 struct TrajectorySample {
   double t = 0;
   double after = 0;  ///< time since the sample before
@@ -59,27 +58,26 @@ class Recorder {
  public:
   Recorder(System& system, const SimulationOptions& options, const TrajectorySample& start);
 
-  /// E624 where a number is not finite, with the last state that was.
+  /// E624 if a number is not finite; it names the last finite state.
   [[nodiscard]] Diagnostics add(const TrajectorySample& sample);
 
-  /// E624 at the last sample: why the run ends, what else is known, and what helps.
+  /// E624 at the last sample, with the reason, a further observation, and the remedy.
   [[nodiscard]] Diagnostic ended(std::string_view why, std::string_view besides,
                                  std::string_view remedy) const;
 
-  /// Puts the rows that were kept into `trajectory`. E648: E - E0 - work went farther than the
-  /// tolerance of the steps allows; in steps of one length it, or an entry of `conserved`, went
-  /// farther than 1 % of its scale.
+  /// Moves the rows into `trajectory`. E648 if E - E0 - work exceeds the tolerance of the steps.
+  /// For steps of one length: if it, or an entry of `conserved`, exceeds 1 % of its scale.
   Diagnostics finish(Trajectory& trajectory) &&;
 
  private:
-  /// Multipliers are found by the inputs of the sample, since others may be held by now.
+  /// Multipliers use the inputs of the sample, because the system may already hold later inputs.
   [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
   [[nodiscard]] std::string_view energy_name() const;
   void look_at_energy(const TrajectorySample& sample, double energy);
   void add_momenta(const TrajectorySample& sample, double part);
   void add_conserved(const TrajectorySample& sample);
   void add_offset(const TrajectorySample& sample);
-  /// max |T| + (max V - min V) until now; max (|v.p| + |L|) if only L is known.
+  /// max |T| + (max V - min V) so far; max (|v.p| + |L|) if only L is known.
   [[nodiscard]] double energy_scale() const;
   void judge_energy(Trajectory& trajectory);
   void judge_conserved(const std::vector<ConservedDrift>& conserved);
@@ -96,12 +94,12 @@ class Recorder {
   double largest_kinetic_ = 0;
   double lowest_potential_ = std::numeric_limits<double>::infinity();
   double highest_potential_ = -std::numeric_limits<double>::infinity();
-  double tolerance_ = 0;  ///< of a step; 0: steps of one length
-  double allowed_ = 0;    ///< the largest |E - E0 - work|, by the steps until now
+  double tolerance_ = 0;  ///< of a step; 0 for steps of one length
+  double allowed_ = 0;    ///< the largest |E - E0 - work| that the steps so far allow
   Diagnostics warnings_ = {};
   std::vector<DriftMeter> of_momenta_;
   std::vector<std::vector<double>> rows_ = {};
-  std::vector<double> work_ = {};  ///< until each
+  std::vector<double> work_ = {};  ///< up to each row
   TrajectorySample start_;
   TrajectorySample last_;
 };

@@ -1,6 +1,6 @@
-// reference_run: the same equations twice, in double and in long double, by Boost.odeint's method
-// of Fehlberg, whose steps are as long as its estimate of their error allows. Their distance at the
-// end is what either is known to. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
+// reference_run: integrates the same equations twice, in double and in long double, by
+// Boost.odeint's Fehlberg method with steps adapted to its error estimate. The distance of the two
+// ends is the uncertainty of both. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
 // I, 2nd ed., sec. II.10.
 #include <fmt/format.h>
 
@@ -22,13 +22,13 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// d(q, v)/dt of q and v in one list.
+/// d(q, v)/dt, with q and v in one list.
 template <class Scalar>
 class ReferenceSystem {
  public:
   using Values = std::vector<Scalar>;
 
-  /// `system` gives the inputs, whose laws are in double.
+  /// `system` evaluates the laws of inputs, in double.
   ReferenceSystem(System& system, const CheckedModel& checked, const Program& program)
       : system_(system),
         program_(program),
@@ -59,12 +59,12 @@ class ReferenceSystem {
                 middle);
   }
 
-  /// E624 where M or A loses rank.
+  /// E624 if M or A loses rank.
   [[nodiscard]] Diagnostics look(const Values& state, Scalar t) {
     return ranks_.look({state.begin(), state.end()}, static_cast<double>(t));
   }
 
-  /// Quaternions to length 1, and back onto the constraints.
+  /// Normalises quaternions; with constraints also projects onto them.
   void restore(Values& state, Scalar t) {
     const bool is_projected = !system_.model().constraints.empty();
     const Function* const restored =
@@ -104,7 +104,7 @@ bool take(const Values& state, ReferenceEnd& end) {
   return std::ranges::all_of(end.last, [](double x) { return std::isfinite(x); });
 }
 
-/// E624 where it does not come to its end, or past a place where M or A loses rank.
+/// E624 if the run cannot reach its end, or M or A loses rank on the way.
 template <class Scalar>
 Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
   using Values = std::vector<Scalar>;

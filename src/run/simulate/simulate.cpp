@@ -1,5 +1,5 @@
-// A run: from row to row, and where inputs are held from one of their instants to the next; steps
-// are timed in blocks, between which what they reached is looked at.
+// A run: from row to row, and with held inputs from one hold to the next. Steps are timed in
+// blocks; after each block its samples are recorded.
 #include "elgen/simulate.hpp"
 
 #include <fmt/ranges.h>
@@ -28,13 +28,14 @@ constexpr const char* go_elsewhere =
     "`--through singular` goes on by a fixed `--step`, and E - E0 says how well; another start or "
     "other coordinates may avoid the place";
 
-/// The instants of one period, from `begin` on; none: the end alone.
+/// Equidistant instants after `begin`; without a period only the end.
 class Instants {
  public:
   Instants(double begin, double end, std::optional<double> period)
       : begin_(begin), end_(end), period_(period.value_or(end - begin)) {}
 
-  /// The first one that was not passed; what rounding parts from the end is the end.
+  /// The first instant that was not passed. An instant that differs from the end by rounding is the
+  /// end.
   [[nodiscard]] double next() const {
     const double instant = begin_ + static_cast<double>(passed_ + 1) * period_;
     return instant > end_ - 1e-9 * period_ ? end_ : instant;
@@ -87,7 +88,7 @@ class Run {
     return start;
   }
 
-  /// To the next instant at which something happens. All until then is looked at before it does.
+  /// Steps to the next row or hold. All samples are recorded before the inputs change.
   Diagnostics advance() {
     const double row = rows_.next();
     const double hold = holds_.next();
@@ -120,7 +121,7 @@ class Run {
     system_.hold(current_.state.data(), system_.v_of(current_.state), current_.t);
   }
 
-  /// The clock stands while samples are looked at.
+  /// The clock is stopped while samples are recorded.
   Diagnostics flush() {
     elapsed_ += Clock::now() - resumed_;
     Diagnostics wrong;
@@ -157,7 +158,7 @@ class Run {
   std::chrono::duration<double> elapsed_ = {};
 };
 
-/// With x and y of a point, unless its name is empty.
+/// With x and y of `point`, unless it is empty.
 std::vector<TrajectoryColumn> columns_of(const System& system, const std::string& point) {
   const Model& model = system.model();
   std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
@@ -196,7 +197,7 @@ std::vector<TrajectoryColumn> columns_of(const System& system, const std::string
   return columns;
 }
 
-/// E201
+/// E201, with a suggestion from the known names.
 Diagnostic unknown(std::string_view kind, const std::string& name,
                    const std::vector<std::string>& known) {
   const std::string all =
@@ -204,7 +205,7 @@ Diagnostic unknown(std::string_view kind, const std::string& name,
   return {Code::E201, {}, fmt::format("unknown {} `{}`", kind, name), suggestion(name, known, all)};
 }
 
-/// Gives panels to the columns that are asked for. E201 of them and of the point.
+/// Gives panels to the columns in options.show. E201 for an unknown column or point.
 Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
                           std::vector<TrajectoryColumn>& columns) {
   Diagnostics wrong;
@@ -224,7 +225,7 @@ Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
   return wrong;
 }
 
-/// The unit of all rows of a field of the residual; "" where units differ, or are 1 or unknown.
+/// The unit of all rows of a field of the residual; "" if units differ, are 1 or unknown.
 std::string common_unit(const Model& model, std::string_view field, Extent rows) {
   std::vector<std::optional<Unit>> units;
   for (std::size_t row = 0; row < extent_of(model, rows); ++row) {
@@ -236,7 +237,7 @@ std::string common_unit(const Model& model, std::string_view field, Extent rows)
   return has_one ? to_string(*units.front()) : "";
 }
 
-/// `columns`: of t, q and v.
+/// The visible moves of q and v. `columns` begins with t, q and v.
 std::vector<StartMove> moves_of(const Model& model, const Model& assembled,
                                 const std::vector<TrajectoryColumn>& columns) {
   const Numbers from = stated_start(model);
@@ -255,7 +256,7 @@ void add_units(KeptConstraints& kept, const Model& model) {
   kept.rate_unit = common_unit(model, "rate", Extent::constraints);
 }
 
-/// E518: laws of one number beyond the limits of their inputs, which run as they are.
+/// E518 for constant laws beyond the limits of their inputs; the run uses them without clamping.
 Diagnostics laws_beyond_limits(System& system, double t) {
   Diagnostics found;
   const Model& model = system.model();
@@ -276,7 +277,7 @@ Diagnostics laws_beyond_limits(System& system, double t) {
   return found;
 }
 
-/// The functions that pages and runs call.
+/// The outputs that pages and runs call.
 std::string common_outputs(const Model& model) {
   std::string names =
       "mass_matrix,dissipation,applied_force,momentum,energy_function,forward_dynamics";
@@ -302,7 +303,7 @@ std::string outputs_of_run(const Model& model) {
   return names;
 }
 
-/// The model is checked once before, to know which outputs it has.
+/// The model is checked first, because the list of outputs depends on it.
 Products derived_for_run(const Inputs& inputs, PipelineOptions options,
                          const std::optional<StepSpec>& step) {
   PipelineOptions first = options;

@@ -1,4 +1,4 @@
-// The start of a run: assembled in 60 digits, and looked at once before the first step.
+// The start of a run: assembled with 60 digits, and checked once before the first step.
 #include "run/simulate/start.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// The sine of the double nearest to pi is 1e-16.
+/// Zero up to rounding errors: the sine of the double nearest to pi is 1e-16.
 constexpr double zero = 64 * epsilon;
 
 constexpr const char* start_elsewhere = "`--state` starts the run elsewhere";
@@ -44,8 +44,8 @@ CheckedModel started_at(CheckedModel checked, const State& state) {
   return checked;
 }
 
-/// Whether what was named moved by less than is told: a state that was printed meets the
-/// constraints but for its last digits.
+/// True if no stated value moved visibly. A printed state meets the constraints except in its last
+/// digits.
 bool keeps_named(const Model& model, const StatedStart& stated, const Model& moved) {
   const Numbers from = stated_start(model);
   const Numbers to = stated_start(moved);

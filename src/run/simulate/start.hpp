@@ -1,4 +1,4 @@
-// The start of a run, and what forbids it.
+// The start of a run, and the errors that prevent a run.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 
 namespace elgen {
 
-/// A smaller move of the start is not told, since it would not be seen in what is printed.
+/// A smaller move of the start is not reported, because printed numbers do not show it.
 [[nodiscard]] inline bool is_visible_move(double from, double to) {
   return std::abs(to - from) > 1e-9 * std::max(1.0, std::abs(from));
 }
 
-/// Whether the acceleration is determined where a run starts: charts by the factors that the model
-/// states, M and A M^-1 A^T by their relative pivots. E623.
+/// E623 if the start does not determine the acceleration: a factor that the model declares singular
+/// is 0, or a relative pivot of M or of A M^-1 A^T is.
 [[nodiscard]] Diagnostics refuse_start(System& system, const Numbers& state, double t);
 
 }  // namespace elgen

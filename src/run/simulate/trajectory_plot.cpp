@@ -1,7 +1,7 @@
-// A trajectory as SVG: a panel for each coordinate, each input and E - E0 - work, one black line in
-// each, so that it reads in print too; the four components of a rotation share a panel, in four
-// kinds of line. Of E only the difference is drawn: beside E itself a drift of 1e-9 J could not be
-// seen. Or the path of a point, in a square of equal scales.
+// A trajectory as SVG: a panel for each coordinate, each input and E - E0 - work. Lines are black,
+// so that print shows them; the four components of a rotation share a panel and differ by their
+// dashes. E itself is not drawn, because a drift of 1e-9 J could not be seen. Alternatively the
+// path of a point, in a square with equal scales.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,12 +22,12 @@ constexpr double top = 60;
 constexpr double bottom = 46;
 constexpr double right = 20;
 
-/// E is a sum of products, each rounded to 1.1e-16 of |T| + |V| at most, and a run adds some
-/// hundred of them up; a coordinate that would be 0 is a difference of others as large as any of
-/// its unit. The shape of a smaller curve is that of rounding, and says nothing of the motion.
+/// E is a sum of products, each rounded to 1.1e-16 of |T| + |V| at most, and a run adds up some
+/// hundred errors. A coordinate that should be 0 is a difference of coordinates as large as any of
+/// the same unit. The shape of a smaller curve shows rounding errors, not the motion.
 constexpr double rounding = 1e-13;
 
-/// Steps are chosen to 1e-9 of each number, so that a smaller change of it shows no motion.
+/// Steps are chosen to 1e-9 of each number, so a smaller relative change shows no motion.
 constexpr double smallest_change = 1e-9;
 
 struct LineKind {
@@ -37,7 +37,7 @@ struct LineKind {
 constexpr std::array line_kinds{LineKind{"solid", "none"}, LineKind{"dashed", "9 4"},
                                 LineKind{"dotted", "2 3"}, LineKind{"dash-dotted", "9 3 2 3"}};
 
-/// 1, 2 or 5 times a power of ten, so that three to seven of them fill the axis.
+/// 1, 2 or 5 times a power of ten, so that an axis has three to seven ticks.
 double tick_distance(const ChartAxis& axis) {
   const double rough = (axis.high - axis.low) / 3;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -49,7 +49,7 @@ double tick_distance(const ChartAxis& axis) {
 
 int decade_of(double number) { return static_cast<int>(std::floor(std::log10(number))); }
 
-/// In as many digits as tell the ticks of an axis apart, and `more`.
+/// With the digits that distinguish the ticks of an axis, and `more` digits.
 std::string tick_label(double value, const ChartAxis& axis, int more) {
   const int last = decade_of(tick_distance(axis)) - more;
   const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
@@ -68,14 +68,15 @@ ChartAxis axis_between(double low, double high, int more) {
   return axis;
 }
 
-/// From the least to the largest of numbers.
+/// The interval from the smallest to the largest of some numbers.
 struct PlotSpan {
   double low = INFINITY;
   double high = -INFINITY;
 
   [[nodiscard]] double width() const { return high - low; }
   [[nodiscard]] double size() const { return std::max(std::abs(low), std::abs(high)); }
-  /// Beyond both ends; so wide about what does not move, but for noise, that it is a flat line.
+  /// The margin beyond both ends. If only noise changes the numbers, it is so wide that the line is
+  /// flat.
   [[nodiscard]] double margin(double noise) const {
     if (size() <= noise) return noise > 0 ? 10 * noise : 1;
     return width() > std::max(smallest_change * size(), noise) ? width() / 25 : size() / 10;
@@ -110,7 +111,7 @@ class TrajectoryPlot {
     return svg + "</svg>\n";
   }
 
-  /// y over x of the point, both about the middle of its path.
+  /// y over x of the point, both centred on the middle of the path.
   [[nodiscard]] std::string path_text() const {
     const std::size_t column = trajectory_.columns.size() - 3;
     const PlotPanel upwards = panel_of(column + 1);
@@ -132,7 +133,7 @@ class TrajectoryPlot {
   }
 
  private:
-  /// The title of the model, and below it the method and the steps.
+  /// The title of the model; below it the method and the number of steps.
   [[nodiscard]] std::string start(double height) const {
     const bool has_title = !trajectory_.title.empty();
     return svg_start(left + panel_width + right, top + height + bottom,
@@ -166,7 +167,7 @@ class TrajectoryPlot {
     const TrajectoryColumn& first = trajectory_.columns[panel.columns.front()];
     const PlotSpan spread = span_of(panel);
     const double margin = spread.margin(noise_of(first));
-    // A difference is looked at for its size, of which the ticks alone say one digit.
+    // The size of a difference matters, and only tick labels show it: they get one more digit.
     return axis_between(spread.low - margin, spread.high + margin, first.from_start ? 1 : 0);
   }
 
@@ -220,7 +221,7 @@ class TrajectoryPlot {
     return svg;
   }
 
-  /// An angle that wraps jumps by more than half a turn; the line is interrupted there.
+  /// An angle that wraps jumps by more than half a turn; the line is interrupted at the jump.
   [[nodiscard]] std::string path(std::size_t column, const Chart& chart, std::size_t x) const {
     const bool is_angle = trajectory_.columns[column].unit == "rad";
     std::string result;

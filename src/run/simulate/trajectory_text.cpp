@@ -1,5 +1,4 @@
-// A trajectory in a few lines, for people; for programs as a table, and as an object with the table
-// in it.
+// A trajectory as a few lines of text, as a CSV table, and as a JSON object with the table.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -23,7 +22,7 @@ Json json_of(const Drift& drift) {
           {"scale", drift.scale}};
 }
 
-/// " m", or nothing.
+/// " m"; "" without a unit.
 std::string unit_after(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
 
 std::string conserved_line(const ConservedDrift& quantity) {

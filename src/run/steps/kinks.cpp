@@ -1,4 +1,4 @@
-// The calls with a kink below forces and laws, and their arguments.
+// KinkWatch: the calls with a kink in forces and laws, and their arguments.
 #include "run/steps/kinks.hpp"
 
 #include "elgen/references.hpp"
@@ -7,7 +7,7 @@
 namespace elgen {
 namespace {
 
-/// The velocity that is the only leaf below some expressions, apart from parameters.
+/// The velocity, if it is the only leaf of the expressions besides parameters; empty otherwise.
 std::optional<std::size_t> only_rate(const Model& model, const std::vector<ExpressionId>& roots) {
   std::optional<std::size_t> rate;
   for (const ExpressionId id : reached(model, roots)) {

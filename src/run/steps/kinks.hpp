@@ -1,5 +1,5 @@
-// KinkWatch: on which side of each abs, sign, min and max of forces and laws a state lies. A side
-// is the sign of the argument, or of the difference of two.
+// KinkWatch: the side of each abs, sign, min and max in forces and laws on which a state lies. The
+// side is the sign of the argument, or of the difference of two arguments.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,16 @@ namespace elgen {
 
 class KinkWatch {
  public:
-  /// Kinks whose argument changes along a motion.
+  /// Considers kinks whose argument changes along a motion.
   explicit KinkWatch(System& system);
 
   [[nodiscard]] bool empty() const { return kinks_.empty(); }
 
-  /// -1, 0 or 1 of each kink; 0 of a law whose input is held. Cost: the arguments.
+  /// -1, 0 or 1 for each kink; 0 for the law of an input on hold. Cost: evaluation of the
+  /// arguments.
   [[nodiscard]] std::vector<int> sides(const Numbers& state, double t);
 
-  /// The velocity on which alone the argument depends.
+  /// The velocity, if the argument depends on no other variable.
   [[nodiscard]] std::optional<std::size_t> rate_of(std::size_t kink) const {
     return kinks_[kink].rate;
   }

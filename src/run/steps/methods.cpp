@@ -1,4 +1,4 @@
-// The rows, each with what makes its steps, their names, and the numbers of a run.
+// The table of methods, their names, and the checks of a run's options.
 #include "run/steps/methods.hpp"
 
 #include <fmt/ranges.h>
@@ -13,8 +13,8 @@
 namespace elgen {
 namespace {
 
-/// A fraction of the run: 1e12 steps take days, and only near a place without an acceleration is a
-/// step asked to be so short.
+/// A fraction of the run: 1e12 steps take days. Only near a state without an acceleration does the
+/// tolerance require shorter steps.
 constexpr double shortest_share = 1e-12;
 
 Diagnostic impossible(std::string message, std::string hint = {}) {

@@ -1,4 +1,4 @@
-// Methods of integration: what makes their steps, the table of them, and the choice of one.
+// Methods of integration: their steppers, their table, and the choice of a method.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace elgen {
 inline constexpr std::string_view usual_remedy =
     "a shorter step, or a smaller tolerance, shows whether the method is to blame";
 
-/// One step after another from the begin of an interval to its end.
+/// Makes one step after another from the beginning of an interval to its end.
 class Stepper {
  public:
   Stepper() = default;
@@ -26,27 +26,28 @@ class Stepper {
   Stepper& operator=(const Stepper&) = delete;
   virtual ~Stepper() = default;
 
-  /// The next steps lead from `begin` to `end`. Inputs may have jumped at `begin`.
+  /// The next steps lead from `begin` to `end`. Inputs may be discontinuous at `begin`.
   virtual void aim(double begin, double end) = 0;
 
-  /// One step; the time it reaches, in the end `end` itself. None where it cannot be made.
+  /// Makes one step and returns the time it reaches; the last step returns exactly `end`. Empty if
+  /// the step cannot be made.
   [[nodiscard]] virtual std::optional<double> step(Numbers& state) = 0;
 
-  /// Why not.
+  /// The reason if step() made no step.
   [[nodiscard]] virtual std::string_view obstacle() const = 0;
 
-  /// The hint of an error then.
+  /// The hint of the resulting error.
   [[nodiscard]] virtual std::string_view remedy() const { return usual_remedy; }
 };
 
-/// A method (System&) with restart() and step(state, t, h), in steps of one length.
+/// Steps of one length by a method (System&) with restart() and step(state, t, h).
 template <class Method>
 class FixedSteps final : public Stepper {
  public:
   FixedSteps(System& system, double longest) : method_(system), longest_(longest) {}
 
   void aim(double begin, double end) override {
-    // A quotient that is whole but for rounding is whole.
+    // A quotient that differs from an integer by rounding counts as the integer.
     const double count = std::ceil((end - begin) / longest_ * (1 - 1e-12));
     count_ = static_cast<std::uint64_t>(std::max(count, 1.0));
     begin_ = begin;
@@ -78,39 +79,40 @@ class FixedSteps final : public Stepper {
   std::uint64_t done_ = 0;
 };
 
-/// The error of a step, where neither it nor the length of steps is given.
+/// The tolerance of a step if the options contain neither a tolerance nor a length of steps.
 inline constexpr double default_tolerance = 1e-9;
 
-/// One of the two: the length of steps, or the error they are chosen by.
+/// Either the length of steps, or the tolerance from which it follows.
 struct StepRule {
   std::optional<double> step = {};
   double tolerance = 0;
-  double shortest = 0;  ///< chosen steps are not shorter
+  double shortest = 0;  ///< lower bound of adapted steps
 };
 
-/// Steps have one length, or are adapted to a tolerance unless a length is given.
+/// fixed: steps have one length; adapted: the tolerance determines it, unless a length is an
+/// option.
 enum class StepKind : std::uint8_t { fixed, adapted };
 
 struct MethodRow {
   std::string_view name;
   std::uint32_t order;  ///< without composition
   StepKind step;
-  std::optional<StepMethod> program;  ///< the `step` that it runs; none: it calls accelerations
+  std::optional<StepMethod> program;  ///< the `step` that it runs; none: it integrates dv/dt
   std::unique_ptr<Stepper> (*make)(System& system, const StepRule& rule);
 };
 
-/// The methods that are offered, in their order.
+/// All methods that `--method` accepts.
 [[nodiscard]] std::span<const MethodRow> method_table();
 
 [[nodiscard]] std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule);
 [[nodiscard]] std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule);
 [[nodiscard]] std::unique_ptr<Stepper> make_step_program(System& system, const StepRule& rule);
 
-/// The row of the method that is asked for. E620 with a suggestion, E647.
+/// The row of options.method. E620 with a suggestion; E647 for an unknown order.
 [[nodiscard]] Result<MethodRow> find_method(const SimulationOptions& options);
 
-/// The rule of its steps. E621: impossible numbers, a step and a tolerance, or neither where the
-/// method needs one.
+/// The steps of a run. E621 for impossible numbers, for a step and a tolerance together, and for no
+/// step if the method needs one.
 [[nodiscard]] Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& options);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Pieces: the sides of kinks, the rates that friction holds, and the forces that hold them.
+// Pieces: the sides of kinks, the rates that dry friction holds, and the forces that hold them.
 #include "run/steps/pieces.hpp"
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 namespace elgen {
 namespace {
 
-/// A rate is held at its kink, or off it on one side.
+/// A rate is held at its kink, or it is above or below the kink.
 enum class RatePlace : std::uint8_t { held, above, below };
 
-/// s of a + W s = 0 in the rows of held rates; 0 of those above, 1 of those below. None if W is
-/// singular there.
+/// Solves a + W s = 0 in the rows of held rates, with s = 0 for rates above and s = 1 for rates
+/// below their kinks. Empty if the equations are singular.
 std::optional<Numbers> shares_of(const Numbers& a, const Numbers& w,
                                  const std::vector<RatePlace>& places) {
   const std::size_t n = a.size();
@@ -35,19 +35,19 @@ std::optional<Numbers> shares_of(const Numbers& a, const Numbers& w,
   return echelon.solution();
 }
 
-/// The next place of a rate, if its share or its acceleration contradicts this one.
+/// The next place of a rate, if its share or its acceleration contradicts `place`.
 RatePlace mended(RatePlace place, double share, double acceleration) {
   if (place == RatePlace::above) return acceleration < 0 ? RatePlace::held : place;
   if (place == RatePlace::below) return acceleration > 0 ? RatePlace::held : place;
   return share < 0 ? RatePlace::above : share > 1 ? RatePlace::below : place;
 }
 
-/// Each rate is held with 0 <= s <= 1; or above with s = 0 and a >= 0; or below with s = 1 and
-/// a <= 0. The first rate that contradicts changes its place: Murty, Mathematical Programming 5
-/// (1973) 213, whose rule ends if W is a P-matrix, as B M^-1 B^T is. None if it does not.
+/// A rate is held with 0 <= s <= 1, above with s = 0 and a >= 0, or below with s = 1 and a <= 0.
+/// The first rate that violates its condition changes its place. Murty, Mathematical Programming 5
+/// (1973) 213: this rule ends if W is a P-matrix, as B M^-1 B^T is. Empty if it does not end.
 std::vector<RatePlace> places_of(const Numbers& a, const Numbers& w) {
   const std::size_t n = a.size();
-  const std::size_t most_turns = 1000;  // more than were seen of 20 rates
+  const std::size_t most_turns = 1000;  // more than any system of 20 rates needed
   std::vector<RatePlace> places(n, RatePlace::held);
   for (std::size_t turn = 0; turn < most_turns; ++turn) {
     const std::optional<Numbers> shares = shares_of(a, w, places);
@@ -112,7 +112,7 @@ Pieces::Response Pieces::response(const Numbers& state, double t,
   return result;
 }
 
-/// A thousandth of the error of a step, and more than rounding.
+/// A thousandth of the error of a step, but more than rounding errors.
 double Pieces::nudge(double value) const {
   const double least = 8 * std::numeric_limits<double>::epsilon();
   return std::max(tolerance_ / 1000, least) * (1 + std::abs(value));
@@ -140,13 +140,13 @@ void Pieces::enter(const Numbers& before, Numbers& state, double t) {
   sides_ = kinks_.sides(state, t);
 }
 
-/// The value of the rate at which the side changes, between two states; 0 if it is nearly 0.
+/// The rate at which the side changes, by bisection between two states; 0 if it is nearly 0.
 double Pieces::root(std::size_t kink, Numbers from, const Numbers& to, double t) {
   double& v = system_.v_of(from)[*kinks_.rate_of(kink)];
   double low = v;
   double high = system_.v_of(to)[*kinks_.rate_of(kink)];
   const int side = sides_[kink];
-  const int halvings = std::numeric_limits<double>::digits;  // then both are neighbours
+  const int halvings = std::numeric_limits<double>::digits;  // then low and high are neighbours
   for (int i = 0; i < halvings && low != high; ++i) {
     v = low + (high - low) / 2;
     (kinks_.sides(from, t)[kink] == side ? low : high) = v;
@@ -154,8 +154,8 @@ double Pieces::root(std::size_t kink, Numbers from, const Numbers& to, double t)
   return std::abs(high) < nudge(0) ? 0 : high;
 }
 
-/// Whether the force jumps on that rate alone, upwards below it. Over such a distance damping
-/// changes forces by far less than 1e-6 of a jump.
+/// True if the force jumps only in the direction of this rate, and is larger below the kink. Over
+/// this distance damping changes forces by far less than 1e-6 of a jump.
 bool Pieces::can_hold(const HeldRate& held, Numbers state, double t) const {
   const auto forces = [&](double rate) {
     system_.v_of(state)[held.rate] = rate;

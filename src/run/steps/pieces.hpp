@@ -1,11 +1,11 @@
-// Pieces: a motion between kinks of its forces, on which some rates are held by dry friction.
+// Pieces: a motion between kinks of its forces, with rates that dry friction may hold.
 //
 // At a kink in one rate v_i the force on i jumps. Both sides drive v_i back if
 //
 //     a_i(v_i above) < 0 < a_i(v_i below)
 //
-// Then v_i is held: the force is a mean of both sides, whose share s_i of the side below makes
-// a_i = 0. Of several rates,
+// Then v_i is held: the force is a mean of both sides, in which the side below has the share s_i
+// that makes a_i = 0. For several rates,
 //
 //     a = a(all above) + sum_k s_k (a(k below, others above) - a(all above)),   0 <= s_k <= 1
 //
@@ -31,18 +31,18 @@ class Pieces {
   /// d(q, v, W)/dt on this piece.
   void find_rates(const Numbers& state, Numbers& rates, double t);
 
-  /// Whether rates were asked for beyond the end of the piece since `stay` was called.
+  /// True if find_rates() was called beyond the end of the piece after the last stay().
   [[nodiscard]] bool is_left() const { return is_left_; }
   void stay() { is_left_ = false; }
 
-  /// Begins the next piece at a state, a short step after `before`: rates at a kink are held there,
-  /// or moved off it to the side to which they accelerate.
+  /// Begins the next piece at `state`, a short step after `before`. Rates at a kink are held, or
+  /// moved off the kink to the side to which they accelerate.
   void enter(const Numbers& before, Numbers& state, double t);
 
-  /// To be called after a step, which may round held rates.
+  /// Call after a step: resets held rates, which a step may round.
   void keep(Numbers& state) const;
 
-  /// The kink at which the last piece ended; "" if none did.
+  /// The kink at which the last piece ended; "" before the first kink.
   [[nodiscard]] const std::string& last_kink() const { return last_kink_; }
 
  private:
@@ -50,17 +50,17 @@ class Pieces {
     std::size_t rate = 0;
     double value = 0;
   };
-  /// d(q, v, W)/dt with every held rate above its value, and the change if one is below it.
+  /// d(q, v, W)/dt with every held rate above its kink, and its change if one of them is below.
   struct Response {
     Numbers above = {};
     std::vector<Numbers> changes = {};
-    Numbers accelerations = {};         ///< of the held ones
+    Numbers accelerations = {};         ///< of the held rates
     Numbers acceleration_changes = {};  ///< n x n, row-major
   };
 
   [[nodiscard]] Response response(const Numbers& state, double t,
                                   const std::vector<HeldRate>& held) const;
-  /// A distance from a kink at which its side is certain and all else hardly changes.
+  /// A distance from a kink at which the side is certain and forces hardly change.
   [[nodiscard]] double nudge(double value) const;
   [[nodiscard]] bool is_held(std::size_t kink) const;
   [[nodiscard]] double root(std::size_t kink, Numbers from, const Numbers& to, double t);

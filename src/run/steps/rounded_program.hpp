@@ -1,4 +1,4 @@
-// RoundedProgram: a program in Scalar, its constants rounded once, not at every state.
+// RoundedProgram: evaluates a program in Scalar; constants are rounded once, not at every state.
 #pragma once
 
 #include <vector>

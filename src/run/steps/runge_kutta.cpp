@@ -1,7 +1,7 @@
-// rk4 and dopri5 by Boost.odeint: classical Runge and Kutta's method, and Dormand and Prince's of
-// order 5 with an estimate of its error, which ends a step at a kink of the forces. Laws of inputs
-// are asked for at every stage. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I,
-// 2nd ed., sec. II.1, II.5 and II.6.
+// rk4 and dopri5 by Boost.odeint: the classical method of Runge and Kutta, and the method of
+// Dormand and Prince of order 5. dopri5 estimates its error and ends its steps at kinks of the
+// forces. Laws of inputs are evaluated at every stage. Hairer, Norsett, Wanner, Solving Ordinary
+// Differential Equations I, 2nd ed., sec. II.1, II.5 and II.6.
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// find_rates() of a System or of Pieces, as odeint calls it.
+/// Adapts find_rates() of a System or of Pieces to odeint.
 template <class Source>
 auto rates_of(Source& source) {
   return [&source](const Numbers& state, Numbers& rates, double t) {
@@ -26,14 +26,14 @@ auto rates_of(Source& source) {
   };
 }
 
-/// Forgets the rates at the end of the last step, where the method keeps them for the next one.
+/// Discards the rates at the end of the last step, if the method reuses them in the next step.
 template <class Steps>
 void forget(Steps& steps) {
   if constexpr (requires { steps.reset(); }) steps.reset();
 }
 
-/// To be called after a step, at its end. Rates at quaternions of another length, or off the
-/// constraints, are those of another state.
+/// Call at the end of a step. Rates from before the restoration belong to another state, so the
+/// method discards them.
 template <class Steps>
 void put_back(System& system, Steps& steps, Numbers& state, double t) {
   if (!system.is_restored()) return;
@@ -59,7 +59,7 @@ class RungeKutta {
   Steps steps_ = {};
 };
 
-/// Steps as long as their estimated error allows, none of them over a kink.
+/// Adapted steps as long as their error estimate allows; no step crosses a kink.
 template <class Steps>
 class AdaptedSteps final : public Stepper {
  public:
@@ -99,23 +99,23 @@ class AdaptedSteps final : public Stepper {
   }
 
  private:
-  /// Along a kink where no rate is held every step changes the side, and time hardly passes.
+  /// Along a kink at which no rate is held, every step changes the side and time hardly advances.
   static constexpr int most_tiny_steps = 1000;
 
-  /// The shortest step: 1e-12 of the run, and more than the spacing of times far from 0.
+  /// The shortest step: 1e-12 of the run, and at least 4 times the spacing of doubles near t.
   [[nodiscard]] double shortest() const {
     const double spacing =
         std::numeric_limits<double>::epsilon() * std::max(std::abs(t_), std::abs(end_));
     return std::max(shortest_, 4 * spacing);
   }
 
-  /// 1e-9 of the run, and more than the shortest step.
+  /// 1e-9 of the run, and at least 4 times the shortest step.
   [[nodiscard]] double tiny() const { return std::max(1e3 * shortest_, 4 * shortest()); }
 
-  /// One step, to `t_`; false if it is too short to be made.
+  /// Makes one step and sets `t_`; false if the step would be too short.
   bool advance(Numbers& state) {
     while (true) {
-      // Steps halve the distance to the edge, since where the piece ends before it is not known.
+      // Steps halve the distance to `edge_`, because the end of the piece before it is unknown.
       const double half = (edge_ - t_) / 2;
       if (half < shortest()) return cross(state);
       const double wanted = std::min(length_, half);
@@ -139,7 +139,7 @@ class AdaptedSteps final : public Stepper {
         length_ = h;
         continue;
       }
-      // A step that was cut short says little of the length of the next one.
+      // The length of a step that was cut short does not limit the next step.
       length_ = is_cut ? std::max(length_, h) : h;
       if (is_last) t_ = end_;
       put_back(system_, steps_, state, t_);
@@ -148,7 +148,7 @@ class AdaptedSteps final : public Stepper {
     }
   }
 
-  /// Leaves the piece by a step of Euler's method, so short that nothing else changes.
+  /// Leaves the piece by a step of Euler's method that is short enough to change nothing else.
   bool cross(Numbers& state) {
     before_ = state;
     Numbers slope(state.size());
@@ -179,10 +179,10 @@ class AdaptedSteps final : public Stepper {
   double t_ = 0;
   double end_ = 0;
   double length_ = 0;                                      ///< of the next step
-  double edge_ = std::numeric_limits<double>::infinity();  ///< a time beyond the end of the piece
+  double edge_ = std::numeric_limits<double>::infinity();  ///< a time after the end of the piece
   bool has_begun_ = false;
   bool has_crossed_ = false;
-  int tiny_steps_ = 0;  ///< one after another since a kink was crossed
+  int tiny_steps_ = 0;  ///< consecutive tiny steps since a kink was crossed
   Numbers before_ = {};
   std::string obstacle_ = "the step that the tolerance asks for is too short to be made";
 };

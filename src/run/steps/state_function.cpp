@@ -1,4 +1,4 @@
-// An expression node by node, each after what it refers to.
+// StateFunction: evaluates an expression node by node, operands before their users.
 #include "run/steps/state_function.hpp"
 
 #include <limits>
@@ -9,7 +9,7 @@
 namespace elgen {
 namespace {
 
-/// Numbers are rounded once, not at every state.
+/// Numbers are rounded once by the constructor, not at every state.
 bool is_number(const Expression& node) { return node.kind == ExpressionKind::number; }
 
 }  // namespace
@@ -76,7 +76,7 @@ StateFunction::Rated StateFunction::leaf(const Expression& node) const {
           is_constant ? 0 : std::numeric_limits<double>::quiet_NaN()};
 }
 
-/// de/dt = 1/2 e w of a quaternion.
+/// The rate of a quaternion component is that component of de/dt = 1/2 e w.
 StateFunction::Rated StateFunction::coordinate(std::uint32_t index) const {
   const Coordinate& coordinate = model_.coordinates[index];
   if (!coordinate.rotation) return {q_[index], v_[coordinate.velocity]};

@@ -11,14 +11,14 @@ namespace elgen {
 
 class StateFunction {
  public:
-  /// `others` has what is neither q, v nor t at every call, so it outlives the function.
+  /// `others` supplies all leaves except q, v and t at every call, and must outlive the function.
   StateFunction(const Model& model, ExpressionId root, const Arguments<double>& others);
 
-  /// Cost: one operation on a number and its rate for each node.
+  /// Cost: one operation on a value and its rate for each node.
   [[nodiscard]] double operator()(const double* q, const double* v, double t);
 
  private:
-  /// A value with its rate along the motion; those of a, u, p and E are not known.
+  /// A value and its rate along the motion. The rates of a, u, p and E are unknown (NaN).
   using Rated = Dual<double>;
 
   [[nodiscard]] Rated value_of(const Expression& node, ExpressionId id) const;
@@ -28,8 +28,8 @@ class StateFunction {
 
   const Model& model_;
   const Arguments<double>& others_;
-  std::vector<ExpressionId> order_;  ///< the expressions computed, operands before their users
-  std::vector<Rated> known_;         ///< by expression
+  std::vector<ExpressionId> order_;  ///< expressions to evaluate, operands before their users
+  std::vector<Rated> known_;         ///< indexed by expression
   ExpressionId result_ = 0;
   const double* q_ = nullptr;
   const double* v_ = nullptr;

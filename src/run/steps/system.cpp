@@ -1,4 +1,4 @@
-// The functions of a system, called on flat numbers, and the work that is done on it.
+// System: calls of functions on flat arrays of numbers, and the work done on the system.
 #include "run/steps/system.hpp"
 
 #include <fmt/ranges.h>
@@ -15,7 +15,7 @@
 namespace elgen {
 namespace {
 
-/// [-inf, inf] where the model declares no limits, and where a law is one number.
+/// Limits are infinite if the model declares none, or if a law is constant along a run.
 std::vector<InputLaw> laws_of(const CheckedModel& checked, const Arguments<double>& at) {
   const Model& model = checked.model;
   std::vector<InputLaw> laws(model.inputs.size());
@@ -32,14 +32,14 @@ std::vector<InputLaw> laws_of(const CheckedModel& checked, const Arguments<doubl
   return laws;
 }
 
-/// The size of a result; 0 where there is no function.
+/// The number of entries of a result; 0 without a function.
 std::size_t result_size(const Function* function) {
   return function == nullptr ? 0 : entry_count(*function);
 }
 
 constexpr std::size_t most_shown = 8;
 
-/// In (-pi, pi].
+/// The angle in (-pi, pi].
 double wrapped(double angle) {
   const double turn = 2 * std::numbers::pi;
   const double rest = std::remainder(angle, turn);
@@ -92,7 +92,7 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
   for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
 }
 
-/// They speak of the exact model.
+/// `conserved` holds for the exact model only, so an expanded model has no entries.
 void System::add_conserved(const Expectation& expectation) {
   if (!expectation.is_conserved() || model_.approximation) return;
   for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
@@ -155,7 +155,7 @@ const Numbers& System::inputs(const double* q, const double* v, double t) {
     auto& [law, function, low, high] = laws_[k];
     if (!function) continue;
     const double value = (*function)(seen.data(), v, t);
-    // A NaN stays one.
+    // Both comparisons are false for a NaN, so it remains a NaN.
     at_.u[k] = value < low ? low : value > high ? high : value;
   }
   return at_.u;
@@ -228,7 +228,7 @@ void System::add_input_force(const double* q, const double* v, double t) {
   }
 }
 
-/// A^T lambda, by the inputs that were last asked for.
+/// A^T lambda at the inputs of the last inputs().
 void System::add_constraint_force(const double* q, const double* v, double t) {
   const std::size_t n = velocities();
   call(OutputKind::forward_dynamics, q, v, t, solution_.data());
@@ -268,8 +268,8 @@ double System::held_power(const double* q, const double* v, double t) {
   return sum;
 }
 
-/// -dL/dt = dE/dt - v.dp/dt, both at rest, since L = v.p - E. No output has it: the program is
-/// evaluated on numbers that move with time.
+/// -dL/dt = dE/dt - v.dp/dt at constant q and v, since L = v.p - E. No output contains it: the
+/// program is evaluated with dual numbers in t.
 double System::explicit_power(const double* q, const double* v, double t) const {
   Arguments<Dual<double>> at = map_leaves([](double x) { return Dual<double>{x, 0}; }, at_);
   for (std::size_t i = 0; i < positions(); ++i) at.q[i].value = q[i];

@@ -1,12 +1,12 @@
-// System: what steps in time ask of a model, by its functions, on flat numbers.
+// System: the functions of a model that integration in time calls, on flat arrays of numbers.
 //
-// A state lies in one list: q, then v, then the work that forces and time have done, with
+// A state is one list: q, then v, then the work W done by forces, time and constraints, with
 //
 //     dq/dt = N v,   M dv/dt = B u - bias + A^T lambda,   dW/dt = v.F - dL/dt,
 //     F = B u + Q - dD/dv + A^T lambda
 //
-// so that E - W is constant along the motion. W stays 0 where nothing does work; constraints do
-// some where they move by themselves.
+// E - W is constant along the motion. W remains 0 if nothing does work; constraints only do work if
+// they move by themselves.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ namespace elgen {
 
 using Numbers = std::vector<double>;
 
-/// q and v of a model's own start.
+/// q and v of the start that the model states.
 template <class Scalar = double>
 [[nodiscard]] std::vector<Scalar> stated_start(const Model& model) {
   std::vector<Scalar> start;
@@ -42,10 +42,10 @@ template <class Scalar = double>
   return start;
 }
 
-/// Whether a law is one number along a run, and so is not cut off at limits.
+/// True if a law is constant along a run. Limits do not clamp a constant law.
 [[nodiscard]] bool is_one_number(const Model& model, ExpressionId law);
 
-/// Whether a constraint does work, by f_t or by what of phi is left at rest.
+/// True if a constraint does work: f depends on t, or phi does not vanish at v = 0.
 [[nodiscard]] bool has_moving_constraints(const Model& model);
 
 /// T and V; v.p and -L if only L is known.
@@ -56,48 +56,48 @@ struct EnergyParts {
   [[nodiscard]] double magnitude() const { return std::abs(kinetic) + std::abs(potential); }
 };
 
-/// The law of an input, and the limits at which it is cut off.
+/// The law of an input, and the limits that clamp it.
 struct InputLaw {
-  std::optional<ExpressionId> value = {};      ///< none: the input is constant
-  std::optional<StateFunction> function = {};  ///< computes `value`, if there is one
+  std::optional<ExpressionId> value = {};      ///< none: the input is 0
+  std::optional<StateFunction> function = {};  ///< evaluates `value`, if it is set
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
 
 class System {
  public:
-  /// Functions run as they were compiled; where `compiled` is null, in the evaluator. `projects`:
-  /// states are put back onto constraints.
+  /// Calls the functions of `compiled`; if that is null, evaluates the program. `projects`:
+  /// restore() also projects states onto the constraints.
   System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
          bool projects = true);
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
   [[nodiscard]] const Model& model() const { return model_; }
-  /// By input, also of inputs without a law.
+  /// By input; inputs without a law are included.
   [[nodiscard]] const std::vector<InputLaw>& laws() const { return laws_; }
   [[nodiscard]] const LeafNames& leaves() const { return program_.leaves; }
   [[nodiscard]] std::size_t positions() const { return model_.coordinates.size(); }
   [[nodiscard]] std::size_t velocities() const { return model_.velocities.size(); }
 
-  /// Where the parts of a list begin.
+  /// The address of v in a state.
   [[nodiscard]] double* v_of(Numbers& state) const { return state.data() + positions(); }
   [[nodiscard]] const double* v_of(const Numbers& state) const {
     return state.data() + positions();
   }
   [[nodiscard]] static double& work_of(Numbers& state) { return state.back(); }
-  /// "theta = 1, dot(theta) = 2", of the first few q and v.
+  /// "theta = 1, dot(theta) = 2", for at most 8 of q and v.
   [[nodiscard]] std::string text_of(const Numbers& state) const;
 
-  /// The model's own start, quaternions scaled to length 1.
+  /// The start of the model, with quaternions normalised.
   [[nodiscard]] Numbers start();
 
-  /// Inputs keep what their laws are here, until held again.
+  /// Inputs keep the values of their laws at this state until the next hold().
   void hold(const double* q, const double* v, double t);
   [[nodiscard]] bool holds_inputs() const { return is_held_; }
-  /// By the laws, which see the angles that are shown, inside `limits`; 0 where there is no law.
+  /// The values of the laws at wrapped angles, clamped to `limits`; 0 for inputs without a law.
   [[nodiscard]] const Numbers& inputs(const double* q, const double* v, double t);
-  /// q as rows show it: an angle with `wrap` in (-pi, pi].
+  /// q with `wrap` angles in (-pi, pi], as rows show it.
   [[nodiscard]] const Numbers& shown(const double* q);
 
   /// The value of an expression of the model in q, v and t.
@@ -109,12 +109,13 @@ class System {
     return {model_, expression, at_};
   }
 
-  /// The result of the program's `step` of length h from a state, with its inputs there: q, v, and
-  /// the residual of an implicit method.
+  /// The result of the program's `step` of length h from a state, with the inputs at that state: q,
+  /// v, and the residual of an implicit method.
   [[nodiscard]] const Numbers& stepped(const Numbers& state, double t, double h);
 
   void acceleration(const double* q, const double* v, double t, double* a);
-  /// D_i / M_ii of M = L D L^T, then those of A M^-1 A^T, as the acceleration was last made.
+  /// D_i / M_ii of M = L D L^T, then the relative pivots of A M^-1 A^T, from the last evaluation of
+  /// forward dynamics.
   [[nodiscard]] std::span<const double> relative_pivots() const {
     return {solution_.data() + first_pivot_, velocities() + model_.constraints.size()};
   }
@@ -126,42 +127,42 @@ class System {
   void find_rates(const Numbers& state, Numbers& rates, double t);
   /// B u + Q - dD/dv
   [[nodiscard]] const Numbers& applied_force(const double* q, const double* v, double t);
-  /// v.F - dL/dt; 0 where no work is done.
+  /// v.F - dL/dt; 0 if no work is done.
   [[nodiscard]] double power(const double* q, const double* v, double t);
-  /// The same with the inputs that were last asked for.
+  /// power() with the inputs of the last inputs().
   [[nodiscard]] double held_power(const double* q, const double* v, double t);
-  /// n x n, row-major.
+  /// M, n x n, row-major.
   [[nodiscard]] const Numbers& mass_matrix(const double* q, const double* v, double t);
   /// A, m x n, row-major.
   [[nodiscard]] const Numbers& constraint_jacobian(const double* q, const double* v, double t);
   void momentum(const double* q, const double* v, double t, double* result);
-  /// sum_j |M_ij v_j| of every i: what p_i is the sum of, but for what is linear in v.
+  /// sum_j |M_ij v_j| for every i: the scale of p_i, except for terms of L that are linear in v.
   [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
   [[nodiscard]] double energy(const double* q, const double* v, double t);
   /// The entries of the model's `conserved`, and their values at a state.
   [[nodiscard]] const std::vector<ConservedDrift>& conserved() const { return conserved_; }
   [[nodiscard]] const Numbers& conserved_values(const double* q, const double* v, double t);
-  /// Whether T and V are known apart.
+  /// True if T and V are known separately.
   [[nodiscard]] bool has_energies() const {
     return function(OutputKind::kinetic_energy) != nullptr;
   }
   [[nodiscard]] EnergyParts energy_parts(const double* q, const double* v, double t);
-  /// How far a state is off the constraints.
+  /// The largest violations of the constraints.
   [[nodiscard]] ConstraintOffset offset(const double* q, const double* v, double t);
-  /// Whether a step may change lengths of quaternions, or leave the constraints.
+  /// True if steps may change the length of quaternions or violate constraints.
   [[nodiscard]] bool is_restored() const { return function(restored_) != nullptr; }
-  /// Quaternions to length 1, and by one step of Newton back onto the constraints.
+  /// Normalises quaternions, and projects onto the constraints by one Newton step.
   void restore(Numbers& state, double t);
 
-  /// Whether forces, time or constraints do work.
+  /// True if forces, time or constraints do work.
   [[nodiscard]] bool does_work() const {
     return conservation_.is_forced || conservation_.has_time || has_moving_constraints_;
   }
-  /// The coordinates' velocities whose momentum nothing changes.
+  /// The velocities whose momentum is conserved.
   [[nodiscard]] const std::vector<std::uint32_t>& cyclic() const { return conservation_.momenta; }
 
  private:
-  /// Null where the program has none; without code where it was not compiled.
+  /// `function` is null if the program has no such output, `code` if it is not compiled.
   struct Callee {
     const Function* function = nullptr;
     DriverFunction<double> code = nullptr;
@@ -173,7 +174,7 @@ class System {
     return callees_[static_cast<std::size_t>(kind)].function;
   }
   void call(OutputKind kind, const double* q, const double* v, double t, double* result);
-  /// F to `force_`, without inputs.
+  /// Sets `force_` to Q - dD/dv.
   void find_passive_force(const double* q, const double* v, double t);
   void add_input_force(const double* q, const double* v, double t);
   void add_constraint_force(const double* q, const double* v, double t);
@@ -183,11 +184,11 @@ class System {
   const Program& program_;
   const CompiledModel* compiled_;
   const Sines<double> sines_;
-  /// Arguments of a call; inputs are the last ones, and a, p, E belong to conserved quantities.
+  /// Arguments of a call. u are the last inputs; a, p and E are set for conserved quantities only.
   Arguments<double> at_;
   std::vector<InputLaw> laws_;
-  std::vector<Callee> callees_;  ///< by kind
-  OutputKind restored_;          ///< puts a state back
+  std::vector<Callee> callees_;  ///< indexed by OutputKind
+  OutputKind restored_;          ///< the output that restore() calls
   bool is_held_ = false;
   bool is_driven_ = false;
   bool has_moving_constraints_ = false;
@@ -195,7 +196,7 @@ class System {
   std::vector<ConservedDrift> conserved_ = {};
   std::vector<StateFunction> conserved_functions_ = {};
   Numbers conserved_values_ = {};
-  std::size_t first_acceleration_ = 0;  ///< in `solution_`
+  std::size_t first_acceleration_ = 0;  ///< offset in `solution_`
   std::size_t first_pivot_ = 0;
   std::size_t first_multiplier_ = 0;
   Numbers shown_, solution_, moved_, residual_, jacobian_, force_, more_force_, matrix_, mass_,

@@ -1,5 +1,5 @@
-// Designs with the same derivation share a run of the pipeline, and those that are also compiled
-// alike a library.
+// Designs with the same derivation share a run of the pipeline. Designs that also have the same
+// sines and inner scalar share a library.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,15 +13,15 @@
 namespace elgen {
 namespace {
 
-/// The output that a table is about where none is named.
+/// The output of the table if the command names none.
 std::string default_output(const Scene& scene) {
   const auto usual =
       std::ranges::find(scene.outputs, OutputKind::inverse_dynamics, &OutputRequest::kind);
   return usual != scene.outputs.end() ? usual->name : scene.outputs.front().name;
 }
 
-/// Each design goes through all states in a turn: these 1008 fit a cache, in which their arrays do
-/// not lie at the same places, as those of 1024 would, and fill packs of 16.
+/// Every design evaluates all states in each turn. 1008 states fit a cache and fill packs of 16.
+/// With 1024 states the arrays would lie at equal positions of the cache.
 constexpr std::size_t sample_count = 3;
 constexpr std::size_t states_of_sample = 336;
 
@@ -32,10 +32,11 @@ std::string first_line(const Diagnostics& diagnostics) {
   return fmt::format("{}: {}", code_row(error.code).name, message);
 }
 
-/// Designs of one library.
+/// Designs that share a library.
 struct Workpiece {
   std::vector<TradeoffRow*> rows = {};
-  /// For each, then for each in packs by one state per call; none where they could not be made.
+  /// A function for each row, then a second one for each row in packs, called with one state each.
+  /// Empty if compilation failed.
   TimedFunctions functions = {};
 };
 
@@ -45,12 +46,12 @@ class DesignRuns {
   DesignRuns(const DesignRequest& request, const OutputBase& base, const BenchProcess& process)
       : request_(request), base_(base), process_(process) {}
 
-  /// The derivation_of() of designs that are derived alike has one text.
+  /// Serves as a key: the texts of derivation_of() are equal for designs with the same derivation.
   [[nodiscard]] std::string text_of(const Design& design) const {
     return scene_text(base_.base(), design, request_.inputs.model->path);
   }
 
-  /// Runs the pipeline where no design before was derived alike.
+  /// Memoised pipeline run per derivation.
   const Products& derived(const Design& design) {
     const Design derivation = derivation_of(design);
     const auto [at, is_new] = derived_.try_emplace(text_of(derivation));
@@ -96,7 +97,7 @@ class DesignRuns {
     return products;
   }
 
-  /// The numerics of the design's own scene, for one more scalar.
+  /// The numerics of the design's own scene, with its scalar added to `scalars`.
   Numerics numerics_of(const Design& design, std::vector<ScalarKind> scalars) {
     Numerics numerics = run(design, Goal::check).checked->scene.numerics;
     scalars.push_back(design.scalar);
@@ -149,7 +150,7 @@ class DesignBench {
   }
 
  private:
-  /// The designs, the states, and what is exact there.
+  /// The designs, the states, and the exact values at the states.
   Diagnostics prepare(const Products& exact) {
     Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, choices_);
     if (!planned) return planned.diagnostics;
@@ -165,7 +166,7 @@ class DesignBench {
     for (const PlannedDesign& each : planned->designs) {
       table_.rows.push_back({.values = each.values, .design = each.design});
     }
-    // One by one, a state is a call.
+    // Without packs a call evaluates one state, so both costs are the same.
     const auto in_packs = [](const TradeoffRow& row) { return row.design.in_packs; };
     if (std::ranges::none_of(table_.rows, in_packs)) {
       table_.cost = std::exchange(table_.call_cost, {});
@@ -173,7 +174,7 @@ class DesignBench {
     return {};
   }
 
-  /// By what their designs have in common: those derived alike follow each other.
+  /// The designs by library; libraries with the same derivation follow each other.
   [[nodiscard]] std::map<std::string, Workpiece> workpieces() {
     std::map<std::string, Workpiece> pieces;
     for (TradeoffRow& row : table_.rows) {
@@ -204,7 +205,7 @@ class DesignBench {
     for (TradeoffRow* const row : piece.rows) row->failure = why;
   }
 
-  /// No clock has a say in how accurate a design is.
+  /// Apart from the timing: the errors of a design do not depend on a clock.
   void search_all(const Products& exact) {
     for (const auto& [rows, functions] : made_) {
       for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -1,5 +1,5 @@
-// state_errors: how far a design is off, field by field, relative to the largest value of the
-// field. errors_of: what several samples of states say of a design.
+// state_errors: the errors of a design, relative to the largest value of each field. errors_of: the
+// errors of a design from several samples of states.
 #include "run/tradeoff/errors.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Errors of one state, and what they are relative to.
+// Errors at one state, and the scales to which they are relative.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// |value - exact|, and |exact|
+/// |value - exact|, and |exact|.
 [[nodiscard]] inline double distance(double value, const ExactNumber& exact) {
   return std::abs(value - exact.high - exact.low);
 }
@@ -29,8 +29,9 @@ class FieldScales {
  public:
   explicit FieldScales(const TradeoffStates& states);
 
-  /// Over the fields: the largest |x - x*| / the largest |x*| of the field at the states and here.
-  /// x of entry k is values[k * stride]. Where x* is 0 everywhere, any distance is infinitely far.
+  /// The maximum over the fields of |x - x*| / |x*|, both the largest in the field; |x*| at the
+  /// states and here. x of entry k is values[k * stride]. Infinite if x is NaN, or if x* is 0
+  /// everywhere and x is not.
   template <class Exact>
   [[nodiscard]] double error(const double* values, std::size_t stride,
                              const std::vector<Exact>& exact) const {
@@ -58,8 +59,8 @@ class FieldScales {
   std::vector<Scale> fields_ = {};
 };
 
-/// The entries of the first function at the numbers of a state and the exact parameters, in 60
-/// digits; none where one of them has no value.
+/// The entries of the first function at a state with the exact parameters, in 60 digits; empty if
+/// an entry has no value.
 [[nodiscard]] std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checked,
                                                                     const Program& program,
                                                                     const Arguments<double>& state);

@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// Beyond noise.
+/// True if `cost` is higher beyond noise.
 bool is_dearer(const Spread& cost, const Spread& than) {
   return cost.low > than.high && cost.median > alike_within * than.median;
 }
@@ -37,7 +37,7 @@ TradeoffTable judged(TradeoffTable table) {
   std::ranges::stable_sort(table.rows, {}, [](const TradeoffRow& row) {
     return std::tuple(!row.failure.empty(), row.rank, row.error.worst);
   });
-  // A relative error of more than 1 leaves no digit.
+  // A relative error of more than 1 leaves no correct digit.
   constexpr double largest_error = 1;
   double least = std::numeric_limits<double>::infinity();
   for (TradeoffRow& row : table.rows) {
@@ -45,7 +45,8 @@ TradeoffTable judged(TradeoffTable table) {
     const double error = row.error.worst;
     row.is_on_pareto_front =
         !row.is_below_reference && error <= largest_error && alike_within * error < least;
-    // A row that the reference does not tell from it beats dearer ones, too.
+    // A row whose error is below the reference's is good enough to exclude rows of higher cost,
+    // too.
     if (row.is_on_pareto_front || row.is_below_reference) least = std::min(least, row.error.least);
   }
   return table;

@@ -1,9 +1,9 @@
-// plan: all combinations of the rows of a table, without those that do not exist. For a function of
+// plan: all combinations of the values of a table of dimensions that exist. For a function of
 // parameters and sines, in double and float:
 //
 //     scalar double, float   batch one, packs   trigonometry full, 1e-7
 //     parameters arguments, fixed
-//     ->   10 designs: sines of 1e-7 are in packs of double alone
+//     ->   10 designs: sines of 1e-7 only exist in packs of double
 #include <cln/rational.h>
 #include <fmt/ranges.h>
 
@@ -20,12 +20,12 @@
 namespace elgen {
 namespace {
 
-/// A dimension, and the key by which a scene chooses in it.
+/// A dimension, and the key by which a scene chooses its value.
 struct DimensionRow {
   std::string_view name;
   std::string_view entry;
   std::string_view key;
-  bool is_asked;  ///< there only where it is named or pinned
+  bool is_asked;  ///< used only if the command names or pins it
   std::string_view doc;
 };
 
@@ -40,13 +40,13 @@ constexpr std::array dimension_rows{
                  "try this scalar between arguments and results in double alone"},
     DimensionRow{"order", "approximate", "order", true, "try this order of an expansion alone"}};
 
-/// A value of a dimension, and whether a scene that has the key leaves it open.
+/// A value of a dimension. `is_left`: the value is compatible with a scene that has the key.
 struct ValueRow {
   std::string_view dimension;
   std::string_view value;
   void (*choose)(Design&);
   bool (*is_left)(const CheckedModel&);
-  bool is_asked = false;  ///< tried only where it is pinned, or its dimension named
+  bool is_asked = false;  ///< tried only if it is pinned or its dimension named
 };
 
 bool has_scalar(const CheckedModel& base, ScalarKind scalar) {
@@ -103,7 +103,7 @@ constexpr std::array value_rows{
              [](const CheckedModel& base) { return has_order(base, 1); }},
 };
 
-/// E631. Dimensions that are always there may be named too.
+/// E631. The default dimensions may be named too.
 Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
   const std::vector<std::string> known = words_in(dimension_rows, &DimensionRow::name);
   Diagnostics found;
@@ -125,7 +125,7 @@ class ExistingDesigns {
         has_sines_(calls(program, FunctionId::sin) || calls(program, FunctionId::cos)),
         fits_float_(fits(checked.model, program, ScalarKind::single_precision)) {}
 
-  /// "" where the design exists.
+  /// The reason why the design does not exist; "" if it exists.
   [[nodiscard]] const char* why_missing(const Design& design) const {
     const bool is_float = design.scalar == ScalarKind::single_precision;
     if (is_float && !fits_float_) return "a number of the output is lost in float";
@@ -139,7 +139,7 @@ class ExistingDesigns {
       const bool is_plain = design.inner == InnerScalar::same && !design.in_packs;
       return is_plain ? "" : "packs and wider scalars have sines of their own";
     }
-    // A float cannot be as good as 1e-7; and outside of packs there are no polynomials.
+    // Float cannot be accurate to 1e-7, and functions of one state have no polynomials.
     return design.in_packs && !is_float ? "" : "sines of this accuracy are in packs of double";
   }
 
@@ -160,13 +160,13 @@ std::string option_of(const PinnedDimension& pin) {
   return fmt::format("`--{} {}`", pin.name, pin.value);
 }
 
-/// E645
+/// E645: the pinned values exclude every design.
 Diagnostics none_as_pinned(const std::vector<PinnedDimension>& pinned, const char* why) {
   const std::vector<std::string> options = words_in(pinned, option_of);
   return {{Code::E645, {}, fmt::format("no design is left by {}", fmt::join(options, ", ")), why}};
 }
 
-/// The pinned value, or all of a dimension that is usual or named.
+/// The pinned value, or all values that are tried by default or whose dimension is named.
 std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignChoices& choices) {
   const PinnedDimension* const pin = find_pin(choices.pinned, dimension.name);
   const bool is_named = std::ranges::find(choices.more, dimension.name) != choices.more.end();
@@ -179,7 +179,7 @@ std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignCh
   return values;
 }
 
-/// Every design by every value of one more dimension.
+/// Every design combined with every value of another dimension.
 std::vector<PlannedDesign> multiplied(const std::vector<PlannedDesign>& designs,
                                       const std::vector<ValueRow>& values) {
   std::vector<PlannedDesign> result;
@@ -194,7 +194,7 @@ std::vector<PlannedDesign> multiplied(const std::vector<PlannedDesign>& designs,
   return result;
 }
 
-/// Columns in which all designs are alike go, where they are not pinned.
+/// Removes dimensions in which all designs agree, unless they are pinned.
 void leave_out_constant_dimensions(TradeoffPlan& plan, const std::vector<PinnedDimension>& pinned) {
   for (std::size_t i = plan.dimensions.size(); i-- > 0;) {
     const auto is_first = [&](const PlannedDesign& design) {

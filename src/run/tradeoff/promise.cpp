@@ -1,4 +1,4 @@
-// promised_errors: rows of the certificate of a scene that says how far its outputs may be off.
+// promised_errors: certificate rows for a scene with `[numeric] max_error`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 namespace elgen {
 namespace {
 
-/// Code that is held to the promise.
+/// Compiled code that must keep the promise.
 struct PromisedCode {
-  std::string types;  ///< "batch", "as users compile"; "" of the plain header
+  std::string types;  ///< "batch", "as users compile"; "" for the plain header
   const CompiledModel* functions;
 };
 
-/// The same bits in other types and builds say nothing new; contracted ones differ. Where the scene
-/// has a wider scalar, the promise is that of its header.
+/// Headers with the same results in other types and builds are skipped; contracted builds differ.
+/// If the scene has a wider inner scalar, the promise concerns its header.
 std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
   const bool has_wide = std::ranges::any_of(compiled, &CompiledHeader::is_wide);
   std::vector<PromisedCode> codes;
@@ -35,7 +35,7 @@ std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
   return codes;
 }
 
-/// Empty where the code lacks the function; NaN at states where it raises an exception.
+/// Empty if the code lacks the function; NaN at states at which it raises an exception.
 template <class Scalar>
 std::vector<double> values_of(const CompiledModel& code, const Function& function,
                               const std::vector<Arguments<double>>& states) {
@@ -71,7 +71,7 @@ class PromiseRows {
   PromiseRows(const CheckedModel& exact, const std::vector<PromisedCode>& codes, std::uint64_t seed)
       : exact_(exact), codes_(codes), seed_(seed) {}
 
-  /// Adds the only function of `program`.
+  /// Adds rows for the only function of `program`.
   void add(const Program& program) {
     const Function& function = program.functions.front();
     const Result<TradeoffStates> states = tradeoff_states(exact_, program, {.seed = seed_});

@@ -1,5 +1,5 @@
-// Each step is derived and compiled once: by it runs of all lengths of steps go to their ends, for
-// the errors, and some steps of one length, by turns, for the times.
+// Each step is derived and compiled once. For the errors it runs to the end with all lengths of
+// steps; for the times some steps of one length are repeated, by turns.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// Compilers take minutes for more.
+/// Compilers take minutes for longer functions.
 constexpr std::size_t longest_compiled = 20'000;
 
 /// "midpoint of order 8"
@@ -22,16 +22,16 @@ std::string name_of_step(const StepSpec& step) {
   return fmt::format("`{}` of order {}", step_row(step.method).name, step_order(step));
 }
 
-/// A step that is compiled, or why it is not.
+/// A compiled step, or the reason why it is not compiled.
 struct StepCode {
   StepLoops loops = {};
   std::string failure = {};
-  bool has_rows = true;  ///< one that is refused has none
-  Spread one = {};       ///< ns of a step
+  bool has_rows = true;  ///< false: the step was refused, with a sentence
+  Spread one = {};       ///< ns per step
   Spread in_packs = {};
 };
 
-/// `bar`: how far the runs of the reference differ.
+/// `bar`: the distance of the two reference runs.
 std::vector<std::string> sentences(const std::map<StepSpec, StepCode>& codes, double bar) {
   std::vector<std::string> all{fmt::format(
       "reference: Fehlberg's method of order 8 to 1e-15 in long double and to 1e-12 in double, "
@@ -45,15 +45,15 @@ std::vector<std::string> sentences(const std::map<StepSpec, StepCode>& codes, do
   return all;
 }
 
-/// E621.
+/// E621: the run cannot be made.
 Diagnostics no_such_run(std::string message) { return {{Code::E621, {}, std::move(message)}}; }
 
-/// Steps that are a whole part of a run, and not too many.
+/// True if the length divides the run into at least 1 and at most 1e8 steps.
 bool is_part(double length, double time) {
-  constexpr double most_steps = 1e8;  // minutes of the shortest ones
+  constexpr double most_steps = 1e8;  // minutes of the fastest steps
   const double count = time / length;
   return count >= 1 && count <= most_steps &&
-         std::abs(count - std::round(count)) <= 1e-9 * count;  // but for how both are typed
+         std::abs(count - std::round(count)) <= 1e-9 * count;  // decimal input is rounded
 }
 
 Result<StepLoops> compiled(const Products& products, const Limits& limits) {
@@ -108,7 +108,7 @@ class RunBench {
     return derived_for_run(request_.inputs, options, step);
   }
 
-  /// The run that errors are measured from.
+  /// Computes the reference run and its uncertainty.
   Diagnostics refer() {
     process_.on_stage("reference");
     Result<ReferenceRun> reference = reference_run(*exact_.checked, *exact_.program, time_);
@@ -119,13 +119,13 @@ class RunBench {
     return {};
   }
 
-  /// Once for all runs by the same step.
+  /// Memoised per step.
   void make(const StepSpec& step) {
     const auto [at, is_new] = codes_.try_emplace(step);
     if (is_new) at->second = made(step);
   }
 
-  /// A method that is not for the system, and a step that is too long, are told of in a sentence.
+  /// A method that does not suit the system, or a step that is too long, is reported by a sentence.
   StepCode made(const StepSpec& step) {
     Products products = derived(step);
     if (!products.program) {
@@ -172,7 +172,7 @@ class RunBench {
       return;
     }
     row.error = errors_of(last, reference_, checked.model);
-    // This error and those that it is compared with are known to the bar each.
+    // This error and the error it is compared with are both uncertain by `bar_`, hence twice.
     row.error.least = std::max(row.error.worst - 2 * bar_, 0.0);
     row.is_below_reference = row.error.worst <= bar_;
     if (row.is_below_reference) row.error = {bar_, bar_, bar_};
@@ -201,9 +201,9 @@ class RunBench {
   const RunRequest& request_;
   double time_;
   const BenchProcess& process_;
-  Products exact_ = {};  ///< the equations, and where they start
+  Products exact_ = {};  ///< the equations and their start
   ReferenceRun reference_ = {};
-  double bar_ = 0;  ///< what the reference is known to, in errors; it is rounded to double
+  double bar_ = 0;  ///< uncertainty of the reference in errors, at least that of rounding to double
   std::map<StepSpec, StepCode> codes_ = {};
   TradeoffTable table_ = {};
   std::vector<std::size_t> steps_ = {};     ///< of each row

@@ -1,5 +1,4 @@
-// Runs in time as designs: method by order by step by batch. Together they are a work-precision
-// diagram.
+// Runs in time as designs: method by order by step by batch. The table is a work-precision diagram.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,25 +15,25 @@ namespace {
 constexpr std::array<double, 3> steps_of_a_run{100, 1000, 10'000};
 constexpr double turn = 6.283185307179586;
 
-/// One state takes so many steps that its start costs little beside them. Packs have so many states
-/// that these and their results fit the fastest cache where the model is small.
+/// One state makes enough steps that the cost of its start is negligible. The states in packs and
+/// their results fit the fastest cache if the model is small.
 constexpr std::size_t steps_of_one = 200;
 constexpr std::size_t states_in_packs = 256;
 constexpr std::size_t steps_in_packs = 8;
 
-/// |x - y|, across the jump of an angle.
+/// |x - y|; modulo a turn if the angle wraps.
 double distance(double x, double y, bool wraps) {
   return wraps ? std::abs(std::remainder(x - y, turn)) : std::abs(x - y);
 }
 
-/// Every number `count` times.
+/// Repeats every number `count` times.
 Numbers repeated(const Numbers& numbers, std::size_t count) {
   Numbers all;
   for (const double number : numbers) all.insert(all.end(), count, number);
   return all;
 }
 
-/// By steps of h s of one state.
+/// A run with steps of h s, one state at a time.
 PlannedRun planned(const StepMethodRow& method, std::uint32_t order, double h) {
   const std::string length = fmt::format("{:g} s", h);
   const StepSpec step = step_by(method.id, order == method.order ? 0 : order);

@@ -1,4 +1,4 @@
-// scene_text: what a scene says, as TOML, with the choices of a design in the place of its own.
+// scene_text: a scene as TOML, in which the choices of a design replace the scene's choices.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -48,13 +48,13 @@ std::string value_text(const ValueSyntax& value) {
   return {};
 }
 
-/// "1e-7" as a part of a name: its word characters.
+/// The word characters of a text, for use in a name: "1e7" for "1e-7".
 std::string word_of(std::string text) {
   std::erase_if(text, [](char c) { return !is_word_character(c); });
   return text;
 }
 
-/// Where a run starts, as a point to expand about; rotations stay as they are.
+/// The start of a run as a point of expansion. Rotations are not expanded.
 std::string start_of(const Model& model) {
   std::vector<std::string> values;
   for (const Coordinate& coordinate : model.coordinates) {
@@ -65,12 +65,12 @@ std::string start_of(const Model& model) {
   return toml_inline_table(values);
 }
 
-/// Nothing where there is no value.
+/// "" without a value.
 std::string line(const std::string& key, const std::string& value) {
   return value.empty() ? "" : assigned(key, value) + "\n";
 }
 
-/// Steps keep the sines that the scene has for functions of numbers.
+/// A design of steps has the sines that the scene has for functions of numbers.
 std::string sines_of(const Design& design, const Scene& scene) {
   std::vector<std::string> entries;
   const std::string& sines = design.trigonometry;
@@ -106,7 +106,7 @@ class DesignText {
     return text.empty() ? "" : fmt::format("\n[{}]\n{}", title, text);
   }
 
-  /// The value that the scene gives a key; "" where it gives none.
+  /// The value of a key in the scene; "" if the scene does not have the key.
   [[nodiscard]] std::string own(const char* entry, const char* key) const {
     const KeySyntax* const found = find_key(base_.scene, entry, key);
     return found == nullptr ? "" : value_text(found->value);
@@ -138,7 +138,7 @@ class DesignText {
     return text;
   }
 
-  /// "" where it computes in its own scalar.
+  /// "" if the design computes in its own scalar.
   [[nodiscard]] std::string inner() const {
     if (design_.inner == InnerScalar::same) return {};
     return std::string(inner_row(design_.inner).name);
@@ -151,7 +151,7 @@ class DesignText {
                         : base_.checked.scene.outputs.front().name;
   }
 
-  /// Beside a step, for use behind it.
+  /// The output `projected`, for use after each step of a model with constraints.
   [[nodiscard]] std::string projected() const {
     return design_.step && !base_.checked.model.constraints.empty() ? "true" : "";
   }
@@ -172,7 +172,7 @@ class DesignText {
     return entries.empty() ? "true" : toml_inline_table(entries);
   }
 
-  /// Parameters that the scene has fixed keep their values.
+  /// Parameters that the scene fixes keep their values.
   [[nodiscard]] std::string fixed() const {
     const std::string own_value = own("parameters", "fixed");
     if (!design_.is_fixed) return own_value;
@@ -192,7 +192,7 @@ class DesignText {
     return toml_inline_table(values);
   }
 
-  /// An order is the scene's, or that of the design about the scene's point.
+  /// The order of the design, else of the scene; the point of the scene, else the start.
   [[nodiscard]] Lines approximation() const {
     if (design_.order == exact_design.order) return {};
     const bool is_expanded = !design_.order.empty();
@@ -213,7 +213,7 @@ class DesignText {
             line("ranges", ranges())};
   }
 
-  /// Ranges of the scene, with the given ones beside them or in their place.
+  /// The ranges of the scene; ranges of the command are added to them or replace them.
   [[nodiscard]] std::string ranges() const {
     std::map<std::string, std::string> ends;
     const KeySyntax* const key = find_key(base_.scene, "numeric", "ranges");

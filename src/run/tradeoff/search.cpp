@@ -1,8 +1,9 @@
-// found_errors: a pattern search (Hooke and Jeeves) for the state at which a design is worst.
+// found_errors: a pattern search (Hooke and Jeeves) for the state with the largest error of a
+// design.
 //
-// Rounding errors jump from state to state, and grow and shrink slowly over many: steps from 2^-1
-// to 2^-20 of a range, each times a number between 1/2 and 1, meet new states as long as the search
-// lasts, around the worst one so far.
+// Rounding errors jump from state to state, and also vary slowly over many states. Steps from 2^-1
+// to 2^-20 of a range, each times a number between 1/2 and 1, reach new states around the worst
+// state so far, as long as the search lasts.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -19,15 +20,15 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t states_of_a_climb = 100;  ///< of the sample; it starts at one of the worst
+constexpr std::size_t states_of_a_climb = 100;  ///< each starts at one of the worst states
 constexpr std::size_t searched_per_state = 20;
 constexpr std::size_t fewest_sweeps = 8;
 constexpr std::size_t most_sweeps = 400;
-constexpr double longest_step = 0.5;  ///< of a range
+constexpr double longest_step = 0.5;  ///< fraction of a range
 constexpr double first_step = 0.25;
 constexpr double shortest_step = 0x1p-20;
 
-/// A number of the state that the function reads, and where it may be.
+/// A leaf that the function reads, and its range.
 struct MovingNumber {
   Opcode kind;
   std::uint32_t number;
@@ -42,7 +43,7 @@ void set(Arguments<double>& state, const MovingNumber& moving, double value) {
   for_each_leaf(visit, state);
 }
 
-/// Parameters stay at their values.
+/// The leaves that the search varies; parameters keep their values.
 std::vector<MovingNumber> moving_numbers(const Function& function, const TradeoffStates& states) {
   std::vector<MovingNumber> moving;
   for (const Instruction& i : function.instructions) {
@@ -54,11 +55,11 @@ std::vector<MovingNumber> moving_numbers(const Function& function, const Tradeof
   return moving;
 }
 
-/// The worst state so far from one start.
+/// The worst state so far in the search from one start.
 struct Climb {
   Arguments<double> state;
   double error;
-  double step;  ///< of the ranges
+  double step;  ///< fraction of the ranges
 };
 
 class ErrorSearch {
@@ -75,7 +76,7 @@ class ErrorSearch {
         states_searched_(searched_per_state * states.states.size()),
         draw_(states.seed) {}
 
-  /// The states that the search ends at.
+  /// The final states of the climbs.
   std::vector<Arguments<double>> search(std::vector<Climb> climbs) {
     const std::size_t states_of_sweep = climbs.size() * (2 * moving_.size() + 1);
     const std::size_t sweeps =
@@ -86,7 +87,7 @@ class ErrorSearch {
     return ends;
   }
 
-  /// Each in 60 digits; 0 outside the domain.
+  /// The errors in 60 digits; 0 outside the domain.
   [[nodiscard]] std::vector<double> confirmed(const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {
       return exact_entries(exact_, program_, state);
@@ -94,7 +95,7 @@ class ErrorSearch {
   }
 
  private:
-  /// `exact`: the entries at a state, none where they have no value.
+  /// `exact`: the entries at a state; empty if they have no value.
   template <class Exact>
   [[nodiscard]] std::vector<double> errors(const std::vector<Arguments<double>>& states,
                                            const Exact& exact) const {
@@ -107,7 +108,7 @@ class ErrorSearch {
     return found;
   }
 
-  /// By the program in long double: 2048 times as exact as in double, where that is longer.
+  /// The reference is the program in long double: 2048 times as precise as double on some machines.
   [[nodiscard]] std::vector<double> errors_at(const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {
       auto arguments = map_leaves([](double x) { return static_cast<long double>(x); }, state);
@@ -130,7 +131,7 @@ class ErrorSearch {
     return state;
   }
 
-  /// From each climb every number up and down.
+  /// For each climb and each number the states with this number increased and decreased.
   [[nodiscard]] std::vector<Arguments<double>> neighbours(const std::vector<Climb>& climbs) {
     std::vector<Arguments<double>> states;
     for (const Climb& climb : climbs) {
@@ -143,7 +144,7 @@ class ErrorSearch {
     return states;
   }
 
-  /// Moves every number in the direction that alone increases the error.
+  /// Changes every number in the direction in which changing it alone increases the error.
   [[nodiscard]] Arguments<double> together(const Climb& climb, const Arguments<double>* near,
                                            const double* errors) const {
     Arguments<double> state = climb.state;
@@ -183,7 +184,7 @@ class ErrorSearch {
   const CheckedModel& exact_;
   const Program& program_;
   RoundedProgram<long double> reference_;
-  std::vector<long double> parameters_;  ///< the exact ones
+  std::vector<long double> parameters_;  ///< exact values
   FieldScales scales_;
   std::vector<MovingNumber> moving_;
   const DesignValues& design_;

@@ -1,4 +1,4 @@
-// tradeoff_states: random states inside the ranges, and what is exact there.
+// tradeoff_states: random states inside the ranges, and the exact values at them.
 #include "sample/states.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// Narrows the range of what it names.
+/// Replaces the range of the leaf that `narrowed` names.
 void narrow(const Model& model, const NamedRange& narrowed, LeafValues<Range>& ranges) {
   const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
     const bool is_named = is_of_state(kind) && leaf_text(model, kind, i) == narrowed.name;

@@ -1,6 +1,6 @@
-// A table as SVG: worst errors over costs, both logarithmic. Shapes say the value of the first
-// dimension, numbers which design it is; the Pareto front is filled and joined by a staircase.
-// Lines below the list of designs say so on the plot itself.
+// A table as SVG: worst error over cost, both logarithmic. The shape of a mark shows the value of
+// the first dimension, its number the design. The Pareto front is filled and joined by a staircase.
+// The plot explains this below the list of designs.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -33,8 +33,8 @@ constexpr std::array outlines{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0 -5 0Z",
                               "M0 5.5L5.5 -4.5H-5.5Z",
                               "M-2 -6H2V6H-2Z"};
 
-/// Decimal logarithms between whole powers of ten around the numbers, without ticks. Numbers
-/// without a logarithm are drawn at the ends, and do not move them.
+/// An axis of decimal logarithms between powers of ten around the numbers, without ticks. Numbers
+/// without a logarithm do not extend the axis; they are drawn at its ends.
 ChartAxis decades_around(const std::vector<double>& numbers) {
   double low = INFINITY;
   double high = -INFINITY;
@@ -94,7 +94,8 @@ class TradeoffPlot {
                   fmt::format("{}, {}: {}", table_.model, table_.subject, table_.error));
     svg += chart_.grid() + svg_label(14, top_margin - 14, "start", "worst error, relative") +
            pareto_front() + legend();
-    // The Pareto front comes first where costs are equal; drawn last, it is never covered.
+    // In reverse order: the front, which comes first among equal costs, is drawn last and never
+    // covered.
     for (std::size_t i = rows_.size(); i-- > 0;) {
       const TradeoffRow& row = *rows_[i];
       svg += symbol(row, x_of(row), y_of(row)) + number(i);
@@ -111,8 +112,8 @@ class TradeoffPlot {
     return chart_.y_of(std::log10(row.error.worst));
   }
 
-  /// On the Pareto front costs go up and errors down; between two costs the cheaper design is the
-  /// best.
+  /// Along the Pareto front costs increase and errors decrease. Between two costs the cheaper
+  /// design is the best.
   [[nodiscard]] std::string pareto_front() const {
     std::string path;
     for (const TradeoffRow* row : rows_) {
@@ -140,8 +141,8 @@ class TradeoffPlot {
     return outlines[static_cast<std::size_t>(at) % outlines.size()];
   }
 
-  /// Neighbours in cost are often close: their numbers are on different sides, and neither is on
-  /// the line of the Pareto front.
+  /// Neighbours in cost are often close. Their numbers alternate between two sides of the marks
+  /// that the line of the Pareto front does not touch.
   [[nodiscard]] std::string number(std::size_t i) const {
     const bool is_left = i % 2 == 0;
     return svg_label(x_of(*rows_[i]) + (is_left ? -radius : radius),
@@ -153,7 +154,7 @@ class TradeoffPlot {
     return top_margin + line_height * (static_cast<double>(line) + 0.5);
   }
 
-  /// Explains the values of a design, the designs, the marks and the line.
+  /// Explains dimensions, designs, marks and the line.
   [[nodiscard]] std::string legend() const {
     std::string svg = svg_title(legend_left + 14, legend_y(0) + 4,
                                 fmt::format("{}", fmt::join(table_.dimensions, ", ")));

@@ -1,5 +1,5 @@
-// A table in columns for people, with a star at rows of the Pareto front, and one for programs;
-// both show the picked row.
+// A table as text in columns, with a star at rows of the Pareto front, as JSON and as CSV. All of
+// them show the picked row.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Cells cells_of(const TradeoffTable& table, const TradeoffRow& row) {
   return cells;
 }
 
-/// A line, or nothing where no row is picked.
+/// "" if no row is picked.
 std::string pick_line(const TradeoffTable& table) {
   const TradeoffRow* const row = picked(table);
   if (row == nullptr) return "";
@@ -59,7 +59,7 @@ Json json_of(const Spread& spread) {
   return {{"median", spread.median}, {"low", spread.low}, {"high", spread.high}};
 }
 
-/// JSON has no infinity; null says that there is no number.
+/// JSON has no infinity; null replaces it.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
@@ -81,7 +81,7 @@ Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
   return json;
 }
 
-/// In quotes where it has a comma, a quote or a line end.
+/// In quotes if it contains a comma, a quote or a line end.
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

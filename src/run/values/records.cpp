@@ -1,4 +1,4 @@
-// Records: fields by the output table, and values with digits that are right to the last.
+// Records: fields by the output table, and values of which all digits are correct.
 #include "run/values/records.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ ValueField field_of(const Model& model, const OutputRequest& output, const Field
 ValueFunction function_of(const Model& model, const OutputRequest& output) {
   ValueFunction function{output,
                          arguments_of(model, Function{.kind = output.kind, .user = output.user})};
-  // Emitted functions take u whether the model has inputs or not.
+  // Emitted functions have the argument u even if the model has no inputs.
   std::erase_if(function.takes,
                 [&](Opcode kind) { return kind != Opcode::input && leaf_count(model, kind) == 0; });
   for (const FieldRow& row : output_row(output.kind).fields) {

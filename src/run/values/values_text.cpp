@@ -1,4 +1,4 @@
-// Tables of values: for people, as an object, as rows of entries, and as arrays of C.
+// Tables of values: as text, as JSON, as CSV with one row per entry, and as arrays of C.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// The leaves of a kind, as models write them.
+/// The leaves of a kind in the syntax of models.
 std::vector<std::string> leaf_texts(const Model& model, Opcode kind) {
   std::vector<std::string> texts;
   const auto count = static_cast<std::uint32_t>(leaf_count(model, kind));
@@ -27,14 +27,14 @@ LeafSet set_of(const std::vector<Opcode>& kinds) {
   return set;
 }
 
-/// The kinds that some function takes.
+/// The kinds of leaves that at least one function takes.
 LeafSet taken_by(const ValueTable& table) {
   LeafSet kinds;
   for (const ValueFunction& function : table.functions) kinds |= set_of(function.takes);
   return kinds;
 }
 
-/// A table of one field; `texts` are its numbers with their units.
+/// The table of one field; `texts` are its numbers with their units.
 std::string field_text(const std::string& title, const ValueField& field,
                        std::vector<std::string> texts) {
   const std::vector<std::string> no_name{""};
@@ -53,7 +53,7 @@ std::string field_text(const std::string& title, const ValueField& field,
   return fmt::format("{}\n{}\n", title, fmt::join(lines, "\n"));
 }
 
-/// "theta = 0.1, dot(theta) = 2.0": all that functions take, but parameters.
+/// "theta = 0.1, dot(theta) = 2.0": all leaves that functions take, except parameters.
 std::string state_text(const ValueTable& table, const State& state) {
   const LeafSet kinds = taken_by(table);
   std::vector<std::string> parts;
