@@ -1,4 +1,4 @@
-// Commands: the file of each says its name, its options and what it does. Options that several have
+// Commands: each has a file with its name, its options and its action. Options of several commands
 // are here.
 #pragma once
 
@@ -17,15 +17,15 @@
 
 namespace elgen::cli {
 
-/// A command with its options.
+/// Runs a command with the options that the command line sets.
 using Action = std::function<ExitCode(const GlobalOptions&)>;
 
-// Each adds its command to `app`; where the words name it, they set `action`.
+// Each adds its command to `app`. The command sets `action` if the command line names it.
 #define ELGEN_COMMAND(name) void add_##name(CLI::App& app, Action& action);
 #include "cli/commands.def"
 #undef ELGEN_COMMAND
 
-/// `run` with the options that CLI11 fills while it reads the words.
+/// Sets `action` to `run` with the options that CLI11 fills while it parses the command line.
 template <class Options>
 void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options>& options,
                 ExitCode (*run)(const GlobalOptions&, const Options&)) {
@@ -34,7 +34,7 @@ void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options
   });
 }
 
-/// An option of which every value is a source that diagnostics point into.
+/// An option that may be repeated; each value is a source that diagnostics point into.
 inline void add_sources(CLI::App& command, const std::string& name, const std::string& type,
                         std::vector<SourcePointer>& sources, const std::string& doc) {
   const auto read = [&sources](const std::vector<std::string>& values) {
@@ -45,8 +45,8 @@ inline void add_sources(CLI::App& command, const std::string& name, const std::s
       ->allow_extra_args(false);
 }
 
-/// Why a word is no number of this type; CLI11 takes the largest one for what is beyond it, or
-/// negative.
+/// The reason why a word is no number of this type; "" if it is. CLI11 would replace negative
+/// numbers and numbers that are too large by the largest number.
 inline std::string refused_number(const std::string& word) {
   std::uint64_t number = 0;
   const char* const end = word.data() + word.size();
@@ -55,14 +55,14 @@ inline std::string refused_number(const std::string& word) {
   return is_read ? "" : "`" + word + "` is not a whole number below 2^64";
 }
 
-/// A number that may be left out.
+/// An optional number.
 inline CLI::Option* add_number(CLI::App& command, const char* name, std::optional<double>& value,
                                const char* doc) {
   return command.add_option_function<double>(
       name, [&value](double given) { value = given; }, doc);
 }
 
-/// A file that its owner edits, so that nothing in it makes it ours again.
+/// A file that its owner may edit, so only --force replaces it.
 struct FileOption {
   std::string file = {};  ///< empty: none
   bool force = false;
@@ -74,13 +74,13 @@ inline void add_output(CLI::App& command, FileOption& output, const std::string&
   command.add_flag("--force", output.force, "overwrite FILE");
 }
 
-/// The E703 and E708 of write_output alone, for a command that takes long.
+/// The E703 and E708 of write_output(), to be checked before a long computation.
 [[nodiscard]] inline Diagnostics refuse_place(const FileOption& output) {
   if (output.file.empty()) return {};
   return refuse_places({{output.file, "", Replaces::nothing}}, output.force);
 }
 
-/// As write_files; in the place of any other file with --force alone.
+/// write_files() for one file; only --force replaces an existing file.
 inline Result<std::vector<std::string>> write_output(const GlobalOptions& global,
                                                      const FileOption& output,
                                                      const std::string& text) {

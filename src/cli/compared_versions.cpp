@@ -1,5 +1,5 @@
-// Files of folders are paired by their paths, those of a revision with the working tree; files that
-// moved by the names of their systems.
+// Files of two folders are paired by their paths, files of a revision with the working tree. Files
+// that moved are paired by the names of their systems.
 #include "cli/compared_versions.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ bool same_text(const SourcePointer& x, const SourcePointer& y) {
   return x->text == y->text;
 }
 
-/// Not of a path that is too long, or a link that leads round in a circle.
+/// False for a path that is too long and for a circular link.
 bool is_folder(const fs::path& path) {
   std::error_code error;
   return fs::is_directory(path, error);
@@ -42,11 +42,12 @@ bool is_there(const fs::path& path) {
 
 bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 
-/// Where the files of a version are.
+/// Reads the files of one version.
 struct Side {
   SourceReader read;
   std::function<Result<Inputs>(const std::string& path)> inputs;
-  /// By their paths from the folder, but for those in hidden folders. E707: one cannot be read.
+  /// Paths relative to the folder, without files in hidden folders. E707 if a folder cannot be
+  /// read.
   std::function<Result<std::vector<std::string>>(const std::string& folder)> files_below;
 };
 
@@ -57,7 +58,7 @@ Result<std::vector<std::string>> files_on_disk(const std::string& folder) {
   for (auto at = fs::recursive_directory_iterator(folder, error);
        !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
     last = at->path();
-    // A link that leads nowhere, or round in a circle, is no directory.
+    // A broken or circular link is no directory.
     std::error_code unknown;
     if (at->is_directory(unknown) && is_hidden(last.filename())) at.disable_recursion_pending();
     if (!at->is_regular_file(unknown)) continue;
@@ -89,12 +90,12 @@ Side in_revision(const Revision& revision, const Limits& limits) {
           }};
 }
 
-/// The systems of a folder, and its other TOML files; by the paths by which those of two folders
-/// match.
+/// The systems of a folder and its other TOML files. Paths are relative to the folder, so that they
+/// pair the files of two folders.
 struct FolderFiles {
   std::set<std::string> systems = {};
   std::set<std::string> others = {};
-  std::set<std::string> doubtful = {};  ///< of the others: may be models with errors
+  std::set<std::string> doubtful = {};  ///< subset of `others`: may be models with errors
 };
 
 std::string joined(const std::string& folder, const std::string& inside) {
@@ -113,8 +114,8 @@ bool has_entry(const TomlValue& root, std::string_view key, TomlKind kind) {
   return entry != nullptr && entry->value.kind == kind;
 }
 
-/// Reads the file once. A model with errors has [[coordinate]] where [model] is misspelt, or is no
-/// TOML, but its text has a header of a model.
+/// Reads the file once. A model with errors has [[coordinate]] but misspells [model], or it is no
+/// valid TOML but its text contains a header of models.
 FileRole role_of(const Side& side, const std::string& path) {
   if (path.ends_with(".scene.toml")) return FileRole::system;
   const Result<SourcePointer> source = side.read(path);
@@ -130,7 +131,7 @@ FileRole role_of(const Side& side, const std::string& path) {
   return has_entry(*root, "coordinate", TomlKind::array) ? FileRole::doubtful : FileRole::other;
 }
 
-/// The models and scenes below a folder.
+/// The models, scenes and other TOML files below a folder.
 Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
   const Result<std::vector<std::string>> found = side.files_below(folder);
   if (!found) return found.diagnostics;
@@ -144,7 +145,7 @@ Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
   return files;
 }
 
-/// A file that one side alone has.
+/// A file that exists on one side only.
 struct LoneFile {
   const Side* side = nullptr;
   std::string path = {};   ///< on its side
@@ -156,7 +157,7 @@ class VersionPairs {
   VersionPairs(const CompareOptions& options, const Limits& limits)
       : options_(options), limits_(limits) {}
 
-  /// Two files.
+  /// Compares two files.
   void compare(const Side& old_side, const std::string& old_path, const Side& new_side,
                const std::string& new_path) {
     const Progress progress(new_path);
@@ -241,7 +242,7 @@ class VersionPairs {
     return inputs ? system_name(*inputs, limits_) : std::string();
   }
 
-  /// Where a system has another path on either side, its name is the same.
+  /// Compares added with removed systems of the same name.
   void compare_moved() {
     if (added_.empty() || removed_.empty()) return;
     std::vector<std::string> old_names;
@@ -260,12 +261,12 @@ class VersionPairs {
     }
   }
 
-  /// Whether there is none in files that are not compared.
+  /// Keeps the errors of a file that is not compared; true if it has none.
   bool keep_mistakes(const std::string& path, const Inputs& inputs) {
     return keep(path, mistakes(inputs, limits_));
   }
 
-  /// Whether there is no error among them. Warnings of the models are for `generate`.
+  /// Keeps errors; true if there are none. Warnings are dropped, because `generate` reports them.
   bool keep(const std::string& path, const Diagnostics& found) {
     for (const Diagnostic& diagnostic : found) {
       if (code_row(diagnostic.code).severity != Severity::error) continue;

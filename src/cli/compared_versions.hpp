@@ -9,16 +9,16 @@
 
 namespace elgen::cli {
 
-/// Two files, or two folders whose files match by their paths in them; a file that moved matches by
-/// the name of its system. A folder's models are the files NAME.toml that are TOML with a table
-/// [model], its scenes are called NAME.scene.toml. Errors of either version stand beside the report
-/// of what could be compared.
+/// Compares two files or two folders. Files of folders are paired by their relative paths, files
+/// that moved by the names of their systems. In a folder every TOML file NAME.toml with a table
+/// [model] is a model, and every file NAME.scene.toml is a scene. Errors of either version
+/// accompany the report on the systems that can be compared.
 [[nodiscard]] Result<DiffReport> compared_paths(const std::string& before, const std::string& after,
                                                 const CompareOptions& options,
                                                 const Limits& limits);
 
-/// Files and folders ("." where there is none) with what they were in a revision of git. E713: git
-/// does not know it, or is not there.
+/// Compares files and folders (default: ".") with a revision of git. E713 if git does not know the
+/// revision or cannot be run.
 [[nodiscard]] Result<DiffReport> compared_with_revision(const std::string& name,
                                                         std::vector<std::string> paths,
                                                         const CompareOptions& options,

@@ -1,4 +1,4 @@
-// elgen diff: models and scenes of two folders, or two files, as mathematics.
+// elgen diff: compares the equations of models and scenes in two folders or two files.
 #include "elgen/diff.hpp"
 
 #include <fmt/format.h>
@@ -17,19 +17,19 @@ namespace {
 
 struct DiffOptions {
   std::vector<std::string> inputs = {};
-  std::string revision = {};  ///< of git; empty: there are two inputs
+  std::string revision = {};  ///< of git; empty: `inputs` has two paths
   std::string allowed = "equal";
   std::vector<std::string> renames = {};
   std::vector<std::string> only = {};
-  std::string format = {};  ///< empty: that of the messages
+  std::string format = {};  ///< empty: the format of messages
   bool lists_all = false;
-  bool strict = false;  ///< entries that are not told apart are different
+  bool strict = false;  ///< undecided entries count as different
 };
 
 struct DiffFormat {
   std::string_view name;
   std::string (*text)(const DiffReport& report, const DiffOptions& options);
-  bool tells_errors = false;  ///< of systems, all that there is to tell
+  bool tells_errors = false;  ///< the format contains the errors of systems
 };
 
 constexpr std::array formats{
@@ -51,7 +51,7 @@ const DiffFormat& output_format(const GlobalOptions& global, const DiffOptions& 
   return *std::ranges::find(formats, name, &DiffFormat::name);
 }
 
-/// "old=new"
+/// Parses texts OLD=NEW.
 Result<Renames> renames_of(const std::vector<std::string>& texts) {
   Renames renames;
   for (const std::string& text : texts) {
@@ -66,7 +66,7 @@ Result<Renames> renames_of(const std::vector<std::string>& texts) {
   return renames;
 }
 
-/// Names that no version has an output of, where some were compared.
+/// E913 for names in --only that are no output of either version, if a version has changes.
 Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options) {
   std::set<std::string> known;
   for (const SystemChange& system : report.systems) {

@@ -1,4 +1,4 @@
-// elgen evaluate: the outputs of a model or scene at one state, as the oracle has them.
+// elgen evaluate: the oracle's values of the outputs of a model or scene at one state.
 #include <algorithm>
 #include <array>
 
@@ -16,7 +16,7 @@ struct EvaluateOptions {
   std::string input = {};
   SceneOptions scene = {};
   StateOptions values = {};
-  std::string as = {};  ///< empty: as --format says
+  std::string as = {};  ///< empty: follows --format
 };
 
 constexpr std::array value_formats{DataFormat<ValueTable>{"csv", &to_csv},

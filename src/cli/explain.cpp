@@ -1,6 +1,6 @@
-// elgen explain NAME: what an error code means and how to mend it, the keys of an entry of model
-// and scene files (`coordinate`, `scene.outputs`), what an output is, a function of the language,
-// or a name in [[expect]].
+// elgen explain NAME: explains an error code and its remedy, or an output, a function of the
+// language or a name in [[expect]]. For an entry of model and scene files (`coordinate`,
+// `scene.outputs`) it lists the keys.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace elgen::cli {
 namespace {
 
-/// In the order of KeyType.
+/// Texts for KeyType, in its order.
 constexpr std::array<std::string_view, 22> kinds{"expression",
                                                  "[expressions]",
                                                  "expression or list",
@@ -43,7 +43,7 @@ constexpr std::array<std::string_view, 22> kinds{"expression",
                                                  "symbol"};
 static_assert(kinds.size() == static_cast<std::size_t>(KeyType::symbol) + 1);
 
-/// A name that expressions of [[expect]] have beside those of the model.
+/// A name that expressions of [[expect]] may use besides the names of the model.
 struct WordRow {
   std::string_view name;
   std::string_view doc;
@@ -124,7 +124,7 @@ std::string key_line(const KeyRow& key) {
                      key.supported ? "" : "; not yet supported");
 }
 
-/// `[[frame]]`, and `frame.dh` for a table inside it.
+/// `[[frame]]` with its doc; for a table inside an entry only its name, `frame.dh`.
 std::string header(const std::string& name) {
   for (const EntryRow& entry : entry_table()) {
     if (entry.entry != name) continue;
@@ -136,7 +136,8 @@ std::string header(const std::string& name) {
   return name + "\n";
 }
 
-/// Keys of an entry and of the tables inside it; `routh` means `scene.routh`, as no model has one.
+/// Keys of an entry and of the tables inside it. If no model has the entry, it is an entry of
+/// scenes: `routh` means `scene.routh`.
 std::vector<KeyRow> keys_of_entry(const std::string& name) {
   std::vector<KeyRow> keys;
   for (const KeyRow& key : key_table()) {
@@ -160,8 +161,7 @@ std::string text_of(const std::vector<KeyRow>& keys) {
   return text;
 }
 
-/// Every code, output, function and name, and every entry that stands in a file under a header of
-/// its own.
+/// Every code, output, function and name, and every entry that has its own header in a file.
 std::vector<std::string> known_names() {
   std::vector<std::string> names = words_in(entry_table(), &EntryRow::entry);
   for (const CodeRow& code : code_table()) names.emplace_back(code.name);
@@ -191,7 +191,7 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
   if (!keys.empty()) {
     Json list = Json::array();
     for (const KeyRow& key : keys) list.push_back(json_of(key));
-    // The entry and the output `gravity` have one name.
+    // The entry and the output `gravity` have the same name; both are printed.
     const OutputRow* namesake = find_output(name);
     const std::string text = text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
     return print(global, wants_json(global) ? list.dump(2) + "\n" : text);

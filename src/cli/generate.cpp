@@ -1,4 +1,4 @@
-// elgen generate: inputs -> files, or what --check, --list-outputs and --stdout make of them.
+// elgen generate: writes the files of its inputs, or carries out --check, --list-outputs, --stdout.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ struct GenerateOptions {
   std::string depfile = {};
 };
 
-/// One input on its way to its files.
+/// One input, its sources and its products.
 struct Job {
   std::string path;
   Inputs inputs;
@@ -47,7 +47,7 @@ struct Job {
   [[nodiscard]] const Scene& scene() const { return products.checked->scene; }
 };
 
-/// Scenes repeat the warnings and notes of their model: those told before are removed.
+/// Scenes repeat the warnings and notes of their model. Repetitions are removed.
 Diagnostics not_told(Diagnostics diagnostics, std::set<std::string>& told) {
   std::erase_if(diagnostics, [&told](const Diagnostic& diagnostic) {
     const bool is_error = code_row(diagnostic.code).severity == Severity::error;
@@ -56,7 +56,7 @@ Diagnostics not_told(Diagnostics diagnostics, std::set<std::string>& told) {
   return diagnostics;
 }
 
-/// Reads and runs every input; diagnostics of all of them are reported.
+/// Reads and runs every input, and reports the diagnostics of all inputs.
 ExitCode run_jobs(const GlobalOptions& global, const GenerateOptions& options,
                   std::vector<Job>& jobs) {
   PipelineOptions pipeline = pipeline_options(global, {Goal::self_check});
@@ -107,7 +107,7 @@ EmittedFiles all_files(const std::vector<Job>& jobs) {
   return all;
 }
 
-/// E607: options would change files that belong to the model or scene itself.
+/// E607: options would change files that `generate` without options writes.
 Diagnostics changed_by_options(const GenerateOptions& options, const std::vector<Job>& jobs) {
   Diagnostics errors;
   for (const Job& job : jobs) {
@@ -124,7 +124,7 @@ Diagnostics changed_by_options(const GenerateOptions& options, const std::vector
   return errors;
 }
 
-/// The files that were read: the model, and the scene where there is one.
+/// The files that were read: the model, and the scene if there is one.
 std::vector<SourcePointer> sources_of(const Job& job) {
   std::vector<SourcePointer> sources{job.inputs.model, job.inputs.scene};
   std::erase_if(sources, [](const SourcePointer& source) {
@@ -133,7 +133,7 @@ std::vector<SourcePointer> sources_of(const Job& job) {
   return sources;
 }
 
-/// E714: the code would be dated after an edit that it does not have, and builds would keep it.
+/// E714: the code would be newer than an edit that it does not contain, so builds would keep it.
 Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
   Diagnostics errors;
   for (const Job& job : jobs) {
@@ -148,8 +148,8 @@ Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
   return errors;
 }
 
-/// The model or scene that an existing file was made from, where it may still be made from that and
-/// that is not what the job reads.
+/// The source that an existing file states, if this is not the job's input and still may generate
+/// files of this name; empty otherwise.
 std::optional<std::string> other_source(const GlobalOptions& global, const Job& job,
                                         const std::string& directory, const OutputFile& file) {
   const auto source = source_file(directory, stated_paths(existing_text(file.path).value_or("")));
@@ -158,7 +158,7 @@ std::optional<std::string> other_source(const GlobalOptions& global, const Job& 
   return is_other && may_bear(global, *source, job.scene().base_name) ? source : std::nullopt;
 }
 
-/// E604: files of another model or scene of the same name would be replaced.
+/// E604: files of another model or scene with the same name would be replaced.
 Diagnostics taken_names(const GlobalOptions& global, const GenerateOptions& options,
                         const std::vector<Job>& jobs) {
   Diagnostics errors;
@@ -177,7 +177,7 @@ Diagnostics taken_names(const GlobalOptions& global, const GenerateOptions& opti
   return errors;
 }
 
-/// The header first, then the files beside it, as artifacts.def has them.
+/// The header first, then the other files in the order of artifacts.def.
 std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job) {
   std::vector<std::string> paths;
   for (const Artifact& artifact : artifacts_of(job.scene())) {
@@ -186,8 +186,8 @@ std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job
   return paths;
 }
 
-/// The text of the file that --depfile asks for. The header is its first target, for Ninja wants
-/// there the first output of the rule.
+/// The text for --depfile. The header is the first target, because Ninja expects the first output
+/// of its rule.
 std::string dependencies(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
@@ -210,7 +210,7 @@ std::vector<OutputFile> output_files(const GenerateOptions& options, const std::
   return files;
 }
 
-/// In quotes where a shell would not take it as one word.
+/// The word, in single quotes if a shell needs them.
 std::string in_backticks(const std::string& word) {
   constexpr const char* harmless =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
@@ -220,7 +220,7 @@ std::string in_backticks(const std::string& word) {
   return text + "'";
 }
 
-/// The words without --check; what options would change has to be written somewhere they name.
+/// The command line without --check. If options change files, it contains the output directory.
 std::string repair_command(const GlobalOptions& global, const GenerateOptions& options) {
   std::string command = "elgen";
   for (std::size_t i = 1; i < global.words.size(); ++i) {
@@ -232,7 +232,7 @@ std::string repair_command(const GlobalOptions& global, const GenerateOptions& o
   return command;
 }
 
-/// Compares the inputs with their old versions; none for standard input.
+/// The command that compares the inputs with their old versions; "" for standard input.
 std::string comparison_command(const GenerateOptions& options) {
   if (std::ranges::count(options.inputs, "-") > 0) return {};
   std::string command = "elgen diff --against REV";
@@ -251,7 +251,7 @@ ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
   return check_generated(global, systems);
 }
 
-/// The commands that a reader of the first screen may type next.
+/// Commands that a new user may run next.
 std::string next_commands(const std::string& input) {
   const std::string steps = fmt::format("elgen show {} --what steps", input);
   const std::string outputs = fmt::format("elgen show {}", input);
@@ -279,14 +279,14 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
   if (global.verbose) tell(global, next_commands(job.path));
 }
 
-/// As lists show them.
+/// The order of printed lists.
 std::vector<std::string> sorted_paths_of(const GenerateOptions& options, const Job& job) {
   std::vector<std::string> paths = paths_of(options, job);
   std::sort(paths.begin(), paths.end());
   return paths;
 }
 
-/// `written`: of all files; null where none was to be.
+/// `written`: the files that changed, of all inputs; null if no file is written.
 Json json_of(const GenerateOptions& options, const Job& job,
              const std::vector<std::string>* written) {
   Json sources = Json::array();

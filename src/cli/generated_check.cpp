@@ -1,6 +1,5 @@
-// generated_check: files are compared byte by byte; the equations are left to `elgen diff`.
-// Sidecars say what their folders were made from, so that files of ours that nothing generates any
-// more are found.
+// generated_check: compares files byte by byte; `elgen diff` compares equations. Sidecars state the
+// sources of their folders. This finds generated files that no input generates any more.
 #include "cli/generated_check.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In the order of their names.
+/// Sorted by name.
 std::vector<fs::path> entries_in(const fs::path& folder) {
   std::vector<fs::path> all;
   std::error_code error;
@@ -66,7 +65,7 @@ class OrphanSearch {
     }
   }
 
-  /// Why nothing generates the files of a folder; "" where something does, or nobody knows.
+  /// The reason why no input generates the files of a folder; "" if an input does, or if unknown.
   std::string reason_of(const fs::path& folder) const {
     for (const fs::path& path : entries_in(folder)) {
       if (!path.filename().string().ends_with(sidecar_ending)) continue;
@@ -89,9 +88,9 @@ class OrphanSearch {
   std::vector<FileDifference> found_ = {};
 };
 
-/// In the folders of `files` what is ours and not among them. Elsewhere below `directory` the
-/// folders whose sidecar names a model or scene that is not there, or one of `sources`, which is
-/// written under another name.
+/// In the folders of `files`: generated files that are not among `files`. Elsewhere below
+/// `directory`: folders whose sidecar names a model or scene that does not exist, or one of
+/// `sources`, whose files now have another name.
 std::vector<FileDifference> orphans(const std::string& directory, const EmittedFiles& files,
                                     const std::vector<SourcePaths>& sources) {
   return OrphanSearch(directory, files, sources)();
@@ -127,7 +126,7 @@ Diagnostics diagnostics_of(const std::vector<FileDifference>& differences) {
   return all;
 }
 
-/// All of them in one sentence, with the commands that repair them and that compare the equations.
+/// One diagnostic for all files, with the commands that repair them and that compare the equations.
 ExitCode report_all(const GlobalOptions& global, const GeneratedSystems& systems,
                     const std::vector<FileDifference>& differences) {
   const auto is_orphan = [](const FileDifference& found) {

@@ -1,4 +1,4 @@
-// generated_check: what `generate --check` says.
+// generated_check: the report of `generate --check`.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace elgen::cli {
 
-/// The files that would be written, and their folder.
+/// The files that `generate` would write, and their folder.
 struct GeneratedSystems {
   std::string directory = {};
   EmittedFiles files = {};
   std::vector<SourcePaths> sources = {};
   std::string repair = {};      ///< the command that writes them
-  std::string comparison = {};  ///< the command that compares the equations; "" where there is none
+  std::string comparison = {};  ///< the command that compares the equations; "": none
 };
 
-/// The files that are not as they would be written, with -v the first lines that differ; then the
-/// commands that repair them and that compare the equations. E715 for each file where diagnostics
-/// are not text.
+/// Prints the files that differ from the generated ones, with -v their first lines that differ,
+/// then the commands that repair them and compare the equations. In formats other than text: E715
+/// for each file.
 [[nodiscard]] ExitCode check_generated(const GlobalOptions& global,
                                        const GeneratedSystems& systems);
 

@@ -1,4 +1,4 @@
-// elgen import: a robot description as a model file, on stdout or where -o says.
+// elgen import: a robot description as a model file, on stdout or in the file of -o.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,15 +19,15 @@ namespace {
 
 struct ImportCommand {
   std::string input = {};
-  std::string checked = {};  ///< the model that the robot is compared with, and nothing written
-  FileOption output = {};    ///< none: stdout
+  std::string checked = {};  ///< the model to compare with the robot; nothing is written
+  FileOption output = {};    ///< empty: stdout
   ImportOptions model = {};
 };
 
 using Kind = std::pair<Code, std::string>;
 
-/// The message of E815 differs from kind to kind; those of other codes name their subject. The
-/// hint of E820 says why a joint is held, and where.
+/// The kind of a note. E815 has several kinds, which differ in the message. E820 is grouped by its
+/// hint: why and where a joint is held.
 Kind kind_of(const Diagnostic& note) {
   if (note.code == Code::E820) return {note.code, note.hint};
   return {note.code, note.code == Code::E815 ? note.message : std::string()};
@@ -45,8 +45,8 @@ bool is_note(const Diagnostic& diagnostic) {
   return code_row(diagnostic.code).severity == Severity::note && diagnostic.span.source != nullptr;
 }
 
-/// Notes that say the same of many places become one without a place; errors, warnings and notes of
-/// their own stay.
+/// Merges notes of one kind into one note without a place. Errors, warnings and single notes
+/// remain.
 Diagnostics one_per_kind(const Diagnostics& diagnostics) {
   std::map<Kind, std::size_t> counts;
   for (const Diagnostic& diagnostic : diagnostics) {
@@ -65,7 +65,7 @@ Diagnostics one_per_kind(const Diagnostics& diagnostics) {
   return kept;
 }
 
-/// Notes one by one with --verbose, and where programs read them; else a line for each kind.
+/// Prints every note with --verbose and in formats for programs, otherwise one line per kind.
 ExitCode report_import(GlobalOptions global, const Diagnostics& diagnostics) {
   if (global.verbose) global.style.maximum = diagnostics.size();
   const bool is_whole = global.verbose || global.style.format != DiagnosticFormat::text;
@@ -80,13 +80,13 @@ std::string model_name(const std::string& output) {
   return std::filesystem::path(output).stem().string();
 }
 
-/// The path of the file, and whether it was written.
+/// JSON with the path of the file, and whether it was written.
 std::string written_json(const std::string& path, bool is_new) {
   const Json file{{"path", path}, {"written", is_new}};
   return Json{{"files", Json::array({file})}}.dump(2) + "\n";
 }
 
-/// The text between two others, or nothing.
+/// The text between two others; "" if the first is missing.
 std::string between(const std::string& text, std::string_view before, std::string_view behind) {
   const std::size_t found = text.find(before);
   if (found == std::string::npos) return {};
@@ -94,7 +94,7 @@ std::string between(const std::string& text, std::string_view before, std::strin
   return text.substr(begin, text.find(behind, begin) - begin);
 }
 
-/// The text of the model by the names that an imported model states: files may be renamed.
+/// The text of the model with the names in `stated`, an imported model, since files may be renamed.
 std::string text_by_names_of(const std::string& stated, const SourcePointer& source,
                              const Limits& limits, ImportOptions options) {
   options.name = between(stated, "[model]\nname        = \"", "\"");
@@ -103,7 +103,7 @@ std::string text_by_names_of(const std::string& stated, const SourcePointer& sou
   return model ? model->text : "";
 }
 
-/// E715 if the file has other bytes than the model, apart from the names of files.
+/// E715 if the file differs from the model in more than names of files.
 ExitCode check_file(const GlobalOptions& global, const ImportCommand& options,
                     const SourcePointer& source, const std::string& text) {
   const Result<SourcePointer> file = read_source(options.checked, global.limits);

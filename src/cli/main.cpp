@@ -1,6 +1,6 @@
-// elgen: the command line. Words -> options; every command lives in a file of its own.
+// elgen: parses the command line. Every command has its own file.
 //
-// CLI11 reads the words; what it rejects becomes a diagnostic that points into the command line.
+// CLI11 parses the words; its errors become diagnostics that point into the command line.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -28,12 +28,12 @@ constexpr const char* examples =
     "  elgen verify models/cart_pole.toml              compare with 60-digit arithmetic\n";
 
 struct CommandLine {
-  Action action = {};       ///< empty: --help, --version, --limits
-  std::string answer = {};  ///< to these
+  Action action = {};       ///< empty for --help, --version and --limits
+  std::string answer = {};  ///< the text that these options print
   GlobalOptions global = {};
 };
 
-/// Options whose values need more than CLI11's conversions.
+/// Options whose values need more than the conversions of CLI11.
 struct RawOptions {
   std::string color = "auto";
   std::string format = "text";
@@ -67,7 +67,7 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
       ->allow_extra_args(false);
 }
 
-/// A source that shows the command line, with a span on `word`.
+/// E913 with a source that shows the command line, and a span on `word`.
 Diagnostic pointing_at(const std::vector<std::string>& words, const std::string& word,
                        std::string message, std::string hint) {
   std::string text = "elgen";
@@ -99,14 +99,14 @@ std::vector<std::string> known_words(const CLI::App& app) {
   return known;
 }
 
-/// Refers to the help of the command that was begun.
+/// Refers to the help of the command, if the command line names one.
 std::string see_help(const CLI::App& app) {
   const std::vector<CLI::App*> begun = app.get_subcommands();
   const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";
   return fmt::format("see `elgen {}--help`", command);
 }
 
-/// `elgen help`, `elgen help show`: the options they stand for.
+/// Replaces `elgen help` and `elgen help show` by the corresponding options.
 std::vector<std::string> without_help_command(std::vector<std::string> words) {
   if (words.size() < 2 || words[1] != "help") return words;
   words.erase(words.begin() + 1);
@@ -114,11 +114,11 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
   return words;
 }
 
-/// `--state a=1 b=2`, or with a comma between them, as `--state a=1 --state b=2`. Files of inputs
-/// are no settings.
+/// Turns `--state a=1 b=2`, also with commas, into `--state a=1 --state b=2`. Input files are no
+/// settings.
 std::vector<std::string> with_options_repeated(const std::vector<std::string>& words) {
   std::vector<std::string> all;
-  std::string option;  // of the settings before
+  std::string option;  // of the preceding settings
   bool is_first = false;
   for (std::string word : words) {
     const std::size_t equals = word.find('=');
@@ -198,7 +198,7 @@ std::string limits_json() {
   return list.dump(2) + "\n";
 }
 
-/// The text that `elgen` alone prints: what to type first, and every command.
+/// The text that `elgen` without arguments prints: examples and all commands.
 std::string short_help(const CLI::App& app) {
   std::string text = std::string(examples) + "\n";
   for (const CLI::App* command : app.get_subcommands({})) {
@@ -222,7 +222,7 @@ DiagnosticStyle style_of(const std::string& color, const std::string& format) {
   return style;
 }
 
-/// E913: what only people read, where programs read all.
+/// E913 for options that only people read, if the format is for programs.
 Diagnostics for_people_alone(const GlobalOptions& global) {
   if (!wants_json(global)) return {};
   Diagnostics refused;
@@ -236,7 +236,7 @@ Diagnostics for_people_alone(const GlobalOptions& global) {
   return refused;
 }
 
-/// The value of an option that stands before or after a mistake.
+/// The value of an option, even if other words contain mistakes.
 std::string value_of(const std::vector<std::string>& words, const std::string& option) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (words[i] == option && i + 1 < words.size()) return words[i + 1];
@@ -245,13 +245,13 @@ std::string value_of(const std::vector<std::string>& words, const std::string& o
   return {};
 }
 
-/// How the diagnostics of read_command_line are wanted, as far as its words can be understood.
+/// The style for errors of read_command_line(), from the words that can be understood.
 DiagnosticStyle style_of_mistakes(const std::vector<std::string>& words) {
   const std::string color = value_of(words, "--color");
   return style_of(color.empty() ? "auto" : color, value_of(words, "--format"));
 }
 
-/// E913: words that are not understood, with what was probably meant.
+/// E913 for words that are not understood, with a suggestion.
 Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   CommandLine line;
   RawOptions raw;
@@ -296,7 +296,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   return line;
 }
 
-/// `global` is what is known of the command line when something is thrown.
+/// `global` receives the options as soon as they are known, for exceptions that follow.
 ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global) {
   const auto line = read_command_line(words);
   if (!line) {
@@ -308,7 +308,7 @@ ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global)
   return line->action ? line->action(global) : print(global, line->answer);
 }
 
-/// Whatever happens becomes a diagnostic.
+/// Every exception becomes a diagnostic.
 ExitCode run_program(int count, char** words) {
   GlobalOptions global;
   try {

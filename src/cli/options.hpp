@@ -1,4 +1,4 @@
-// The options of the command line, and the functions that every command needs.
+// The global options, and the output functions that every command needs.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace elgen::cli {
 
 /// Options of every command.
 struct GlobalOptions {
-  std::vector<std::string> words = {};  ///< of the command line, the program's name first
+  std::vector<std::string> words = {};  ///< of the command line; the first is the program's name
   DiagnosticStyle style = {};
   bool quiet = false;
   bool verbose = false;
@@ -21,18 +21,18 @@ struct GlobalOptions {
   Limits limits = {};
 };
 
-/// Prints what was asked for on stdout, at once. E706 where that fails.
+/// Prints a result on stdout in one piece. E706 if that fails.
 ExitCode print(const GlobalOptions& global, const std::string& asked_for);
 
 /// Prints diagnostics on stderr (--quiet: without notes), and returns their exit code.
 ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics);
 
-/// Whether results are printed as JSON: what has no such form is refused.
+/// True if results are printed as JSON. Commands refuse results without a JSON form.
 [[nodiscard]] inline bool wants_json(const GlobalOptions& global) {
   return global.style.format == DiagnosticFormat::json;
 }
 
-/// A line for people on stderr, unless --quiet, or programs read all of it.
+/// Prints a line for people on stderr, unless --quiet is set or the format is JSON.
 void tell(const GlobalOptions& global, const std::string& line);
 
 void tell_times(const GlobalOptions& global, const Products& products);

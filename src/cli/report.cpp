@@ -1,4 +1,4 @@
-// Everything that is printed: what was asked for on stdout, everything else on stderr.
+// All that is printed: results on stdout, everything else on stderr.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -12,12 +12,12 @@
 namespace elgen::cli {
 namespace {
 
-/// Where stderr cannot be written, nobody can be told.
+/// A failure to write to stderr cannot be reported.
 void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
-/// Whole: a limit that is met meanwhile is told behind them.
+/// Prints the whole text before the message of any limit that is reached meanwhile.
 void say(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
-  // Memory is asked for before the first byte, and time has to wait for the last.
+  // Memory is allocated before the first byte; signals are deferred until the last byte is written.
   const std::string text = format(diagnostics, style);
   const NoInterrupts until_written;
   say(text);

@@ -1,4 +1,4 @@
-// elgen schema NAME: the JSON Schema of what elgen reads.
+// elgen schema NAME: the JSON Schema of model or scene files.
 #include "cli/commands.hpp"
 #include "elgen/syntax.hpp"
 

@@ -1,4 +1,4 @@
-// elgen completions, elgen man: what shells and man know of the command line.
+// elgen completions, elgen man: the command line, described for shells and for man.
 #include "cli/commands.hpp"
 #include "cli/help/command_list.hpp"
 
@@ -6,7 +6,7 @@ namespace elgen::cli {
 
 namespace {
 
-/// Words are read once; what is printed is made while the list of commands is at hand.
+/// The text is made during parsing, while the list of commands exists, and printed later.
 void print_later(Action& action, std::string text) {
   action = [text = std::move(text)](const GlobalOptions& global) {
     if (!wants_json(global)) return print(global, text);

@@ -31,7 +31,7 @@ struct ShowOptions {
   SceneOptions scene = {};
 };
 
-/// Makes a page or data from what an analysis found.
+/// Makes a page or data from the result of an analysis.
 template <auto make, auto found>
 auto made(const Products& products, const PageOptions&) {
   return make(*products.checked, *(products.*found));
@@ -90,7 +90,7 @@ constexpr std::array subjects{
 /// "lagrangian, steps, cost, equilibria, modes, symmetries or base_parameters"
 std::string subject_words() {
   std::vector<std::string> words = words_in(subjects, &SubjectRow::word);
-  words.erase(words.begin());  // outputs have names of their own
+  words.erase(words.begin());  // the row of outputs has no word
   const std::string last = std::move(words.back());
   words.pop_back();
   return fmt::format("{} or {}", fmt::join(words, ", "), last);

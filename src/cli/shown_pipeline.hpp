@@ -20,7 +20,7 @@ namespace elgen::cli {
 /// Prints the dump and the diagnostics.
 ExitCode report_products(const GlobalOptions& global, const Products& products);
 
-/// Whether a file exists and, as far as is known, its scene still has this name.
+/// True if the file exists and its scene has this name, or if the name cannot be determined.
 [[nodiscard]] bool may_bear(const GlobalOptions& global, const std::string& path,
                             const std::string& name);
 

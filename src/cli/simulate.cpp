@@ -1,5 +1,5 @@
-// elgen simulate: a run of one model or scene from its start; its last state and drifts on stdout,
-// its rows where -o says.
+// elgen simulate: a run of one model or scene from its start. Prints the last state and the drifts,
+// and writes the rows to the file of -o.
 #include "elgen/simulate.hpp"
 
 #include <fmt/format.h>
@@ -31,11 +31,11 @@ struct SimulateOptions {
   FileOption output = {};  ///< of the rows
 };
 
-/// Rows of a file whose distance is not given.
+/// Number of rows in a file if --every is not set.
 constexpr double default_rows = 1000;
 
-/// Says once, after a second, how long the run will take, where that is ten seconds or more. The
-/// line of the stage says it where stages are shown.
+/// After a second it estimates the duration of the run, and shows it once if it is ten seconds or
+/// more: in the line of progress on a terminal, otherwise as a message.
 std::function<void(double)> estimate_of_run(const GlobalOptions& global, const Progress& progress,
                                             double from, double time) {
   using Clock = std::chrono::steady_clock;
@@ -54,7 +54,7 @@ std::function<void(double)> estimate_of_run(const GlobalOptions& global, const P
   };
 }
 
-/// The line of the stages is gone when this returns.
+/// The line of progress is cleared before this returns.
 Products shown_for_run(const SimulateOptions& options, const Inputs& inputs,
                        PipelineOptions pipeline) {
   const Progress progress(options.input);
@@ -62,8 +62,8 @@ Products shown_for_run(const SimulateOptions& options, const Inputs& inputs,
   return derived_for_run(inputs, std::move(pipeline), step_of_run(options.run));
 }
 
-/// E910 if rows take more memory than there is: each has t, q, v and E, as numbers and as texts of
-/// at least two characters.
+/// E910 if the rows take more memory than the limit. Each has t, q, v and E, as numbers and as
+/// texts of at least two characters.
 Diagnostics refuse_rows(const SimulationOptions& run, const Model& model, const Limits& limits) {
   if (!run.every) return {};
   const std::size_t numbers = model.coordinates.size() + model.velocities.size() + 2;
@@ -102,8 +102,7 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
 
 bool is_page(const SimulateOptions& options) { return options.output.file.ends_with(".html"); }
 
-/// The run that a page opens with: a method of steps of one length, ten thousand of them unless
-/// their length is given.
+/// The run that a page opens with: by default rk4 in ten thousand steps of one length.
 SimulationOptions run_of_page(SimulationOptions run) {
   constexpr double default_steps = 10'000;
   if (run.method.empty()) run.method = "rk4";
@@ -111,8 +110,7 @@ SimulationOptions run_of_page(SimulationOptions run) {
   return run;
 }
 
-/// The derivation, and without constraints the points of rest and the modes about them, as far as
-/// there are some.
+/// The derivation and, without constraints, the equilibria and normal modes if they are found.
 Products read_of_page(const SimulateOptions& options, const Inputs& inputs,
                       PipelineOptions pipeline, bool is_constrained) {
   pipeline.scene.purpose = purpose::rest;
@@ -148,7 +146,7 @@ ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options)
   return std::max(told, report(global, written.diagnostics));
 }
 
-/// E913 where curves are chosen that nothing draws.
+/// E913 if `--show` or `--path` is set but no plot is written.
 Diagnostics refuse_curves(const SimulateOptions& options) {
   const bool has_curves = !options.run.show.empty() || !options.run.path.empty();
   if (!has_curves || options.output.file.ends_with(".svg")) return {};
@@ -195,7 +193,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
 void add_numbers(CLI::App& command, SimulationOptions& run) {
   command.add_option("--time", run.time, "how long, in s")->required();
   command.add_option("--from", run.from, "time at the start")->capture_default_str();
-  run.method.clear();  // a page has another one than rows
+  run.method.clear();  // pages and rows have different defaults
   command.add_option("--method", run.method,
                      "dopri5 (unless given), rk4 (of pages), verlet or midpoint");
   command.add_option_function<std::uint32_t>(

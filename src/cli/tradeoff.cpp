@@ -1,5 +1,5 @@
-// elgen tradeoff: the designs of one output, or runs, measured, as a table; the scene of a row is
-// written beside the table, both or none.
+// elgen tradeoff: measures the designs of one output, or runs, as a table. The table and the scene
+// of a row are written together or not at all.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,25 +19,25 @@
 namespace elgen::cli {
 namespace {
 
-/// The uses of a table: it is printed, written, and chosen from.
+/// The output of a table, and the choice of one of its rows.
 struct TradeoffOutput {
-  std::string as = {};  ///< what is printed; empty: as --format says
+  std::string as = {};  ///< format on stdout; empty: follows --format
   FileOption table = {};
-  std::optional<double> max_error = {};  ///< of the row that is named
-  std::string scene_file = {};           ///< of that row; empty: none
+  std::optional<double> max_error = {};  ///< of the row to pick
+  std::string scene_file = {};           ///< for the scene of that row; empty: none
 };
 
 struct TradeoffOptions {
   std::string input = {};
-  std::string of = {};               ///< which output
-  std::optional<double> time = {};   ///< of runs, in the place of an output
-  std::vector<double> lengths = {};  ///< of their steps
+  std::string of = {};               ///< the output to measure
+  std::optional<double> time = {};   ///< of runs, which replace the output
+  std::vector<double> lengths = {};  ///< of the steps of runs
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
   TradeoffOutput output = {};
 };
 
-/// From the folder of the scene.
+/// The path of the model, relative to the folder of the scene.
 std::string model_path(const Inputs& inputs, const std::string& scene_file) {
   namespace fs = std::filesystem;
   const auto from_root = [](const fs::path& path) { return fs::absolute(path).lexically_normal(); };
@@ -56,7 +56,7 @@ Diagnostics none_within(const TradeoffTable& table, double max_error) {
                                             name_of(*nearest), nearest->error.worst)}};
 }
 
-/// The scene of the row that --max-error asks for, which promises that, joins `files`.
+/// Picks a row by --max-error. Its scene, which promises this error, is appended to `files`.
 ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
                     const Inputs& inputs, const TradeoffTable& table,
                     std::vector<OutputFile>& files) {
@@ -74,7 +74,7 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
   return ExitCode::success;
 }
 
-/// E913: an ending that says nothing; E703, E708: what stands in the place of a file.
+/// E913 for an unknown ending; E703, E708 for existing files that may not be replaced.
 Diagnostics refuse_output(const TradeoffOutput& output) {
   if (!output.table.file.empty()) {
     const auto format = format_of<TradeoffTable>(output.table.file);
@@ -87,8 +87,8 @@ Diagnostics refuse_output(const TradeoffOutput& output) {
   return refuse_places(files, output.table.force);
 }
 
-/// Writes a judged table, and a scene of the design that was picked where one is wanted. E632 where
-/// no row is within max_error; E706.
+/// Prints and writes a judged table, and the scene of the picked design if output.scene_file is
+/// set. E632 if no row is within max_error; E706.
 ExitCode deliver(const GlobalOptions& global, const TradeoffOptions& options, const Inputs& inputs,
                  const TradeoffTable& table) {
   const TradeoffOutput& output = options.output;
@@ -107,7 +107,7 @@ ExitCode deliver(const GlobalOptions& global, const TradeoffOptions& options, co
   return std::max(worst, report(global, written.diagnostics));
 }
 
-/// The stages are shown; their line is gone when this returns.
+/// Shows the stages. The line of progress is cleared before this returns.
 Result<MeasuredTable> measured(const GlobalOptions& global, const TradeoffOptions& options,
                                const Inputs& inputs) {
   const Progress progress(options.input);
@@ -118,7 +118,7 @@ Result<MeasuredTable> measured(const GlobalOptions& global, const TradeoffOption
   return measured_designs({inputs, options.of, options.choices, options.ranges}, process);
 }
 
-/// A scene names the file of its model.
+/// E913: a scene names the file of its model, and standard input has none.
 Diagnostics refuse_scene(const TradeoffOptions& options, const Inputs& inputs) {
   if (options.output.scene_file.empty() || inputs.model->path != stdin_name) return {};
   return {{Code::E913, {}, "a scene cannot name a model on standard input"}};
@@ -133,7 +133,7 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
   ExitCode found = report(global, result.diagnostics);
   if (!result) return found;
   if (!result->not_compiled.empty()) {
-    // The others are measured all the same, so it is no mistake of elgen's alone.
+    // The other designs are measured nevertheless, so this is not only a mistake in elgen.
     report(global, result->not_compiled);
     found = ExitCode::inaccessible;
   }
@@ -158,7 +158,7 @@ void add_pins(CLI::App& command, DesignChoices& choices) {
   }
 }
 
-/// The options for the designs and the ranges in which they are looked at, or for the runs.
+/// The options for the designs and the ranges of their states, or for the runs.
 void add_subject(CLI::App& command, TradeoffOptions& options) {
   CLI::Option* const time =
       add_number(command, "--trajectory", options.time,
@@ -186,7 +186,7 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
   command.get_option("--range")->excludes(time);
 }
 
-/// The options for the uses of the table.
+/// The options for the output of the table.
 void add_uses(CLI::App& command, TradeoffOutput& output) {
   CLI::Option* const max_error =
       add_number(command, "--max-error", output.max_error,

@@ -1,4 +1,4 @@
-// elgen vectors: states and what functions give there, for tests of code that others wrote.
+// elgen vectors: states and the values of functions at these states, to test code of other authors.
 #include <array>
 
 #include "cli/commands.hpp"
@@ -17,14 +17,14 @@ struct VectorsOptions {
   std::string input = {};
   SceneOptions scene = {};
   VectorOptions vectors = {};
-  FileOption output = {};  ///< none: JSON is printed
+  FileOption output = {};  ///< empty: JSON is printed
 };
 
 constexpr std::array vector_formats{DataFormat<ValueTable>{"csv", &to_csv},
                                     DataFormat<ValueTable>{"json", &to_json},
                                     DataFormat<ValueTable>{"h", &to_header}};
 
-/// The stages are shown; their line is gone when this returns.
+/// Shows the stage. The line of progress is cleared before this returns.
 Result<ValueTable> vectors_of(const GlobalOptions& global, const VectorsOptions& options,
                               const Products& products) {
   const Progress progress(options.input);

@@ -1,4 +1,4 @@
-// elgen verify: a certificate per input, on stdout and where -o says.
+// elgen verify: a certificate per input, on stdout and in the file of -o.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -22,7 +22,7 @@
 namespace elgen::cli {
 namespace {
 
-/// A word of --build.
+/// A value of --build.
 struct BuildWord {
   std::string_view word;
   Build build;
@@ -32,20 +32,20 @@ constexpr std::array<BuildWord, 3> build_words{
 
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
-  VerifyOptions verify = {};  ///< but for what is compiled and derived
+  VerifyOptions verify = {};  ///< compared() adds forms, claims and on_step
   std::vector<Build> builds = {Build::as_written, Build::native, Build::as_users};
   bool strict = false;     ///< skipped checks count as failed
   FileOption output = {};  ///< of certificates
   std::optional<LanguageId> language = {};
-  ForeignOptions foreign = {};  ///< without claims: none is judged
+  ForeignOptions foreign = {};  ///< without claims no foreign code is judged
 };
 
-/// With every check, as -o gets it.
+/// With every check, as -o writes it.
 std::string full_text(const GlobalOptions& global, const Certificate& certificate) {
   return wants_json(global) ? to_json(certificate) : to_full_text(certificate);
 }
 
-/// As -q, -v and --format want it.
+/// The text that -q, -v and --format select.
 std::string text_of(const GlobalOptions& global, const Certificate& certificate) {
   if (wants_json(global) || (global.verbose && !global.quiet))
     return full_text(global, certificate);
@@ -68,14 +68,14 @@ auto timed(const std::string& name, Products& products, const Progress& progress
   return result;
 }
 
-/// A compiler that takes too long says nothing of the model: what it would have told is skipped.
+/// A compiler that is too slow says nothing about the model, so its checks are skipped.
 CompiledHeaders all_lacking(const Diagnostic& late) {
   CompiledHeaders headers(1);
   headers.front().lacking = late.message + "; " + late.hint;
   return headers;
 }
 
-/// Compiles the emitted code in every build that is compared, unless it is to be quick.
+/// Compiles the emitted code in every build of options.builds; nothing if --quick is set.
 Result<CompiledHeaders> compiled_by(Products& products, const VerifyCommandOptions& options,
                                     const Limits& limits, const Progress& progress) {
   if (options.verify.quick) return CompiledHeaders();
@@ -90,7 +90,7 @@ Result<CompiledHeaders> compiled_by(Products& products, const VerifyCommandOptio
   });
 }
 
-/// The rows of `max_error`. What the scene expands is derived once more, without its expansion.
+/// The rows of `max_error`. An expanded scene is derived again without its expansion.
 Result<std::vector<CertificateRow>> promised(const Inputs& inputs, const Products& products,
                                              const CompiledHeaders& compiled,
                                              const VerifyOptions& options, const Limits& limits) {
@@ -107,8 +107,8 @@ Result<std::vector<CertificateRow>> promised(const Inputs& inputs, const Product
   return promised_errors(*exact.checked, *exact.program, compiled, options);
 }
 
-/// Compiles, and compares with what is derived beside `options`; every step is shown,
-/// and timed with the stages of the products.
+/// Compiles the code and verifies the products. Every step is shown, and timed with the stages of
+/// the products.
 Result<Verification> compared(const std::string& path, const Inputs& inputs, Products& products,
                               const VerifyCommandOptions& options, const Limits& limits) {
   const Progress progress(path);
@@ -131,7 +131,7 @@ Result<Verification> compared(const std::string& path, const Inputs& inputs, Pro
   return result;
 }
 
-/// The same of foreign code. Nothing is derived.
+/// Judges foreign code. Nothing is derived.
 Result<Verification> judged(const std::string& path, Products& products,
                             const VerifyCommandOptions& options, const Limits& limits) {
   ForeignOptions foreign = options.foreign;
@@ -142,7 +142,7 @@ Result<Verification> judged(const std::string& path, Products& products,
                [&] { return judge_foreign(*products.checked, foreign); });
 }
 
-/// Appends the input's certificate in full; none where it could not be generated.
+/// Appends the full certificate of an input; nothing if the input has errors.
 ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
                     const Inputs& inputs, std::vector<std::string>& certificates) {
   const std::string& path = (inputs.scene != nullptr ? inputs.scene : inputs.model)->path;
@@ -187,7 +187,7 @@ ExitCode verify_each(const GlobalOptions& global, const VerifyCommandOptions& op
                                   : report(global, inputs.diagnostics);
     worst = std::max(worst, found);
   }
-  // A file with some certificates missing would look like all of them.
+  // A file in which some certificates are missing would look complete.
   if (options.output.file.empty() || certificates.size() != options.inputs.size()) return worst;
   std::string all;
   for (const std::string& certificate : certificates) all += certificate;
@@ -199,7 +199,7 @@ ExitCode run_verify(const GlobalOptions& global, const VerifyCommandOptions& opt
   return refused.empty() ? verify_each(global, options) : report(global, refused);
 }
 
-/// How many states, which, and by whom.
+/// Options for the number and the seed of states, and for the number of processes.
 void add_states(CLI::App& command, VerifyOptions& verify) {
   constexpr unsigned most_jobs = 512;
   verify.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, most_jobs);
@@ -223,7 +223,7 @@ void add_build(CLI::App& command, std::vector<Build>& builds) {
   build->excludes(command.get_option("--quick"));
 }
 
-/// "linearization.B=my_B": without a name there, what stands before it.
+/// "linearization.B=my_B"; the default name is the text before "=".
 ForeignClaim claim_of(const std::string& text) {
   const std::string claimed = text.substr(0, text.find('='));
   const std::string output = claimed.substr(0, claimed.find('.'));

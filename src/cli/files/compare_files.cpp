@@ -1,4 +1,4 @@
-// The report of --check on files that are written: missing, stale, edited by hand.
+// Compares files with the disk for --check: missing, stale or edited by hand.
 #include <fmt/format.h>
 
 #include <array>
@@ -11,7 +11,7 @@ namespace elgen::cli {
 
 namespace {
 
-constexpr std::size_t diff_lines = 20;  // of each file; the rest is counted
+constexpr std::size_t diff_lines = 20;  // of each file; further lines are counted
 
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> result;

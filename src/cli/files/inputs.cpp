@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files are told apart by their identity, however they are called.
+/// Identifies a file, whatever its path is.
 using Identity = std::pair<dev_t, ino_t>;
 
 Identity identity(const struct stat& file) { return {file.st_dev, file.st_ino}; }
@@ -40,7 +40,7 @@ Diagnostic unreadable(const std::string& path, int error) {
   return unreadable(path, "could not be read: " + std::generic_category().message(error));
 }
 
-/// Before it is opened: that alone may wait for ever, or do something to a device.
+/// Checked before the file is opened, because opening may block for ever or affect a device.
 std::optional<Diagnostic> no_file(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) {
@@ -52,7 +52,7 @@ std::optional<Diagnostic> no_file(const std::string& path) {
   return unreadable(path, fmt::format("is {}, not a file", kind));
 }
 
-/// All of an open file, but not much more than the limit.
+/// Reads an open file, but stops soon after the limit.
 Result<SourcePointer> read_open(const std::string& name, const Descriptor& file,
                                 const Limits& limits) {
   struct stat found {};
@@ -92,8 +92,8 @@ bool is_scene(const SourceText& source) {
          source.path.ends_with(".scene.toml");
 }
 
-/// The error of a file that is no model and is not named as a scene: a robot description, or a
-/// scene.
+/// The error of a file that is no model and is not named as a scene: a robot description, a scene,
+/// or a model with the name of a scene.
 std::optional<Diagnostic> misnamed(const SourceText& source) {
   const std::size_t first = source.text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && source.text[first] == '<') {
@@ -129,8 +129,8 @@ std::vector<std::string> toml_files(const fs::path& folder) {
   return names;
 }
 
-/// The hint for a scene whose model is not where it says. To show a revision, git puts one file
-/// into a folder of its own.
+/// The hint for a scene whose model does not exist. To show a revision, git puts a single file into
+/// a temporary folder.
 std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
   const bool is_alone = scene.parent_path().filename().string().starts_with("git-blob-");
   if (is_alone) return "git shows one file alone: `elgen diff --against REV` has both";
@@ -143,7 +143,7 @@ std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
 Result<SourcePointer> kept_source(const std::string& path, std::string text, const Limits& limits) {
   const SourcePointer source = make_kept_source(shown_path(path), std::move(text));
   if (source->text.size() <= limits.file_bytes) return source;
-  const auto at = static_cast<std::uint32_t>(limits.file_bytes);  // where the limit is passed
+  const auto at = static_cast<std::uint32_t>(limits.file_bytes);  // the first byte beyond the limit
   return Diagnostic{Code::E901,
                     {source.get(), at, at},
                     fmt::format("`{}` has more than {} bytes", source->path, limits.file_bytes),
@@ -175,7 +175,7 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
   if (!scene) return scene.diagnostics;
   const KeySyntax* named = find_key(&*scene, "", "model");
   if (named == nullptr) return scene.diagnostics;  // parse has reported the missing key
-  // Nothing of a file that is not meant is quoted.
+  // Files of other kinds are not read, so that no diagnostic quotes them.
   if (!named->value.text.ends_with(".toml")) {
     return Diagnostic{Code::E104, named->value.span,
                       fmt::format("{} is no model", in_backticks(named->value.text)),
@@ -184,7 +184,7 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
   const fs::path model = fs::path(path).parent_path() / named->value.text;
   Result<SourcePointer> model_source = read(model.lexically_normal().string());
   if (!model_source) {
-    // The mistake is in the scene: point there.
+    // The mistake is in the scene, so the diagnostic points into the scene.
     Diagnostics errors = model_source.diagnostics;
     errors.front().span = named->value.span;
     return errors;

@@ -1,4 +1,4 @@
-// Output of every command -> disk: all files or none, and never over what is not ours.
+// Writes the output files of every command: all or none, and never over files of others.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace elgen::cli {
 
-/// The ending of files that list the generated ones.
+/// The ending of files that list the generated files.
 inline constexpr std::string_view sidecar_ending = artifact_table.sidecar.ending;
 
-/// The condition on an existing file under which another takes its place unasked.
+/// The condition on an existing file under which it is replaced without --force.
 enum class Replaces : unsigned char {
-  generated,     ///< a file that says that elgen generated it
-  dependencies,  ///< a file for make whose first rule is about a file of ours
-  nothing,       ///< such a file is edited by its owner
+  generated,     ///< it has the marker of elgen
+  dependencies,  ///< its first rule makes a generated file
+  nothing,       ///< never: its owner edits it
 };
 
 struct OutputFile {
@@ -30,49 +30,48 @@ struct OutputFile {
 
 struct WriteOptions {
   bool force = false;         ///< replaces any regular file that is no input
-  std::uint64_t seconds = 0;  ///< to wait for another process that writes there
+  std::uint64_t seconds = 0;  ///< longest wait for another process that writes to the same folder
 };
 
-/// Every file below `directory`.
+/// The emitted files with their paths in `directory`.
 [[nodiscard]] std::vector<OutputFile> files_in(const std::string& directory,
                                                const EmittedFiles& files);
 
-/// Puts every file in its place, and returns the paths of those that were not there already, byte
-/// for byte. E703, E708: what stands in a place may not be replaced. E706: could not write. Then
-/// nothing is changed.
+/// Writes the files and returns the paths of those that changed. E703, E708: an existing file may
+/// not be replaced. E706: a file could not be written. After an error nothing is changed.
 [[nodiscard]] Result<std::vector<std::string>> write_files(const std::vector<OutputFile>& files,
                                                            const WriteOptions& options);
 
-/// The E703 and E708 of write_files alone, for a command that takes long.
+/// Only the E703 and E708 of write_files(), to be checked before a long computation.
 [[nodiscard]] Diagnostics refuse_places(const std::vector<OutputFile>& files, bool force);
 
-/// Whether the file says that elgen generated it.
+/// True if the first 200 bytes of a regular file contain the marker of generated files.
 [[nodiscard]] bool bears_marker(const std::string& path);
 
-/// The text of a regular file; nothing where there is none.
+/// The text of a regular file; empty if there is none.
 [[nodiscard]] std::optional<std::string> existing_text(const std::string& path);
 
-/// A path as make and ninja want it.
+/// A path with spaces and dollar signs escaped for make and ninja.
 [[nodiscard]] std::string escaped_for_make(const std::string& path);
 
 enum class FileState : unsigned char {
   stale,
-  edited,  ///< by hand: the file does not have the hash that it states
+  edited,  ///< by hand: the text does not have the hash that it states
   missing,
-  orphaned,  ///< ours, but nothing generates it any more
+  orphaned,  ///< it has the marker, but no input generates it any more
 };
 
 /// "stale", "edited", "missing", "orphaned"
 [[nodiscard]] std::string_view name_of(FileState state);
 
-/// A file that is not as it would be written.
+/// A file that differs from the generated text.
 struct FileDifference {
   FileState state = FileState::stale;
   std::string path = {};
-  std::string detail = {};  ///< the first lines of a unified diff; of an orphan, why it is one
+  std::string detail = {};  ///< the first lines of a unified diff; for an orphan the reason
 };
 
-/// The differences between `files` and the disk; orphans are not looked for.
+/// The differences between `files` and the disk. Orphans are not searched.
 [[nodiscard]] std::vector<FileDifference> compare_files(const std::string& directory,
                                                         const EmittedFiles& files);
 

@@ -1,4 +1,4 @@
-// source_paths: by the names of folders; links are followed where they exist.
+// source_paths: paths are compared folder by folder; links are resolved if they exist.
 #include "cli/files/source_paths.hpp"
 
 #include <algorithm>
@@ -37,8 +37,8 @@ bool is_in_repository(fs::path folder) {
   return false;
 }
 
-/// Whether files below this folder may have nothing to do with each other: it is, or holds, the
-/// home or a folder for temporary files.
+/// True if files below this folder may be unrelated: it is or contains the home or a folder for
+/// temporary files.
 bool is_everyones(const fs::path& folder) {
   std::vector<std::string> places{"/tmp", "/var/tmp"};
   for (const char* const variable : {"HOME", "TMPDIR"}) {

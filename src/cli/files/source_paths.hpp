@@ -1,4 +1,4 @@
-// source_paths: what files say they were made from.
+// source_paths: the paths of sources that generated files state.
 //
 //     generated/, models/a.toml        ->   ../models/a.toml
 //     /tmp/out/, /home/ann/a.toml      ->   a.toml
@@ -10,12 +10,12 @@
 
 namespace elgen::cli {
 
-/// Relative to the folder that everything is written below, whatever that is called, where both are
-/// in one repository of git, or in one folder other than the root, the home and those for temporary
-/// files. Names elsewhere, so that no file tells of a machine, and of standard input.
+/// Paths relative to the output folder, if source and output are in one repository of git or in one
+/// common folder. The root, the home and folders for temporary files do not count as common.
+/// Otherwise, and for standard input, bare names, so that no file reveals paths of a machine.
 [[nodiscard]] SourcePaths source_paths(const Inputs& inputs, const std::string& directory);
 
-/// The file that such paths name, of a scene itself; none where they are but names.
+/// The file that the paths name: the scene, or else the model. Empty if they are bare names.
 [[nodiscard]] std::optional<std::string> source_file(const std::string& directory,
                                                      const SourcePaths& paths);
 

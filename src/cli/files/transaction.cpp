@@ -1,7 +1,7 @@
-// transaction: folders are created, opened, locked in one order for all processes, and looked at
-// again: a process that fails removes the folders it made, perhaps under the hands of another. The
-// stage of a folder bears a name of our own, so that what a killed process left is known and
-// removed by the next one, under the lock.
+// transaction: all processes create, open and lock folders in the same order. After locking they
+// check the folders again, because a process that fails removes the folders it created. The stage
+// of a folder has a known prefix: the next process recognises the stage of a killed process and
+// removes it under the lock.
 #include "cli/files/transaction.hpp"
 
 #include <dirent.h>
@@ -58,7 +58,7 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
-/// A folder that files go to, and the stage inside it on which they are made ready.
+/// A folder that receives files, and the stage inside it that holds the new files.
 class TargetFolder {
  public:
   TargetFolder(std::string path, Descriptor open)
@@ -68,22 +68,23 @@ class TargetFolder {
 
   /// The path of the first file.
   [[nodiscard]] const std::string& path() const { return files_.front()->path; }
-  /// Whether the lock is ours now; false while another process has it.
+  /// True if this process has the lock now; false while another process has it.
   [[nodiscard]] bool lock() const;
-  /// Whether another process removed the folder before it was locked.
+  /// True if another process removed the folder before it was locked.
   [[nodiscard]] bool is_removed() const;
 
-  /// Removes stages of killed processes.
+  /// Removes the stages of killed processes.
   void remove_stale_stages() const;
-  /// Writes what differs from the disk into a fresh folder inside; `written` gains the paths.
+  /// Writes the files that differ from the disk into a new stage, and appends their paths to
+  /// `written`.
   [[nodiscard]] std::optional<Failure> stage(std::vector<std::string>& written);
-  /// Moves it to its place.
+  /// Moves the files of the stage to their places.
   [[nodiscard]] std::optional<Failure> commit();
-  /// Removes the stage, and undoes commit() unless it is to stay. Needs no memory.
+  /// Removes the stage, and undoes commit() unless `stays`. Allocates no memory.
   void finish(bool stays) noexcept;
 
  private:
-  /// A file on its way. The old one is kept under a second name.
+  /// A new file of the stage. The old file is kept under a second name.
   struct Move {
     std::string target = {};
     std::string fresh = {};
@@ -106,7 +107,7 @@ void TargetFolder::finish(bool stays) noexcept {
   for (auto move = moves_.rbegin(); move != moves_.rend(); ++move) {
     const bool is_settled = stays || !move->is_done || undo(*move);
     (void)::unlink(move->fresh.c_str());
-    // An old file that cannot be put back is kept where it is.
+    // If the old file cannot be restored, its second name is kept.
     if (move->had_old && is_settled) (void)::unlink(move->old.c_str());
   }
   if (!stage_.empty()) (void)::rmdir(stage_.c_str());
@@ -122,7 +123,7 @@ bool TargetFolder::is_removed() const {
   return ::fstat(open_.number(), &status) != 0 || status.st_nlink == 0;
 }
 
-/// The iterators of std::filesystem end the process where memory is refused.
+/// Uses readdir(), because the iterators of std::filesystem end the process if memory is short.
 void TargetFolder::remove_stale_stages() const {
   const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir(path_.c_str()), &::closedir);
   if (folder == nullptr) return;
@@ -158,7 +159,7 @@ std::optional<Failure> TargetFolder::commit() {
   for (Move& move : moves_) {
     const char* const target = move.target.c_str();
     struct stat found {};
-    // Where a file can have no second name it is moved away.
+    // Without hard links the old file is renamed.
     if (::lstat(target, &found) == 0) {
       const char* const old = move.old.c_str();
       move.had_old = ::link(target, old) == 0 || ::rename(target, old) == 0;
@@ -180,10 +181,10 @@ Transaction::Transaction(std::uint64_t seconds)
 
 Transaction::~Transaction() {
   for (auto& [identity, folder] : folders_) {
-    if (folder != nullptr) folder->finish(stays_);  // null where memory for it was refused
+    if (folder != nullptr) folder->finish(stays_);  // null if its allocation failed
   }
   if (stays_) return;
-  // Folders made in vain are empty now, and still locked.
+  // Folders created in vain are empty and still locked.
   for (auto path = created_.rbegin(); path != created_.rend(); ++path) {
     (void)::rmdir(path->c_str());
   }
@@ -247,7 +248,7 @@ std::optional<Failure> Transaction::hold_folders(const std::vector<OutputFile>& 
 
 std::optional<Failure> Transaction::write(const std::vector<OutputFile>& files) {
   if (auto failure = hold_folders(files)) return failure;
-  // Before anything is staged, which would be left behind where this fails.
+  // Before any file is staged, so that a failure leaves no stage behind.
   for (auto& [identity, folder] : folders_) folder->remove_stale_stages();
   for (auto& [identity, folder] : folders_) {
     if (auto failure = folder->stage(written_)) return failure;

@@ -1,4 +1,4 @@
-// Transaction: many files change at once, or none does.
+// Transaction: changes many files together, or none of them.
 #pragma once
 
 #include <sys/stat.h>
@@ -15,7 +15,7 @@
 
 namespace elgen::cli {
 
-/// The path that could not be written, and the number of the system's error.
+/// The path that could not be written, and the system's error number.
 struct Failure {
   std::string path = {};
   int error = 0;
@@ -23,8 +23,8 @@ struct Failure {
 
 class TargetFolder;
 
-/// While it lives, interrupts wait and the folders are locked. Unless write() succeeded, its end
-/// puts everything back as it was.
+/// While it exists, interrupts are deferred and the folders are locked. The destructor restores all
+/// files, unless write() succeeded.
 class Transaction {
  public:
   explicit Transaction(std::uint64_t seconds);
@@ -32,8 +32,8 @@ class Transaction {
   Transaction& operator=(const Transaction&) = delete;
   ~Transaction();
 
-  /// Waits for other processes that write to the same folders, stages what differs from the disk,
-  /// and moves it to its place.
+  /// Waits for other processes that write to the same folders, stages the files that differ from
+  /// the disk, and moves them to their places.
   [[nodiscard]] std::optional<Failure> write(const std::vector<OutputFile>& files);
 
   /// The paths of the files that differed.
@@ -41,10 +41,10 @@ class Transaction {
 
  private:
   using Identity = std::pair<dev_t, ino_t>;
-  /// In the order of their identities, in which every process locks them.
+  /// Sorted by identity, the order in which every process locks folders.
   using Folders = std::map<Identity, std::unique_ptr<TargetFolder>>;
 
-  /// Open and locked, all of them.
+  /// Opens and locks all folders.
   [[nodiscard]] std::optional<Failure> hold_folders(const std::vector<OutputFile>& files);
   [[nodiscard]] std::optional<Failure> open_folders(const std::vector<OutputFile>& files);
   [[nodiscard]] std::optional<Failure> open_folder(const OutputFile& file);
@@ -53,7 +53,7 @@ class Transaction {
 
   NoInterrupts until_done_;
   std::chrono::steady_clock::time_point deadline_;
-  std::vector<std::string> created_ = {};  ///< folders, outer ones first
+  std::vector<std::string> created_ = {};  ///< folders, outer folders first
   Folders folders_;
   std::vector<std::string> written_ = {};
   bool stays_ = false;

@@ -1,4 +1,4 @@
-// Which places may be written to; how, is the Transaction's affair.
+// Checks which places may be written to. The Transaction writes.
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -35,7 +35,7 @@ std::string first_target(const std::string& rules) {
   return rules.substr(0, std::min(rules.find(": "), rules.find(":\n")));
 }
 
-/// Whether the existing rules make one of `files`, or another file of ours.
+/// True if the first of the existing rules makes one of `files`, or another generated file.
 bool are_our_rules(const std::string& path, const std::vector<OutputFile>& files) {
   const std::string target = first_target(existing_text(path).value_or(""));
   const auto is_made = [&target](const OutputFile& file) {
@@ -44,7 +44,7 @@ bool are_our_rules(const std::string& path, const std::vector<OutputFile>& files
   return std::any_of(files.begin(), files.end(), is_made) || bears_marker(target);
 }
 
-/// How the existing file is described where it is not ours; empty where it is.
+/// The reason why the existing file may not be replaced without --force; empty if it may.
 std::string foreign(const OutputFile& file, const std::vector<OutputFile>& files) {
   switch (file.replaces) {
     case Replaces::generated:

@@ -1,5 +1,5 @@
-// command_list: asked of CLI11, which keeps the words that IsMember allows as "{a,b}" in a type
-// only.
+// command_list: read from CLI11, which stores the words of IsMember only as "{a,b}" in the text of
+// a type.
 #include "cli/help/command_list.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace elgen::cli {
 
 namespace {
 
-/// "TEXT:{auto,always,never}" -> "TEXT" and the words.
+/// Splits "TEXT:{auto,always,never}" into the type "TEXT" and the choices.
 void read_type(const std::string& text, ListedOption& option) {
   const std::size_t open = text.find('{');
   const std::size_t close = text.find('}');

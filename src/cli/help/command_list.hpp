@@ -8,9 +8,9 @@
 namespace elgen::cli {
 
 struct ListedOption {
-  std::vector<std::string> names = {};    ///< "-q", "--quiet"; of a positional its name alone
+  std::vector<std::string> names = {};    ///< "-q", "--quiet"; a positional argument has one name
   std::string type = {};                  ///< "DIR"; empty: a flag
-  std::vector<std::string> choices = {};  ///< all values it may have, where these are words
+  std::vector<std::string> choices = {};  ///< all allowed values, if these are words
   std::string doc = {};
   bool is_positional = false;
   bool takes_several = false;
@@ -22,20 +22,20 @@ struct ListedCommand {
   std::vector<ListedOption> options = {};
 };
 
-/// All that `--help` knows.
+/// The content of `--help`.
 struct CommandList {
   std::string doc = {};                    ///< with the examples
-  std::vector<ListedOption> options = {};  ///< of every command
+  std::vector<ListedOption> options = {};  ///< global options
   std::vector<ListedCommand> commands = {};
 };
 
 [[nodiscard]] CommandList command_list(const CLI::App& app);
 
-/// The shells that completions are written for.
+/// The shells for which completions exist.
 [[nodiscard]] std::vector<std::string> completed_shells();
 
-/// A script that completes commands, options, their words, and files; `shell` is one of those
-/// above.
+/// A script that completes commands, options, their values, and files. `shell` is one of
+/// completed_shells().
 [[nodiscard]] std::string completions(const CommandList& list, const std::string& shell);
 
 /// elgen(1), for man and groff.

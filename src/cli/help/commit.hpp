@@ -1,9 +1,9 @@
-// The commit of the sources, for `--version`; emitted files do not know it.
+// The commit of the sources, for `--version`; emitted files do not contain it.
 #pragma once
 
 namespace elgen::cli {
 
-/// Its first twelve digits; empty where the sources came without their history.
+/// The first twelve hexadecimal digits; empty if the sources have no git history.
 extern const char* const commit;
 
 }  // namespace elgen::cli

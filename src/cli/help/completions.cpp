@@ -1,4 +1,4 @@
-// completions: one list of commands, a template for each shell.
+// completions: fills a template for each shell from one list of commands.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::string spaced(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Names of options without positionals.
+/// Names of options, without positional arguments.
 std::vector<std::string> names_of(const std::vector<ListedOption>& options) {
   std::vector<std::string> names;
   for (const ListedOption& option : options) {
@@ -34,10 +34,10 @@ std::vector<std::string> names_of(const std::vector<ListedOption>& options) {
   return names;
 }
 
-/// Inside of '…', for all three shells.
+/// Escapes a text for '…' in all three shells.
 std::string in_single_quotes(const std::string& text) { return escaped(text, {{'\'', "'\\''"}}); }
 
-/// Before and inside of the brackets of _arguments.
+/// Escapes a text for the specifications of zsh's _arguments.
 std::string zsh_text(const std::string& text) {
   return escaped(in_single_quotes(text), {{'[', "\\["}, {']', "\\]"}, {':', "\\:"}});
 }
@@ -61,7 +61,7 @@ TemplateData zsh_specs(const std::vector<ListedOption>& options) {
   return lines_data(lines);
 }
 
-/// " -n '…' -l as -x -a 'text json' -d 'doc'"; `command` is empty where it may stand anywhere.
+/// " -n '…' -l as -x -a 'text json' -d 'doc'"; `command` is empty for global options.
 std::string fish_option(const std::string& command, const ListedOption& option) {
   std::string line;
   if (!command.empty()) line += fmt::format(" -n '__fish_seen_subcommand_from {}'", command);

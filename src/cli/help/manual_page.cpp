@@ -25,7 +25,8 @@ constexpr std::array exit_rows{
     ExitRow{ExitCode::internal, "a mistake in elgen"},
     ExitRow{ExitCode::interrupted, "interrupted; nothing is half-written"}};
 
-/// Text, not requests and escapes; its hyphens can be copied.
+/// Escapes the requests and escapes of troff; hyphens become minus signs, so that they can be
+/// copied.
 std::string troff_text(const std::string& text) {
   std::string result;
   bool begins_line = true;
@@ -45,7 +46,7 @@ std::string heading_of(const ListedOption& option) {
     text += fmt::format("{}\\f{}{}\\fR", text.empty() ? "" : ", ", font, troff_text(name));
   }
   if (option.is_positional || option.type.empty()) return text;
-  std::string words;  // troff may break the line behind each
+  std::string words;  // troff may break the line after each
   for (const std::string& choice : option.choices) {
     words += (words.empty() ? "" : "|\\:") + troff_text(choice);
   }

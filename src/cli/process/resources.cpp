@@ -1,4 +1,4 @@
-// setrlimit and signal handlers; handlers only write a prepared text and leave.
+// setrlimit and signal handlers; handlers only write a prepared text and end the process.
 #include "cli/process/resources.hpp"
 
 #include <cln/malloc.h>
@@ -21,7 +21,7 @@ namespace elgen::cli {
 
 namespace {
 
-/// The address sanitizer's shadow counts as memory: terabytes of it.
+/// The shadow memory of the address sanitizer counts as memory, and it takes terabytes.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool has_shadow_memory = true;
 #elif !defined(__has_feature)
@@ -32,7 +32,7 @@ constexpr bool has_shadow_memory = true;
 constexpr bool has_shadow_memory = false;
 #endif
 
-/// The message that the process ends with, prepared while memory may be asked for.
+/// The last messages of the process, formatted in advance because signal handlers may not allocate.
 struct LastWords {
   DiagnosticStyle style = {};
   std::uint64_t seconds = 0;
@@ -43,7 +43,7 @@ struct LastWords {
   std::string memory = {};
 };
 
-/// Never destroyed: a signal may come while the process ends.
+/// Never destroyed, because a signal may arrive while the process ends.
 LastWords& last_words() {
   static LastWords& words = *new LastWords;
   return words;
@@ -64,13 +64,13 @@ Diagnostic out_of_time(std::string message) {
   return {Code::E909, {}, std::move(message), "raised by --limit seconds=N"};
 }
 
-/// Seconds of the clock; 0 would be no limit at all.
+/// Seconds of real time; alarm(0) would set no limit.
 void set_alarm(std::uint64_t seconds) {
   constexpr std::uint64_t longest = 1U << 30U;
   ::alarm(static_cast<unsigned>(std::clamp<std::uint64_t>(seconds, 1, longest)));
 }
 
-/// Libraries have destructors that ask for memory and may not throw.
+/// Destructors of libraries allocate memory but may not throw.
 [[noreturn]] void end_without_memory() {
   try {
     if (std::current_exception() != nullptr) throw;
@@ -82,8 +82,8 @@ void set_alarm(std::uint64_t seconds) {
   std::abort();
 }
 
-/// Where memory ends, CLN throws an exception of its own, which a page outlives, and GMP, which CLN
-/// calculates with, aborts, unless their functions for memory throw.
+/// Memory functions that throw std::bad_alloc. Without them CLN throws another exception, after
+/// which a page would continue, and GMP, which CLN uses, aborts.
 void* some_memory(std::size_t size) {
   void* const memory = std::malloc(size);
   return memory == nullptr ? throw std::bad_alloc() : memory;
@@ -96,7 +96,7 @@ void* other_memory(void* old, std::size_t /*size*/, std::size_t size) {
 
 void no_memory(void* old, std::size_t /*size*/) { std::free(old); }
 
-/// A resource is an enumeration of glibc's, and an int in musl.
+/// The type of a resource is an enumeration in glibc and int in musl.
 template <class Resource>
 void limit(Resource resource, std::uint64_t value) {
   rlimit both{};
@@ -118,7 +118,7 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   ::mp_set_memory_functions(some_memory, other_memory, no_memory);
   std::signal(SIGXCPU, end_on_time);
   std::signal(SIGALRM, end_waiting);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is one that cannot be written (E706)
+  std::signal(SIGXFSZ, SIG_IGN);  // writing to a file that may not grow fails (E706)
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, end_on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
@@ -129,7 +129,7 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
 void name_stage(const std::string& stage) {
   LastWords& words = last_words();
   const std::string name = stage.substr(0, stage.find(','));  // "accuracy, state 3 of 8"
-  // verify calls this for each of many states.
+  // Returns early, because verify calls this for each of many states.
   if (words.stage == name) return;
   words.stage = name;
   std::string& next = words.processor_time[words.stage_now == words.processor_time.data() ? 1 : 0];

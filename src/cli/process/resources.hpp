@@ -8,19 +8,19 @@
 
 namespace elgen::cli {
 
-/// Processor time ends the process with E909 and exit code 3, memory throws std::bad_alloc, an
-/// interrupt (SIGINT, SIGTERM or SIGHUP, unless ignored) ends it with 130; in a scope of
-/// NoInterrupts they wait.
+/// Beyond the limit of processor time the process ends with E909 and exit code 3; beyond the limit
+/// of memory allocations throw std::bad_alloc. SIGINT, SIGTERM and SIGHUP end it with 130, unless
+/// ignored. In a scope of NoInterrupts these signals are deferred.
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style);
 
-/// E909 names this stage from now on; "" for none.
+/// Sets the stage that E909 names; "" for none.
 void name_stage(const std::string& stage);
 
-/// Gives the next input as much processor time as the first one had.
+/// Restarts the limit of processor time for the next input.
 void renew_time_limit(const Limits& limits);
 
-/// While this lives, `limits.seconds` by the clock end the process with E909 and exit code 3: an
-/// input may never arrive.
+/// While this exists, the process ends with E909 and exit code 3 after `limits.seconds` of real
+/// time, because an input may never arrive.
 class WaitingLimit {
  public:
   WaitingLimit(const Limits& limits, const std::string& path);

@@ -1,5 +1,5 @@
-// terminal: asked of the system where the stream is one, else of the environment. For progress a
-// watching thread rewrites one line, and clears it at the end.
+// terminal: the system knows the width, the environment the alphabet. A watching thread rewrites
+// the line of progress, and clears it at the end.
 #include "cli/process/terminal.hpp"
 
 #include <fmt/format.h>
@@ -22,14 +22,14 @@ namespace elgen::cli {
 namespace {
 
 constexpr std::size_t usual_columns = 80;
-constexpr std::size_t least_columns = 40;  ///< narrower ones wrap
+constexpr std::size_t least_columns = 40;  ///< lines wrap on narrower terminals
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr ? "" : value;
 }
 
-/// The first that is set decides, as in setlocale(3).
+/// The first variable that is set decides, as in setlocale(3).
 bool is_utf8() {
   for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
     std::string value = variable(name);
@@ -60,7 +60,7 @@ Screen screen_of(std::FILE* stream) {
 
 Progress::Progress(const std::string& subject) : subject_(shown_path(subject)) {
   if (!is_terminal(stderr)) return;
-  const NoInterrupts inherited;  // signals are the affair of the thread that works
+  const NoInterrupts inherited;  // only the working thread handles signals
   watcher_ = std::thread([this] { watch(); });
 }
 

@@ -1,4 +1,4 @@
-// terminal: what a stream can show, and the progress of long work on it.
+// terminal: the capabilities of a stream, and the progress of long work on it.
 #pragma once
 
 #include <condition_variable>
@@ -13,11 +13,11 @@ namespace elgen::cli {
 
 [[nodiscard]] bool is_terminal(std::FILE* stream);
 
-/// As wide as the terminal, 80 columns elsewhere. Unicode on a terminal whose locale is UTF-8
-/// (LC_ALL, LC_CTYPE, LANG) and which is neither `dumb` nor that of the Linux console.
+/// The width of a terminal, or 80 columns. Unicode if the stream is a terminal, its locale is UTF-8
+/// (LC_ALL, LC_CTYPE, LANG), and it is neither `dumb` nor the Linux console.
 [[nodiscard]] Screen screen_of(std::FILE* stream);
 
-/// On stderr, only on a terminal, only after half a second, naming the stage.
+/// Shows the stage on stderr, only on a terminal and only after half a second.
 class Progress {
  public:
   explicit Progress(const std::string& subject);

@@ -1,8 +1,9 @@
-// Revisions: `git ls-tree` lists the objects, `git cat-file` gives their bytes. Both take what is
-// committed as it is: attributes, path specifications and the working tree mean nothing to them.
+// Revisions: `git ls-tree` lists the objects, `git cat-file` prints their bytes. Both read
+// committed objects unchanged; attributes, path specifications and the working tree do not affect
+// them.
 //
-// Equations are lowered, which is enough to compare them; forms are chosen where what is emitted is
-// not what is lowered, and where that takes little.
+// Equations are lowered, which is enough to compare them. Forms are chosen if the emitted functions
+// depend on them, or if the program is small.
 #include "cli/versions/versions.hpp"
 
 #include <fmt/format.h>
@@ -22,9 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t seconds_of_git = 60;
-/// Paths of some ten million files.
+/// Enough for the paths of ten million files.
 constexpr std::size_t longest_list = 1U << 30U;
-/// As many as Linux follows.
+/// The limit of Linux.
 constexpr int most_links = 40;
 constexpr std::size_t longest_path = 4096;
 constexpr std::string_view link_mode = "120000";
@@ -45,7 +46,7 @@ ProcessResult git(std::vector<std::string> words, std::size_t most_output = long
   return run_apart(words, seconds_of_git, most_output);
 }
 
-/// Without the line end behind it; a path may have others.
+/// Without the final line end; a path may contain others.
 std::string line_of(const ProcessResult& result) {
   std::string line = result.output;
   if (line.ends_with('\n')) line.pop_back();
@@ -57,8 +58,8 @@ bool is_object_id(const std::string& text) {
   return text.size() >= 40 && std::ranges::all_of(text, is_digit);
 }
 
-/// The root of the working tree. Where $GIT_DIR alone is given, git takes the current folder for
-/// it, whatever that is.
+/// The root of the working tree. If only $GIT_DIR is set, git takes the working directory as the
+/// root.
 Result<std::string> root_of_tree() {
   const ProcessResult top = git({"rev-parse", "--show-toplevel"});
   if (!top.succeeded()) return refused("there is no repository here", top);
@@ -76,10 +77,10 @@ Result<std::string> root_of_tree() {
   return root;
 }
 
-/// So many instructions take about as long in their forms as without them; panda7 has 29 000.
+/// Up to this number of instructions the choice of forms takes little time; panda7 has 29 000.
 constexpr std::size_t most_chosen = 2'000;
 
-/// Steps are made of functions in their forms.
+/// Integration steps call functions in their chosen forms.
 bool needs_forms(const Scene& scene) {
   return std::ranges::any_of(
       scene.outputs, [](const OutputRequest& output) { return output_row(output.kind).steps; });
@@ -115,7 +116,7 @@ Result<Revision> Revision::open(const std::string& name) {
   const std::string commit = line_of(known);
   const std::string no_revision = fmt::format("{} is no revision", in_backticks(name));
   if (!known.succeeded()) return refused(no_revision, known);
-  // "^HEAD" is all but HEAD.
+  // "^HEAD" excludes HEAD and names no commit.
   if (!is_object_id(commit)) return Diagnostic{Code::E713, {}, no_revision};
   const ProcessResult list = git({"ls-tree", "-r", "-z", "--full-tree", commit});
   if (!list.succeeded() || list.output.size() == longest_list) {
@@ -139,7 +140,7 @@ Result<Revision> Revision::open(const std::string& name) {
 Result<std::string> Revision::path_of(const std::string& path) const {
   std::error_code error;
   const fs::path root = fs::weakly_canonical(root_, error);
-  // A link is a file of the tree, wherever it leads; the folders above it are real.
+  // A link is a file of the tree, wherever it leads; links in the folders above it are resolved.
   const fs::path full = fs::absolute(path, error).lexically_normal();
   const bool is_folder = fs::is_directory(full, error) || !full.has_filename();
   const fs::path real = is_folder

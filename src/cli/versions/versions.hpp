@@ -1,5 +1,5 @@
-// Versions: the files of a revision of git, read from its objects; and a model or a scene, read and
-// ready to be compared.
+// Versions: the files of a revision of git, read from its objects; and a model or scene, loaded for
+// a comparison.
 #pragma once
 
 #include <map>
@@ -14,23 +14,24 @@
 
 namespace elgen::cli {
 
-/// Paths are those from the root of the repository. A refusal of git is E713, with its words.
+/// Paths are relative to the root of the repository. An error of git becomes E713 with its message.
 class Revision {
  public:
-  /// A commit of the repository that the current folder is in.
+  /// A commit of the repository that contains the working directory.
   [[nodiscard]] static Result<Revision> open(const std::string& name);
 
-  /// The path of a file or folder of the working tree. E713 outside of it, and in a submodule.
+  /// The path of a file or folder of the working tree. E713 outside of the tree, and in a
+  /// submodule.
   [[nodiscard]] Result<std::string> path_of(const std::string& path) const;
 
   [[nodiscard]] bool has(const std::string& path) const { return objects_.count(path) > 0; }
 
-  /// The files below a folder, by their paths from it; "" is the root. Links that lead to no file
-  /// are left out.
+  /// The files below a folder, with paths relative to it; "" is the root. Links that lead to no
+  /// file are omitted.
   [[nodiscard]] std::vector<std::string> files_below(const std::string& folder) const;
 
-  /// Called NAME:PATH in messages. Links lead to files of the same revision. E111 where it has
-  /// none.
+  /// Messages call the source NAME:PATH. Links lead to files of the same revision. E111 if there is
+  /// no such file.
   [[nodiscard]] Result<SourcePointer> read(const std::string& path, const Limits& limits) const;
 
  private:
@@ -39,7 +40,7 @@ class Revision {
     std::string id = {};
   };
 
-  /// Where links lead to, at last; none where that is no file of the revision.
+  /// The object at the end of all links; null if it is no file of the revision.
   [[nodiscard]] Result<const Object*> followed(const std::string& path) const;
 
   /// The first `most` bytes; `path` is for messages.
@@ -53,7 +54,7 @@ class Revision {
   std::map<std::string, Object> objects_ = {};
 };
 
-/// A model or scene with its equations, and what these point into.
+/// A model or scene with its equations, and the syntax trees that these point into.
 struct LoadedVersion {
   Inputs inputs = {};
   FileSyntax model = {};
@@ -64,13 +65,13 @@ struct LoadedVersion {
   [[nodiscard]] Version version() const;
 };
 
-/// The base name of its files: MODEL, or MODEL_SCENE. "" where it has errors.
+/// The base name of the system's files: MODEL, or MODEL_SCENE. "" if it has errors.
 [[nodiscard]] std::string system_name(const Inputs& inputs, const Limits& limits);
 
-/// Errors and warnings that are found without the equations.
+/// Errors and warnings of the stages before the equations are derived.
 [[nodiscard]] Diagnostics mistakes(const Inputs& inputs, const Limits& limits);
 
-/// Errors: those of the stages up to the equations.
+/// Errors of the stages up to the equations.
 [[nodiscard]] Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits);
 
 }  // namespace elgen::cli
