@@ -1,4 +1,4 @@
-// change_words: what is long is cut, what has no closed form is told by its verdict.
+// change_words: long texts are shortened; an entry without a closed form shows its verdict.
 #include "diff/change_words.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ std::string shortened(const std::string& text) {
   return text.substr(0, longest_value - 3) + "...";
 }
 
-/// The unit where it has one.
+/// " m/s"; "" without a unit.
 std::string with_unit(const EntryChange& entry) {
   return entry.unit.empty() || entry.unit == "1" ? "" : " " + entry.unit;
 }

@@ -1,4 +1,4 @@
-// change_words: single changes in words.
+// change_words: single changes as text.
 #pragma once
 
 #include <string>
@@ -7,35 +7,35 @@
 
 namespace elgen {
 
-/// "models/cart_pole.toml:55:17  "; "" where it has no place
+/// "models/cart_pole.toml:55:17  "; "" without a place
 [[nodiscard]] std::string place_text(const KeyChange& change);
 
 /// "[gravity] vector[2]: -g -> g"
 [[nodiscard]] std::string text_of(const KeyChange& change);
 
-/// "the equations are the same", and where nothing but points say so, that.
+/// "the equations are the same"; it says so if only sampled points show this.
 [[nodiscard]] std::string meaning(Impact impact, bool is_told_apart);
 
-/// The name of a system, and where others have it, too, its path.
+/// The name of a system, with its path if other systems have the same name.
 [[nodiscard]] std::string label_of(const DiffReport& report, const SystemChange& system);
 
-/// Whether lines have to name their systems.
+/// True if lines have to name their systems.
 [[nodiscard]] bool has_several(const DiffReport& report);
 
 /// "models/a.toml: E201: unknown name `z`"
 [[nodiscard]] std::string text_of(const UnreadableSystem& system);
 
-/// Whether the versions differ in this entry, or nothing tells.
+/// True if the versions differ in this entry, or may differ.
 [[nodiscard]] bool may_differ(const EntryChange& entry);
 
-/// Entries by their verdicts.
+/// Numbers of entries by verdict.
 struct VerdictCounts {
   std::size_t all = 0;
   std::size_t different = 0;
-  std::size_t undecided = 0;  ///< not told apart
+  std::size_t undecided = 0;  ///< neither proved equal nor different
   std::size_t rewritten = 0;
-  std::size_t proved = 0;    ///< of those that are rewritten
-  std::size_t replaced = 0;  ///< one is gone and another is there, as where a name is another one
+  std::size_t proved = 0;    ///< rewritten entries whose equality is proved
+  std::size_t replaced = 0;  ///< an old entry is gone and a new one exists, as after a rename
   std::size_t added = 0;
   std::size_t removed = 0;
 
@@ -47,10 +47,10 @@ struct VerdictCounts {
 
 [[nodiscard]] VerdictCounts counts_of(const SystemChange& system);
 
-/// "a -> b"; "" where there is no closed form that is short enough
+/// "a -> b"; "" without a closed form that is short enough
 [[nodiscard]] std::string change_text(const EntryChange& entry);
 
-/// Where the entry was looked at, and what it was there; "" where it was at no state.
+/// A state, and the values of the entry at it; "" without a witness.
 [[nodiscard]] std::string witness_text(const EntryChange& entry);
 
 /// "gravity[2] = a -> b, difference c", "gravity[2]: is new", "gravity[2], not told apart at 64

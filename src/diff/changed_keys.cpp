@@ -1,5 +1,5 @@
-// changed_keys: two parsed trees side by side. Expressions are compared as trees, so that blanks
-// and brackets that change nothing are no change.
+// changed_keys: compares two parsed trees. Expressions are compared as trees, so that blanks and
+// redundant brackets are no change.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -22,13 +22,13 @@ std::string text_of(const std::vector<KeySyntax>& keys) {
   return fmt::format("{{ {} }}", text);
 }
 
-/// Equations and repetitions are texts, which are read as tables and lists.
+/// False for equations and repetitions, whose texts are parsed into tables and lists.
 bool is_one_text(const ValueSyntax& value) {
   const bool has_parts = value.kind == ValueKind::list || value.kind == ValueKind::table;
   return !has_parts || !value.text.empty();
 }
 
-/// As it is written, in one line.
+/// The value as it is written, in one line.
 std::string text_of(const ValueSyntax& value) {
   if (value.kind == ValueKind::boolean) return value.boolean ? "true" : "false";
   if (is_one_text(value)) return value.text;
@@ -77,11 +77,11 @@ bool is_repeated(const EntrySyntax& entry) {
   return row != entry_table().end() && row->repeated;
 }
 
-/// An entry, and the key and number that tell a repeated one from its likes.
+/// An entry, with the key and the number that identify it among repeated entries.
 struct IdentifiedEntry {
   const EntrySyntax* entry = nullptr;
-  const KeySyntax* key = nullptr;  ///< "name", "on", "at" or "frame"; null where it has none
-  std::size_t number = 1;          ///< of those that are called alike
+  const KeySyntax* key = nullptr;  ///< "name", "on", "at" or "frame"; null if it has none of these
+  std::size_t number = 1;          ///< among entries with an equal key
 };
 
 bool is_alike(const IdentifiedEntry& x, const IdentifiedEntry& y) {
@@ -97,7 +97,7 @@ const KeySyntax* identifying_key(const EntrySyntax& entry) {
   return nullptr;
 }
 
-/// "[[point]] bob", "[[force]] on x #2", "[gravity]"; "" of the file's own keys
+/// "[[point]] bob", "[[force]] on x #2", "[gravity]"; "" for keys outside of tables
 std::string text_of(const IdentifiedEntry& one) {
   const auto& table = one.entry->name;
   if (!is_repeated(*one.entry)) return table.empty() ? "" : fmt::format("[{}]", table);
@@ -223,7 +223,7 @@ class KeyComparison {
     return false;
   }
 
-  /// q, u, multipliers and the members of Parameters are in the order of the file.
+  /// The order in the file determines the order of q, u, multipliers and members of Parameters.
   void compare_orders(const IdentifiedEntries& olds, const IdentifiedEntries& news) {
     if (!prefix_.empty()) return;  // a scene only refers to them
     for (const char* const kind : {"coordinate", "input", "constraint"}) {
@@ -255,7 +255,7 @@ class KeyComparison {
     return names;
   }
 
-  /// Compares the order of names that both have.
+  /// Compares the order of the names that both versions have.
   void compare_order(Names olds, Names news) {
     const auto drop_others = [](Names& names, const Names& others) {
       std::erase_if(names, [&others](const auto& name) {
@@ -274,7 +274,7 @@ class KeyComparison {
   }
 
   std::string_view prefix_ = {};
-  KeyChange place_ = {};  ///< of the changes that are found
+  KeyChange place_ = {};  ///< for the changes to be found
   std::vector<KeyChange> changes_ = {};
 };
 

@@ -1,4 +1,4 @@
-// compare: what changed, and what it amounts to.
+// compare: the changes between two versions, and their impact.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,13 +19,13 @@ constexpr std::array impact_rows{
 #undef ELGEN_IMPACT
 };
 
-/// Keys that no equation depends on, whatever they belong to; only runs take the `sample` of an
-/// open function.
+/// Keys on which no equation depends, in all entries. Only runs read the `sample` of an open
+/// function.
 constexpr std::array described{"doc",   "latex",  "title",    "description", "reference",
                                "range", "limits", "min",      "max",         "rate_range",
                                "wrap",  "start",  "singular", "sample"};
 
-/// Whether one of its keys is described; names that the user gave are none.
+/// True if a key on the path is in `described`. Names that users chose do not count.
 bool is_described(const KeyChange& change) {
   std::string table = change.table;
   for (const KeyStep& step : change.path) {
@@ -36,12 +36,12 @@ bool is_described(const KeyChange& change) {
   return false;
 }
 
-/// Whether drawings alone follow it.
+/// True if the key affects drawings only.
 bool is_drawn(const KeyChange& change) {
   return !change.path.empty() && elgen::is_drawn(change.table, change.path.front().key);
 }
 
-/// `m`, `m.value` of a model, `fixed` of a scene: what a parameter is.
+/// True if the key is a number: `m` or `m.value` of a model, `fixed` or an accuracy of a scene.
 bool is_value(const KeyChange& change) {
   if (change.table == "scene.parameters") return true;
   const bool is_both = !change.before.empty() && !change.after.empty();
@@ -54,8 +54,8 @@ bool is_value(const KeyChange& change) {
   return change.table == "parameters" && (path.size() == 1 || path[1].key == "value");
 }
 
-/// The least impact of a changed key, before values and equations are looked at. A parameter that a
-/// scene fixes becomes a number, though it be the same one.
+/// The least impact of a changed key, before values and equations are compared. If a scene fixes a
+/// parameter, the parameter becomes a number, even if its value is the same.
 Impact impact_of(const KeyChange& change) {
   const bool is_fixed =
       change.table == "scene.parameters" && (change.before.empty() || change.after.empty());
@@ -84,7 +84,7 @@ Impact impact_of(const std::vector<KeyChange>& keys) {
   return worst;
 }
 
-/// A scene may expand about an equilibrium.
+/// A scene may expand about an equilibrium, so a move of it may change equations.
 bool is_moved_equilibrium(const KeyChange& key) {
   if (key.table != "equilibrium" || key.path.empty()) return false;
   return key.path.front().key == "at" || key.path.front().key == "inputs";
@@ -96,7 +96,7 @@ bool may_change_equations(const KeyChange& key) {
   return impact_of(key) == Impact::equal && !is_value(key);
 }
 
-/// Whether callers see what it says: names, their order, functions, the target.
+/// True if callers see what the key declares: names, their order, functions, the target.
 bool is_of_interface(const KeyChange& key) {
   constexpr std::array tables{"model",  "sizes",      "coordinate", "input",
                               "output", "constraint", "parameters", "function"};
@@ -105,7 +105,7 @@ bool is_of_interface(const KeyChange& key) {
   return is_seen && (may_change_equations(key) || key.table == "scene.parameters");
 }
 
-/// Gives every key the worst that it may have done.
+/// Sets the impact of every key to the worst that this key may have caused.
 void judge_keys(SystemChange& system, Impact of_entries) {
   Impact of_interface = Impact::equal;
   for (const InterfaceChange& change : system.interface) {
@@ -123,7 +123,7 @@ void judge_keys(SystemChange& system, Impact of_entries) {
 
 std::string text_of(const SourcePointer& source) { return source ? source->text : ""; }
 
-/// The built-in one has no keys, and no source.
+/// The built-in scene has no keys and no source.
 const FileSyntax& scene_of(const Version& version) {
   static const FileSyntax no_keys;
   return version.scene == nullptr ? no_keys : *version.scene;
@@ -134,7 +134,7 @@ bool same_texts(const Version& before, const Version& after) {
          text_of(scene_of(before).source) == text_of(scene_of(after).source);
 }
 
-/// Parameters that only the newer version has, at 0.
+/// The parameters that only the newer version has, with the value 0.
 ParameterValues new_parameters(const Version& before, const Version& after,
                                const Renames& renames) {
   ParameterValues values;
@@ -146,7 +146,7 @@ ParameterValues new_parameters(const Version& before, const Version& after,
   return values;
 }
 
-/// "at mt = 0 all entries are the old ones (proved)"; "" where they are not.
+/// "at mt = 0 all entries are the old ones (proved)"; "" if they are not.
 std::string extension(const Version& before, const Version& after, const CompareOptions& options) {
   const ParameterValues values = new_parameters(before, after, options.renames);
   if (values.empty()) return {};
@@ -167,7 +167,7 @@ std::string extension(const Version& before, const Version& after, const Compare
                      is_proved ? "proved" : "at 64 random points");
 }
 
-/// Entries of [[expect]] that do not hold.
+/// The entries of [[expect]] that do not hold.
 std::set<std::string> wrong_expectations(const Version& version) {
   const Subject subject{version.checked.model, version.checked.scene, version.program};
   std::set<std::string> wrong;
@@ -206,7 +206,7 @@ std::vector<KeyChange> all_changed_keys(const Version& before, const Version& af
   return keys;
 }
 
-/// None where one version does not know them.
+/// Empty if one of the versions has no operations.
 std::optional<std::vector<OperationsChange>> operations_changes(const Version& before,
                                                                 const Version& after) {
   if (before.operations == nullptr || after.operations == nullptr) return std::nullopt;
@@ -219,7 +219,7 @@ std::optional<std::vector<OperationsChange>> operations_changes(const Version& b
   return changes;
 }
 
-/// The impact of entries that differ.
+/// The impact of entries that differ. `are_values`: only values of parameters changed.
 Impact impact_of_entries(const SystemChange& system, bool are_values) {
   if (are_values) return Impact::values;
   return system.extension.empty() ? Impact::different : Impact::extended;

@@ -1,4 +1,4 @@
-// diff_annotations: systems that fail, then causes; what follows from these has no place in a file.
+// diff_annotations: systems that fail, then causes. Consequences have no place in a file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,10 +17,10 @@
 namespace elgen {
 namespace {
 
-/// The number of annotations that GitHub shows of one step at one level.
+/// GitHub shows this number of annotations per step and level.
 constexpr std::size_t most_annotations = 10;
 
-/// All that breaks it, at the first key of those that do which is there.
+/// All reasons why it breaks, at the first key that breaks it and exists in the newer version.
 WorkflowCommand broken_system(const DiffReport& report, const SystemChange& system) {
   std::string reasons;
   for (const InterfaceChange& change : system.interface) {
@@ -34,7 +34,7 @@ WorkflowCommand broken_system(const DiffReport& report, const SystemChange& syst
           fmt::format("{}: {}", label_of(report, system), reasons)};
 }
 
-/// One for every system that breaks, is gone or cannot be read.
+/// An error for each system that breaks, is removed or cannot be read.
 std::vector<WorkflowCommand> failures(const DiffReport& report) {
   std::vector<WorkflowCommand> commands;
   for (const SystemChange& system : report.systems) {
@@ -49,15 +49,15 @@ std::vector<WorkflowCommand> failures(const DiffReport& report) {
   return commands;
 }
 
-/// A key, and what it did to each system.
+/// A changed key, and its impact on each system.
 struct Cause {
   const KeyChange* key = nullptr;
-  Impact impact = Impact::equal;  ///< the worst of all
+  Impact impact = Impact::equal;  ///< the worst of all systems
   bool is_told_apart = true;
   std::string systems = {};  ///< "cart_pole: different, cart_pole_balance: values"
 };
 
-/// The worst first.
+/// Sorted by impact, the worst first.
 std::vector<Cause> causes_of(const DiffReport& report) {
   std::vector<Cause> found;
   std::map<std::string, std::size_t> known;

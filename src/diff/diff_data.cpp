@@ -1,4 +1,4 @@
-// diff_data: a report for programs.
+// diff_data: a report as JSON, for programs.
 #include <array>
 #include <utility>
 

@@ -1,5 +1,5 @@
-// diff_text: a report in lines with labels, as text and as Markdown. Lines that systems share are
-// said once. Equations stand in blocks of code, in which no sign is a mark of Markdown.
+// diff_text: a report as lines with labels, as text and as Markdown. A line that several systems
+// share appears once. Equations are in blocks of code, in which no character is markup.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -19,18 +19,18 @@ namespace elgen {
 namespace {
 
 struct SummaryLine {
-  std::string label = {};  ///< "changed"; "" where it goes on
+  std::string label = {};  ///< "changed"; "" if it continues the label above
   std::string text = {};
-  std::string systems = {};  ///< that it is about: "cart_pole, cart_pole_balance"
+  std::string systems = {};  ///< systems of the line: "cart_pole, cart_pole_balance"
 };
 using SummaryLines = std::vector<SummaryLine>;
 
-constexpr std::size_t most_keys = 5;       ///< and the others counted
-constexpr std::size_t most_interface = 6;  ///< likewise
+constexpr std::size_t most_keys = 5;       ///< further keys are counted
+constexpr std::size_t most_interface = 6;  ///< further changes are counted
 constexpr std::size_t most_operations = 3;
-constexpr std::size_t most_named = 4;  ///< of expectations
+constexpr std::size_t most_named = 4;  ///< expectations
 
-/// Lines of one label, each text once, with the systems that it is about.
+/// Lines with one label. Each text appears once, with its systems.
 class Section {
  public:
   Section(SummaryLines& lines, std::string label, std::size_t most = SIZE_MAX)
@@ -46,7 +46,7 @@ class Section {
     systems += (systems.empty() ? "" : ", ") + system;
   }
 
-  /// Counts the texts beyond the most.
+  /// Adds a line with the number of texts beyond `most_`.
   void count_others(std::string_view noun) {
     if (known_.size() <= most_) return;
     lines_.push_back({"", fmt::format("{} more (--list)", counted(known_.size() - most_, noun))});
@@ -58,10 +58,10 @@ class Section {
   SummaryLines& lines_;
   std::string label_;
   std::size_t most_;
-  std::map<std::string, std::size_t> known_ = {};  ///< with the numbers of their lines
+  std::map<std::string, std::size_t> known_ = {};  ///< line numbers by text; SIZE_MAX: no line
 };
 
-/// The parts that the equations are made of.
+/// A component of the equations of motion.
 struct Part {
   std::string_view symbol;
   OutputKind kind;
@@ -115,7 +115,7 @@ std::string expectations_text(const SystemChange& system) {
                      some.size() == count ? "" : ", ...");
 }
 
-/// The system in which most follows from the changes.
+/// The system with the most entries that differ.
 const SystemChange* most_changed(const DiffReport& report) {
   const auto most = std::ranges::max_element(report.systems, {}, [](const SystemChange& system) {
     const VerdictCounts counts = counts_of(system);
@@ -124,7 +124,7 @@ const SystemChange* most_changed(const DiffReport& report) {
   return most == report.systems.end() ? nullptr : &*most;
 }
 
-/// The shortest of the entries that differ, where one can be read; else of those that may.
+/// The entry that differs and has the shortest text; if no entry differs, one that may differ.
 const EntryChange* example(const SystemChange& system) {
   const EntryChange* best = nullptr;
   const auto rank = [](const EntryChange& entry) {
@@ -140,8 +140,9 @@ const EntryChange* example(const SystemChange& system) {
   return best;
 }
 
-/// Causes first, then what follows, one entry in full, what callers see, and the verdict; where
-/// callers break, what they see stands before the causes. At most about a dozen unless `lists_all`.
+/// Lines in the order: causes, consequences, one entry in full, changes of the interface, verdict.
+/// If the changes break callers, the interface precedes the causes. About a dozen lines unless
+/// `lists_all`.
 class Summary {
  public:
   Summary(const DiffReport& report, bool lists_all) : report_(report), lists_all_(lists_all) {}
@@ -183,7 +184,7 @@ class Summary {
     return label_of(report_, system);
   }
 
-  /// One text of each system.
+  /// One text per system.
   template <class TextOf>
   void for_each(std::string label, const TextOf& words) {
     Section section(lines_, std::move(label));
@@ -258,7 +259,7 @@ class Summary {
     section.count_others("change");
   }
 
-  /// All systems are listed, or none: a part of them would be taken for all.
+  /// Either all systems are listed or none, because a part would look complete.
   void add_operations() {
     Section section(lines_, "operations", most(most_operations));
     for (const SystemChange& system : report_.systems) {
@@ -286,7 +287,7 @@ void add_lines(const OutputChange& output, std::vector<std::string>& lines) {
   }
 }
 
-/// Labels in a column of their own.
+/// Labels are in a separate column.
 std::string text_of(const SummaryLines& lines) {
   std::string text;
   for (const SummaryLine& line : lines) {
@@ -311,10 +312,10 @@ std::vector<EntryList> entry_lists(const DiffReport& report) {
   return lists;
 }
 
-/// Lines of one system: a comment on GitHub has at most 65 536 characters.
+/// Lines per system: a comment on GitHub has at most 65 536 characters.
 constexpr std::size_t most_lines = 200;
 
-/// Longer than any row of back-ticks inside.
+/// A fence longer than any sequence of back-ticks in the text.
 std::string fence(std::string_view text) {
   std::size_t longest = 2;
   std::size_t row = 0;
@@ -330,7 +331,7 @@ std::string code_block(const std::string& text) {
   return fmt::format("{}text\n{}{}\n", marks, text, marks);
 }
 
-/// "<details>" of Markdown, which a reader opens.
+/// A <details> element of Markdown, which readers unfold.
 std::string folded(const EntryList& list) {
   std::string text;
   for (std::size_t i = 0; i < std::min(list.lines.size(), most_lines); ++i) {

@@ -1,4 +1,4 @@
-// interface_changes: what callers name, count, order and scale.
+// interface_changes: compares the names, counts, orders and units that callers rely on.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -17,12 +17,12 @@
 namespace elgen {
 namespace {
 
-/// One thing that callers know by its name or by its place.
+/// An element that callers know by its name or its position.
 struct KnownName {
   std::string name = {};
   std::string unit = {};
   std::size_t size = 1;
-  std::optional<Unit> meant = {};  ///< by the unit
+  std::optional<Unit> meant = {};  ///< the unit as parsed
 };
 
 using Names = std::vector<KnownName>;
@@ -48,7 +48,7 @@ Names members(const List& list, const Renames& renames) {
   return all;
 }
 
-/// Members of Parameters.
+/// Members of the emitted Parameters.
 Names members(const Model& model, const std::vector<ParameterArray>& arrays,
               const Renames& renames) {
   Names all = members(arrays, renames);
@@ -92,7 +92,7 @@ void compare_units(Changes& changes, const std::string& what, const Names& olds,
   for (const KnownName& now : news) {
     const KnownName* const old = find(olds, now.name);
     if (old == nullptr || old->unit == now.unit) continue;
-    // rad is 1: N*m*s/rad and N*m*s are one unit.
+    // rad is 1, so N*m*s/rad and N*m*s are the same unit.
     const bool is_same = old->meant && now.meant && *old->meant == *now.meant;
     const std::string text = fmt::format("the unit of {} {} is {} where it was {}", what,
                                          in_backticks(now.name), unit(now), unit(*old));
@@ -104,7 +104,7 @@ void compare_units(Changes& changes, const std::string& what, const Names& olds,
   }
 }
 
-/// Compares the names of the elements of arrays by their places.
+/// Compares the names of the elements of arrays by position.
 void compare_lists(Changes& changes, const std::string& what, const Names& olds,
                    const Names& news) {
   if (olds.size() != news.size()) {
@@ -156,7 +156,7 @@ void compare_names(Changes& changes, const Version& before, const Version& after
   }
 }
 
-/// Names of a struct, with names and places.
+/// Compares the members of a struct by name and by position.
 void compare_parameters(Changes& changes, const Names& olds, const Names& news) {
   for (const KnownName& old : olds) {
     const KnownName* const now = find(news, old.name);
@@ -181,7 +181,7 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
         find(added, news[kept.size()].name) != nullptr &&
         listed(Names(news.begin(), news.begin() + static_cast<std::ptrdiff_t>(kept.size()))) ==
             listed(kept);
-    // Where others are gone, callers do not compile.
+    // If members are gone, callers do not compile, so they cannot misread the others.
     if (are_last || kept.size() < olds.size()) {
       changes.add(Impact::extended, "Parameters has new members: " + listed(added));
     } else {
@@ -246,13 +246,13 @@ std::string shape(const Function& function) {
   return text;
 }
 
-/// Compares shapes of the user's own outputs, and of constraints on positions; all other shapes
-/// follow from the lists above.
+/// Compares the shapes of user outputs and of the residual of constraints. All other shapes follow
+/// from the lists above.
 void compare_shapes(Changes& changes, const Program& before, const Program& after) {
   for (const Function& now : after.functions) {
     const auto old = std::ranges::find(before.functions, now.name, &Function::name);
     const bool is_in_both = old != before.functions.end() && old->kind == now.kind;
-    // A branch on a kind: constraints on positions have no list in the interface.
+    // Depends on a kind: the interface has no list of the constraints on positions.
     const bool is_told =
         output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
     if (!is_in_both || !is_told || has_shape_of(*old, now)) continue;
@@ -261,8 +261,8 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
   }
 }
 
-/// Compares the rows or columns of a field that no list of the interface names: those of `reaction`
-/// are held coordinates.
+/// Compares the rows or columns of fields that no list of the interface names: the rows of
+/// `reaction` are locked coordinates.
 struct UnlistedLines {
   const Version& before;
   const Version& after;

@@ -1,5 +1,5 @@
-// joint_program: what is added to a function that has it already is found by its value number. Rows
-// and columns have the names of what the output table says they stand for.
+// joint_program: value numbering finds instructions that the function already contains. The output
+// table names rows and columns.
 #include "diff/joint_program.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Assumption weaker(Assumption x, Assumption y) {
   return x == y ? x : Assumption::nonnegative;
 }
 
-/// Copies the instructions of a function, and where its entries came to be.
+/// Copies the instructions of a function, and returns the positions of its entries.
 class Copy {
  public:
   Copy(const Program& from, const LeafValues<std::uint32_t>& places, Program& to,
@@ -89,7 +89,7 @@ auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
-  // A parameter of both keeps only the assumptions that both make.
+  // A parameter of both versions keeps the weaker assumption.
   joint.assumptions.resize(joint.parameters.size(), Assumption::none);
   for (std::uint32_t i = 0; i < names.parameters.size(); ++i) {
     Assumption& assumption = joint.assumptions[places.parameters[i]];
@@ -113,8 +113,8 @@ namespace {
 
 using Labels = std::vector<std::string>;
 
-/// The labels of rows or columns with the names of the newer version; numbers in an [[output]],
-/// which may have another name.
+/// The labels of rows or columns, with the names of the newer version. The labels of an [[output]]
+/// are numbers, since it may have another name.
 Labels labels_of(const Model& model, const Renames& renames, Extent extent,
                  std::uint32_t user = 0) {
   Labels labels;
@@ -125,14 +125,14 @@ Labels labels_of(const Model& model, const Renames& renames, Extent extent,
   return labels;
 }
 
-/// The labels of fields that are not in the table, as the diagonal of M is not.
+/// The labels of fields that are not in the output table, such as the diagonal of M.
 Labels numbers(std::uint32_t count) {
   Labels labels;
   for (std::uint32_t i = 1; i <= count; ++i) labels.push_back(std::to_string(i));
   return labels;
 }
 
-/// The properties that tell an entry from the others.
+/// Identifies an entry of an output.
 struct EntryKey {
   std::string field = {};
   std::string row = {};

@@ -1,6 +1,5 @@
-// JointProgram: functions of two versions over the leaves of both, which meet by their names, and
-// the entries that mean the same in both: of M those of the same two coordinates, wherever they
-// stand.
+// JointProgram: functions of two versions over the leaves of both versions, which are matched by
+// name. Entries are matched by meaning: an entry of M by its two coordinates, at any position.
 //
 //     before  0 = parameter m  1 = velocity x  2 = multiply 0 1       result = 2
 //     after   0 = parameter k  1 = parameter m  2 = velocity x  3 = multiply 1 2   result = 3
@@ -15,13 +14,14 @@
 
 namespace elgen {
 
-/// Numbers that stand for parameters of each version.
+/// Numbers that replace parameters of each version.
 struct JointValues {
   ParameterValues before = {};
   ParameterValues after = {};
 };
 
-/// Entries of one output in both versions; one function computes them all, nothing twice.
+/// Entries of one output in both versions. One function computes all of them and shares common
+/// subexpressions.
 struct JointFunction {
   Function function = {};
   std::vector<std::uint32_t> before = {};
@@ -30,18 +30,18 @@ struct JointFunction {
 
 class JointProgram {
  public:
-  /// Names of `before` are turned into those of `after` first.
+  /// `renames` turns names of `before` into names of `after`.
   JointProgram(const Program& before, const Program& after, const Renames& renames);
 
-  /// Entries of two functions of the programs, in the order of their fields.
+  /// Joins two functions of the programs; entries are in the order of their fields.
   [[nodiscard]] JointFunction joined(const Function& before, const Function& after,
                                      const JointValues& values = {});
 
-  /// The leaves of both, with the constants of what was joined so far.
+  /// The leaves of both versions, with the constants of the functions joined so far.
   [[nodiscard]] const Program& program() const { return joint_; }
 
  private:
-  /// Where a leaf of a version is among those of both.
+  /// The index of each leaf of a version among the leaves of both versions.
   using LeafPlaces = LeafValues<std::uint32_t>;
   LeafPlaces add(const LeafNames& names);
 
@@ -52,16 +52,16 @@ class JointProgram {
   LeafPlaces new_places_ = {};
 };
 
-/// An entry, numbered over all fields, of either version.
+/// A pair of entries, numbered over all fields. An added or removed entry has one number only.
 struct MatchedEntry {
   std::optional<std::size_t> before = {};
   std::optional<std::size_t> after = {};
-  std::string place = {};  ///< "mass_matrix[1,2]": of the newer version where it is there
+  std::string place = {};  ///< "mass_matrix[1,2]": in the newer version if it exists there
   std::string unit = {};
 };
 
-/// The entries of two functions of one name, in the order of `after`; removed ones last. Nothing
-/// matches an empty function.
+/// The entries of two functions of the same name, in the order of `after`; removed entries last.
+/// Entries of an empty function have no match.
 [[nodiscard]] std::vector<MatchedEntry> matched_entries(const Model& old_model,
                                                         const Function& before,
                                                         const Model& new_model,

@@ -1,5 +1,5 @@
-// output_changes: entries are joined output by output; only those computed differently are looked
-// at. Differences are told by closed forms, and by a state at which they are seen.
+// output_changes: joins entries output by output, and examines entries that are computed
+// differently. Closed forms and a state at which a difference is visible explain the difference.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,25 +27,25 @@ const Function* find_named(const Program& program, const std::string& name) {
   return found == program.functions.end() ? nullptr : &*found;
 }
 
-/// Longer ones are not printed.
+/// Longer texts are not printed.
 constexpr std::size_t longest_read = 100;
 
-/// A form that needs more does not fit into a line.
+/// A form beyond this budget does not fit into a line.
 constexpr PresentBudget texts_budget{
     .products_per_function = 2'000, .products = 60'000, .terms = 300};
-/// Nor does what is made of so many.
+/// Neither does a form of more instructions.
 constexpr std::size_t most_instructions = 400;
 
-/// The entry alone; nothing where it is long.
+/// The function with this entry only; an empty function if it is too long.
 Function alone(const Function& function, std::uint32_t at) {
   Function one = with_entries(function, {at});
   if (one.instructions.size() <= most_instructions) return one;
   return {.kind = function.kind, .name = function.name};
 }
 
-/// As a reader sees it, the closed form of each instruction, over the leaves; "" where it has more
-/// characters or was given up. Cost: a small budget for each. Each stands on its own, so that one
-/// that is given up takes no other with it.
+/// The closed form of each instruction over the leaves, as pages show it; "" if it is too long or
+/// exceeds its budget. Each instruction is a separate function with a small budget, so that one
+/// failure does not affect the others.
 std::vector<std::string> closed_texts(const Program& program, const Function& function,
                                       const std::vector<std::uint32_t>& instructions) {
   Program each{program.leaves, program.constants, {}};
@@ -62,15 +62,15 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
   return texts;
 }
 
-/// A witness is one of the first states; all of them may tell roots and kinks apart.
+/// A witness is one of the first states. The others may distinguish roots and kinks.
 constexpr std::size_t witness_count = 16;
 constexpr std::size_t state_count = zero_points;
 constexpr std::uint64_t seed_of_witnesses = 16;
 
-/// To three significant digits, as it is printed.
+/// Rounded to three significant digits, as in print.
 double text_value(double x) { return std::stod(fmt::format("{:.3g}", x)); }
 
-/// Leaves of the older version that the newer one has not, in the order in which they follow.
+/// Appends values of leaves that only the older version has, in the order of `joint`.
 void append(const LeafNames& joint, const LeafNames& olds, const Arguments<double>& values,
             Arguments<double>& state) {
 #define ELGEN_LEAVES(kind, member, ...)                                                     \
@@ -86,25 +86,25 @@ void append(const LeafNames& joint, const LeafNames& olds, const Arguments<doubl
 #undef ELGEN_LEAF
 }
 
-/// Where the entries of two versions are in a function, and their difference.
+/// The instructions of two corresponding entries and of their difference in a function.
 struct InstructionPair {
-  std::size_t number = 0;  ///< among the changes
+  std::size_t number = 0;  ///< index of the change
   std::uint32_t before = 0;
   std::uint32_t after = 0;
   std::uint32_t difference = 0;
 };
 
-/// States of the newer version inside its ranges, over the leaves of both: parameters have their
-/// values, those of value 0 are drawn, and what only the older version has is as it was there. The
-/// last one is the origin, where many kinks are.
+/// States inside the ranges of the newer version, over the leaves of both. Parameters have their
+/// values, random values replace 0, and leaves of the older version have values of this version.
+/// The last state is the origin, where many kinks are.
 class WitnessStates {
  public:
   WitnessStates(const Version& before, const Version& after, const Program& joint);
 
   [[nodiscard]] const std::vector<Arguments<double>>& all() const { return states_; }
 
-  /// Fills share and witness of a change between two instructions of a function; neither where no
-  /// state tells them apart.
+  /// Sets share and witness of a change between two instructions; neither if no state shows a
+  /// difference.
   void tell(const Function& function, const InstructionPair& pair, EntryChange& change) const;
 
  private:
@@ -157,7 +157,7 @@ void WitnessStates::tell(const Function& function, const InstructionPair& pair,
     best = &state;
     values_there = values;
   }
-  // Doubles may differ by their rounding alone.
+  // Doubles may differ by rounding errors only, so the difference is checked in more digits.
   const Function difference = with_entries(function, {pair.difference});
   if (largest_change == 0 || vanishes_at(joint_, difference, *best)) return;
   change.witness = Witness{{}, values_there[0], values_there[1]};
@@ -174,8 +174,8 @@ void WitnessStates::tell(const Function& function, const InstructionPair& pair,
   }
 }
 
-/// The parameters of a version that only the scene of the other one makes numbers, and the numbers
-/// that they are anyway, where these are rational. The renames give the names in the newer version.
+/// Parameters that only the scene of the other version fixes, if the fixed number is rational and
+/// equals their value. The renames give the names in the newer version.
 ParameterValues fixed_as_they_are(const CheckedModel& free, const Renames& free_renames,
                                   const CheckedModel& fixing, const Renames& renames) {
   ParameterValues values;
@@ -192,7 +192,7 @@ ParameterValues fixed_as_they_are(const CheckedModel& free, const Renames& free_
   return values;
 }
 
-/// Entries of one output; further ones are told by their verdicts alone.
+/// Entries per output with texts and witness; for further entries only the verdict is reported.
 constexpr std::size_t most_told = 20;
 
 class OutputComparison {
@@ -224,7 +224,7 @@ class OutputComparison {
   }
 
  private:
-  /// Added or removed, or else different until a proof or points say otherwise.
+  /// Added or removed; otherwise different until a proof or points show that it is equal.
   static EntryChange unsettled(const MatchedEntry& entry) {
     const EntryVerdict lone = entry.after ? EntryVerdict::added : EntryVerdict::removed;
     const bool is_in_both = entry.before && entry.after;
@@ -315,7 +315,7 @@ class OutputComparison {
   const Renames& renames_;
   JointValues values_;
   JointProgram joint_;
-  std::optional<WitnessStates> states_ = {};  ///< once they are needed
+  std::optional<WitnessStates> states_ = {};  ///< computed on first use
 };
 
 }  // namespace

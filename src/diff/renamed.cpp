@@ -1,4 +1,4 @@
-// renamed: the key table says where names are.
+// renamed: the key table determines which texts are names.
 #include "diff/renamed.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ void rename(ExpressionSyntax& expression, const Renames& renames) {
 
 void rename(ValueSyntax& value, const std::string& table, const Renames& renames);
 
-/// Whether the table has a row of this key.
+/// True if the table has a row with this key.
 bool has_row(std::string_view table, std::string_view key) {
   return std::ranges::any_of(
       key_table(), [&](const KeyRow& row) { return row.entry == table && row.key == key; });
@@ -31,9 +31,9 @@ void rename(std::vector<KeySyntax>& keys, const std::string& table, const Rename
   }
 }
 
-/// `table` is its place in the key table, if it is one.
+/// `table`: the path of the value in the key table, used if the value is a table.
 void rename(ValueSyntax& value, const std::string& table, const Renames& renames) {
-  // A name alone is its own text, which tells entries apart.
+  // A value that is a single name also has a text, which identifies entries.
   const bool is_name = value.kind == ValueKind::expression &&
                        value.expression.kind == SyntaxKind::name &&
                        value.expression.operands.empty();
@@ -52,7 +52,7 @@ std::string renamed(const std::string& name, const Renames& renames) {
     return name.substr(0, inner) + renamed(argument, renames) + ")";
   }
   const std::string_view armature = "armature.";
-  if (name.starts_with(armature)) {  // an inertial parameter, as is hand.m
+  if (name.starts_with(armature)) {  // an inertial parameter, like hand.m
     return std::string(armature) + renamed(name.substr(armature.size()), renames);
   }
   const std::size_t dot = std::min(name.find('.'), name.size());

@@ -1,22 +1,22 @@
-// renamed: a parsed tree with other names for the same things.
+// renamed: applies renames to names and to parsed trees.
 #pragma once
 
 #include "elgen/diff.hpp"
 
 namespace elgen {
 
-/// The name in the newer version; an element has the name of its array: "l[2]", an inertial
-/// parameter that of its owner: "hand.m".
+/// The name in the newer version. An element is renamed with its array: "l[2]"; an inertial
+/// parameter with its owner: "hand.m".
 [[nodiscard]] std::string renamed(const std::string& name, const Renames& renames);
 
-/// In expressions, in keys that declare or refer, and in the keys of tables whose keys are names.
-/// Texts stay as they are written, spans point where they did.
+/// Renames in expressions, in keys that declare or refer, and in tables whose keys are names. Texts
+/// and spans do not change.
 [[nodiscard]] FileSyntax renamed(FileSyntax file, const Renames& renames);
 
-/// The prefix of a file's tables in the key table: a scene has rows of its own.
+/// The prefix of a file's tables in the key table: "scene." for scenes, "" for models.
 [[nodiscard]] std::string_view table_prefix(const FileSyntax& file);
 
-/// Whether the user chooses the keys of a table, which is called as in the key table.
+/// True if users choose the keys of this table of the key table.
 [[nodiscard]] bool has_names_for_keys(std::string_view table);
 
 }  // namespace elgen

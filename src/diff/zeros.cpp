@@ -1,5 +1,6 @@
-// zeros: sampled twice where values are not analytic (program/network/analytic.hpp): as variables
-// of their own, which decides, and as computed, which tells a difference from an open question.
+// zeros: values that are not analytic (program/network/analytic.hpp) are sampled twice. As
+// independent variables they decide that an entry vanishes; as computed they distinguish a
+// difference from an open question.
 #include "diff/zeros.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace elgen {
 namespace {
 
 constexpr std::uint64_t seed_of_zeros = 16;
-/// Points that may be tried for one at which an entry has a value: two for each scale and sign.
+/// Points to try until each entry has a value at enough of them: one per scale and rule of signs.
 constexpr std::size_t most_tries = 8 * zero_points;
 
 /// The observation of an entry at one point.
@@ -26,10 +27,10 @@ class PointDrawer {
  public:
   explicit PointDrawer(const Program& program) : program_(program) {}
 
-  /// All entries of the function at the next point. The `variables` are drawn, not computed.
+  /// All entries of the function at the next point. The `variables` are random, not computed.
   std::vector<Seen> operator()(const Function& function, const std::vector<bool>& variables) {
     const std::vector<Running<Real>> values = values_at(next_point(), function, variables);
-    // A variable that is drawn may be where no value of it can be.
+    // A random variable may have a value that its computation never gives.
     const bool is_computed = std::ranges::count(variables, true) == 0;
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
@@ -40,7 +41,7 @@ class PointDrawer {
     return seen;
   }
 
-  /// Likewise at a point that is given, where one of two terms may be 0/0.
+  /// The same at a given point, where one of two terms may be 0/0.
   std::vector<Seen> at(const LeafValues<Running<Real>>& point, const Function& function,
                        const std::vector<bool>& variables) {
     const std::vector<Running<Real>> values = values_at(point, function, variables);
@@ -66,7 +67,7 @@ class PointDrawer {
     return values;
   }
 
-  /// Whether the rules took a limit for a value or one of its operands: 1/exp(-2^21) divides by 0.
+  /// True if the rules replaced a value or an operand of it by a limit: 1/exp(-2^21) divides by 0.
   [[nodiscard]] bool is_limited(const Instruction& i,
                                 const std::vector<Running<Real>>& values) const {
     const std::size_t operands = operand_count(i);
@@ -81,14 +82,14 @@ class PointDrawer {
     return running_leaf(number * scale(), rounding<double>());
   }
 
-  /// In turn, so that what differs for large or small values only is seen, too.
+  /// Cycles through scales, so that differences for large or small values only are seen, too.
   [[nodiscard]] cln::cl_RA scale() const {
     static const std::array<cln::cl_RA, 4> scales{1, 1000, cln::cl_RA(1) / 1000, 1'000'000};
     return scales[points_ / 2 % scales.size()];
   }
 
   /// Parameters without an assumption are positive at every second point, since most masses and
-  /// lengths have to be.
+  /// lengths must be positive.
   LeafValues<Running<Real>> next_point() {
     const Positive positive = points_ % 2 == 0 ? Positive::parameters : Positive::assumed;
     LeafValues<Running<Real>> point = map_leaves([this](const cln::cl_RA& x) { return scaled(x); },
@@ -97,13 +98,13 @@ class PointDrawer {
     return point;
   }
 
-  /// Whether only one of two terms has a value: log(x^2) has one where 2 log(x) has none.
+  /// True if only one of two terms has a value: log(x^2) has a value at x < 0, 2 log(x) has none.
   static bool is_one_sided(const Instruction& i, const std::vector<Running<Real>>& values) {
     return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }
 
-  /// Nothing is seen of limits, nor if rounding in 64 digits hides more than the last digits of the
-  /// terms, or of leaves (about 1) if the terms are 0.
+  /// `nothing` for limits, and if rounding in 64 digits hides more than the last digits of the
+  /// terms. If the terms are 0, leaves of about 1 replace them.
   [[nodiscard]] Seen judged(const Function& function, std::uint32_t entry,
                             const std::vector<Running<Real>>& values) const {
     static const Real share(power_of_ten(-45));
@@ -126,7 +127,7 @@ class PointDrawer {
   std::vector<bool> is_limited_ = {};  ///< of the instructions at the last point
 };
 
-/// The entries, by their numbers, that nothing speaks against.
+/// The indices of the entries that may vanish.
 std::vector<std::size_t> candidates(const std::vector<Seen>& seen) {
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -142,18 +143,18 @@ Function only(const Function& function, const std::vector<std::size_t>& numbers)
   return with_entries(function, some);
 }
 
-/// A difference that needs more is sampled, which takes less.
+/// A difference beyond this budget is sampled, which is cheaper.
 constexpr PresentBudget zeros_budget{
     .products_per_function = 10'000, .products = 40'000, .terms = 1'000};
 
-/// The exact numbers that doubles are.
+/// The doubles of a state as exact numbers.
 LeafValues<Running<Real>> point_of(const Arguments<double>& state) {
   return map_leaves([](double x) { return running_leaf(exact_value(x), rounding<double>()); },
                     state);
 }
 
-/// Whether each entry is zero at as many points as are asked for, of those at which it has a value:
-/// the states, and as many others. `nothing`: at fewer, and no point shows another value.
+/// For each entry: `other` if a point shows a value other than 0; `zero` if it vanishes at
+/// `zero_points` points or more; else `nothing`. The points are the states and random points.
 std::vector<Seen> seen_everywhere(const Function& function, const std::vector<bool>& variables,
                                   const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   std::vector<std::size_t> zeros(entry_count(function));
@@ -181,7 +182,7 @@ std::vector<Seen> seen_everywhere(const Function& function, const std::vector<bo
   return result;
 }
 
-/// The verdict on every entry of a function that nothing is proved of.
+/// The verdict on every entry of a function without a proof.
 std::vector<Zero> sampled(const Program& program, const Function& function,
                           const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   const std::vector<bool> variables = unknowns(program, function);

@@ -1,4 +1,4 @@
-// zeros: which entries of a function vanish at all states, by proof or by points.
+// zeros: the entries of a function that vanish at all states, by proof or at sampled points.
 #pragma once
 
 #include "elgen/evaluate.hpp"
@@ -6,22 +6,22 @@
 
 namespace elgen {
 
-/// A value vanishes at a point where |x| <= 1e-45 E in 64 digits, E the running error of x.
+/// A value vanishes at a point if |x| <= 1e-45 E in 64 digits, E the running error of x.
 enum class Zero : std::uint8_t {
   no,
   not_decided,  ///< no point shows another value, but it is not analytic, or vanishes at fewer than
-                ///< `zero_points`: another point may tell
+                ///< `zero_points`: another point may differ
   sampled,      ///< analytic (program/network/analytic.hpp), and vanishes at `zero_points` points
   proved,       ///< its closed form is the empty sum
 };
 
-/// One verdict per entry, in the order of the fields. Cost: the function once in 64 digits. Values
-/// that vanish there are proved, or sampled 63 times more; twice that and in `states` if they are
-/// not analytic.
+/// One verdict per entry, in the order of the fields. Cost: one evaluation in 64 digits. Entries
+/// that vanish in it are proved, or sampled at 63 more points; twice, and also at `states`, if they
+/// are not analytic.
 [[nodiscard]] std::vector<Zero> zeros(const Program& program, const Function& function,
                                       const std::vector<Arguments<double>>& states = {});
 
-/// Whether the only entry vanishes at a state, whatever its terms are in doubles.
+/// True if the only entry vanishes at a state in 64 digits, even if doubles give another value.
 [[nodiscard]] bool vanishes_at(const Program& program, const Function& function,
                                const Arguments<double>& state);
 
