@@ -1,5 +1,5 @@
-// By-ways: choose, then what the scene's methods make of its choice; the functions of
-// elgen/steps.hpp, and the names of the masses.
+// By-ways: the choice of forms, then the integration steps that call the chosen functions; the
+// steps of elgen/steps.hpp for readers, with the names of the masses.
 #include "pipeline/byways.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@
 namespace elgen {
 namespace {
 
-/// The scene of a Lagrangian whose functions are chosen, and what they are chosen from.
+/// A Lagrangian, and the scene whose functions are chosen.
 struct ChoiceInput {
   const Lagrangian& lagrangian;
   const Model& model;
@@ -36,7 +36,8 @@ struct ChoiceInput {
 
 bool is_energy(const OutputRequest& output) { return output_row(output.kind).is_energy; }
 
-/// The functions with V as a leaf, in their forms: all of them, or the energies.
+/// Chooses forms for the functions with V as a leaf: for all of them, or only for the energies if
+/// dV/dq keeps its form.
 Result<Choice> open_choice(const ChoiceInput& input, const std::vector<GiNaC::ex>& variables,
                            const RewrittenPotential& potential, const Domain& domain) {
   Scene scene = input.scene;
@@ -47,7 +48,7 @@ Result<Choice> open_choice(const ChoiceInput& input, const std::vector<GiNaC::ex
   return choose(*open, present(*open), with_open_potential(domain, potential.program), scene);
 }
 
-/// V in one form in all functions, where it has one of its own.
+/// Gives V the same form in all functions, if V has a form of its own.
 Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, Choice& choice) {
   const bool has_second = std::ranges::any_of(
       input.scene.outputs,
@@ -64,7 +65,7 @@ Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, Choice
   return {};
 }
 
-/// The functions of a program in their forms.
+/// Chooses the forms of the functions of a program.
 Result<Choice> forms_of(const ChoiceInput& input, const Program& recursive,
                         const ClosedForms& forms) {
   const Domain domain = domain_of({input.model, input.scene, recursive.leaves});
@@ -88,7 +89,7 @@ Result<Program> calls_of(const Lagrangian& lagrangian, const CheckedModel& check
   return std::move(choice->program);
 }
 
-/// Its costs are those of its only form.
+/// Adds the costs of the step, which has only one form.
 void add_costs(Choice& choice) {
   const Function& step = choice.program.functions.back();
   choice.program.readable.emplace_back();
@@ -101,8 +102,8 @@ std::string name_of(const Model& model, const Entity& origin) {
   return {};
 }
 
-/// Points and bodies with a mass that are not shown: frames carry them, or a scene expands their
-/// energies.
+/// Points and bodies with a mass that are not shown, because frames carry them or a scene expands
+/// their energies.
 std::vector<std::string> other_masses(const Model& model, const std::vector<Entity>& shown) {
   std::vector<std::string> names;
   const auto add = [&](EntityKind kind, std::uint32_t index, const auto& placed) {
@@ -119,8 +120,8 @@ std::vector<std::string> other_masses(const Model& model, const std::vector<Enti
   return names;
 }
 
-/// The model with the quotients of its file instead of Stumpff's functions; none if the file has
-/// these functions, too: then the pages print them.
+/// The model with the quotients of its file instead of Stumpff functions. Empty if the file itself
+/// contains Stumpff functions, because pages then print them.
 std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
   if (checked.model.typed.empty()) return std::nullopt;
   CheckedModel result = checked;
@@ -134,23 +135,23 @@ std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
   return has_series ? std::nullopt : std::optional(std::move(result));
 }
 
-/// The chosen program with the forms of its pages.
+/// The chosen program in the forms of its pages.
 Program typeset_choice(const ClosedForms& forms, const Choice& choice,
                        const CheckedModel& checked) {
   const auto typed = with_quotients(checked);
   if (!typed) return typeset(checked, forms, choice.program);
   Program derived = choice.program;
-  derived.functions.resize(forms.functions.size());  // steps behind them have no forms
+  derived.functions.resize(forms.functions.size());  // integration steps after them have no forms
   return typeset(*typed, present_quotients(derived), choice.program);
 }
 
-/// Whether a row of the equations of motion has a closed form that is short enough, by the inverse
-/// dynamics: with the budget of the derivation, and for a tenth of its work.
+/// True if a row of the equations of motion has a short closed form. Computed from the inverse
+/// dynamics with the budget of the derivation, at a tenth of its cost.
 bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
                    const Limits& limits) {
   const std::vector<OutputRequest> requests =
       available_requests(checked.model, {OutputKind::inverse_dynamics});
-  if (requests.empty() || !checked.model.constraints.empty()) return true;  // these are rows too
+  if (requests.empty() || !checked.model.constraints.empty()) return true;  // constraints are rows
   Result<Program> rows = recursive_program(lagrangian, requests, limits);
   if (!rows) return true;
   const Function all = std::move(rows->functions.front());
@@ -161,8 +162,7 @@ bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
   return std::ranges::any_of(present(*rows).functions, has_short_entry);
 }
 
-/// Whether the terms of the equation of motion are short enough to be read, those that the scene
-/// has.
+/// True if all terms of the equation of motion that the scene requests are short enough to read.
 bool has_readable_terms(const Program& program, const ClosedForms& forms) {
   const auto is_short = [&](OutputKind kind) {
     const auto term = std::ranges::find(program.functions, kind, &Function::kind);
@@ -232,7 +232,7 @@ Result<Book> book_or_code(const Program& code, const std::function<Book()>& make
   try {
     return make();
   } catch (const std::bad_alloc&) {
-    // The memory of a machine decides no file.
+    // The memory of a machine must not change a file.
     throw;
   } catch (const std::exception& mistake) {
     const std::string text = fmt::format("the page shows the forms of code: {}", mistake.what());

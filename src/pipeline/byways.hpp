@@ -1,5 +1,4 @@
-// By-ways of the pipeline: what it makes of several stages at once, and what needs equations of its
-// own.
+// By-ways of the pipeline: functions that combine several stages, or need additional equations.
 #pragma once
 
 #include <functional>
@@ -17,34 +16,34 @@
 namespace elgen {
 
 /// The program of some outputs of the Lagrangian, before forms are chosen: derive, lower, cancel
-/// and compose in one go. Errors of derive() and lower().
+/// and compose in one call. Errors of derive() and lower().
 [[nodiscard]] Result<Program> recursive_program(const Lagrangian& lagrangian,
                                                 const std::vector<OutputRequest>& outputs,
                                                 const Limits& limits);
 
-/// The functions of a scene in the forms in which they are emitted, and the step that is made of
-/// some. Errors of choose() and add_step(). Cost: what `step` calls is derived once more, in its
-/// own name.
+/// The functions of a scene in the forms that are emitted, and the integration steps that call such
+/// functions. Errors of choose() and add_step(). Cost: the functions that `step` calls are derived
+/// again.
 [[nodiscard]] Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
                                     const ClosedForms& forms, const CheckedModel& checked,
                                     const Limits& limits);
 
-/// The verdicts about every [[equilibrium]].
+/// The verdict on every [[equilibrium]].
 [[nodiscard]] Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,
                                                             const CheckedModel& checked,
                                                             const Limits& limits);
 
-/// The content of pages; that of a scene without a page has no functions. E915.
+/// The content of pages. If the scene has no page, it has no functions. E915.
 [[nodiscard]] Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms,
                                    const Choice& choice, const CheckedModel& checked,
                                    const Limits& limits);
 
-/// The book that is made; where that throws, the forms of code and a note, E915: no page stops
-/// code.
+/// The book that `make` returns. If `make` throws, the forms of code and the note E915, because a
+/// page must not prevent code.
 [[nodiscard]] Result<Book> book_or_code(const Program& code, const std::function<Book()>& make);
 
-/// A derivation step by step, as it is read. The steps are treated like every output: lowered,
-/// presented, and read in their closed forms.
+/// The derivation step by step, for readers. Steps are lowered, presented and typeset in their
+/// closed forms, as every output is.
 [[nodiscard]] Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian,
                                                    const CheckedModel& checked,
                                                    const Limits& limits);

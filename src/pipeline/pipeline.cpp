@@ -4,8 +4,8 @@
 //     outputs composed of their parts) -> present -> choose -> typeset -> emit -> self-check
 //
 //     specialise -> steps                 the derivation as a student writes it
-//     specialise -> choose                what `step` calls, derived in its own name
-//     specialise -> equilibria -> modes   states of rest, and motions about them
+//     specialise -> choose                the functions that `step` calls, derived separately
+//     specialise -> equilibria -> modes   equilibria, and motions about them
 //     specialise -> other analyses        the rows of analyses.def
 //
 // An analysis of the Lagrangian derives its own outputs.
@@ -38,7 +38,7 @@ struct Syntaxes {
   std::optional<FileSyntax> scene;
 };
 
-/// inspect only reports.
+/// The product of inspect, which only reports diagnostics.
 struct Inspection {};
 
 Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
@@ -51,7 +51,7 @@ Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   return {{std::move(*model), std::move(scene.value)}, std::move(all)};
 }
 
-/// E539 of every analysis among the goals.
+/// E539 for every analysis among the goals that does not support constraints.
 Diagnostics refused_analyses(const Model& model, const std::vector<Goal>& goals) {
   Diagnostics errors;
   if (model.constraints.empty()) return errors;
@@ -65,7 +65,7 @@ Diagnostics refused_analyses(const Model& model, const std::vector<Goal>& goals)
   return errors;
 }
 
-/// The scene as `inspect` judges it: with the outputs that the goals need.
+/// The scene for `inspect`, with the outputs that the goals need.
 Scene inspected_scene(const CheckedModel& checked, const std::vector<Goal>& goals) {
   Scene scene = checked.scene;
   // A derivation step by step shows no output, so none is missing from it.
@@ -84,7 +84,7 @@ Scene inspected_scene(const CheckedModel& checked, const std::vector<Goal>& goal
   return scene;
 }
 
-/// Momenta of `[routh]` are numbers that the oracle knows, and check does not.
+/// Momenta of `[routh]` are numbers that the oracle computes; check cannot.
 Result<CheckedModel> resolved(const Syntaxes& syntaxes, const PipelineOptions& options) {
   Result<CheckedModel> result = check(syntaxes.model, syntaxes.scene ? &*syntaxes.scene : nullptr,
                                       options.scene, options.limits);
@@ -106,13 +106,13 @@ Result<SelfCheck> checked(const CheckedModel& checked, const Program& program) {
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }
 
-/// The stages in their order, each with what it makes and what it needs for that.
+/// The stages in their order, each with its product and the products that it needs.
 class Compilation {
  public:
   Compilation(const Inputs& inputs, const PipelineOptions& options)
       : inputs_(inputs), options_(options), run_(options) {}
 
-  /// A model that was checked before is not checked again.
+  /// For a model that is already checked.
   Compilation(CheckedModel checked, const PipelineOptions& options)
       : options_(options), run_(options) {
     checked_.set(std::move(checked));
@@ -143,7 +143,7 @@ class Compilation {
   }
 
  private:
-  /// The result of an analysis that reads the program of its outputs.
+  /// The result of an analysis that reads the program of its own outputs.
   template <class Found>
   static Result<Found> analysed(Goal goal, Result<Found> (*find)(const AnalysisInput&),
                                 const Lagrangian& lagrangian, const CheckedModel& checked,
@@ -154,7 +154,7 @@ class Compilation {
     return find({checked, *recursive, options.about, options.limits});
   }
 
-  /// The result of an analysis that reads the result of another.
+  /// The result of an analysis that reads the result of another analysis.
   template <class Found, class Known>
   static Result<Found> analysed(Goal, Result<Found> (*find)(const CheckedModel&, const Known&),
                                 const Known& known, const CheckedModel& checked,

@@ -1,5 +1,5 @@
-// stages: what is the same for every stage of a Compilation: it runs once, after those it needs, on
-// a clock of its own, and what it finds or throws becomes diagnostics.
+// stages: the common behaviour of the stages of a Compilation. A stage runs once, after the stages
+// that it needs. It is timed, and its errors and exceptions become diagnostics.
 #pragma once
 
 #include <cln/exception.h>
@@ -17,7 +17,7 @@
 
 namespace elgen {
 
-/// Runs stages, and keeps what they say of themselves.
+/// Runs stages, and collects their diagnostics and times.
 class StageRunner {
  public:
   explicit StageRunner(const PipelineOptions& options) : options_(options) {}
@@ -28,7 +28,7 @@ class StageRunner {
   std::string dumped = {};  ///< the product of options.dump
   std::vector<StageTime> times = {};
 
-  /// None where a product that it needs is null, and after an error.
+  /// Runs a stage. Empty after an error, or if a product that it needs is null.
   template <class T, class Make, class... Needs>
   std::optional<T> made(Goal goal, const Make& make, const Needs*... needs) {
     if (has_errors(diagnostics) || (... || (needs == nullptr))) return std::nullopt;
@@ -43,14 +43,14 @@ class StageRunner {
     return std::move(result.value);
   }
 
-  /// How each stage is reached, by its goal.
+  /// Registers the function that reaches a stage, by the stage's goal.
   void add(Goal goal, std::function<void()> reach) {
     stages_[static_cast<std::size_t>(goal)] = std::move(reach);
   }
   void reach(Goal goal) const { stages_[static_cast<std::size_t>(goal)](); }
 
  private:
-  /// A mistake of ours must not swallow what earlier stages found.
+  /// An internal error must not hide the diagnostics of earlier stages.
   template <class T, class Make, class... Needs>
   Result<T> guarded(const std::string& name, const Make& make, const Needs&... needs) {
     try {
@@ -74,12 +74,12 @@ class StageRunner {
   std::array<std::function<void()>, goal_names.size()> stages_ = {};
 };
 
-/// A stage, which makes its product from those of others when it is first asked for.
+/// A stage makes its product from the products of other stages on first use.
 template <class T>
 class Stage {
  public:
-  /// `needs`: std::tie of the other stages. `make` takes their products, and the limits after them
-  /// where it wants them.
+  /// `needs`: std::tie of the other stages. `make` takes their products, and optionally the limits
+  /// as its last argument.
   template <class Needs, class Make>
   Stage(StageRunner& run, Goal goal, const Needs& needs, Make make)
       : make_([=, &run, make = std::move(make)] {
@@ -93,13 +93,13 @@ class Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  /// Null where the stage, or one that it needs, failed.
+  /// Null if the stage, or a stage that it needs, failed.
   const T* get() {
     if (!std::exchange(was_asked_for_, true)) product = make_();
     return product ? &*product : nullptr;
   }
 
-  /// In place of what the stage would make.
+  /// Sets the product, so that the stage does not run.
   void set(T known) {
     was_asked_for_ = true;
     product = std::move(known);
