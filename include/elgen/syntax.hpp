@@ -128,7 +128,9 @@ struct KeyRow {
   bool required = false;
   bool supported = true;  ///< false: E108 "not yet supported"
   std::string_view doc = {};
-  bool is_drawn = false;  ///< only drawings depend on it: stamps and `diff` ignore it
+  bool is_drawn = false;               ///< only drawings depend on it: stamps and `diff` ignore it
+  std::string_view default_text = {};  ///< a TOML value, or words; "" if required or "*"
+  std::string_view details = {};       ///< up to three sentences: signs, units, exclusions
 };
 
 /// One permitted word of a key of KeyType::choice or choice_list.
@@ -145,6 +147,7 @@ struct EntryRow {
   bool required = false;
   bool supported = true;
   std::string_view doc;
+  std::string_view details = {};  ///< up to three sentences
 };
 
 [[nodiscard]] std::span<const KeyRow> key_table();
@@ -154,6 +157,14 @@ struct EntryRow {
 [[nodiscard]] bool is_drawn(std::string_view entry, std::string_view key);
 /// The permitted words of a key of KeyType::choice or choice_list; empty for other types.
 [[nodiscard]] std::vector<std::string_view> choice_words(const KeyRow& row);
+/// True if the default is a TOML value (`1`, `true`, `"rod"`), false if it is words.
+[[nodiscard]] bool has_default_value(const KeyRow& row);
+/// A type in words: "expression", "one of".
+[[nodiscard]] std::string_view type_text(KeyType type);
+/// The header of an entry in a file: "[[frame]]", "[outputs]" of "scene.outputs".
+[[nodiscard]] std::string header_text(const EntryRow& row);
+/// All entries and keys in Markdown: the text of models/REFERENCE.md.
+[[nodiscard]] std::string key_reference();
 /// The word that replaces a former word; empty for any other word.
 [[nodiscard]] std::string_view hint_of_former_choice(const KeyRow& row, std::string_view word);
 

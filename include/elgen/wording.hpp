@@ -24,6 +24,10 @@ namespace elgen {
 /// A path in messages: invisible characters and line ends are written as \x0a.
 [[nodiscard]] std::string shown_path(std::string_view path);
 
+/// The text broken at blanks: lines of at most `width` bytes, the later ones behind `indent`.
+[[nodiscard]] std::string break_lines(std::string_view text, std::size_t width,
+                                      std::string_view indent);
+
 /// "1 component", "3 components"
 [[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
 

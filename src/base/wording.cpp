@@ -66,6 +66,20 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
+std::string break_lines(std::string_view text, std::size_t width, std::string_view indent) {
+  std::string lines;
+  std::size_t column = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view word = text.substr(at, text.find(' ', at) - at);
+    const bool fits = column + 1 + word.size() <= width;
+    if (column > 0) lines += fits ? " " : "\n" + std::string(indent);
+    column = (column > 0 && fits ? column + 1 : 0) + word.size();
+    lines += word;
+    at += word.size() + 1;
+  }
+  return lines;
+}
+
 std::string shown_path(std::string_view path) {
   std::string shown;
   for (std::size_t i = 0; i < path.size();) {

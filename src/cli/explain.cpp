@@ -18,30 +18,8 @@
 namespace elgen::cli {
 namespace {
 
-/// Texts for KeyType, in its order.
-constexpr std::array<std::string_view, 22> kinds{"expression",
-                                                 "[expressions]",
-                                                 "expression or list",
-                                                 "expression or table",
-                                                 "expression, list, matrix",
-                                                 "name",
-                                                 "text",
-                                                 "one of",
-                                                 "list of",
-                                                 "unit",
-                                                 "\"i in 1..n\"",
-                                                 "\"a > b\"",
-                                                 "\"a = b\", or list of such",
-                                                 "integer",
-                                                 "true or false",
-                                                 "[low, high]",
-                                                 "[[axis, angle], ...]",
-                                                 "table",
-                                                 "true or table",
-                                                 "true or expression",
-                                                 "text or table",
-                                                 "symbol"};
-static_assert(kinds.size() == static_cast<std::size_t>(KeyType::symbol) + 1);
+/// Details wrap here, so that they stay readable on wide terminals.
+constexpr std::size_t page_width = 100;
 
 /// A name that expressions of [[expect]] may use besides the names of the model.
 struct WordRow {
@@ -65,12 +43,10 @@ std::string choices_text(const KeyRow& key) {
 }
 
 Json json_of(const KeyRow& key) {
-  Json json{{"entry", key.entry},
-            {"key", key.key},
-            {"type", kinds[static_cast<std::size_t>(key.type)]},
-            {"doc", key.doc},
-            {"required", key.required},
-            {"supported", key.supported}};
+  Json json{{"entry", key.entry},          {"key", key.key},
+            {"type", type_text(key.type)}, {"doc", key.doc},
+            {"default", key.default_text}, {"details", key.details},
+            {"required", key.required},    {"supported", key.supported}};
   const std::vector<std::string_view> words = choice_words(key);
   if (!words.empty()) json["words"] = words;
   return json;
@@ -117,21 +93,28 @@ std::string text_of(const WordRow& row) {
   return fmt::format("{}: a name in [[expect]]\n\n{}\n", row.name, row.doc);
 }
 
+/// A paragraph of lines behind `indent`; empty without details.
+std::string details_text(std::string_view details, const std::string& indent) {
+  if (details.empty()) return {};
+  return indent + break_lines(details, page_width - indent.size(), indent) + "\n";
+}
+
 std::string key_line(const KeyRow& key) {
   const std::string_view name = key.key == "*" ? "NAME" : key.key;
-  return fmt::format("  {:<14} {:<24} {}{}{}{}\n", name, kinds[static_cast<std::size_t>(key.type)],
-                     key.doc, choices_text(key), key.required ? "; required" : "",
-                     key.supported ? "" : "; not yet supported");
+  const std::string otherwise =
+      key.default_text.empty() ? "" : fmt::format("; default: {}", key.default_text);
+  return fmt::format("  {:<14} {:<24} {}{}{}{}\n{}", name, type_text(key.type), key.doc,
+                     choices_text(key), key.required ? "; required" : otherwise,
+                     key.supported ? "" : "; not yet supported",
+                     details_text(key.details, std::string(17, ' ')));
 }
 
 /// `[[frame]]` with its doc; for a table inside an entry only its name, `frame.dh`.
 std::string header(const std::string& name) {
   for (const EntryRow& entry : entry_table()) {
     if (entry.entry != name) continue;
-    const bool is_of_scene = name.rfind("scene.", 0) == 0;
-    const std::string inner = is_of_scene ? name.substr(6) : name;
-    return fmt::format("{}{}{}: {}\n", entry.repeated ? "[[" : "[", inner,
-                       entry.repeated ? "]]" : "]", entry.doc);
+    return fmt::format("{}: {}\n{}", header_text(entry), entry.doc,
+                       details_text(entry.details, "  "));
   }
   return name + "\n";
 }

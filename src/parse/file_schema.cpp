@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ascii.hpp"
 #include "base/json.hpp"
 #include "elgen/outputs.hpp"
 #include "parse/entry_reader.hpp"
@@ -185,12 +186,30 @@ struct TableKeys {
   Json others = false;
 };
 
+/// The default as JSON; null if it is words.
+Json default_json(const KeyRow& row) {
+  const std::string_view text = row.default_text;
+  if (!has_default_value(row)) return nullptr;
+  if (text[0] == '"') return text.substr(1, text.size() - 2);
+  if (!is_digit(text[0])) return text == "true";
+  const double number = std::stod(std::string(text));
+  const auto whole = static_cast<std::int64_t>(number);
+  return static_cast<double>(whole) == number ? Json(whole) : Json(number);
+}
+
+/// The documentation of a key or entry, with its details.
+template <class Row>
+std::string description_of(const Row& row) {
+  return row.details.empty() ? std::string(row.doc) : fmt::format("{}. {}", row.doc, row.details);
+}
+
 TableKeys keys_of(std::string_view entry) {
   TableKeys keys;
   for (const KeyRow& row : key_table()) {
     if (row.entry != entry || !row.supported) continue;
     Json schema = schema_of(row);
-    schema["description"] = row.doc;
+    schema["description"] = description_of(row);
+    if (has_default_value(row)) schema["default"] = default_json(row);
     if (row.key == "*") {
       keys.others = std::move(schema);
     } else {
@@ -208,8 +227,8 @@ Json table_schema(const std::string& entry, std::string_view doc) {
 
 Json entry_schema(FileKind kind, const EntryRow& row) {
   const std::string entry = table_entry(kind, row);
-  return row.repeated ? list_schema(table_schema(entry, {}), row.doc)
-                      : table_schema(entry, row.doc);
+  return row.repeated ? list_schema(table_schema(entry, {}), description_of(row))
+                      : table_schema(entry, description_of(row));
 }
 
 }  // namespace

@@ -53,6 +53,12 @@ TEST_CASE("the last cell of a row may be longer than its column") {
         std::vector<std::string>{"a  b  c", "d  long enough"});
 }
 
+TEST_CASE("lines break at blanks, and a longer word is a line") {
+  CHECK(break_lines("a bc de", 4, "  ") == "a bc\n  de");
+  CHECK(break_lines("a longer word", 4, "") == "a\nlonger\nword");
+  CHECK(break_lines("", 4, "  ").empty());
+}
+
 TEST_CASE("user text is made fit for a message") {
   CHECK(in_backticks("m") == "`m`");
   CHECK(in_backticks(std::string_view("\0", 1)) == "`U+0000`");

@@ -34,6 +34,7 @@ TEST_CASE("explain knows every entry and its keys") {
     if (row.entry != "frame" && row.entry != "frame.dh") continue;
     CHECK(mentions(frame, "\n  " + std::string(row.key) + " "));
   }
+  CHECK(mentions(frame, "\n  x_parent = translate + R x."));
 }
 
 TEST_CASE("explain knows codes in any case, outputs and functions") {
@@ -57,12 +58,17 @@ TEST_CASE("explain knows codes in any case, outputs and functions") {
 TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
   CHECK(run("elgen explain scene.emit").output == R"text([emit]: the emitted code
 
-  language       one of                   language of the emitted code ("c++17", "c99", "python", "matlab", "javascript")
-  namespace      text                     C++ namespace or prefix in C, instead of the base name
-  eigen          true or false            the same functions on Eigen types
-  batch          true or false            the same functions on arrays of states
-  storage        one of                   order of matrix entries ("row-major", "column-major")
-  files          list of                  what is written; all unless given ("header", "equations", "page")
+  language       one of                   language of the emitted code ("c++17", "c99", "python", "matlab", "javascript"); default: "c++17"
+  namespace      text                     C++ namespace, or prefix of names in C; default: MODEL_NAME
+                 Interpreted languages have none (E611).
+  eigen          true or false            also emits functions on Eigen types; default: false
+                 Only in C++ (E611).
+  batch          true or false            also emits functions on arrays; default: false
+                 Arrays of states. Only in C++ (E611), for float and double (E625).
+  storage        one of                   order of matrix entries in arrays ("row-major", "column-major"); default: "row-major"
+                 Interpreted languages have their own matrices (E611).
+  files          list of                  files that are written ("header", "equations", "page"); default: all
+                 "header" is required (E112). "equations" is NAME.equations.json, "page" is NAME.md.
 )text");
   const Outcome unknown = run("elgen explain coordinat");
   CHECK(unknown.status == 2);
@@ -77,6 +83,8 @@ TEST_CASE("programs get codes and keys as JSON") {
   const auto keys = nlohmann::json::parse(run("elgen explain scene.emit --format json").output);
   REQUIRE(keys.size() == 6);
   CHECK(keys.at(0).at("key") == "language");
+  CHECK(keys.at(0).at("default") == "\"c++17\"");
+  CHECK(keys.at(1).at("details") == "Interpreted languages have none (E611).");
   CHECK(keys.at(0).at("words") == nlohmann::json{"c++17", "c99", "python", "matlab", "javascript"});
 }
 

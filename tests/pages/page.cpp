@@ -65,6 +65,9 @@ const std::vector<Page>& pages() {
       const std::string path = std::string(folder) + "README.md";
       read.push_back(read_page(path, read_text(std::string(ELGEN_SOURCE_DIR) + "/" + path)));
     }
+    const std::string reference = "models/REFERENCE.md";
+    read.push_back(
+        read_page(reference, read_text(std::string(ELGEN_SOURCE_DIR) + "/" + reference)));
     return read;
   }();
   return all;

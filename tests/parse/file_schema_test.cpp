@@ -39,12 +39,23 @@ TEST_CASE("what is not supported yet is left out") {
 TEST_CASE("names that a file chooses have the schema of the row `*`") {
   const Json model = properties_of(FileKind::model);
   const Json& parameter = model.at("parameters").at("additionalProperties");
-  CHECK(parameter.at("description") == "a constant with its value");
+  CHECK(parameter.at("description") ==
+        "a constant with its value. The code has a member of this name with this value.");
   CHECK(parameter.at("anyOf").at(0).at("type") == Json{"number", "string"});
   const Json& table = parameter.at("anyOf").at(1);
   CHECK(table.at("required") == Json{"value"});
   CHECK(table.at("properties").at("assume").at("enum") == Json{"positive", "nonnegative"});
   CHECK(model.at("define").at("additionalProperties").at("type") == Json{"number", "string"});
+}
+
+TEST_CASE("defaults that are values of TOML are those of the schema") {
+  const Json model = properties_of(FileKind::model);
+  const Json& coordinate = model.at("coordinate").at("items").at("properties");
+  CHECK(coordinate.at("kind").at("default") == "scalar");
+  CHECK(coordinate.at("wrap").at("default") == false);
+  CHECK(coordinate.at("armature").at("default") == 0);
+  CHECK_FALSE(coordinate.at("range").contains("default"));
+  CHECK(model.at("expect").at("items").at("properties").at("within").at("default") == 1e-12);
 }
 
 TEST_CASE("scenes offer the outputs by their names") {

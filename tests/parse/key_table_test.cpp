@@ -154,7 +154,19 @@ TEST_CASE("no key has two rows", "[parse]") {
     CHECK(seen.emplace(row.entry, row.key).second);
     CHECK_FALSE(row.doc.empty());
     CHECK((row.supported || !row.required));
+    if (row.key != "*") CHECK(row.default_text.empty() == row.required);
   }
+}
+
+TEST_CASE("the reference has a section for every entry and a row for every key", "[parse]") {
+  const std::string reference = key_reference();
+  for (const EntryRow& entry : entry_table()) {
+    CHECK(reference.find("\n### `" + header_text(entry) + "`") != std::string::npos);
+  }
+  CHECK(reference.find("\n| `start.rate` | expression or list | `0` | v_i at the start |\n") !=
+        std::string::npos);
+  CHECK(reference.find("\n| `NAME.value` | expression or list | required | ") != std::string::npos);
+  CHECK(reference.find("\n- `zeta`") == std::string::npos);  // its path is `stabilise.zeta`
 }
 
 TEST_CASE("every row hangs on an entry or on a key that is a table", "[parse]") {

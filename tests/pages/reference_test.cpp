@@ -1,0 +1,19 @@
+// models/REFERENCE.md is the key table in Markdown. ELGEN_UPDATE=1 writes it, as the CMake target
+// `reference` does; the difference is then reviewed.
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+
+#include "elgen/syntax.hpp"
+#include "pages/page.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+TEST_CASE("the reference of entries and keys is current") {
+  const std::filesystem::path path = source / "models/REFERENCE.md";
+  if (std::getenv("ELGEN_UPDATE") != nullptr) write_text(path, key_reference());
+  CHECK(read_text(path) == key_reference());
+}
+
+}  // namespace elgen::test
