@@ -1,4 +1,4 @@
-// The rules of running errors, one by one, in Real and in double.
+// The rules of running error analysis in Real and in double, with errors in units of u = 2^-53.
 #include "accuracy/running_errors.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ using Value = Running<Real>;
 const RunningErrorRules<Real> rules{};
 const RunningErrorRules<double> rough{};
 
-// Formulas of values with errors, as they are read.
+// Operators, so that a test can write a formula of values with errors.
 Value operator-(const Value& x) { return rules.negate(x); }
 Value operator+(const Value& x, const Value& y) { return rules.add(x, y); }
 Value operator-(const Value& x, const Value& y) { return rules.subtract(x, y); }
@@ -52,13 +52,14 @@ TEST_CASE("each operation rounds once, and passes errors on") {
   CHECK(error(sqrt(off("9", "6"))) == Approx(1 + 3));
 }
 
-TEST_CASE("a power of two rounds no product; a value that is one by chance does") {
+TEST_CASE(
+    "a product with a literal power of two is exact, one with a computed power of two rounds") {
   CHECK(error(off("3", "2") * leaf("4")) == 2 * 4);
   CHECK(error(leaf("3") * leaf("-1/2")) == 0);
   CHECK(error(leaf("3") * off("4", "1")) == 3 + 12);
 }
 
-TEST_CASE("functions pass errors on by their slopes") {
+TEST_CASE("functions multiply errors by their slopes") {
   const Value x = off("0.5", "3");
   CHECK(error(call(FunctionId::sin, x)) == Approx(std::sin(0.5) + 3 * std::cos(0.5)));
   CHECK(error(call(FunctionId::abs, x)) == 3);
@@ -67,25 +68,25 @@ TEST_CASE("functions pass errors on by their slopes") {
         Approx(std::atan2(3, 4) + 3.0 * 4 / 25));
 }
 
-TEST_CASE("factors that are nothing but their errors make the product of these") {
+TEST_CASE("a product of factors with value 0 keeps the product of their errors") {
   CHECK(error(off("0", "1024") * off("0", "4096")) == Approx(0x1p-53 * 1024 * 4096));
   CHECK(rough.multiply({0, 1024}, {0, 4096}).error == Approx(0x1p-53 * 1024 * 4096));
 }
 
-TEST_CASE("the sign of what is hardly known is lost, that of 0 is not") {
+TEST_CASE("sign is lost if the error exceeds the argument, and sign of an exact 0 is kept") {
   CHECK_FALSE(call(FunctionId::sign, off("1", "1000")).is_lost);
   CHECK_FALSE(call(FunctionId::sign, leaf("0")).is_lost);
   CHECK(call(FunctionId::sign, off("1", "10000000000000000")).is_lost);
   CHECK(rough.call(FunctionId::sign, {0, 1}, {0, 1}).is_lost);
 }
 
-TEST_CASE("where a sine does not change to first order, it does to second") {
+TEST_CASE("at a stationary point of a sine the error is of second order") {
   const double a = 3e15;
   const Value angle = off("0", "3000000000000000");
   CHECK(error(call(FunctionId::cos, angle)) == Approx(1 + 0.5 * 0x1p-53 * a * a));
 }
 
-TEST_CASE("functions of one argument do not look at what stands in the other slot") {
+TEST_CASE("functions of one argument ignore the second argument") {
   const Value x = leaf("3/4") * leaf("3");
   const Value other = leaf("1/10") * leaf("1000");
   for (const FunctionRow& row : function_table()) {
@@ -95,7 +96,7 @@ TEST_CASE("functions of one argument do not look at what stands in the other slo
   }
 }
 
-TEST_CASE("functions have the values that their rows say") {
+TEST_CASE("functions have the values in their rows of the table") {
   for (const FunctionRow& row : function_table()) {
     INFO(row.name);
     if (row.arity == 1)
@@ -106,7 +107,7 @@ TEST_CASE("functions have the values that their rows say") {
   }
 }
 
-TEST_CASE("exponentials far out take their limits") {
+TEST_CASE("exponentials of huge arguments take their limits") {
   const Value far = leaf("1e300");
   CHECK(number(call(FunctionId::tanh, -far).value) == -1);
   CHECK(number(call(FunctionId::exp, -far).value) == 0);
@@ -116,7 +117,7 @@ TEST_CASE("exponentials far out take their limits") {
   }
 }
 
-TEST_CASE("what underflows carries the smallest denormal along") {
+TEST_CASE("a product that underflows has the error of the smallest denormal") {
   const Value tiny = leaf("1e-300") * leaf("1e-300");
   CHECK(tiny.underflows);
   CHECK(error(tiny) >= 0x1p-1074 / 0x1p-53);
@@ -125,7 +126,8 @@ TEST_CASE("what underflows carries the smallest denormal along") {
   CHECK_FALSE((leaf("1e-100") * leaf("1e-100")).underflows);
 }
 
-TEST_CASE("dividing by what is hardly known loses the error, also for what follows") {
+TEST_CASE(
+    "a divisor with an error as large as itself loses the error of the quotient and of its uses") {
   const Value difference = leaf("3000000000000001") * leaf("3") - leaf("9000000000000000");
   CHECK_FALSE(difference.is_lost);
   CHECK((leaf("1") / difference).is_lost);
@@ -136,19 +138,19 @@ TEST_CASE("dividing by what is hardly known loses the error, also for what follo
   CHECK_FALSE(call(FunctionId::tanh, off("0", "3")).is_lost);
 }
 
-TEST_CASE("an error that has no value is lost") {
+TEST_CASE("the error of a square root at 0 is lost") {
   const Value root = sqrt(off("0", "1"));
   CHECK(number(root.value) == 0);
   CHECK(root.is_lost);
 }
 
-TEST_CASE("where an iteration takes errors away, they do not grow") {
+TEST_CASE("errors do not grow in an iteration that contracts") {
   Value x = leaf("21") - leaf("20");
   for (int i = 0; i < 20; ++i) x = leaf("1") + x * x / leaf("8");
   CHECK(error(x) < 10);
 }
 
-TEST_CASE("in double the figures are those of 64 digits") {
+TEST_CASE("errors in double agree with errors in 64 digits") {
   const auto both = [](double x, double e) {
     return std::pair(Value{Real(exact_value(x)), Real(exact_value(e))}, Running<double>{x, e});
   };

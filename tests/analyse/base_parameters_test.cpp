@@ -1,5 +1,6 @@
-// Base parameters: ranks that an independent regressor gives (panda7 43, 48 with armatures, 55 with
-// dampings too; ur5 36, 40, 46), forces by them alone, and what closed forms say.
+// Base parameters. Ranks come from an independent regressor: panda7 43, with armatures 48, with
+// armatures and dampings 55; ur5 36, 40, 46. Also: base parameters alone reproduce all forces, and
+// the factors of the regroupings have closed forms.
 #include <catch2/catch.hpp>
 
 #include "analyse/residues.hpp"
@@ -19,7 +20,7 @@ BaseParameters base_of(const std::string& text) {
   return std::move(*products.base_parameters);
 }
 
-/// With an armature of each joint.
+/// Adds an armature to each coordinate.
 std::string with_armatures(std::string text) {
   std::size_t at = 0;
   while ((at = text.find("[[coordinate]]\n", at)) != std::string::npos) {
@@ -29,7 +30,7 @@ std::string with_armatures(std::string text) {
   return text;
 }
 
-/// And with linear friction of each.
+/// Adds an armature and linear friction to each coordinate.
 std::string with_friction(const std::string& text, int joints) {
   std::string result = with_armatures(text);
   std::string parameters;
@@ -49,7 +50,7 @@ std::string with_friction(const std::string& text, int joints) {
   return result + "\n[energy]\nD = \"" + sum + "\"\n";
 }
 
-/// A pendulum of three points on a line.
+/// A pendulum with three point masses on a line.
 std::string pendulum(const std::string& tilt) {
   std::string text = R"toml(format = 1
 [model]
@@ -88,7 +89,7 @@ TEST_CASE("ranks of the regressors of arms") {
   CHECK(rank(with_friction(ur5, 6)) == 46);
 }
 
-TEST_CASE("forces are those of the base parameters alone") {
+TEST_CASE("base parameters alone reproduce the forces") {
   for (const char* const name : {"panda7", "ur5", "furuta_pendulum", "heavy_top", "five_bar"}) {
     INFO(name);
     const std::string text = model_file(name);
@@ -110,7 +111,7 @@ TEST_CASE("forces are those of the base parameters alone") {
   }
 }
 
-TEST_CASE("masses on one line, and an angle that is no multiple of a right one") {
+TEST_CASE("point masses on a line, tilted by a multiple of a right angle or by another angle") {
   for (const auto& [tilt, is_exact] : {std::pair("pi/2", true), std::pair("pi/10", false)}) {
     const BaseParameters found = base_of(pendulum(tilt));
     CHECK(found.is_exact == is_exact);
@@ -124,13 +125,13 @@ TEST_CASE("masses on one line, and an angle that is no multiple of a right one")
   }
 }
 
-TEST_CASE("residues give rational numbers back") {
+TEST_CASE("rational numbers are recovered from their residues") {
   for (const char* const text :
        {"0", "1", "-3/7", "316/1000", "-12345678901234567/98765432109876543"}) {
     const cln::cl_RA number = cln::the<cln::cl_RA>(exact(text));
     CHECK(rational_of(residue_of(number)) == number);
   }
-  // A number that is none of small terms.
+  // This power has a numerator and denominator too large to be recovered.
   CHECK_FALSE(rational_of(cln::expt_pos(residue_of(cln::cl_RA(3) / 7), 1000)));
 }
 

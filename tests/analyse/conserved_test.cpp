@@ -1,5 +1,5 @@
-// The end of a page is true: pasted into the model it is proved, with F turned it is refused, and a
-// run keeps it.
+// The [[expect]] lines at the end of a page of symmetries: pasted into the model they are proved,
+// with the sign of F reversed they are refused, and a run conserves the integrals.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,7 +26,7 @@ std::string pasted(const FoundSymmetries& found) {
   return ending(found.text(), page.substr(end));
 }
 
-/// By the check of `elgen verify`.
+/// The report of the check that `elgen verify` runs.
 ExpectationReport expectations_of(const std::string& text) {
   Products products = derived(inputs_of(text), "forward_dynamics,momentum,energy_function");
   REQUIRE(products.closed_forms);
@@ -34,7 +34,7 @@ ExpectationReport expectations_of(const std::string& text) {
   return check_expectations({model, scene, *products.program}, &*products.closed_forms, 1);
 }
 
-/// Integrals on the pages of these models that are not listed or not proved, a line each.
+/// One line for each model with an integral on its page that is not pasted or not proved.
 std::string unproved(const std::vector<std::string>& models) {
   std::string lines;
   for (const std::string& model : models) {
@@ -56,7 +56,7 @@ bool all_are_proved(const ExpectationReport& report) {
   });
 }
 
-/// I with F of the other sign, of every symmetry that has an F.
+/// I with the sign of F reversed, for every symmetry that has an F.
 std::vector<std::string> turned_integrals(const FoundSymmetries& found) {
   std::vector<std::string> result;
   const nlohmann::json page = found.json();
@@ -83,7 +83,7 @@ Trajectory run_of(const std::string& text, const Model& model) {
 
 }  // namespace
 
-TEST_CASE("integrals on the pages of systems from books are proved where they are pasted") {
+TEST_CASE("integrals on the pages of textbook systems are proved after pasting") {
   CHECK(unproved({"line",
                   "space",
                   "falling",
@@ -115,15 +115,16 @@ TEST_CASE("integrals on the pages of systems from books are proved where they ar
                   "fading_push"}) == "");
 }
 
-TEST_CASE("integrals on the pages of models are proved where they are pasted") {
+TEST_CASE("integrals on the pages of models are proved after pasting") {
   CHECK(unproved({"atwood", "cart_pole", "central_force_open", "charged_particle",
                   "foucault_pendulum", "heavy_top", "kepler_cartesian", "kepler_polar",
                   "particle_on_cone", "pendulum_in_lift", "relativistic_particle", "rotating_hoop",
                   "triatomic_molecule", "two_body_plane", "two_link_arm", "two_particles"}) == "");
 }
 
-TEST_CASE("of bodies that turn a page ends with the integrals that a model can say") {
-  // The turns about axes of the world have components of the quaternion, which no model names.
+TEST_CASE("the page of a rotating body lists only integrals that the model language can express") {
+  // Rotations about axes of the world have integrals in components of the quaternion, and the model
+  // language has no names for these components.
   for (const auto& [model, listed] : {std::pair{"free_body_abc", 8}, std::pair{"free_body_aac", 9},
                                       std::pair{"free_body_aaa", 11}}) {
     INFO(model);
@@ -134,7 +135,7 @@ TEST_CASE("of bodies that turn a page ends with the integrals that a model can s
   }
 }
 
-TEST_CASE("a page ends with nothing that holds at the values of the parameters alone") {
+TEST_CASE("a page lists no integral that needs special values of the parameters") {
   std::string equal = symmetric_model("free_body_abc");
   equal.replace(equal.find("0.03,"), 5, "0.02,");
   const FoundSymmetries found(equal);
@@ -145,7 +146,7 @@ TEST_CASE("a page ends with nothing that holds at the values of the parameters a
   CHECK(all_are_proved(report));
 }
 
-TEST_CASE("where a model has an E of its own the page calls the energy by its other name") {
+TEST_CASE("if a model declares a name E, the page calls the energy energy_function") {
   const FoundSymmetries beam(model_text("beam", R"toml([[coordinate]]
 name = "x"
 [parameters]
@@ -162,7 +163,7 @@ V = "1/2*E*x^2"
   CHECK(all_are_proved(report));
 }
 
-TEST_CASE("an F of the wrong sign is refused") {
+TEST_CASE("an integral with the wrong sign of F is refused") {
   for (const char* const model :
        {"falling", "cart_pole", "magnetic_symmetric_gauge", "magnetic_landau_gauge",
         "accelerated_lift", "accelerated_wave", "charged_particle", "gauge_of_time",
@@ -178,7 +179,7 @@ TEST_CASE("an F of the wrong sign is refused") {
   }
 }
 
-TEST_CASE("a run keeps every integral to its tolerance") {
+TEST_CASE("a run conserves every integral to its tolerance") {
   for (const char* const model :
        {"cart_pole", "charged_particle", "two_body_plane", "falling", "accelerated_lift",
         "growing_mass", "magnetic_landau_gauge", "heavy_top", "turning_trough", "fading_push"}) {
@@ -193,7 +194,7 @@ TEST_CASE("a run keeps every integral to its tolerance") {
   }
 }
 
-TEST_CASE("a run does not keep an integral without its F, or with F of the wrong sign") {
+TEST_CASE("a run does not conserve an integral without its F or with the wrong sign of F") {
   const FoundSymmetries found(symmetric_model("falling"));
   std::vector<std::string> entries = turned_integrals(found);
   entries.emplace_back("p(z)");

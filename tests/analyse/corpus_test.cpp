@@ -1,5 +1,6 @@
-// Sixty systems whose equilibria were counted by a search that shares nothing with the program, or
-// by hand: as many are found, and as much is claimed, as before. No clock decides either.
+// Sixty systems whose equilibria were counted by an independent search or by hand. The number found
+// and the completeness claimed must stay. The limits are counts, so that the result does not depend
+// on the speed of the machine.
 #include <array>
 #include <string_view>
 
@@ -11,7 +12,7 @@ using namespace elgen::test;
 namespace {
 
 struct Counted {
-  std::string_view system;  ///< a model, or V of a mass of 1 kg
+  std::string_view system;  ///< name of a model, or V of a point mass of 1 kg
   std::size_t count = 0;
   Completeness completeness = Completeness::proved;
 };
@@ -34,7 +35,7 @@ constexpr auto models = std::to_array<Counted>({
     {"two_mass_damper", 1},
 });
 
-/// What x, y and z are: L a length in [-2, 2], A an angle.
+/// `kinds`: one letter for each of x, y and z: L is a length in [-2, 2], A an angle.
 struct Potentials {
   std::string_view kinds;
   Counted counted;
@@ -90,7 +91,8 @@ void expect(const std::string& text, const Counted& counted) {
   CHECK(found.limit.empty());
 }
 
-/// A bob on a spring over magnets at 0, 120 and 240 degrees. A grid of 1681 starts finds 7 points.
+/// A bob on a spring over magnets at 0, 120 and 240 degrees. Newton's method from a grid of 1681
+/// starts finds 7 points.
 const std::string three_magnets = R"toml(format = 1
 [model]
 name = "magnets"
@@ -126,11 +128,11 @@ static_assert(models.size() + potentials.size() + 1 == 60);
 
 }  // namespace
 
-TEST_CASE("as many equilibria of models are found as there are") {
+TEST_CASE("all equilibria of models are found") {
   for (const Counted& model : models) expect(model_file(std::string(model.system)), model);
 }
 
-TEST_CASE("as many equilibria of potentials are found as there are") {
+TEST_CASE("all equilibria of potentials are found") {
   for (const Potentials& potential : potentials) expect(model_of(potential), potential.counted);
 }
 

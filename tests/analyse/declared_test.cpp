@@ -1,4 +1,4 @@
-// [[equilibrium]]: what is proved of it, sampled, and found wrong.
+// The verdict on each declared [[equilibrium]]: proved, sampled, wrong or open.
 #include "analyse/found.hpp"
 #include "support/models.hpp"
 
@@ -27,7 +27,7 @@ std::string hanging(const std::string& frequency) {
 
 }  // namespace
 
-TEST_CASE("equilibria of models are proved, and their frequencies") {
+TEST_CASE("declared equilibria of models and their frequencies are proved") {
   for (const char* const name : {"simple_pendulum", "rotating_hoop", "cart_pole"}) {
     INFO(name);
     const std::vector<JudgedEquilibrium> all = judged(model_file(name));
@@ -39,7 +39,7 @@ TEST_CASE("equilibria of models are proved, and their frequencies") {
   }
 }
 
-TEST_CASE("wrong frequencies are found, with the parameters at which they are") {
+TEST_CASE("wrong frequencies are found, with parameters as a witness") {
   CHECK(judged(hanging("g/l")).at(0).frequencies == ClaimStatus::proved);
   const std::vector<JudgedEquilibrium> wrong = judged(hanging("2*g/l"));
   CHECK(wrong[0].balance == ClaimStatus::proved);
@@ -89,7 +89,7 @@ frequencies_squared = [0, "k/m", "k*(1/m + 2/M)"]
   CHECK(both[0].frequencies == ClaimStatus::proved);
 }
 
-TEST_CASE("claims that forms do not decide are judged where the inspection sampled them") {
+TEST_CASE("claims that closed forms do not decide are sampled") {
   const auto well = [](const std::string& square, const std::string& more) {
     return judged(model_text("well", R"toml(
 [[coordinate]]

@@ -1,4 +1,5 @@
-// Dimensions: how many symmetries systems have, and that both routes find as many.
+// The dimension of the space of symmetries: expected values, and agreement of closed forms with
+// samples.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -21,7 +22,7 @@ struct Dimension {
   std::vector<std::string> fixed = {};
 };
 
-/// Counted by hand, and by the null space of the conditions in a program of its own.
+/// Counted by hand, and by an independent program that computes the null space of the conditions.
 std::vector<Dimension> dimensions() {
   return {
       {"line", 3},
@@ -103,7 +104,8 @@ std::string name_of_row(const Dimension& row) {
   return fmt::format("{} {}", row.model, fmt::join(row.fixed, " "));
 }
 
-/// Rows that are not as they should be, a line each. panda7 has no closed forms.
+/// One line for each row with another number of symmetries or without a proof. panda7 has no closed
+/// forms.
 std::string differing(const std::vector<Dimension>& rows) {
   std::string lines;
   for (const Dimension& row : rows) {
@@ -130,15 +132,15 @@ std::vector<std::string> names_in(const std::string& folder) {
 
 }  // namespace
 
-TEST_CASE("systems of books have as many symmetries as they should, all proved") {
+TEST_CASE("textbook systems have the expected number of symmetries, all proved") {
   CHECK(differing(dimensions()) == "");
 }
 
-TEST_CASE("models have as many symmetries as they should, all proved where they have forms") {
+TEST_CASE("models have the expected number of symmetries, all proved if there are closed forms") {
   CHECK(differing(dimensions_of_models()) == "");
 }
 
-TEST_CASE("closed forms and samples find as many symmetries") {
+TEST_CASE("closed forms and samples find the same number of symmetries") {
   std::vector<std::string> names = names_in("/models");
   const std::vector<std::string> more = names_in("/tests/analyse/symmetries");
   names.insert(names.end(), more.begin(), more.end());
@@ -149,7 +151,8 @@ TEST_CASE("closed forms and samples find as many symmetries") {
     const FoundSymmetries of_model(symmetric_model(name));
     const Symmetries& found = of_model.found();
     exact += found.is_exact ? 1 : 0;
-    // Their parameters have values at which there is another one: a wrist of equal inertias.
+    // At the values of their parameters these two models have an additional symmetry; in ur5 the
+    // wrist has equal inertias.
     const std::size_t special = name == "ur5" || name == "unequal_at_special_values" ? 1 : 0;
     if (found.states > 0 && found.sampled == found.all.size() + special) continue;
     lines += fmt::format("{}: {}, {} of {} states\n", name, found.all.size(), found.sampled,
@@ -159,7 +162,7 @@ TEST_CASE("closed forms and samples find as many symmetries") {
   CHECK(exact >= 60);
 }
 
-TEST_CASE("what holds at special values of the parameters alone is counted, and not listed") {
+TEST_CASE("a symmetry at special values of the parameters is counted, but not listed") {
   const FoundSymmetries special(symmetric_model("unequal_at_special_values"));
   CHECK(special.found().is_exact);
   CHECK(special.found().is_complete);
@@ -171,7 +174,7 @@ TEST_CASE("what holds at special values of the parameters alone is counted, and 
   CHECK(equal.found().sampled == 2);
 }
 
-TEST_CASE("a class of too many unknowns is refused") {
+TEST_CASE("a class with too many unknowns is refused") {
   PipelineOptions options;
   options.goals = {Goal::symmetries};
   options.scene.sizes = {make_source("--size", "n=31")};

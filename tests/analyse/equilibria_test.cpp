@@ -1,4 +1,5 @@
-// Equilibria of models: the pages of textbook systems, their counts, and the claims.
+// Equilibria of models: pages of textbook systems, numbers of equilibria, and claims of
+// completeness.
 #include <array>
 #include <cmath>
 
@@ -54,7 +55,7 @@ TEST_CASE("the bead leaves the bottom of a fast hoop") {
 )");
 }
 
-TEST_CASE("the bead stays at the bottom of a slow hoop, and just so at the critical speed") {
+TEST_CASE("the bead stays at the bottom of a slow hoop and of a hoop at the critical speed") {
   CHECK(page("rotating_hoop", {.fixed = {"Omega=2"}}) ==
         R"(Bead on a hoop turned about its vertical diameter: equilibria (v = 0)
 
@@ -77,7 +78,7 @@ TEST_CASE("the bead stays at the bottom of a slow hoop, and just so at the criti
   CHECK(bottom.leading->order == 4);
 }
 
-TEST_CASE("the first term about a place has brackets around its place and its coefficient") {
+TEST_CASE("the leading term of V has brackets around the displacement and the coefficient") {
   const Analysed well = analysed(R"(format = 1
 [model]
 name = "well"
@@ -97,7 +98,7 @@ V = "(a + b)*(1 + sin(x))^2"
         std::string::npos);
 }
 
-TEST_CASE("systems without equilibria say why, and what is cyclic") {
+TEST_CASE("the page of a system without equilibria gives the reason and the cyclic coordinates") {
   CHECK(page("kepler_polar") == R"(Kepler problem in polar coordinates: equilibria (v = 0)
 
   none: g = (μ m/r², 0) is not 0 for r in [0.3, 3] at the parameters' values (proved)
@@ -110,7 +111,7 @@ TEST_CASE("systems without equilibria say why, and what is cyclic") {
 )");
 }
 
-TEST_CASE("only what [routh] takes out is called cyclic") {
+TEST_CASE("only coordinates that [routh] can remove are called cyclic") {
   const std::string fall = R"toml(format = 1
 [model]
 name = "fall"
@@ -134,7 +135,7 @@ V = "m*g*z"
   CHECK(shown(fall).ends_with(
       "  x is cyclic: with its momentum held (scene: [routh] x = true) there may be steady motions"
       "\n"));
-  // z stands in V; x is damped, driven or forced.
+  // V depends on z; x is damped, driven or forced.
   for (const char* const acting :
        {"D = \"1/2*d*dot(x)^2\"\n", "[[input]]\nname = \"u\"\non = \"x\"\n",
         "[[force]]\non = \"x\"\nvalue = \"-d*dot(z)\"\n",
@@ -145,7 +146,7 @@ V = "m*g*z"
   CHECK(page("quadrotor").find("cyclic") == std::string::npos);
 }
 
-TEST_CASE("coordinates that balance beside exact angles have closed forms") {
+TEST_CASE("coordinates that balance at exact angles have closed forms") {
   CHECK(page("elastic_pendulum") == R"(Elastic pendulum: equilibria (v = 0)
 
   r                     θ
@@ -157,7 +158,7 @@ TEST_CASE("coordinates that balance beside exact angles have closed forms") {
 )");
 }
 
-TEST_CASE("an arm has four equilibria, and others where a torque holds it") {
+TEST_CASE("a two-link arm has four equilibria, a pendulum two") {
   const Analysed still = analysed(model_file("two_link_arm"));
   CHECK(still.equilibria.points.size() == 4);
   CHECK(still.equilibria.completeness == Completeness::proved);
@@ -165,17 +166,17 @@ TEST_CASE("an arm has four equilibria, and others where a torque holds it") {
   CHECK(held.equilibria.points.size() == 2);
 }
 
-TEST_CASE("coordinates that no equation holds are any") {
+TEST_CASE("a coordinate that occurs in no equation may have any value") {
   const Analysed cart = analysed(model_file("cart_pole"));
   REQUIRE(cart.equilibria.points.size() == 2);
   CHECK(cart.equilibria.points[0].coordinates[0].is_any);
   CHECK(cart.equilibria.points[0].stability.kind == Stability::unstable);
-  // x drifts at any speed: the linear part does not decide.
+  // x may drift at any constant speed, so the linear part does not decide stability.
   CHECK(cart.equilibria.points[1].stability.kind == Stability::open);
   CHECK(analysed(model_file("cart_pole"), {.laws = {"u=1"}}).equilibria.points.empty());
 }
 
-TEST_CASE("no row stands where M is singular, and none outside of the range of an angle") {
+TEST_CASE("equilibria at a singular M or outside the range of an angle are not listed") {
   const std::string sphere = R"toml(format = 1
 [model]
 name = "sph"
@@ -206,7 +207,8 @@ mass = "m"
   CHECK(text.find("beta in [-1, 1]; alpha and beta modulo 2*pi\n"
                   "  the chart breaks at beta = +-1/2*pi\n"
                   "  these are all at the parameters' values (proved)\n") != std::string::npos);
-  // The middle of polar coordinates; an angle of the range [2, 4] is pi, and not 0.
+  // Polar coordinates are singular at r = 0. An angle with range [2, 4] has its equilibrium at pi,
+  // not at 0.
   const std::string polar =
       "format = 1\n[model]\nname = \"polar\"\n" + coordinate("r", "[-1, 1]") +
       "[[coordinate]]\nname = \"phi\"\n[energy]\nT = \"1/2*r^2*dot(phi)^2\"\nV = \"r^2\"\n";
@@ -220,7 +222,7 @@ mass = "m"
   CHECK(half.equilibria.points[0].stability.kind == Stability::minimum);
 }
 
-TEST_CASE("springs on a line have one equilibrium for every place of the first mass") {
+TEST_CASE("springs on a line have one equilibrium for every position of the first mass") {
   const Analysed molecule =
       analysed(potential_model(coordinate("x1") + coordinate("x2") + coordinate("x3"),
                                "1/2*(x2 - x1 - 1)^2 + 1/2*(x3 - x2 - 1)^2"));
@@ -232,7 +234,7 @@ TEST_CASE("springs on a line have one equilibrium for every place of the first m
   CHECK(molecule.equilibria.completeness == Completeness::proved);
 }
 
-TEST_CASE("a coordinate that cancels at these parameters alone is any at their values") {
+TEST_CASE("a coordinate that cancels only at the values of the parameters is any at these values") {
   for (const auto& [coordinates, potential, parameters] :
        {std::array{coordinate("x", "[-1, 1]"), std::string("1/2*k*x^2"), std::string("k = 0\n")},
         std::array{coordinate("x"), std::string("(a - b)*x"), std::string("a = 1\nb = 1\n")},
@@ -249,7 +251,7 @@ TEST_CASE("a coordinate that cancels at these parameters alone is any at their v
   }
 }
 
-TEST_CASE("a place is exact where the equations are 0 for all values of the parameters") {
+TEST_CASE("an equilibrium is exact if the equations are 0 for all values of the parameters") {
   const std::string spring =
       potential_model(coordinate("x", "[-3, 3]"), "1/2*k*(sqrt(x^2 + h^2) - c)^2") +
       "[parameters]\nk = 5\nh = { value = 1, assume = \"positive\" }\nc = 0.8\n";
@@ -259,9 +261,9 @@ TEST_CASE("a place is exact where the equations are 0 for all values of the para
   CHECK(text_of(equilibria_page(found.checked, found.equilibria))
             .find("exact for all values of the parameters; stability at the parameters' values") !=
         std::string::npos);
-  // 0 at these values, +-sqrt(c^2 - h^2) beside it at others.
+  // x = 0 is exact in both cases; at c > h there are also x = +-sqrt(c^2 - h^2).
   CHECK(analysed(spring, {.fixed = {"c=1.5"}}).equilibria.points.size() == 3);
-  // x = 0 while a = b.
+  // x = 0 is an equilibrium only if a = b.
   const Analysed special = analysed(potential_model(coordinate("x"), "1/2*x^2 + (a - b)*x") +
                                     "[parameters]\na = 1\nb = 1\n");
   REQUIRE(special.equilibria.points.size() == 1);
@@ -269,7 +271,7 @@ TEST_CASE("a place is exact where the equations are 0 for all values of the para
   CHECK(special.equilibria.points[0].coordinates[0].form);
 }
 
-TEST_CASE("a null direction of two coupled coordinates decides nothing") {
+TEST_CASE("a null direction of two coupled coordinates leaves stability and completeness open") {
   const std::string both = coordinate("x", "[-1, 1]") + coordinate("y", "[-1, 1]");
   const Analysed found = analysed(potential_model(both, "(y - x^2)^2 - x^6"));
   REQUIRE(found.equilibria.points.size() == 1);
@@ -278,7 +280,7 @@ TEST_CASE("a null direction of two coupled coordinates decides nothing") {
   CHECK(found.equilibria.completeness == Completeness::undecided);
 }
 
-TEST_CASE("double roots are exact at plain values, and undecided elsewhere") {
+TEST_CASE("double roots are exact at simple numbers, and undecided elsewhere") {
   const Analysed exact = analysed(potential_model(coordinate("x", "[-1, 1]"), "x^4"));
   REQUIRE(exact.equilibria.points.size() == 1);
   CHECK(exact.equilibria.completeness == Completeness::proved);
@@ -287,7 +289,7 @@ TEST_CASE("double roots are exact at plain values, and undecided elsewhere") {
   const Analysed inflection = analysed(potential_model(coordinate("x", "[-1, 1]"), "x^3"));
   REQUIRE(inflection.equilibria.points.size() == 1);
   CHECK(inflection.equilibria.points[0].stability.kind == Stability::open);
-  // V' = (x - 0.3)^2 (x^2 + 1): a double zero at no plain value.
+  // V' = (x - 0.3)^2 (x^2 + 1) has a double zero at 0.3, which is not among the simple numbers.
   const Analysed open = analysed(potential_model(
       coordinate("x", "[-1, 1]"), "1/5*x^5 - 0.15*x^4 + 1.09/3*x^3 - 0.3*x^2 + 0.09*x"));
   CHECK(open.equilibria.completeness == Completeness::undecided);
@@ -297,8 +299,9 @@ TEST_CASE("double roots are exact at plain values, and undecided elsewhere") {
   CHECK(ScalarTraits<double>::from_real(sides.high) == Approx(0.3).margin(1e-5));
 }
 
-TEST_CASE("lines of equilibria are named where they are not found") {
-  // A load that a force holds: theta = 0 with any l is a double zero. On x = y there are lines.
+TEST_CASE("a line of equilibria that cannot be listed is reported as undecided near a box") {
+  // A load held by a force: theta = 0 with any l is a double zero. The second potential has the
+  // line x = y.
   const std::string load = R"toml(format = 1
 [model]
 name = "hang"
@@ -339,7 +342,7 @@ on = "l"
   CHECK(std::abs(ScalarTraits<double>::from_real(box.at(1).high)) < 0.1);
 }
 
-TEST_CASE("where boxes run out nothing is claimed to be complete") {
+TEST_CASE("no completeness is claimed if the limit of boxes ends the search") {
   const Analysed found = analysed(model_file("two_link_arm"), {.boxes = 5});
   CHECK(found.equilibria.completeness == Completeness::searched);
   CHECK(found.equilibria.boxes == 5);
@@ -348,12 +351,12 @@ TEST_CASE("where boxes run out nothing is claimed to be complete") {
                   "more") != std::string::npos);
 }
 
-TEST_CASE("the default count of enclosures is that of the seconds") {
+TEST_CASE("the default limit of enclosures follows from the limit of seconds") {
   CHECK(Limits{}.enclosures == 60 * enclosures_per_second);
   CHECK(Limits{.seconds = 7}.enclosures == 7 * enclosures_per_second);
 }
 
-TEST_CASE("equilibria need a range, no time, and no kinks") {
+TEST_CASE("equilibria need a range, and no time or kinks in the equations") {
   const auto code = [](const std::string& text) {
     const Products products = analysed_products(text);
     CHECK_FALSE(products.equilibria);
@@ -370,7 +373,7 @@ TEST_CASE("equilibria need a range, no time, and no kinks") {
   CHECK(code(kinked) == Code::E530);
 }
 
-TEST_CASE("numbers of equilibria are those of the oracle: bias is 0 there in 50 digits") {
+TEST_CASE("at every equilibrium the bias of the oracle is 0 to 50 digits") {
   for (const char* const name : {"two_link_arm", "elastic_pendulum", "rotating_hoop", "chain"}) {
     const Analysed found = analysed(model_file(name));
     INFO(name);

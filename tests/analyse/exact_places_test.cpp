@@ -1,4 +1,4 @@
-// Places of rest that are called exact, at other values of the parameters, by the oracle.
+// Equilibria claimed to be exact are compared with the oracle at other values of the parameters.
 #include <cmath>
 
 #include "analyse/formulas.hpp"
@@ -10,8 +10,8 @@
 using namespace elgen;
 using namespace elgen::test;
 
-TEST_CASE("a free coordinate whose start breaks the chart hides no equilibria") {
-  // A particle in polar coordinates without a force: it rests anywhere.
+TEST_CASE("a free coordinate with a singular start value hides no equilibria") {
+  // A particle in polar coordinates without a force: every position is an equilibrium.
   const Analysed free = analysed(R"toml(format = 1
 [model]
 name = "polar"
@@ -31,7 +31,7 @@ T = "m*(dot(a)^2 + dot(b)^2*a^2)/2"
   CHECK(free.equilibria.points[0].coordinates[1].is_any);
 }
 
-TEST_CASE("exact places are places at other values of the parameters") {
+TEST_CASE("exact equilibria stay equilibria at other values of the parameters") {
   int moved = 0;
   for (const char* const name : {"double_pendulum", "rotating_hoop", "elastic_pendulum", "chain"}) {
     const Analysed found = analysed(model_file(name));
@@ -41,7 +41,7 @@ TEST_CASE("exact places are places at other values of the parameters") {
       for (int draw = 0; draw < 20; ++draw) {
         State state = point.state;
         for (cln::cl_R& parameter : state.parameters) {
-          // Within 5 %, where the hoop's g/(R*Omega^2) stays below 1.
+          // Values within 5 %, so that g/(R*Omega^2) of the hoop stays below 1.
           parameter = parameter * cln::cl_RA(95 + (++moved * 7) % 11) / 100;
         }
         for (std::size_t i = 0; i < state.q.size(); ++i) {
@@ -62,7 +62,7 @@ TEST_CASE("exact places are places at other values of the parameters") {
   }
 }
 
-TEST_CASE("angles are turned to the first place that is not below a bound") {
+TEST_CASE("an angle is reduced to the first value not below a bound") {
   const Real half = whole_turn() / Real(2);
   for (const auto& [quarters, expected] :
        {std::pair{-2, 2}, std::pair{2, 2}, std::pair{3, 3}, std::pair{1, 5}, std::pair{-9, 3},
@@ -71,7 +71,7 @@ TEST_CASE("angles are turned to the first place that is not below a bound") {
     const Real turned = turned_above(half * Real(quarters) / Real(2), half);
     CHECK(is_near(turned, half * Real(expected) / Real(2)));
   }
-  // The bound itself, but for rounding.
+  // The bound minus a rounding error counts as the bound.
   const Real rounding(power_of_ten(-30));
   CHECK(is_near(turned_above(half - rounding, half), half - rounding));
 }

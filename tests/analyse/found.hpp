@@ -1,4 +1,4 @@
-// Helpers of the tests of analysis: equilibria of models, and their pages.
+// Helpers of the tests of analysis: find equilibria of models and print their pages.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ struct Analysed {
   Equilibria equilibria;
 };
 
-/// Options of a scene by their words: "Omega=7".
+/// Options of a scene as on the command line, such as "Omega=7".
 struct AnalysisWords {
   std::vector<std::string> fixed = {};
   std::vector<std::string> laws = {};
@@ -45,7 +45,7 @@ inline Analysed analysed(const std::string& text, const AnalysisWords& words = {
   return {std::move(*products.checked), std::move(*products.equilibria)};
 }
 
-/// A point mass of 1 kg with these coordinates, whose potential is V.
+/// A model of a point mass of 1 kg with these coordinates and this potential V.
 inline std::string potential_model(const std::string& coordinates, const std::string& potential) {
   return "format = 1\n[model]\nname = \"drawn\"\n" + coordinates + "[energy]\nV = \"" + potential +
          "\"\n";

@@ -1,5 +1,5 @@
-// Small motions: frequencies of textbook systems in closed form and in numbers, poles, and what is
-// refused.
+// Small motions: frequencies of textbook systems in closed form and as numbers, poles, and
+// refusals.
 #include <cmath>
 
 #include "analyse/found.hpp"
@@ -46,7 +46,7 @@ std::vector<double> squares(const LinearMotions& motions) {
   return result;
 }
 
-/// w^2 l/g of a chain of equal links and masses, l = 0.3, g = 9.81.
+/// Compares w^2 l/g of a chain of equal links and masses; l = 0.3, g = 9.81.
 void check_chain(const std::string& size, const std::vector<double>& expected) {
   const Motions chain = motions(model_file("chain"), {}, {size});
   REQUIRE(chain.modes.motions.size() == 1);
@@ -77,7 +77,7 @@ TEST_CASE("the double pendulum has two modes, by a formula") {
 )");
 }
 
-TEST_CASE("the tilted bead has one mode, on either side") {
+TEST_CASE("the tilted bead has the same mode on either side") {
   CHECK(page(motions(model_file("rotating_hoop"))) ==
         R"(Bead on a hoop turned about its vertical diameter: normal modes at θ = ±0.697569 (stable)
 
@@ -92,7 +92,7 @@ TEST_CASE("the tilted bead has one mode, on either side") {
 )");
 }
 
-TEST_CASE("a sum of masses has brackets in front of the acceleration, in all notations") {
+TEST_CASE("a sum of masses before an acceleration has brackets in all notations") {
   const Motions sum = motions(R"(format = 1
 [model]
 name = "pair"
@@ -118,7 +118,7 @@ V = "1/2*(k + c)*x^2"
             "(m_{1} + m_{2}) \\ddot{\\eta} + K \\eta = 0"));
 }
 
-TEST_CASE("the cart-pole can be held upright: it is controllable") {
+TEST_CASE("the cart-pole is controllable in the upright position") {
   const Motions upright = motions(model_file("cart_pole"), "theta=0");
   REQUIRE(upright.modes.motions.size() == 1);
   const LinearMotions& about = upright.modes.motions[0];
@@ -151,7 +151,7 @@ TEST_CASE("equal pendulums: w^2 = g/l (2 -+ sqrt 2)") {
   CHECK(page.find("w^2 = g*(2 -+ sqrt(2))\n") != std::string::npos);
 }
 
-TEST_CASE("a root of a square is taken: a cylinder inside a hollow cylinder") {
+TEST_CASE("the square root of a square is simplified: a cylinder inside a hollow cylinder") {
   const std::string text = R"toml(format = 1
 [model]
 name = "cylinders"
@@ -190,7 +190,7 @@ vector = ["0", "-g"]
   CHECK(page.find("-+") == std::string::npos);
 }
 
-TEST_CASE("Stumpff's functions of 0 are numbers on the page of small motions") {
+TEST_CASE("Stumpff functions of 0 are numbers on the page of small motions") {
   const std::string text = R"toml(format = 1
 [model]
 name = "soft"
@@ -256,7 +256,7 @@ V = "1/2*k*(x2 - x1 - b)^2 + 1/2*k*(x3 - x2 - b)^2"
   }
 }
 
-TEST_CASE("modes of one frequency span a space") {
+TEST_CASE("modes of equal frequency span a space") {
   const Motions found =
       motions(potential_model(coordinate("x") + coordinate("y"), "1/2*x^2 + 1/2*y^2"));
   REQUIRE(found.modes.motions.size() == 1);
@@ -265,7 +265,7 @@ TEST_CASE("modes of one frequency span a space") {
   CHECK(found.modes.motions[0].modes[1].shape == std::vector<double>{0, 1});
 }
 
-TEST_CASE("what is damped has poles, damping ratios and time constants") {
+TEST_CASE("damped systems have poles, damping ratios and time constants") {
   const Motions damped = motions(model_file("two_mass_damper"));
   const std::string text = page(damped);
   CHECK(damped.modes.motions[0].modes.empty());
@@ -273,7 +273,7 @@ TEST_CASE("what is damped has poles, damping ratios and time constants") {
   for (const std::complex<double>& pole : damped.modes.motions[0].poles) CHECK(pole.real() < 0);
 }
 
-TEST_CASE("A and B are those of the program's linearization") {
+TEST_CASE("A and B agree with the linearization of the program") {
   const Motions upright = motions(model_file("cart_pole"), "theta=0");
   const RestPoint& point = upright.modes.motions[0].point;
   const OracleValues exact =
@@ -288,7 +288,7 @@ TEST_CASE("A and B are those of the program's linearization") {
   }
 }
 
-TEST_CASE("motions are refused where forces do not balance, or nothing is stable") {
+TEST_CASE("motions are refused if forces do not balance or no equilibrium is stable") {
   const Products moving = motions_products(model_file("cart_pole"), "theta=1");
   CHECK_FALSE(moving.modes);
   CHECK(moving.diagnostics.back().code == Code::E532);

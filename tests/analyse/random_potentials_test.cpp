@@ -1,5 +1,6 @@
-// Random potentials of one or two angles and lengths: where all equilibria are claimed to be found,
-// a dense search in doubles, which shares nothing with the program, finds as many.
+// Random potentials of one or two angles and lengths. If the analysis claims completeness, a dense
+// search in doubles, which shares no code with the program, must find the same number of
+// equilibria.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace {
 
 using Place = std::array<double, 2>;
 
-/// V as text and its gradient by hand; `turns`: which coordinates are angles.
+/// V as text, and its gradient derived by hand; `turns[i]`: coordinate i is an angle.
 struct Potential {
   std::size_t size = 1;
   std::array<bool, 2> turns{};
@@ -39,7 +40,7 @@ struct Potential {
 
 constexpr double longest = 2;  ///< lengths are in [-2, 2]
 
-/// c cos(k x + l y + phase), the phase 0 or -pi/2.
+/// Adds c cos(k x + l y) or c sin(k x + l y).
 void add_wave(Potential& v, double c, int k, int l, bool is_sine) {
   v.text += fmt::format(" + ({})*{}({}*x + {}*y)", c, is_sine ? "sin" : "cos", k, l);
   v.gradients.push_back([=](const Place& at) {
@@ -49,7 +50,7 @@ void add_wave(Potential& v, double c, int k, int l, bool is_sine) {
   });
 }
 
-/// c x^n, or c y^n
+/// Adds c x^n or c y^n.
 void add_power(Potential& v, double c, int n, std::size_t which) {
   v.text += fmt::format(" + ({})*{}^{}", c, which == 0 ? "x" : "y", n);
   v.gradients.push_back([=](const Place& at) {
@@ -59,7 +60,7 @@ void add_power(Potential& v, double c, int n, std::size_t which) {
   });
 }
 
-/// c y cos(k x)
+/// Adds c y cos(k x).
 void add_mixed(Potential& v, double c, int k) {
   v.text += fmt::format(" + ({})*y*cos({}*x)", c, k);
   v.gradients.push_back([=](const Place& at) {
@@ -108,7 +109,7 @@ std::string model_of(const Potential& v) {
   return potential_model(coordinates, text);
 }
 
-/// Sign changes of V' on a fine grid.
+/// The number of sign changes of V' on a fine grid.
 std::size_t dense_count_of_one(const Potential& v) {
   const double low = v.turns[0] ? -std::numbers::pi + 0.1234 : -longest;
   const double high = v.turns[0] ? low + 2 * std::numbers::pi : longest;
@@ -125,7 +126,8 @@ std::size_t dense_count_of_one(const Potential& v) {
 
 double reduced(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
-/// Newton's method with numeric slopes from a grid of starts; solutions that differ by 1e-6.
+/// The solutions of Newton's method with numeric slopes from a grid of starts; solutions closer
+/// than 1e-6 are equal.
 std::vector<Place> dense_solutions_of_two(const Potential& v) {
   std::vector<Place> found;
   constexpr int steps = 60;
@@ -170,7 +172,7 @@ std::size_t dense_count(const Potential& v) {
 
 }  // namespace
 
-TEST_CASE("as many equilibria of random potentials are claimed as a dense search finds") {
+TEST_CASE("a dense search finds as many equilibria of random potentials as are claimed") {
   Random random(2026);
   std::size_t proved = 0;
   for (int i = 0; i < 190; ++i) {
@@ -189,9 +191,9 @@ TEST_CASE("as many equilibria of random potentials are claimed as a dense search
   CHECK(proved > 170);
 }
 
-TEST_CASE("double and nearly double zeros are counted right, or said to be undecided") {
+TEST_CASE("double and nearly double zeros are counted correctly or reported as undecided") {
   for (int i = 0; i < 10; ++i) {
-    // V' = ((x - c)^2 - gap) (x - d), the gap 0, 1e-14 or wide enough to be seen
+    // V' = ((x - c)^2 - gap) (x - d); the gap is 0, 1e-14, or wide enough to resolve (1e-4)
     const double c = -1 + 0.3 * (i % 5);
     const double d = 1.25;
     const double gap = i < 4 ? 0 : i < 7 ? 1e-14 : 1e-4;

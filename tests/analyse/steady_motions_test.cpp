@@ -1,4 +1,4 @@
-// States of rest of what is left where momenta are held: steady motions of the whole.
+// Steady motions: equilibria of the model that remains if [routh] removes cyclic coordinates.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -47,7 +47,7 @@ bool holds(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a circular orbit: r = p^2/(m^2 mu), and near ones close") {
+TEST_CASE("circular Kepler orbit: r = p^2/(m^2 mu), and nearby orbits close") {
   const Products orbit = steady_products("kepler_polar", "phi = true\n");
   CHECK(rest_coordinate(orbit) == Approx(1.44).epsilon(1e-14));
   CHECK(orbit.modes->motions.front().point.coordinates[0].form);
@@ -59,7 +59,7 @@ TEST_CASE("a circular orbit: r = p^2/(m^2 mu), and near ones close") {
   CHECK(holds(text, "= 0.578704 rad/s, of the same period: orbits close\n"));
 }
 
-TEST_CASE("a top that precesses steadily") {
+TEST_CASE("a heavy top precesses steadily") {
   const Products top = steady_products("heavy_top", "phi = true\npsi = true\n");
   CHECK(rest_coordinate(top) == Approx(0.487368).epsilon(1e-6));
   CHECK(omega_squared(top) == Approx(1518.19).epsilon(1e-5));
@@ -70,7 +70,7 @@ TEST_CASE("a top that precesses steadily") {
   CHECK(holds(text, "= 100.885 rad/s\n"));
 }
 
-TEST_CASE("the heading names the point asked about, where every value is one of rest, too") {
+TEST_CASE("the heading names the requested point, even if every value is an equilibrium") {
   const std::string gimbal = R"(format = 1
 [model]
 name = "gimbal"

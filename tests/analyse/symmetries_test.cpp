@@ -1,5 +1,5 @@
-// Symmetries: what is conserved by each, by value; how they change where forces act; the page
-// around the formulas to the letter; JSON.
+// Symmetries: kind, integral, F and rate of each, by value; the effect of forces; the exact text of
+// the page around the formulas; JSON.
 #include <algorithm>
 #include <array>
 #include <sstream>
@@ -17,7 +17,7 @@ namespace {
 
 using Kind = SymmetryKind;
 
-/// One symmetry: I + F by names, F, and dI/dt.
+/// One symmetry: the integral I + F in names of the model, F, and dI/dt.
 struct Kept {
   Kind kind;
   const char* integral;
@@ -40,7 +40,7 @@ void check_all(const std::string& model, const std::vector<Kept>& expected,
   }
 }
 
-/// The names of I + F, and what it is along the motion.
+/// Checks I + F written out along the motion.
 void check_closed(const std::string& model, const std::string& integral,
                   const std::string& closed) {
   FoundSymmetries found(symmetric_model(model));
@@ -48,7 +48,8 @@ void check_closed(const std::string& model, const std::string& integral,
   CHECK(found.equals(found.with(integral).closed, closed));
 }
 
-/// A page without its formulas: rows end with what moves, the list of integrals where it begins.
+/// A page without its formulas: rows end after the generator, and the list of integrals after its
+/// first line.
 std::string without_formulas(const std::string& page) {
   const std::string gap = "   ";
   std::string result;
@@ -66,7 +67,7 @@ std::string without_formulas(const std::string& page) {
   return result;
 }
 
-/// A symmetry as JSON: its formulas, read back, are its forms.
+/// Checks a symmetry as JSON: its formulas, parsed again, equal its closed forms.
 void check_row(FoundSymmetries& found, const Symmetry& symmetry, const nlohmann::json& row) {
   CHECK(found.equals(symmetry.by_names, row.at("integral")));
   CHECK(found.equals(symmetry.closed, row.at("closed_form")));
@@ -86,13 +87,13 @@ std::string page_frame(const std::string& model) {
 
 }  // namespace
 
-TEST_CASE("a cart is moved, and moved at a speed: F of the boost, and the work of the force") {
+TEST_CASE("cart-pole: a translation, a boost with its F, and the work of the force") {
   check_all("cart_pole", {{Kind::coordinate, "p(x)", "0", "u"},
                           {Kind::boost, "t*p(x)", "(M + m)*x + m*l*sin(theta)", "u*t"},
                           {Kind::time, "E", "0", "u*dot(x)"}});
 }
 
-TEST_CASE("what falls keeps p + m g t, and its place less what that explains") {
+TEST_CASE("free fall conserves p + m g t, and the integral of the boost") {
   check_all("falling", {{Kind::coordinate, "p(x)"},
                         {Kind::coordinate, "p(z)", "-m*g*t"},
                         {Kind::boost, "t*p(x)", "m*x"},
@@ -103,7 +104,7 @@ TEST_CASE("what falls keeps p + m g t, and its place less what that explains") {
                        {Kind::time, "E"}});
 }
 
-TEST_CASE("in a magnetic field F depends on the gauge, the number of symmetries does not") {
+TEST_CASE("in a magnetic field F depends on the gauge, and the number of symmetries does not") {
   check_all("magnetic_symmetric_gauge", {{Kind::coordinate, "p(x)", "e*B*y/2"},
                                          {Kind::coordinate, "p(y)", "-e*B*x/2"},
                                          {Kind::rotation, "x*p(y) - y*p(x)"},
@@ -115,7 +116,7 @@ TEST_CASE("in a magnetic field F depends on the gauge, the number of symmetries 
   check_closed("magnetic_symmetric_gauge", "E", "m*(dot(x)^2 + dot(y)^2)/2");
 }
 
-TEST_CASE("translations in time have an F, too") {
+TEST_CASE("translations in time may have an F") {
   check_all("accelerated_lift", {{Kind::time, "E", "m*A*l*cos(theta) + m*A*(g - A)*t^2/2"}});
   check_all("gauge_of_time", {{Kind::coordinate, "p(x)", "k*x*t"},
                               {Kind::boost, "t*p(x)", "m*x + k*x*t^2"},
@@ -129,7 +130,7 @@ TEST_CASE("translations in time have an F, too") {
               "(k^2 - w^2)*cos(w*t))/(k^2 + w^2)^2)"}});
 }
 
-TEST_CASE("time is mixed with a translation, a boost, a rotation, a shrinking") {
+TEST_CASE("time combines with a translation, a boost, a rotation, a scaling") {
   check_all("travelling_wave", {{Kind::other, "c*p(x) - E"}});
   check_all("travelling_wave_numbers", {{Kind::other, "3*p(x) - E"}});
   check_all("accelerated_wave", {{Kind::other, "A*t*p(x) - E", "m*A*x"}});
@@ -138,7 +139,8 @@ TEST_CASE("time is mixed with a translation, a boost, a rotation, a shrinking") 
   check_all("growing_oscillator", {{Kind::other, "-gamma*x*p(x)/2 - E"}});
 }
 
-TEST_CASE("coordinates move together: a screw, the centre of masses, a turn that is no rotation") {
+TEST_CASE(
+    "symmetries that move several coordinates: a screw, the centre of mass, an elliptic rotation") {
   check_all("helix_in_cylinder", {{Kind::translation, "p(phi) + h*p(z)"}, {Kind::time, "E"}});
   check_all("two_body", {{Kind::translation, "p(x1) + p(x2)"},
                          {Kind::boost, "t*(p(x1) + p(x2))", "m1*x1 + m2*x2"},
@@ -148,7 +150,7 @@ TEST_CASE("coordinates move together: a screw, the centre of masses, a turn that
             {"g=0"});
 }
 
-TEST_CASE("in space all points turn at once, from x to y, y to z, z to x") {
+TEST_CASE("rotations in space turn all points together: x to y, y to z, z to x") {
   check_all("kepler_cartesian", {{Kind::rotation, "x*p(y) - y*p(x)"},
                                  {Kind::rotation, "y*p(z) - z*p(y)"},
                                  {Kind::rotation, "z*p(x) - x*p(z)"},
@@ -161,7 +163,7 @@ TEST_CASE("in space all points turn at once, from x to y, y to z, z to x") {
   }
 }
 
-TEST_CASE("in crossed fields the guiding centre drifts: the boost needs a turn") {
+TEST_CASE("charged particle in crossed fields: the boost needs a rotation") {
   check_all("charged_particle",
             {{Kind::coordinate, "p(x)", "e*(B*y/2 + Ex*t)"},
              {Kind::coordinate, "p(y)", "-e*B*x/2"},
@@ -180,7 +182,7 @@ TEST_CASE("momenta and E are written out") {
   check_closed("growing_mass", "p(x)", "m*exp(gamma*t)*dot(x)");
 }
 
-TEST_CASE("dampers take energy, and the page does not say that it is conserved") {
+TEST_CASE("the page of a damped system does not claim that energy is conserved") {
   FoundSymmetries damped(model_file("two_mass_damper"));
   REQUIRE(damped.all().size() == 1);
   const std::string rate = "-(b + bc)*(dot(x1)^2 + dot(x2)^2) + 2*bc*dot(x1)*dot(x2)";
@@ -192,7 +194,7 @@ TEST_CASE("dampers take energy, and the page does not say that it is conserved")
   CHECK(driven.equals(driven.with("p(theta1)").rate, "tau - b1*dot(theta1)"));
 }
 
-TEST_CASE("where constraints move E is not T + V, and the page says so") {
+TEST_CASE("with moving constraints E is not T + V, and the page says so") {
   const FoundSymmetries hoop(model_file("rotating_hoop"));
   CHECK(hoop.found().loses_energy);
   CHECK(mentions(hoop.page(), "   (T + V is not conserved)\n"));
@@ -201,7 +203,7 @@ TEST_CASE("where constraints move E is not T + V, and the page says so") {
   CHECK_FALSE(mentions(pendulum.page(), "T + V"));
 }
 
-TEST_CASE("F without a closed form is said to have none, and is not conserved by a formula") {
+TEST_CASE("the page says if F has no closed form, and expects no integral with such an F") {
   FoundSymmetries found(model_text("gauge", R"toml([[coordinate]]
 name = "x"
 range = [0.5, 2]
@@ -221,7 +223,7 @@ L = "m*dot(x)^2/2 + a*sqrt(x)*dot(x)"
   CHECK(mentions(found.page(), "  conserved = [\"E\"]\n"));
 }
 
-TEST_CASE("pages say what moves, what is claimed, and how it was found") {
+TEST_CASE("pages list the generators, the claim and the method") {
   CHECK(
       page_frame("cart_pole") ==
       R"(Cart and pole with a force on the cart: symmetries of L, dq = A q + b + c t, dt constant: 3
@@ -254,7 +256,7 @@ TEST_CASE("pages say what moves, what is claimed, and how it was found") {
 )");
 }
 
-TEST_CASE("where there are no closed forms the page says that states were sampled") {
+TEST_CASE("without closed forms the page says that states were sampled") {
   const FoundSymmetries arm(model_file("panda7"));
   const std::string page = arm.page();
   INFO(page);
@@ -263,12 +265,12 @@ TEST_CASE("where there are no closed forms the page says that states were sample
                  "\n  conserved where d/dt is 0: sampled at 13 states in 160 digits; these are all "
                  "of this form (64 unknowns, sampled)\n"));
   CHECK(mentions(page, "\n[[expect]]\n  conserved = [\"p(q1)\", \"E\"]\n"));
-  // e^(gamma t) has relations that forms do not know.
+  // Closed forms do not know the relations of e^(gamma t), so the symmetries are sampled.
   CHECK(mentions(FoundSymmetries(symmetric_model("growing_mass")).page(),
                  "\n  conserved: proved; these are all of this form (4 unknowns, sampled)\n"));
 }
 
-TEST_CASE("bodies turn in the axes of the world and in their own") {
+TEST_CASE("rotations of bodies about axes of the world and of the body") {
   const std::string page = page_frame("free_body_aac");
   CHECK(
       mentions(page, ": symmetries of L, dq = A q + b + c t, turns R^T s + b, dt constant: 12\n"));
@@ -285,7 +287,7 @@ TEST_CASE("bodies turn in the axes of the world and in their own") {
   CHECK(count(sphere.page(), "\n  turn: ") == 6);
 }
 
-TEST_CASE("the integral of dL has a name that no value of the model has") {
+TEST_CASE("the integral of dL gets a name that no value of the model has") {
   const auto pushed = [](const std::string& input, const std::string& mass) {
     return FoundSymmetries(
         model_text("pushed", "[[coordinate]]\nname = \"x\"\n[parameters]\nm = " + mass +
@@ -298,12 +300,12 @@ TEST_CASE("the integral of dL has a name that no value of the model has") {
   CHECK(mentions(named, "d/dt = t*F"));
   CHECK_FALSE(mentions(named, "F = m*x"));
   CHECK(mentions(pushed("u", "1").page(), " - F,   F = m*x"));
-  // The letters of books are distinct, too.
+  // The LaTeX names differ from names of the model, too.
   const FoundSymmetries drawn = pushed("u", "{ value = 1, latex = \"F\" }");
   CHECK(mentions(latex_document(symmetries_page(drawn.checked(), drawn.found())), "F' = F x"));
 }
 
-TEST_CASE("pages are read in the notations of books") {
+TEST_CASE("pages are printed in the notations of plain text, Unicode and LaTeX") {
   const FoundSymmetries found(model_file("cart_pole"));
   const Page sheet = symmetries_page(found.checked(), found.found());
   CHECK(starts_with(latex_document(sheet), "\\documentclass"));
@@ -338,7 +340,7 @@ TEST_CASE("JSON has every formula, in the model language") {
   }
 }
 
-TEST_CASE("kinds are words in JSON, and what is not known is null") {
+TEST_CASE("in JSON kinds are words, and unknown values are null") {
   const auto kinds = [](const std::string& model) {
     std::vector<std::string> words;
     const nlohmann::json page = FoundSymmetries(symmetric_model(model)).json();
@@ -375,7 +377,7 @@ TEST_CASE("relations that closed forms do not know are found by samples") {
     CHECK(of.all().size() == count);
     CHECK(mentions(of.page(), "of this form (9 unknowns, sampled)"));
   }
-  // A term of 1e-50 is no rounding.
+  // A term of 1e-50 is more than a rounding error.
   const FoundSymmetries tiny(found("k*(x^2 + y^2) + 1e-50*x^4"));
   CHECK(tiny.all().size() == 1);
   CHECK(tiny.found().sampled == 1);

@@ -1,5 +1,5 @@
-// Helpers of the tests of symmetries: the symmetries of a model, and formulas of the model language
-// to compare theirs with.
+// Helpers of the tests of symmetries: find the symmetries of a model and compare their formulas
+// with formulas of the model language.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -17,14 +17,14 @@
 
 namespace elgen::test {
 
-/// A model of tests/analyse/symmetries/, or of the project.
+/// A model of tests/analyse/symmetries/, or else of the project.
 inline std::string symmetric_model(const std::string& name) {
   const std::filesystem::path own =
       std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/analyse/symmetries" / (name + ".toml");
   return std::filesystem::exists(own) ? read_text(own) : model_file(name);
 }
 
-/// The model with this end in the place of its closed forms, which stand last.
+/// The model with `end` instead of its [[expect]] tables, which come last.
 inline std::string ending(const std::string& model, const std::string& end) {
   return model.substr(0, model.find("\n[[expect]]")) + "\n" + end;
 }
@@ -53,7 +53,7 @@ class FoundSymmetries {
     return nlohmann::json::parse(symmetries_json(checked_, found_));
   }
 
-  /// A formula over the leaves of the model, p and E.
+  /// A formula over the leaves of the model, its momenta p and its energy E.
   Fraction form(const std::string& formula) {
     const CheckedModel reading =
         checked_model(ending(text_, "[[expect]]\nconserved = [\"" + formula + "\"]\n"), options_);
@@ -69,7 +69,7 @@ class FoundSymmetries {
     return x && proved_equal(found_.forms, *x, form(formula));
   }
 
-  /// The symmetry with this I + F.
+  /// The symmetry with this integral I + F.
   const Symmetry& with(const std::string& integral) {
     const Fraction wanted = form(integral);
     const Symmetry* result = nullptr;

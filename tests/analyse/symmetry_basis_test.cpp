@@ -1,4 +1,4 @@
-// Kinds of generators, and the rotations of all points at once in the place of those of a basis.
+// Kinds of generators, and a basis that prefers common rotations of all points.
 #include "analyse/symmetry_basis.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Coordinates q[1] to q[n] of point masses, and perhaps a rotation.
+/// n coordinates q1 ... qn with armature 1, and optionally a rotation.
 GeneratorClass class_of(std::size_t scalars, bool has_rotation = false) {
   std::string text;
   for (std::size_t i = 1; i <= scalars; ++i) {
@@ -58,7 +58,7 @@ bool are_equal(ClosedForms& forms, const Generator& x, const Generator& y) {
 
 }  // namespace
 
-TEST_CASE("the unknowns of a class follow one another") {
+TEST_CASE("the unknowns of a class are numbered consecutively") {
   const GeneratorClass plane = class_of(2);
   CHECK(plane.size() == 4 + 2 + 2 + 1);
   CHECK(plane.a(1, 0) == 2);
@@ -72,7 +72,7 @@ TEST_CASE("the unknowns of a class follow one another") {
   CHECK(body.time() == 21);
 }
 
-TEST_CASE("generators are called by what they move") {
+TEST_CASE("the kind of a generator follows from its motion") {
   ClosedForms forms;
   const GeneratorClass all = class_of(2, true);
   const auto kind = [&](const Unknowns& values) {
@@ -93,7 +93,7 @@ TEST_CASE("generators are called by what they move") {
   CHECK(kind({{all.b(0), 1}, {all.time(), 1}}) == SymmetryKind::other);
 }
 
-TEST_CASE("two points that turn by themselves turn at once, and one of them by itself") {
+TEST_CASE("two independent rotations become the common rotation and one of them") {
   ClosedForms forms;
   const GeneratorClass all = class_of(4);
   const Generator first = generator(all, turn(all, 0, 1));
@@ -105,7 +105,7 @@ TEST_CASE("two points that turn by themselves turn at once, and one of them by i
   CHECK(are_equal(forms, basis[1], second));
 }
 
-TEST_CASE("in space the turns go from x to y, from y to z, from z to x") {
+TEST_CASE("rotations in space turn x to y, y to z, z to x") {
   ClosedForms forms;
   const GeneratorClass all = class_of(3);
   std::vector<Generator> basis{generator(all, turn(all, 0, 1)), generator(all, turn(all, 0, 2)),
@@ -117,7 +117,7 @@ TEST_CASE("in space the turns go from x to y, from y to z, from z to x") {
   CHECK(are_equal(forms, basis[2], generator(all, turn(all, 1, 2))));
 }
 
-TEST_CASE("a rotation that is no symmetry takes no place") {
+TEST_CASE("a common rotation that is no symmetry is not preferred") {
   ClosedForms forms;
   const GeneratorClass all = class_of(2);
   Arithmetic arithmetic(forms.algebra);
@@ -128,7 +128,7 @@ TEST_CASE("a rotation that is no symmetry takes no place") {
   prefer_common_rotations(forms, all, basis);
   CHECK(are_equal(forms, basis[0], elliptic));
   CHECK(kind_of(forms, all, basis[0]) == SymmetryKind::other);
-  // The plane turns with time alone.
+  // The rotation in the plane is a symmetry only together with time.
   std::vector<Generator> mixed{generator(all, both(turn(all, 0, 1), {{all.time(), 2}}))};
   const Generator before = mixed[0];
   prefer_common_rotations(forms, all, mixed);

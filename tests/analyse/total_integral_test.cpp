@@ -1,5 +1,5 @@
-// Total integral: the functions whose rates are forms, and forms that are no rate, or of which none
-// is found.
+// Total integrals: functions F with dF/dt equal to a given form; forms that are no total
+// derivative; and forms whose integral is not found.
 #include "analyse/total_integral.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Formulas over x, y, their rates, t, k and w, and an open V(x, t).
+/// Formulas over x, y, their rates, t, k and w, and an open function V(x, t).
 class PlaneForms {
  public:
   Fraction operator()(const std::string& formula) {
@@ -67,7 +67,7 @@ void check_no_integral(const std::string& rate) {
 
 }  // namespace
 
-TEST_CASE("powers have integrals, of one variable after the other") {
+TEST_CASE("powers have integrals, one variable after another") {
   check_integral("0", "0");
   check_integral("k", "k*t");
   check_integral("dot(x)", "x");
@@ -80,7 +80,7 @@ TEST_CASE("powers have integrals, of one variable after the other") {
   check_integral("dot(x)/(1 + k)", "x/(1 + k)");
 }
 
-TEST_CASE("waves have integrals, with powers before them") {
+TEST_CASE("waves have integrals, also with powers as factors") {
   check_integral("cos(x)*dot(x)", "sin(x)");
   check_integral("sin(x)*cos(x)*dot(x)", "sin(x)^2/2 - 1/4");
   check_integral("cos(w*t)", "sin(w*t)/w");
@@ -91,7 +91,7 @@ TEST_CASE("waves have integrals, with powers before them") {
   check_integral("cos(x + y)*(dot(x) + dot(y))", "sin(x + y)");
 }
 
-TEST_CASE("exponentials have integrals, with powers and waves") {
+TEST_CASE("exponentials have integrals, also with powers and waves as factors") {
   check_integral("exp(k*t)", "exp(k*t)/k");
   check_integral("x^2*exp(k*x)*dot(x)", "(x^2/k - 2*x/k^2 + 2/k^3)*exp(k*x)");
   check_integral("exp(k*t)*(dot(x) + k*x)", "x*exp(k*t)");
@@ -112,7 +112,7 @@ TEST_CASE("forms that are no total derivative have no integral") {
   check_no_integral("t*dot(x)");
 }
 
-TEST_CASE("integrals that are no sums of powers and waves are not found") {
+TEST_CASE("integrals of other forms than powers and waves are not found") {
   check_no_integral("dot(x)/x");
   check_no_integral("dot(x)/(1 + x)");
   check_no_integral("sqrt(x)*dot(x)");

@@ -1,4 +1,4 @@
-// The code table, order, places and exit codes of diagnostics.
+// Diagnostics: the table of codes, order, positions and exit codes.
 #include "elgen/diagnostic.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ TEST_CASE("codes are unique, ordered and explained") {
   CHECK(find_code("E000") == nullptr);
 }
 
-TEST_CASE("only errors count as errors, and the worst gives the exit code") {
+TEST_CASE("only errors count as errors, and the most severe one gives the exit code") {
   const Diagnostics warnings{{Code::E511, {}, "w"}, {Code::E520, {}, "n"}};
   CHECK_FALSE(has_errors(warnings));
   CHECK(exit_code(warnings) == ExitCode::success);
@@ -32,7 +32,7 @@ TEST_CASE("only errors count as errors, and the worst gives the exit code") {
   CHECK(exit_code(mixed) == ExitCode::limit);
 }
 
-TEST_CASE("sorting goes by place, the command line last, and drops repeats") {
+TEST_CASE("diagnostics are sorted by position, the command line last, without duplicates") {
   const SourcePointer file = make_source("m.toml", "0123456789");
   const SourcePointer words = make_source("command line", "0123456789");
   Diagnostics list{{Code::E606, {words.get(), 0, 1}, "option"},
@@ -64,14 +64,14 @@ TEST_CASE("columns count code points, not bytes") {
   CHECK(line_column(*source, hash).column == 9);
 }
 
-TEST_CASE("the end of the text, and offsets beyond, have a place") {
+TEST_CASE("offsets at and beyond the end of the text have a position") {
   const SourcePointer source = make_source("a.toml", "ab\n");
   CHECK(line_column(*source, 3).line == 2);
   CHECK(line_column(*source, 99).line == 2);
   CHECK(line_column(*source, 99).column == 1);
 }
 
-TEST_CASE("lines come without their ends, LF or CRLF") {
+TEST_CASE("lines exclude their line ends, LF or CRLF") {
   const SourcePointer source = make_source("a.toml", "one\r\ntwo\nthree");
   CHECK(line_text(*source, 1) == "one");
   CHECK(line_text(*source, 2) == "two");
@@ -83,13 +83,13 @@ TEST_CASE("the name of a file is the last part of its path") {
   CHECK(file_name(*make_source("a.toml", "")) == "a.toml");
 }
 
-TEST_CASE("a span covers its bytes, and nothing without a source") {
+TEST_CASE("a span covers its bytes, and is empty without a source") {
   const SourcePointer source = make_source("a.toml", "abcdef");
   CHECK(covered_text({source.get(), 2, 4}) == "cd");
   CHECK(covered_text({}).empty());
 }
 
-TEST_CASE("a byte order mark is no column and no text of the first line") {
+TEST_CASE("a byte order mark is neither a column nor part of the first line") {
   const SourcePointer source = make_source("a.toml", "\xEF\xBB\xBFx = 1\ny = 2\n");
   CHECK(line_column(*source, 3).column == 1);
   CHECK(line_column(*source, 5).column == 3);

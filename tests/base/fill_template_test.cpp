@@ -1,5 +1,5 @@
-// fill_template: strict holes, no escaping; and every template is known by
-// its path.
+// fill_template: every hole needs a value, and values are not escaped. Templates are found by their
+// paths.
 #include "base/fill_template.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,14 +11,14 @@
 
 using namespace elgen;
 
-TEST_CASE("a template without holes is its own text without the comment that opens it") {
+TEST_CASE("a template without holes yields its text without the licence comment") {
   const std::string text(embedded_template("cpp/kinked.hpp.mustache"));
   const std::string comment = "{{! SPDX-License-Identifier: 0BSD\n}}";
   REQUIRE(test::starts_with(text, comment));
   CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()) == text.substr(comment.size()));
 }
 
-TEST_CASE("every template says its licence, in what it emits or before it") {
+TEST_CASE("every template has a licence, in its output or in its first comment") {
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(ELGEN_SOURCE_DIR "/templates")) {
     if (entry.path().extension() != ".mustache") continue;
@@ -27,16 +27,16 @@ TEST_CASE("every template says its licence, in what it emits or before it") {
   }
 }
 
-TEST_CASE("text is not escaped") {
+TEST_CASE("values are not escaped") {
   CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()).find("&lt;") == std::string::npos);
 }
 
-TEST_CASE("a hole without a value and a template that is not there are mistakes of elgen") {
+TEST_CASE("a hole without a value or an unknown template throws logic_error") {
   CHECK_THROWS_AS(fill_template("cpp/constant.hpp.mustache", TemplateData()), std::logic_error);
   CHECK_THROWS_AS(fill_template("cpp/none.mustache", TemplateData()), std::logic_error);
 }
 
-TEST_CASE("a template stands in another one of its folder, without its line end") {
+TEST_CASE("a template includes another template of its folder without the final line end") {
   TemplateData data;
   for (const char* const name :
        {"header", "namespace", "storage", "order", "generated", "model_hash", "scene_hash",
@@ -61,13 +61,13 @@ TEST_CASE("lines and optional sections") {
   CHECK(section_if(true).is_non_empty_list());
 }
 
-TEST_CASE("a template that is not there is empty, or a mistake of elgen") {
+TEST_CASE("an unknown template is embedded as empty text, and looking it up throws") {
   CHECK(template_at("cpp/kinked.hpp.mustache") == embedded_template("cpp/kinked.hpp.mustache"));
   CHECK(embedded_template("cpp/none.mustache").empty());
   CHECK_THROWS_AS(template_at("cpp/none.mustache"), std::logic_error);
 }
 
-TEST_CASE("a template names others of its folder and language") {
+TEST_CASE("a template is found by name in the folder and language of another") {
   CHECK(template_beside("cpp/header.hpp.mustache", "kinked") == "cpp/kinked.hpp.mustache");
   CHECK(template_beside("c99/header.h.mustache", "function") == "c99/function.h.mustache");
 }

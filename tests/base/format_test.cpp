@@ -1,4 +1,4 @@
-// The one formatter: exact text, in every format; words that all formats share.
+// Formatted diagnostics: the exact text in every format, and the words that all formats share.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -26,7 +26,7 @@ TEST_CASE("position, code, message, source line, caret and hint") {
         "      |          ^~ did you mean `m`?\n");
 }
 
-TEST_CASE("code points under the caret, tabs and control characters") {
+TEST_CASE("the caret counts code points, and tabs and control characters are replaced") {
   const SourcePointer source = make_source("m.toml", "\tθ\x01 = πππ");
   const Diagnostics list{{Code::E307, span_of(source, "πππ"), "non-ASCII character"}};
   CHECK(format(list) ==
@@ -35,7 +35,7 @@ TEST_CASE("code points under the caret, tabs and control characters") {
         "      |       ^~~\n");
 }
 
-TEST_CASE("a related place has a line of its own, and without a source there is no excerpt") {
+TEST_CASE("a related position has its own line, and without a source it has no excerpt") {
   const SourcePointer source = make_source("m.toml", "a\nb\n");
   const Diagnostics list{{Code::E203, span_of(source, "b"), "duplicate name `b`", "",
                           span_of(source, "a"), "first declared here"},
@@ -67,7 +67,7 @@ TEST_CASE("at most `maximum` errors are shown and the rest counted") {
   CHECK(text.find("elgen: 5 more errors not shown\n") != std::string::npos);
 }
 
-TEST_CASE("of notes and warnings too no more are shown than `maximum`") {
+TEST_CASE("at most `maximum` notes and warnings are shown") {
   const SourcePointer source = make_source("m.toml", "x");
   const Diagnostics list(60'000, {Code::E520, span_of(source, "x"), "`x`"});
   const std::string text = format(list);
@@ -75,7 +75,7 @@ TEST_CASE("of notes and warnings too no more are shown than `maximum`") {
   CHECK(text.size() < 10'000);
 }
 
-TEST_CASE("of what stands in back-ticks the beginning is shown") {
+TEST_CASE("long text in back-ticks is cut") {
   const std::string name(100'000, 'x');
   const std::string umlauts = "ä" + std::string(198, 'x') + "äöü";
   const Diagnostics list{{Code::E201, {}, "unknown name `" + name + "` here", "not `" + name + "`"},
@@ -87,7 +87,7 @@ TEST_CASE("of what stands in back-ticks the beginning is shown") {
   CHECK(format(list, {DiagnosticFormat::json}).size() < 2000);
 }
 
-TEST_CASE("there is colour only where asked") {
+TEST_CASE("colour only on request") {
   const Diagnostics list{{Code::E511, {}, "singular at x"}};
   DiagnosticStyle color;
   color.color = true;
@@ -95,14 +95,14 @@ TEST_CASE("there is colour only where asked") {
   CHECK(format(list, color).find("\x1b[1;33mwarning[E511]") != std::string::npos);
 }
 
-TEST_CASE("every format has its word, and stands in its row") {
+TEST_CASE("every format has a word, and its row is found") {
   for (const DiagnosticFormatRow& row : diagnostic_formats()) {
     CHECK(&format_row(row.format) == &row);
     CHECK_FALSE(row.word.empty());
   }
 }
 
-TEST_CASE("programs get all diagnostics") {
+TEST_CASE("machine-readable formats print all diagnostics") {
   const Diagnostics list(25, {Code::E201, {}, "unknown name `x`"});
   CHECK(std::ranges::count(format(list, {DiagnosticFormat::json}), '\n') == 25);
   CHECK(format(list, {DiagnosticFormat::github}).find("elgen: 5 more errors not shown\n") !=
@@ -128,7 +128,7 @@ TEST_CASE("JSON has code, message, hint and places") {
         "\n");
 }
 
-TEST_CASE("characters that are not seen are named in every format") {
+TEST_CASE("invisible characters are named in every format") {
   const SourcePointer source = make_source("a\u202E.toml", "xy\n");
   const Diagnostics list{{Code::E201, span_of(source, "y"), "unknown name `\u2066b`",
                           "write \uFEFFc", span_of(source, "x"), "\u2028first"}};
@@ -147,7 +147,7 @@ TEST_CASE("characters that are not seen are named in every format") {
   CHECK(json.find("\u202E") == std::string::npos);
 }
 
-TEST_CASE("a command of a workflow has its place, its title and the sentence, escaped") {
+TEST_CASE("a GitHub workflow command has position, title and sentence, escaped") {
   const SourcePointer source = make_source("./models/a, b.toml", "format = 1\nT = \"mq*v\"\n");
   const DiagnosticStyle github{DiagnosticFormat::github};
   CHECK(format({{Code::E201, span_of(source, "mq"), "unknown name `mq`", "did you mean `m`?"}},
@@ -161,13 +161,13 @@ TEST_CASE("a command of a workflow has its place, its title and the sentence, es
         "::notice title=a%3A b%2C 5%25::5%25: a,%0Ab\n");
 }
 
-TEST_CASE("a sentence is the message with its hint") {
+TEST_CASE("a sentence is the message followed by its hint") {
   CHECK(sentence({Code::E201, {}, "unknown name `x`"}) == "unknown name `x`");
   CHECK(sentence({Code::E201, {}, "unknown name `x`", "write `y`"}) ==
         "unknown name `x`; write `y`");
 }
 
-TEST_CASE("paths are as given, and words of the command line are no file") {
+TEST_CASE("paths are printed as given, and the command line is no file") {
   const SourcePointer file = make_source("./a/b.toml", "x");
   const SourcePointer words = make_source("command line", "elgen x");
   CHECK(path_of({file.get(), 0, 1}) == "a/b.toml");

@@ -1,4 +1,4 @@
-// json: each value as its text, beside what nlohmann/json makes of the same braces.
+// Json prints the same text as nlohmann/json for the same initialiser.
 #include "base/json.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ namespace {
 
 using Library = nlohmann::ordered_json;
 
-/// The same value of either type.
+/// The same value, built as a Json or an nlohmann::json.
 template <class Value>
 Value example() {
   const std::vector<std::vector<double>> rows{{1, -0.0}, {1e300, 1.0 / 3}};
@@ -33,7 +33,7 @@ Value example() {
 
 }  // namespace
 
-TEST_CASE("a value has the text that the library gives it") {
+TEST_CASE("a value prints as in nlohmann/json") {
   const Json json = example<Json>();
   const Library library = example<Library>();
   CHECK(json.dump() == library.dump());
@@ -41,18 +41,18 @@ TEST_CASE("a value has the text that the library gives it") {
   CHECK(json.dump(-1, true) == library.dump(-1, ' ', true));
 }
 
-TEST_CASE("members keep their order, and pairs with a text are members") {
+TEST_CASE("members keep their order, and a pair that starts with a string is a member") {
   CHECK(Json{{"b", 1}, {"a", 2}}.dump() == R"({"b":1,"a":2})");
   CHECK(Json{{"b", 1}, {2, "a"}}.dump() == R"([["b",1],[2,"a"]])");
   CHECK(Json{"b", "a"}.dump() == R"(["b","a"])");
   CHECK(Json().dump() == "null");
 }
 
-TEST_CASE("bytes that are no text are replaced") {
+TEST_CASE("bytes that are not UTF-8 are replaced") {
   CHECK(Json("\xff").dump() == "\"\xef\xbf\xbd\"");
 }
 
-TEST_CASE("items are members with their keys, or elements") {
+TEST_CASE("items are members with keys, or elements of arrays") {
   const Json object{{"x", 1}, {"y", {2, 3}}};
   REQUIRE(object.items().size() == 2);
   CHECK(object.items()[1].first == "y");

@@ -1,4 +1,4 @@
-// Signals that end the process wait for what is half done, and arrive afterwards.
+// Signals that end the process arrive only at the end of a NoInterrupts scope.
 #include "base/no_interrupts.hpp"
 
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@ volatile std::sig_atomic_t arrived = 0;
 
 void count(int /*signal*/) { arrived = arrived + 1; }
 
-/// A disposition for the time of one test.
+/// Sets the handler of a signal for the duration of a test.
 class Disposition {
  public:
   Disposition(int signal, void (*handler)(int))

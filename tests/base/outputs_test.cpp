@@ -1,5 +1,5 @@
-// The tables of outputs, limits and scalars: one row per kind in the order of the enumeration,
-// names unique, later names absent.
+// The tables of outputs, limits and scalars: one row per kind in the order of the enumeration, and
+// unique names.
 #include "elgen/outputs.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace elgen {
 
 namespace {
 
-/// Sizes that tell everything apart.
+/// A different size for each dimension, so that mistaken extents are noticed.
 std::size_t size_of(Extent extent) {
   switch (extent) {
     case Extent::one:
@@ -51,7 +51,8 @@ std::size_t size_of(Extent extent) {
   return 0;
 }
 
-/// The numbers in a type of C++ that stands in the table, by what the header says of its names.
+/// The number of scalars in a C++ type of the table, from the meaning of the type's name in the
+/// header.
 std::size_t size_of(const std::string& type) {
   static const std::map<std::string, std::size_t> known{{"Scalar", 1},
                                                         {"Coordinates<Scalar>", 7},
@@ -80,14 +81,14 @@ std::size_t size_of(const std::string& type) {
 
 }  // namespace
 
-TEST_CASE("rows stand in the order of the enumeration") {
+TEST_CASE("rows are in the order of the enumeration") {
   REQUIRE(output_table().size() == static_cast<std::size_t>(OutputKind::step_derivatives) + 1);
   for (std::size_t i = 0; i < output_table().size(); ++i) {
     CHECK(static_cast<std::size_t>(output_table()[i].kind) == i);
   }
 }
 
-TEST_CASE("names are unique and found") {
+TEST_CASE("names are unique, and rows are found by name") {
   std::set<std::string_view> names;
   for (const OutputRow& row : output_table()) {
     CHECK(names.insert(row.name).second);
@@ -100,7 +101,7 @@ TEST_CASE("names are unique and found") {
   CHECK(find_output("mass_matrx") == nullptr);
 }
 
-TEST_CASE("arguments and shapes follow the equations") {
+TEST_CASE("arguments and shapes agree with the equations") {
   const OutputRow& mass = output_row(OutputKind::mass_matrix);
   CHECK(mass.takes == LeafSet());
   CHECK(mass.fields.front().columns == Extent::velocities);
@@ -113,7 +114,9 @@ TEST_CASE("arguments and shapes follow the equations") {
   CHECK(output_row(OutputKind::input_matrix).fields.front().columns == Extent::inputs);
 }
 
-TEST_CASE("functions of momenta are named, and in no struct of those of velocities") {
+TEST_CASE(
+    "functions of momenta are emitted only if named, and never grouped with functions of "
+    "velocities") {
   for (const OutputKind kind : {OutputKind::hamiltonian, OutputKind::velocities_of_momenta,
                                 OutputKind::hamilton_equations}) {
     CHECK(is_named_only(output_row(kind)));
@@ -126,7 +129,7 @@ TEST_CASE("functions of momenta are named, and in no struct of those of velociti
   CHECK_FALSE(divides_by_mass(output_row(OutputKind::momentum)));
 }
 
-TEST_CASE("types hold as many numbers as their fields have entries") {
+TEST_CASE("C++ types hold as many numbers as their fields have entries") {
   for (const OutputRow& output : output_table()) {
     for (const FieldRow& field : output.fields) {
       const std::size_t rows = size_of(field.rows);
@@ -138,7 +141,7 @@ TEST_CASE("types hold as many numbers as their fields have entries") {
   }
 }
 
-TEST_CASE("what needs a quadratic Lagrangian says so") {
+TEST_CASE("outputs declare that they need a quadratic Lagrangian") {
   for (const OutputKind kind : {OutputKind::coriolis_matrix, OutputKind::velocity_force,
                                 OutputKind::gravity, OutputKind::drift, OutputKind::hamiltonian}) {
     CHECK(output_row(kind).needs.has(Need::quadratic));
@@ -149,7 +152,7 @@ TEST_CASE("what needs a quadratic Lagrangian says so") {
   }
 }
 
-TEST_CASE("needs are listed in the order of the enumeration, with those of other columns") {
+TEST_CASE("needs are listed in the order of the enumeration, including needs from other columns") {
   using Needs = std::vector<Need>;
   CHECK(output_row(OutputKind::total_energy).needs.members() ==
         Needs{Need::quadratic, Need::energies});
@@ -165,7 +168,7 @@ TEST_CASE("needs are listed in the order of the enumeration, with those of other
               Need::smooth_values});
 }
 
-TEST_CASE("some output takes each option, and outputs with pivots take `pivots`") {
+TEST_CASE("every option applies to some output, and `pivots` to every output with pivots") {
   for (const OptionRow& option : option_table) {
     INFO(option.key);
     CHECK(std::ranges::any_of(output_table(), [&option](const OutputRow& output) {
@@ -187,13 +190,13 @@ TEST_CASE("an energy is a number in J that takes no momenta") {
   }
 }
 
-TEST_CASE("the value of an [[output]] is what its other functions are made of") {
+TEST_CASE("user_value is the only value of an [[output]]") {
   for (const OutputRow& output : output_table()) {
     CHECK(is_value_of_user(output) == (output.name == "user_value"));
   }
 }
 
-TEST_CASE("the table names every limit once") {
+TEST_CASE("the table lists every limit once") {
   std::set<std::string_view> names;
   Limits limits;
   for (const LimitRow& row : limit_table()) {
@@ -201,11 +204,11 @@ TEST_CASE("the table names every limit once") {
     CHECK_FALSE(row.doc.empty());
     limits.*row.member = 0;
   }
-  // All members are 64-bit numbers: a limit without a row would survive.
+  // All members are 64-bit numbers, so the size of the struct reveals a limit without a row.
   CHECK(sizeof(Limits) == limit_table().size() * sizeof(std::uint64_t));
 }
 
-TEST_CASE("a row of the table stands at its kind") {
+TEST_CASE("a row of the scalar table is found by its kind") {
   for (const ScalarRow& row : scalar_table) CHECK(name_of(row.kind) == row.name);
   CHECK(name_of(scalar_kind<float>) == "float");
   CHECK(name_of(scalar_kind<double>) == "double");

@@ -1,4 +1,4 @@
-// Units: arithmetic laws, spelling of the units mechanics uses, and that every spelling is known.
+// Units: arithmetic laws, the spelling of units of mechanics, and parsing of every spelling.
 #include "elgen/units.hpp"
 
 #include <catch2/catch.hpp>
@@ -48,7 +48,7 @@ TEST_CASE("exponents saturate instead of overflowing") {
   CHECK(shrunk.powers[0].denominator == 1'000'000);
 }
 
-TEST_CASE("units are spelled as mechanics says them") {
+TEST_CASE("units are spelled as usual in mechanics") {
   const Unit second = unit("s");
   const std::vector<std::pair<Unit, std::string>> rows{
       {Unit{}, "1"},
@@ -75,13 +75,13 @@ TEST_CASE("units are spelled as mechanics says them") {
   }
 }
 
-TEST_CASE("a force that is an energy by its unit is a torque") {
+TEST_CASE("a generalised force with the unit of energy is printed as a torque") {
   CHECK(force_unit_text(unit("J")) == "N*m");
   CHECK(force_unit_text(unit("N")) == "N");
   CHECK(force_unit_text(unit("J") * unit("s")) == to_string(unit("J") * unit("s")));
 }
 
-TEST_CASE("every row of the unit table has a name of its own") {
+TEST_CASE("every unit of the table is found by its name") {
   for (const UnitRow& row : unit_table()) {
     CHECK(find_unit(row.name) == row.unit);
     CHECK_FALSE(row.doc.empty());

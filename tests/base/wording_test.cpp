@@ -1,4 +1,4 @@
-// Texts: TOML and user text on one line.
+// Text for TOML files and for messages: escapes, alignment, line breaks, quotes and suggestions.
 #include "elgen/wording.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,13 +14,13 @@ TEST_CASE("a string is escaped") {
   CHECK(toml_string("a\u202eb\x01") == R"("aU+202EbU+0001")");
 }
 
-TEST_CASE("an integer wider than TOML's is a string") {
+TEST_CASE("an integer too wide for TOML is written as a string") {
   CHECK(toml_number("123") == "123");
   CHECK(toml_number("1234567890123456789") == "\"1234567890123456789\"");
   CHECK(toml_number("0.1234567890123456789") == "0.1234567890123456789");
 }
 
-TEST_CASE("a key is bare where it is a word") {
+TEST_CASE("a key that is a word needs no quotes") {
   CHECK(toml_key("theta_1") == "theta_1");
   CHECK(toml_key("dot(theta)") == "\"dot(theta)\"");
   CHECK(toml_key("") == "\"\"");
@@ -36,14 +36,14 @@ TEST_CASE("a comment is one line") {
   CHECK(toml_comment("") == "#\n");
 }
 
-TEST_CASE("equals signs stand in a column") {
+TEST_CASE("equals signs are aligned") {
   TomlTable table("[[frame]]");
   table.add("name", "\"a\"");
   table.add("parent", "\"b\"");
   CHECK(table.text() == "[[frame]]\nname   = \"a\"\nparent = \"b\"\n");
 }
 
-TEST_CASE("a column is as wide as its widest cell, and no line ends with blanks") {
+TEST_CASE("a column is as wide as its widest cell, and lines have no trailing blanks") {
   CHECK(aligned({{"a", " 1"}, {"bcd", " 2"}, {"e", ""}}) ==
         std::vector<std::string>{"a   1", "bcd 2", "e"});
 }
@@ -53,13 +53,13 @@ TEST_CASE("the last cell of a row may be longer than its column") {
         std::vector<std::string>{"a  b  c", "d  long enough"});
 }
 
-TEST_CASE("lines break at blanks, and a longer word is a line") {
+TEST_CASE("lines break at blanks, and a word longer than the line gets its own line") {
   CHECK(break_lines("a bc de", 4, "  ") == "a bc\n  de");
   CHECK(break_lines("a longer word", 4, "") == "a\nlonger\nword");
   CHECK(break_lines("", 4, "  ").empty());
 }
 
-TEST_CASE("user text is made fit for a message") {
+TEST_CASE("user text is escaped and joined to one line for messages") {
   CHECK(in_backticks("m") == "`m`");
   CHECK(in_backticks(std::string_view("\0", 1)) == "`U+0000`");
   CHECK(in_backticks("\x7F") == "`U+007F`");
@@ -68,14 +68,14 @@ TEST_CASE("user text is made fit for a message") {
   CHECK(in_backticks("a\r\nb") == "`a b`");
 }
 
-TEST_CASE("long text is cut between characters, and where it is no UTF-8") {
+TEST_CASE("long text is cut between characters, and at invalid UTF-8") {
   CHECK(in_backticks(std::string(60, 'a')) == "`" + std::string(60, 'a') + "`");
   CHECK(in_backticks(std::string(61, 'a')) == "`" + std::string(60, 'a') + "…`");
   CHECK(in_backticks(std::string(59, 'a') + "éé") == "`" + std::string(59, 'a') + "é…`");
   CHECK(in_backticks("a\xFF") == "`a…`");
 }
 
-TEST_CASE("a span is quoted with the text it covers") {
+TEST_CASE("a span is quoted by the text that it covers") {
   const SourcePointer source = make_source("m.toml", "a +\n b");
   CHECK(in_backticks(Span{source.get(), 0, 6}) == "`a + b`");
 }
@@ -85,7 +85,7 @@ TEST_CASE("nouns are counted") {
   CHECK(counted(0, "component") == "0 components");
 }
 
-TEST_CASE("suggestions are questions or nothing") {
+TEST_CASE("a suggestion is a question or empty") {
   CHECK(suggestion("mas", {"mass", "force"}) == "did you mean `mass`?");
   CHECK(suggestion("zzz", {"mass"}).empty());
 }
@@ -93,19 +93,19 @@ TEST_CASE("suggestions are questions or nothing") {
 TEST_CASE("the nearest candidate is suggested") {
   const std::vector<std::string> names{"theta", "mass_matrix", "m", "omega", "coordinate"};
   CHECK(nearest("thta", names) == "theta");
-  CHECK(nearest("theat", names) == "theta");  // a transposition is one slip
+  CHECK(nearest("theat", names) == "theta");  // a transposition is one edit
   CHECK(nearest("mas_matrx", names) == "mass_matrix");
   CHECK(nearest("mq", names) == "m");
   CHECK(nearest("coordinates", names) == "coordinate");
 }
 
-TEST_CASE("nothing is suggested where nothing is near") {
+TEST_CASE("nothing is suggested if no candidate is near") {
   CHECK(nearest("velocity", {"theta", "m"}).empty());
   CHECK(nearest("q", {"x", "y"}).empty());
   CHECK(nearest("", {"a"}).empty());
   CHECK(nearest(std::string(100, 'a'), {std::string(99, 'a')}).empty());
 }
 
-TEST_CASE("of equally near candidates the first is taken") {
+TEST_CASE("the first of equally near candidates is suggested") {
   CHECK(nearest("ac", {"ab", "ad"}) == "ab");
 }

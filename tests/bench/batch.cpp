@@ -1,5 +1,5 @@
-// Inverse dynamics of panda7 per state: one at a time in double with the sines of the library, and
-// in batches. Prints rows of a Markdown table.
+// Inverse dynamics of panda7, in time per state: one state at a time in double with the library's
+// sine, and in batches. Prints rows of a Markdown table.
 #include <cmath>
 #include <cstdio>
 

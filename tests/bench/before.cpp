@@ -1,6 +1,6 @@
 // Times the functions of two emitted headers in turn: ROUNDS [any]. Prints "FUNCTION
-// NANOSECONDS_BEFORE NANOSECONDS_NOW", the least of all rounds, or "FUNCTION - REASON" where the
-// two cannot be compared; with `any` results of another type can.
+// NANOSECONDS_BEFORE NANOSECONDS_NOW", the minima of all rounds, or "FUNCTION - REASON" if the two
+// cannot be compared. With `any` the results may differ in type.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -12,10 +12,10 @@ namespace {
 
 using bench::Timed;
 
-/// 50 microseconds: longer than a clock needs, shorter than a time slice.
+/// Nanoseconds; 50 microseconds are much longer than a clock reading and shorter than a time slice.
 constexpr double length_of_repetition = 5e4;
 
-/// Each state is visited as often as the others.
+/// A multiple of state_count, so that all states are visited equally often.
 int calls_of(const Timed& function) {
   const double visit =
       bench::state_count * bench::minima({function.repeat}, bench::state_count, 3)[0];

@@ -1,5 +1,6 @@
-// Nanoseconds of functions of one emitted header in double: MODEL its namespace, HEADER its path.
-// Prints a line "FUNCTION NANOSECONDS" for each: the shortest of many repetitions, all in turn.
+// Times the functions of one emitted header in double, in nanoseconds. MODEL is its namespace,
+// HEADER its path. Prints a line "FUNCTION NANOSECONDS" for each function: the minimum of many
+// repetitions, which run in turn.
 #include HEADER
 
 #include <algorithm>
@@ -12,7 +13,8 @@ namespace {
 
 namespace emitted = ::MODEL;
 
-/// A tenth of a millisecond or so: longer than a clock needs, shorter than a time slice.
+/// Nanoseconds; a tenth of a millisecond is much longer than a clock reading and shorter than a
+/// time slice.
 constexpr double length_of_repetition = 1e5;
 constexpr int repetitions = 101;
 
@@ -53,7 +55,7 @@ void print(const char* name, const Call& call) {
 
 int main() {
   State s;
-  // The state may change between two calls, for all that the compiler knows.
+  // Hides the state from the optimiser, so that every call is computed.
 #define PRINT(name, ...)                            \
   print(#name, [&s] {                               \
     bench::keep(s);                                 \

@@ -1,5 +1,5 @@
-// Compiled to see how long it takes: every function of one emitted header, for double. MODEL,
-// HEADER and FUNCTIONS as in outputs.cpp.
+// Instantiates every function of one emitted header for double; compiled to measure compile time.
+// MODEL, HEADER and FUNCTIONS as in outputs.cpp.
 #include HEADER
 
 #include "../support/emitted_calls.hpp"

@@ -1,4 +1,4 @@
-# What scripts ask of emitted headers below $scratch, and how they say what they do. Sourced by run and before.
+# Reads data of emitted headers below $scratch, and prints progress. Sourced by run and before.
 say() {
   printf '== %s\n' "$*" >&2
 }
@@ -7,8 +7,8 @@ header_of() {
   find "$scratch/$1" -name '*.hpp'
 }
 
-# The rows of the table in a header, as FUNCTION(name, additions, …); without functions so large that they write
-# into their first argument.
+# The rows of the table in a header, as FUNCTION(name, additions, …). Functions so large that they write into their
+# first argument are omitted.
 functions_of() {
   awk 'NR == FNR { if ($1 == "ELGEN_FUNCTION" && $2 == "void") { sub(/\(.*/, "", $3); into_argument[$3] } next }
        /^\/\/   function / { inside = 1; next }
@@ -18,7 +18,7 @@ functions_of() {
        }' "$1" "$1"
 }
 
-# definitions LABEL: what outputs.cpp and every_function.cpp are told.
+# definitions LABEL: the macros for outputs.cpp and every_function.cpp.
 definitions() {
   local header
   header=$(header_of "$1")

@@ -1,5 +1,5 @@
-// Two cells of the table of losses: how many outputs lose digits, and the worst of them, in a
-// certificate of `elgen verify --format json`: losses CERTIFICATE.json.
+// losses CERTIFICATE.json: prints two cells of the table of losses from the output of `elgen verify
+// --format json`: the number of outputs that lose digits, and the worst loss.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,11 +11,11 @@
 
 namespace {
 
-/// A loss that rounding in a few operations explains.
+/// A loss up to this factor is explained by the rounding of a few operations.
 constexpr double tolerated = 64;
 
 struct Losses {
-  std::size_t fields = 0;  ///< outputs with a loss, double and float apart
+  std::size_t fields = 0;  ///< outputs with a loss; double and float count separately
   std::size_t all = 0;
   double worst = 0;
   std::string where = {};

@@ -1,4 +1,4 @@
-# One sentence: commit, processor and compiler of a table of times. Sourced by run and accuracy, with $cxx.
+# Prints the commit, processor and compiler for a table of times. Sourced by run and accuracy; reads $cxx.
 machine() {
   printf 'Commit: %s%s. Processor: %s, %s cores. Compiler of what is timed: %s.' "$(git rev-parse --short=8 HEAD)" \
     "$(git diff --quiet HEAD -- ../../src ../../include ../../templates || printf ', changed')" \

@@ -1,4 +1,4 @@
-// Runs a command and prints the seconds of processor time and the MiB it needed at most: "0.42 31".
+// Runs a command and prints its processor time in seconds and its peak memory in MiB: "0.42 31".
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>

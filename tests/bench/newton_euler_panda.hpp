@@ -1,8 +1,8 @@
-// Inverse dynamics of the Panda-like arm by the recursion of Newton and Euler, written by hand for
-// this arm: what a right angle turns is moved, not multiplied; what is 0 is left out; accelerations
-// and moments are formed with the matrix U = S(w') + S(w) S(w) of Balafoutis and Patel (1991), and
-// what nothing asks for is not computed. Every figure stays a parameter, as in models/panda7.toml.
-// The steps are inlined by force: called, they take 1.6 times as long with g++ 12.
+// Inverse dynamics of the Panda-like arm by the recursive Newton-Euler algorithm, hand-written for
+// this arm. Rotations by right angles are permutations, zero terms are omitted, and unused
+// quantities are not computed. Accelerations and moments use the matrix U = S(w') + S(w) S(w) of
+// Balafoutis and Patel (1991). All numbers are parameters, as in models/panda7.toml. Inlining is
+// forced: with calls, g++ 12 takes 1.6 times as long.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ struct PandaLink {
 template <class Scalar>
 struct Panda {
   std::array<PandaLink<Scalar>, 7> link;
-  Scalar d3, a4, a5, d5, a7, g;  ///< the height d1 of the shoulder is in no equation
+  Scalar d3, a4, a5, d5, a7, g;  ///< no equation contains the height d1 of the shoulder
 };
 
 namespace panda_detail {
@@ -54,7 +54,7 @@ struct Turn {
   Scalar s, c;
 };
 
-/// Rz(q)^T Rx(Sign * 90 degrees)^T: from the axes of the parent to those of the link.
+/// Rz(q)^T Rx(Sign * 90 degrees)^T: from the axes of the parent to the axes of the link.
 template <int Sign, class Scalar>
 [[gnu::always_inline]] inline Vector<Scalar> outward(const Turn<Scalar>& q,
                                                      const Vector<Scalar>& a) {
@@ -65,7 +65,7 @@ template <int Sign, class Scalar>
   }
 }
 
-/// Rx(Sign * 90 degrees) Rz(q): from the axes of the link to those of its parent.
+/// Rx(Sign * 90 degrees) Rz(q): from the axes of the link to the axes of its parent.
 template <int Sign, class Scalar>
 [[gnu::always_inline]] inline Vector<Scalar> inward(const Turn<Scalar>& q,
                                                     const Vector<Scalar>& a) {
@@ -76,7 +76,7 @@ template <int Sign, class Scalar>
   }
 }
 
-/// Rotation of a link: w, w' and the entries of U.
+/// Rotation of a link: angular velocity w, its derivative w', and the entries of U.
 template <class Scalar>
 struct Rotation {
   Vector<Scalar> w, dw;
@@ -93,7 +93,7 @@ template <class Scalar>
           -(xx + yy), xy - dw.z, xz + dw.y, yz - dw.x, xy + dw.z, xz - dw.y,  yz + dw.x};
 }
 
-/// The rotation of a link that turns with rate v and acceleration a on the parent's.
+/// The rotation of a link whose joint has rate v and acceleration a.
 template <int Sign, class Scalar>
 [[gnu::always_inline]] inline Rotation<Scalar> turned(const Turn<Scalar>& q,
                                                       const Rotation<Scalar>& parent,
@@ -111,7 +111,7 @@ template <class Scalar>
           r.uzx * c.x + r.uzy * c.y + r.uzz * c.z};
 }
 
-/// Force on the link where its origin has acceleration `at`: m (at + U c).
+/// Inertial force m (at + U c) of a link whose origin has acceleration `at`.
 template <class Scalar>
 [[gnu::always_inline]] inline Vector<Scalar> force(const PandaLink<Scalar>& link,
                                                    const Rotation<Scalar>& r,
@@ -120,7 +120,7 @@ template <class Scalar>
   return {link.mass * sum.x, link.mass * sum.y, link.mass * sum.z};
 }
 
-/// Moment about the origin of the link: I w' + w x I w, in the entries of U, and c x f.
+/// Moment about the origin of the link: I w' + w x I w, written with entries of U, plus c x f.
 template <class Scalar>
 [[gnu::always_inline]] inline Vector<Scalar> moment(const PandaLink<Scalar>& link,
                                                     const Rotation<Scalar>& r,
@@ -134,15 +134,15 @@ template <class Scalar>
   return about_com + cross(link.com, f);
 }
 
-/// Motion of a link: its rotation, and the acceleration of its origin with gravity as a push
-/// upward.
+/// Motion of a link: its rotation and the acceleration of its origin. Gravity is an upward
+/// acceleration of the base.
 template <class Scalar>
 struct Motion {
   Rotation<Scalar> rotation;
   Vector<Scalar> origin;
 };
 
-/// The force and moment on a link at its origin: its own share and that of all further links.
+/// Force and moment at the origin of a link, for the link and all its descendants.
 template <class Scalar>
 struct Load {
   Vector<Scalar> force, moment;
@@ -151,7 +151,7 @@ struct Load {
 template <class Scalar>
 using Joints = std::array<Scalar, 7>;
 
-/// Links 2 to 7; link 1 only turns about the vertical.
+/// Links 2 to 7. Link 1 only rotates about the vertical.
 template <class Scalar>
 [[gnu::always_inline]] inline std::array<Motion<Scalar>, 6> motions(
     const Panda<Scalar>& p, const std::array<Turn<Scalar>, 7>& turn, const Joints<Scalar>& v,
@@ -185,7 +185,7 @@ template <class Scalar>
   return {link2, link3, link4, link5, link6, link7};
 }
 
-/// Of the link alone.
+/// The load of the link itself, without its descendants.
 template <class Scalar>
 [[gnu::always_inline]] inline Load<Scalar> own_load(const PandaLink<Scalar>& link,
                                                     const Motion<Scalar>& motion) {
@@ -193,7 +193,7 @@ template <class Scalar>
   return {f, moment(link, motion.rotation, f)};
 }
 
-/// A load in the axes of the parent.
+/// A load expressed in the axes of the parent.
 template <int Sign, class Scalar>
 [[gnu::always_inline]] inline Load<Scalar> inward(const Turn<Scalar>& q, const Load<Scalar>& load) {
   return {inward<Sign>(q, load.force), inward<Sign>(q, load.moment)};
@@ -205,14 +205,14 @@ template <class Scalar>
   return {own.force + further.force, own.moment + further.moment};
 }
 
-/// The load with the moment of its force about a point from which it acts at (x, 0, 0).
+/// The load that acts at (x, 0, 0), with its moment about the origin.
 template <class Scalar>
 [[gnu::always_inline]] inline Load<Scalar> at(const Scalar& x, const Load<Scalar>& load) {
   const auto& [f, n] = load;
   return {f, {n.x, n.y - x * f.z, n.z + x * f.y}};
 }
 
-/// Moment on link 2 about its origin, where the arm meets link 1.
+/// Moment on link 2 about its origin, the joint with link 1.
 template <class Scalar>
 [[gnu::always_inline]] inline Vector<Scalar> shoulder_moment(const Panda<Scalar>& p,
                                                              const Motion<Scalar>& motion,

@@ -1,5 +1,5 @@
-// The cost of operations, in multiplications, by latency (each needs the one before) and by
-// throughput (eight at a time): where the cost table of the tool comes from.
+// The cost of operations relative to a multiplication, by latency (a chain of dependent operations)
+// and by throughput (eight independent operations). Source of elgen's cost table.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -12,7 +12,7 @@ namespace {
 
 volatile double sink = 0.0;
 
-/// x <- step(x), one after the other.
+/// Repeats x <- step(x): dependent operations.
 template <class Step>
 std::function<void(int)> in_a_row(Step step) {
   return [step](int calls) {
@@ -22,7 +22,7 @@ std::function<void(int)> in_a_row(Step step) {
   };
 }
 
-/// The same on eight numbers that do not depend on each other.
+/// Repeats the step on eight independent numbers.
 template <class Step>
 std::function<void(int)> side_by_side(Step step) {
   return [step](int calls) {

@@ -67,7 +67,7 @@ struct MujocoRobot {
   explicit MujocoRobot(const std::string& text)
       : model(test::load_mujoco(text)), data(mj_makeData(model.get())) {}
 
-  /// Sets the state and computes the kinematics that M and the forces need, and no more.
+  /// Sets the state and computes only the kinematics that M and the forces need.
   void set(const double* q, const double* v, const double* a) {
     std::copy_n(q, model->nq, data->qpos);
     std::copy_n(v, model->nv, data->qvel);

@@ -1,4 +1,4 @@
-// KDL and MuJoCo for timing: everything they allocate stands before the first call.
+// KDL and MuJoCo for timing. All memory is allocated before the first call.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ struct OtherProgram {
   Evaluate mass_matrix, bias, inverse_dynamics;
 };
 
-/// The robot by each program that is installed; in URDF, for MuJoCo alone.
+/// The robot in each installed program; only MuJoCo reads URDF.
 [[nodiscard]] std::vector<OtherProgram> other_programs(const std::filesystem::path& description);
 
 }  // namespace bench

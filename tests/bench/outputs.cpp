@@ -1,6 +1,6 @@
-// Operations and time of every function of one emitted header: MODEL its namespace, HEADER its
-// path, FUNCTIONS a file with a line FUNCTION(name, additions, …) each. Prints rows of a Markdown
-// table.
+// Operations and times of all functions of one emitted header. MODEL is its namespace, HEADER its
+// path, and FUNCTIONS a file with one line FUNCTION(name, additions, …) for each function. Prints
+// rows of a Markdown table.
 #include <cstdio>
 #include <experimental/simd>
 

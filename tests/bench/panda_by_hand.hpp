@@ -1,4 +1,4 @@
-// The hand-written recursion of the Panda-like arm with the figures of tests/reference/panda7.json.
+// The hand-written recursion of the Panda-like arm with the numbers of tests/reference/panda7.json.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// The arm of the description, which must be shaped like the Panda.
+/// Throws runtime_error unless the robot is panda7.
 inline Panda<double> panda_of(const elgen::test::Robot& robot) {
   if (robot.name != "panda7") throw std::runtime_error("not the Panda");
   Panda<double> panda{};

@@ -1,4 +1,4 @@
-// Calls of the functions of one emitted header at states that differ: MODEL its namespace, HEADER
+// Calls of the functions of one emitted header at several states. MODEL is its namespace, HEADER
 // its path.
 #pragma once
 
@@ -18,7 +18,7 @@ template <class Scalar>
 using Arguments = compiled::Arguments<emitted::Parameters<Scalar>, emitted::Coordinates<Scalar>,
                                       emitted::Velocities<Scalar>, emitted::Inputs<Scalar>, Scalar>;
 
-/// States that differ, so that no result can be kept from one call to the next.
+/// Several states, so that the optimiser cannot reuse the result of the previous call.
 template <class Scalar>
 std::vector<Arguments<Scalar>> some_states() {
   std::vector<Arguments<Scalar>> states;

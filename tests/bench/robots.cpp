@@ -1,7 +1,7 @@
-// M, bias and inverse dynamics of a robot by programs of different origin, in one run: emitted code
-// with parameters and with numbers, the recursion by hand (panda7), KDL and MuJoCo where they are
+// M, bias and inverse dynamics of a robot by several programs in one run: emitted code with
+// parameters and with numbers, the hand-written recursion (panda7), and KDL and MuJoCo if
 // installed. MODEL and FIXED are the namespaces, HEADER and FIXED_HEADER the paths of the emitted
-// headers, DESCRIPTION the robot in JSON or URDF. Prints rows of a Markdown table.
+// headers, DESCRIPTION is the robot in JSON or URDF. Prints rows of a Markdown table.
 #include HEADER
 #include FIXED_HEADER
 
@@ -28,7 +28,7 @@ struct JointState {
   Forces v, a;
 };
 
-/// A quaternion of a free base has length 1.
+/// Normalises the quaternion of a floating base.
 void normalise_base(JointState& state) {
   if (emitted::coordinate_count == joints) return;
   double sum = 0.0;
@@ -50,12 +50,12 @@ std::vector<JointState> some_states() {
   return states;
 }
 
-/// One quantity by every program that computes it; the first is what the others are measured by.
+/// One quantity by several programs. Times are relative to the first program.
 class Contest {
  public:
   explicit Contest(const char* quantity) : quantity_(quantity) {}
 
-  /// `evaluate` takes a JointState and returns what it computed.
+  /// `evaluate` takes a JointState and returns the computed quantity.
   template <class Evaluate>
   void add(const char* program, Evaluate evaluate) {
     programs_.push_back(program);
@@ -122,7 +122,7 @@ Contest inverse_dynamics() {
 }
 
 #ifdef BY_HAND
-/// Where the two differ, something is timed that is wrong.
+/// Throws if the results differ, since then the hand-written code would be wrong.
 void demand_agreement(const bench::Panda<double>& panda) {
   for (const JointState& at : some_states()) {
     const Forces own = emitted::inverse_dynamics(emitted::Parameters<double>{}, at.q, at.v, at.a);

@@ -1,5 +1,5 @@
-// One side of before.cpp: SIDE, which the namespace of the header is renamed to as well, so that
-// the linker keeps functions of both. MODEL, HEADER and FUNCTIONS as in outputs.cpp.
+// One of the two headers of before.cpp. The namespace of the header is renamed to SIDE, so that the
+// linker keeps the functions of both. MODEL, HEADER and FUNCTIONS as in outputs.cpp.
 #include "side.hpp"
 
 #include "repeated.hpp"

@@ -1,4 +1,4 @@
-// Functions of two emitted headers, before and now, as each is compiled by itself.
+// Functions of two emitted headers, before and now; each header is compiled separately.
 #pragma once
 
 #include <cstddef>

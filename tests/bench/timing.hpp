@@ -1,5 +1,5 @@
-// Interleaved timing of alternatives in one run, so that they meet the same machine: medians or
-// minima of many short repetitions.
+// Times alternatives in turn within one run, so that changes of the machine's speed affect all
+// equally. Reports medians or minima of many short repetitions.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +9,17 @@
 
 namespace bench {
 
-/// The compiler has to make `value` and must assume that it changes.
+/// Forces the compiler to compute `value` and to assume that it changes.
 template <class Value>
 void keep(const Value& value) {
   asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// Alternatives that take a state visit so many in turn.
+/// Alternatives that take a state cycle through this number of states.
 inline constexpr int state_count = 16;
 
-/// Nanoseconds per call of each alternative in every repetition, `calls` calls each, all in turn.
+/// Nanoseconds per call of each alternative in every repetition. A repetition calls each
+/// alternative `calls` times; alternatives take turns.
 inline std::vector<std::vector<double>> samples(
     const std::vector<std::function<void(int)>>& alternatives, int calls, int repetitions) {
   using Clock = std::chrono::steady_clock;
@@ -46,7 +47,7 @@ inline std::vector<double> medians(const std::vector<std::function<void(int)>>& 
   return result;
 }
 
-/// The least sample of each alternative.
+/// The minimum of the samples of each alternative.
 inline std::vector<double> minima(const std::vector<std::function<void(int)>>& alternatives,
                                   int calls, int repetitions) {
   std::vector<double> result;

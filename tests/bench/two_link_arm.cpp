@@ -1,5 +1,5 @@
-// M, C and g of the two-link arm: the emitted `dynamics` against the equations as one writes them
-// by hand from the book, in the same run.
+// M, C and g of the two-link arm: the emitted `dynamics` and the equations of a textbook, timed in
+// one run.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -41,7 +41,7 @@ std::function<void(int)> repeated(Evaluate evaluate) {
     double sum = 0.0;
     for (int i = 0; i < calls; ++i) {
       const Terms terms = evaluate(parameters, q, v);
-      // The next call waits for this one, as in an integrator.
+      // Makes the next call depend on this one, as in an integrator.
       q[0] += 1e-9 * terms.gravity[0];
       q[1] += 1e-9 * terms.coriolis_matrix[1] * terms.mass_matrix[1];
       sum += terms.mass_matrix[0] + terms.coriolis_matrix[0] + terms.coriolis_matrix[2] +

@@ -1,5 +1,5 @@
-// Every row of bad_expressions.tsv: the code and column, or the value to 20 digits, within 1 s and
-// 256 MiB.
+// Every row of bad_expressions.tsv gives its code and column, or its value to 20 digits, within 1 s
+// and 256 MiB.
 #include <cln/cln.h>
 #include <sys/resource.h>
 
@@ -23,7 +23,8 @@ struct Row {
   std::string value;
 };
 
-/// `\xHH`, and `\<N*text>` with # for the number of the repeat.
+/// Expands `\xHH` to a byte, and `\<N*text>` to N copies of the text with # replaced by the copy's
+/// number.
 std::string expanded(const std::string& input) {
   std::string result;
   for (std::size_t i = 0; i < input.size();) {
@@ -68,7 +69,7 @@ std::vector<Row> read_rows() {
   return rows;
 }
 
-/// A model whose only force is still to be filled in.
+/// A model with one force, whose value is this expression.
 FileSyntax model_with_force(const ExpressionSyntax& value) {
   std::string text = "format = 1\n[model]\nname = \"hostile\"\n";
   std::string energy;
@@ -87,7 +88,7 @@ FileSyntax model_with_force(const ExpressionSyntax& value) {
   return syntax;
 }
 
-/// The value of an expression at the state of the table, with digits for the largest angle in it.
+/// The value at the state of the table, with enough digits to reduce the largest angle.
 EnclosedNumber value_at_state(const Model& model, ExpressionId id) {
   static const std::map<std::string, cln::cl_RA> state{
       {"x", cln::cl_RA(3) / 4}, {"y", cln::cl_RA(5) / 4}, {"z", cln::cl_RA(-1) / 2},
@@ -120,11 +121,11 @@ void check_value(const CheckedModel& result, const std::string& expected) {
       literal->kind == SyntaxKind::negate ? literal->operands.front() : *literal;
   const cln::cl_RA exact = literal->kind == SyntaxKind::negate ? -number.value : number.value;
   INFO(number_text(value));
-  // The table rounds to 20 digits: half a unit of the last.
+  // The table rounds to 20 digits, so the error is at most half a unit of the last digit.
   CHECK(cln::abs(value - exact) <= cln::abs(exact) * cln::expt(cln::cl_RA(10), -19) / 2);
 }
 
-TEST_CASE("hostile expressions are answered as the table says") {
+TEST_CASE("hostile expressions are answered as in the table") {
   const std::vector<Row> rows = read_rows();
   REQUIRE(rows.size() == 144);
   for (const Row& row : rows) {
@@ -135,7 +136,7 @@ TEST_CASE("hostile expressions are answered as the table says") {
     CHECK(expression.value.has_value() == (row.stage == "check"));
     const auto result = expression ? check(model_with_force(*expression), nullptr, {}, {})
                                    : Result<CheckedModel>(expression.diagnostics);
-    // Processor time: other processes do not count.
+    // Processor time excludes the time of other processes.
     CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 1.0);
     if (row.answer == "accepted") {
       REQUIRE(result);
@@ -149,7 +150,7 @@ TEST_CASE("hostile expressions are answered as the table says") {
   }
 }
 
-#ifndef __SANITIZE_ADDRESS__  // its shadow memory counts too
+#ifndef __SANITIZE_ADDRESS__  // ASan's shadow memory would count
 TEST_CASE("hostile expressions take little memory") {
   const auto digits = parse_expression(make_source("test", std::string(10'000'000, '7')), {});
   REQUIRE(digits.diagnostics.size() == 1);

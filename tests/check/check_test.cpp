@@ -1,4 +1,4 @@
-// Whole models: what is told, in which order, once; cycles, and long chains without one.
+// Whole models: all diagnostics, in order, without duplicates; cycles; long chains without a cycle.
 #include <rapidcheck.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::vector<std::string> model_paths() {
   return paths;
 }
 
-/// Operands stand before their users: every later stage is one pass.
+/// True if operands precede their users, so that every later stage is one pass.
 bool is_ordered(const Model& model) {
   for (ExpressionId id = 0; id < model.expressions.size(); ++id) {
     for (const ExpressionId operand : model.expressions[id].operands) {
@@ -41,7 +41,7 @@ double seconds_for(const std::string& model, int n) {
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-/// Offsets of the bytes inside strings; what lies outside is the TOML reader's business.
+/// Offsets of the bytes inside strings; bytes outside are a matter of the TOML parser.
 std::vector<std::size_t> inside_strings(const std::string& text) {
   std::vector<std::size_t> offsets;
   bool inside = false;
@@ -67,7 +67,7 @@ TEST_CASE("the models of the project have no errors, warnings or notes") {
   }
 }
 
-TEST_CASE("independent errors are told in one run, in order of position") {
+TEST_CASE("independent errors are reported in one run, in order of position") {
   CHECK(messages(R"toml(format = 1
 [model]
 name = "Many"
@@ -94,7 +94,7 @@ at = ["0"]
         "E104 15:6 1 component, but a vector has 2 or 3\n");
 }
 
-TEST_CASE("checking is the same every time") {
+TEST_CASE("checking is deterministic") {
   const std::string chain = file_text("models/chain.toml");
   CHECK(dump(checked(chain).model) == dump(checked(chain).model));
 }
@@ -104,12 +104,12 @@ TEST_CASE("a chain of a thousand links is checked in linear time") {
   seconds_for(chain, 10);
   const double hundred = seconds_for(chain, 100);
   const double thousand = seconds_for(chain, 1000);
-  // Processor time; 0.15 s on an idle machine of 2020, with room for a sanitizer.
+  // Processor time in seconds; 0.15 s on an idle machine of 2020, so a sanitizer has some margin.
   CHECK(thousand < 1.5);
   CHECK(thousand < 25 * std::max(hundred, 0.004));
 }
 
-TEST_CASE("edited models never crash, and errors always have a place") {
+TEST_CASE("edited models never crash, and errors always have a position") {
   const std::string original = file_text("models/cart_pole.toml");
   const std::vector<std::size_t> offsets = inside_strings(original);
   CHECK(rc::check("one byte of a string replaced", [&] {
@@ -127,7 +127,7 @@ TEST_CASE("edited models never crash, and errors always have a place") {
   }));
 }
 
-TEST_CASE("cycles are printed from the entry that stands first") {
+TEST_CASE("cycles are printed from the entry that is declared first") {
   const Rows rows{
       {"[define]\na = \"a + 1\"\n", "E206 13:1 `a` is defined by itself: a -> a\n"},
       {"[define]\nb = \"c\"\nc = \"d\"\nd = \"c + b\"\n",
@@ -152,14 +152,14 @@ TEST_CASE("a chain of definitions may be as long as the limit allows") {
   CHECK(messages(text, wanted).empty());
 }
 
-TEST_CASE("a definition may use one that stands below it") {
+TEST_CASE("a definition may use a later definition") {
   CHECK(messages(block("V = \"a*x\"\n[define]\na = \"b\"\nb = \"k*x\"\n")).empty());
-  // Its unit is known all the same.
+  // The unit of a later definition is known, too.
   CHECK(messages(block("V = \"a*x\"\n[define]\na = \"b\"\nb = \"k\"\n")) ==
         "E403 12:6 `a*x` is in N, but V is in J\n");
 }
 
-TEST_CASE("one mistake met many times is one message") {
+TEST_CASE("one mistake that is met many times is one message") {
   const SourcePointer source = make_source("m.toml", "abc");
   Report report;
   report.add(Code::E207, {source.get(), 0, 1}, "`x[i]` is `x[4]`");
@@ -171,7 +171,7 @@ TEST_CASE("one mistake met many times is one message") {
   CHECK(report.sorted().front().message == "`x[i]` is `x[4]`");
 }
 
-TEST_CASE("warnings and notes are no errors") {
+TEST_CASE("warnings and notes are not errors") {
   Report report;
   report.add(Code::E518, {}, "a");
   report.add(Code::E520, {}, "b");

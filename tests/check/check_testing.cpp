@@ -1,4 +1,4 @@
-// Models as text, and what check() says of them as text.
+// Checks models given as text and prints the results as text.
 #include "check_testing.hpp"
 
 #include <catch2/catch.hpp>
@@ -48,7 +48,7 @@ Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted) {
   options.ranges = as_options(wanted.ranges);
   options.purpose = wanted.purpose;
   Result<CheckedModel> result = check(*syntax, scene ? &*scene : nullptr, options, wanted.limits);
-  // Spans of errors outlive this function.
+  // Spans of errors point into the sources, so the sources must outlive this function.
   static std::vector<SourcePointer> alive;
   alive.push_back(syntax->source);
   if (scene) alive.push_back(scene->source);

@@ -1,4 +1,4 @@
-// Models as text, and what check() says of them as text.
+// Checks models given as text and prints the results as text.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace elgen::test {
 
-/// Options of one run, as on the command line; `scene` is the text of a scene file.
+/// Options of a run, as on the command line; `scene` is the text of a scene file.
 struct Wanted {
   std::string scene = {};
   std::vector<std::string> outputs = {};
@@ -21,26 +21,26 @@ struct Wanted {
   Purpose purpose = purpose::generate;
 };
 
-/// A scene of the model `block`, named `fast`; `more` starts on line 4.
+/// A scene of the model `block`, named `fast`; the text `more` starts on line 4.
 [[nodiscard]] std::string scene_of_block(const std::string& more);
 
-/// Parses and checks; the texts must be free of syntax errors.
+/// Parses and checks; fails the test on syntax errors.
 [[nodiscard]] Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted = {});
 
 /// One line per diagnostic: "E201 12:6 unknown name `z` | did you mean `x`? (coordinate, line 5)".
 [[nodiscard]] std::string messages(const std::string& model, const Wanted& wanted = {});
 
-/// The model and scene of a text without errors.
+/// The model and scene of texts without errors.
 [[nodiscard]] CheckedModel checked(const std::string& model, const Wanted& wanted = {});
 
-/// A mass m on a spring k at x, eleven lines; `more` starts on line 12, still inside [energy].
+/// A model of a mass m on a spring k at x, eleven lines; `more` starts on line 12, inside [energy].
 [[nodiscard]] std::string block(const std::string& more = {});
 
-/// The scene of `block` that `more` asks for, without errors.
+/// The scene of `block` with the lines `more`; fails the test on errors.
 [[nodiscard]] Scene block_scene(const std::string& more);
 [[nodiscard]] std::string block_scene_messages(const std::string& more);
 
-/// The messages about `block` with this potential.
+/// The messages about `block` with this potential V.
 [[nodiscard]] std::string potential_messages(const std::string& potential,
                                              const Wanted& wanted = {});
 
@@ -48,7 +48,7 @@ struct Wanted {
 [[nodiscard]] std::string dumped(const std::string& model, const std::string& word,
                                  const Wanted& wanted = {});
 
-/// Inputs, each with the answer that is expected.
+/// Pairs of an input and the expected answer.
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
 void check_rows(const Rows& rows, const std::function<std::string(const std::string&)>& answer);

@@ -1,4 +1,4 @@
-// Numbers that are known when a model is read: constants, and integers over sizes and indices.
+// Numbers that are known when a model is checked: constants, and integers over sizes and indices.
 #include "check/names/constants.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@ namespace elgen::test {
 
 namespace {
 
-/// The value of a parameter given by this text.
+/// The value of a parameter c defined by this text.
 std::string parameter_value(const std::string& text) {
   const Model model = checked(block("[define]\none = \"1\"\n[parameters.c]\nvalue = \"" + text +
                                     "\"\nunit = \"1\"\n"))
@@ -65,8 +65,8 @@ TEST_CASE("rational constants stay exact") {
   check_rows(rows, [&](const std::string& text) { return parameter_value(text); });
 }
 
-TEST_CASE("functions of constants are good to 100 digits") {
-  // 30 digits from tables of these constants.
+TEST_CASE("functions of constants are accurate to 100 digits") {
+  // Expected values: 30 digits from tables.
   const Rows rows{
       {"pi", "3.14159265358979323846264338328e0"},
       {"exp(1)", "2.71828182845904523536028747135e0"},
@@ -96,18 +96,18 @@ TEST_CASE("the precision of trigonometry follows the magnitude of the angle") {
   CHECK(parameter_value("sin(1e15)").substr(0, 20) == "8.582727931702358355");
   CHECK(parameter_value("sin(10^30)").substr(0, 21) == "-9.011690191213805803");
   CHECK(parameter_value("sin(1e300)").substr(0, 21) == "-9.857504251603769966");
-  // sin(2 pi k + 1/2): the angle itself is known to as many digits as its size asks for.
+  // sin(2 pi k + 1/2): the precision of the angle grows with its magnitude.
   CHECK(parameter_value("sin(2e30*pi + 1/2) - sin(1/2)") == "0");
 }
 
-TEST_CASE("what cancels is an exact zero, so that division by it is found") {
+TEST_CASE("cancellation gives an exact zero, so that a division by it is found") {
   for (const char* zero : {"sin(pi)", "cos(pi/2)", "sqrt(2)^2 - 2", "4*atan(1) - pi"}) {
     INFO(zero);
     CHECK(messages(block("V = \"x/(" + std::string(zero) + ")\"\n")).substr(0, 4) == "E312");
   }
 }
 
-TEST_CASE("constants without a value are found where they are written") {
+TEST_CASE("an undefined constant is reported at its position") {
   const Rows rows{
       {"1/0", "E312 12:8 `0` is zero"},
       {"m/0", "E312 12:8 `0` is zero"},
@@ -133,12 +133,12 @@ TEST_CASE("constants without a value are found where they are written") {
   }
 }
 
-TEST_CASE("values at the very end of a domain are in it") {
+TEST_CASE("values at the end of a domain belong to it") {
   CHECK(parameter_value("asin(sqrt(2)/2*sqrt(2))").substr(0, 20) == "1.570796326794896619");
   CHECK(parameter_value("acos(1)") == "0");
 }
 
-TEST_CASE("expressions that were appended together have their turns one after the other") {
+TEST_CASE("expressions in one arena are evaluated one after another") {
   Expression sum;
   sum.kind = ExpressionKind::add;
   sum.operands = {0, 1};
@@ -155,12 +155,12 @@ TEST_CASE("expressions that were appended together have their turns one after th
   CHECK(*constants[2] == cln::cl_RA(7) / 2);
 }
 
-TEST_CASE("nested angles cost no more than their depth") {
+TEST_CASE("the cost of nested angles is linear in the depth") {
   std::string text = "1";
   for (int i = 0; i < 60; ++i) text = "sin(1e9*" + text + ")";
   const std::clock_t begin = std::clock();
   CHECK(messages(block("V = \"k*x^2*" + text + "\"\n")).empty());
-  // Re-evaluating every level twice would take 2^60 steps.
+  // Evaluating every level twice would take 2^60 steps.
   CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 5.0);
 }
 
@@ -187,7 +187,7 @@ TEST_CASE("index expressions are integer arithmetic") {
   check_rows(rows, [&](const std::string& text) { return evaluated(text); });
 }
 
-TEST_CASE("inner indices hide nothing that is still needed") {
+TEST_CASE("an inner index hides an outer index only until it is popped") {
   Scope scope(sizes);
   scope.push("i", 1);
   scope.push("i", 7);
@@ -197,7 +197,7 @@ TEST_CASE("inner indices hide nothing that is still needed") {
   CHECK_FALSE(scope.find("k"));
 }
 
-TEST_CASE("repetitions run the last index fastest, later bounds may use earlier indices") {
+TEST_CASE("the last index runs fastest, and bounds may use earlier indices") {
   Scope scope(sizes);
   Report report;
   std::string order;
@@ -206,7 +206,7 @@ TEST_CASE("repetitions run the last index fastest, later bounds may use earlier 
     order += std::to_string(*scope.find("a")) + std::to_string(*scope.find("b")) + " ";
     return true;
   });
-  // a = 3 leaves b no element.
+  // a = 3 leaves the empty range 3..2 for b.
   CHECK_FALSE(complete);
   CHECK(order == "11 12 22 ");
   REQUIRE(report.errors() == 1);
@@ -215,7 +215,7 @@ TEST_CASE("repetitions run the last index fastest, later bounds may use earlier 
   CHECK_FALSE(scope.find("a"));
 }
 
-TEST_CASE("a repetition ends where its body asks") {
+TEST_CASE("a repetition ends early if its body returns false") {
   Scope scope(sizes);
   Report report;
   int count = 0;

@@ -1,4 +1,4 @@
-// Emission, batches, steps and files: what a scene asks of the code.
+// Keys of a scene for the emitted code: [emit], batches, steps and files.
 #include <catch2/catch.hpp>
 
 #include "check/scene/scene.hpp"
@@ -35,14 +35,14 @@ TEST_CASE("without [emit] the code is C++, row-major, without Eigen") {
   CHECK_FALSE(scene.emission.eigen);
 }
 
-TEST_CASE("language, storage and Eigen are what [emit] says") {
+TEST_CASE("[emit] sets language, storage and Eigen") {
   const Scene c = block_scene("[emit]\nstorage = \"column-major\"\nlanguage = \"c99\"\n");
   CHECK(c.emission.language == LanguageId::c99);
   CHECK(c.emission.storage == Storage::column_major);
   CHECK(block_scene("[emit]\neigen = true\n").emission.eigen);
 }
 
-TEST_CASE("`files` leaves out the sidecar and the page, but no code") {
+TEST_CASE("`files` omits the sidecar and the page, but no code") {
   CHECK(block_scene("").emission.equations);
   CHECK(block_scene("").emission.page);
   const Scene bare = block_scene("[emit]\nfiles = [\"header\"]\n");
@@ -54,7 +54,7 @@ TEST_CASE("`files` leaves out the sidecar and the page, but no code") {
             .find("`files` has no `header`, which is always written") != std::string::npos);
 }
 
-TEST_CASE("code in C is for one scalar, float or double") {
+TEST_CASE("C code has one scalar, float or double") {
   const std::string language = "[emit]\nlanguage = \"c99\"\n";
   CHECK(block_scene("[numeric]\nscalar = [\"float\"]\n" + language).numerics.scalars.size() == 1);
   for (const char* list : {"[\"long double\"]", "[\"float\", \"double\"]"}) {
@@ -64,12 +64,12 @@ TEST_CASE("code in C is for one scalar, float or double") {
   }
 }
 
-TEST_CASE("Eigen is C++") {
+TEST_CASE("Eigen needs C++") {
   CHECK(block_scene_messages("[emit]\nlanguage = \"c99\"\neigen = true\n")
             .find("`eigen` needs C++, and `language` is `c99`") != std::string::npos);
 }
 
-TEST_CASE("a batch is asked for, its accuracy is the best or a given one") {
+TEST_CASE("a batch is optional, and its accuracy is the best or a given one") {
   CHECK_FALSE(block_scene("").emission.batch);
   const Scene best = block_scene(batch);
   CHECK(best.emission.batch);
@@ -81,7 +81,7 @@ TEST_CASE("a batch is asked for, its accuracy is the best or a given one") {
   CHECK(given.numerics.trigonometry_error == cln::cl_RA(1) / 10'000'000);
 }
 
-TEST_CASE("accuracies that no scalar has are E625") {
+TEST_CASE("accuracies that no scalar can reach are E625") {
   const std::string range = "`max_error` is at least 2^-52";
   for (const std::string value : {"0", "-1e-7", "2.2e-16", "1", "\"sqrt(2)/2\""}) {
     INFO(value);
@@ -94,7 +94,7 @@ TEST_CASE("accuracies that no scalar has are E625") {
   CHECK_THAT(block_scene_messages(batch + floats), Catch::Contains("in float is at least 2^-23"));
 }
 
-TEST_CASE("polynomials are for batches, and these for C++ in float and double") {
+TEST_CASE("polynomials need batches, and batches need C++ with float and double") {
   CHECK_THAT(block_scene_messages("[numeric]\ntrigonometry = { max_error = 1e-7 }\n"),
              Catch::Contains("E625") && Catch::Contains("are those of batches"));
   CHECK_THAT(block_scene_messages(batch + "language = \"c99\"\n"), Catch::Contains("E611"));
@@ -102,7 +102,7 @@ TEST_CASE("polynomials are for batches, and these for C++ in float and double") 
              Catch::Contains("E625") && Catch::Contains("`float` or `double`"));
 }
 
-TEST_CASE("sines of numbers are in line, or the library's, with batches or without") {
+TEST_CASE("sines are emitted in line or called from the library, with or without batches") {
   CHECK_FALSE(block_scene("").numerics.has_library_sines);
   const std::string in_line = "[numeric]\ntrigonometry = { scalar = \"in-line\" }\n";
   CHECK_FALSE(block_scene(in_line).numerics.has_library_sines);
@@ -115,7 +115,7 @@ TEST_CASE("sines of numbers are in line, or the library's, with batches or witho
   CHECK(both.numerics.trigonometry_error == cln::cl_RA(1) / 10'000'000);
 }
 
-TEST_CASE("functions of doubles compute in double, or in a wider scalar") {
+TEST_CASE("functions of doubles may compute in a wider scalar inside, except in batches") {
   CHECK(block_scene("").numerics.inner == InnerScalar::same);
   for (const InnerRow& row : inner_table) {
     const bool is_for_steps = row.kind == InnerScalar::single_precision;
@@ -127,7 +127,7 @@ TEST_CASE("functions of doubles compute in double, or in a wider scalar") {
   }
 }
 
-TEST_CASE("a wider scalar is for one state in double and in C++") {
+TEST_CASE("a wider inner scalar needs C++, double, and no batches or Eigen") {
   const std::string inner = "[numeric]\ninner = \"double-double\"\n";
   for (const char* const header : {"batch", "eigen"}) {
     CHECK_THAT(block_scene_messages(inner + "[emit]\n" + header + " = true\n"),
@@ -139,7 +139,7 @@ TEST_CASE("a wider scalar is for one state in double and in C++") {
              Catch::Contains("E611") && Catch::Contains("`inner` needs C++"));
 }
 
-TEST_CASE("float is for the accelerations of steps alone") {
+TEST_CASE("an inner scalar float is only for accelerations of explicit steps") {
   const std::string inner = "[numeric]\ninner = \"float\"\n";
   const auto messages = [&inner](const std::string& outputs) {
     return block_scene_messages("[outputs]\n" + outputs + inner);
@@ -153,7 +153,7 @@ TEST_CASE("float is for the accelerations of steps alone") {
   CHECK_THAT(block_scene_messages(inner), Catch::Contains("E628"));
 }
 
-TEST_CASE("a step has its method") {
+TEST_CASE("a step needs a method") {
   const Scene scene =
       checked(block(""), outputs("step = { method = \"verlet\" }\nmass_matrix = true")).scene;
   REQUIRE(scene.outputs.size() == 2);
@@ -167,7 +167,7 @@ TEST_CASE("a step has its method") {
   CHECK(renamed.outputs[0].name == "advance");
 }
 
-TEST_CASE("an implicit method iterates as often as it says, or as is asked for") {
+TEST_CASE("an implicit method has its default number of iterations, or the number in the scene") {
   const auto iterations = [](const std::string& entry) {
     return checked(block(""), outputs("step = " + entry)).scene.outputs[0].step->iterations;
   };
@@ -177,7 +177,7 @@ TEST_CASE("an implicit method iterates as often as it says, or as is asked for")
   CHECK(iterations("{ method = \"rk4\" }") == 0);
 }
 
-TEST_CASE("iterations out of range, or of an explicit method, are E626") {
+TEST_CASE("iterations out of range or for an explicit method are E626") {
   CHECK(said_of("step = { method = \"midpoint\", iterations = 0 }") ==
         "E626 5:44 `iterations` `0` is not one of 1 to 20\n");
   CHECK(said_of("step = { method = \"midpoint\", iterations = 21 }") ==
@@ -188,7 +188,7 @@ TEST_CASE("iterations out of range, or of an explicit method, are E626") {
              Catch::StartsWith("E103 5:10 `bias` has no `iterations`"));
 }
 
-TEST_CASE("a step has the order of its method, or one to which it is composed") {
+TEST_CASE("a step has the order of its method, or a higher order by composition") {
   const auto order = [](const std::string& entry) {
     return checked(block(""), outputs("step = " + entry)).scene.outputs[0].step->composed_order;
   };
@@ -199,7 +199,7 @@ TEST_CASE("a step has the order of its method, or one to which it is composed") 
   CHECK(order("{ method = \"rk4\", order = 4 }") == 0);
 }
 
-TEST_CASE("orders that a method does not have are E647") {
+TEST_CASE("orders that a method cannot have are E647") {
   CHECK(said_of("step = { method = \"verlet\", order = 3 }") ==
         "E647 5:37 `verlet` has no order `3` | it has 2, 4, 8\n");
   CHECK(said_of("step = { method = \"midpoint\", order = 6 }") ==
@@ -211,7 +211,7 @@ TEST_CASE("orders that a method does not have are E647") {
   CHECK_THAT(said_of("bias = { order = 4 }"), Catch::StartsWith("E103 5:10 `bias` has no `order`"));
 }
 
-TEST_CASE("a step of a model with constraints may project, no other output does") {
+TEST_CASE("a step of a model with constraints may project, other outputs may not") {
   const std::string wall = block("[[constraint]]\nname = \"wall\"\nequation = \"x = 0\"\n");
   const auto projects = [&](const std::string& more) {
     const std::string entry = "step = { method = \"rk4\"" + more + " }";
@@ -231,13 +231,13 @@ TEST_CASE("a step of a model with constraints may project, no other output does"
              Catch::StartsWith("E103 5:10 `bias` has no `projected`"));
 }
 
-TEST_CASE("a model alone has no step") {
+TEST_CASE("a model without a scene has no step") {
   for (const OutputRequest& output : checked(block("")).scene.outputs) {
     CHECK(output.kind != OutputKind::step);
   }
 }
 
-TEST_CASE("a step without a method is E105, a method of anything else E103") {
+TEST_CASE("a step without a method is E105, a method for another output E103") {
   const std::string missing = "E105 5:1 `step` needs a `method`, which a scene gives it";
   CHECK_THAT(said_of("step = true"), Catch::StartsWith(missing));
   CHECK_THAT(said_of("step = { rename = \"advance\" }"), Catch::StartsWith(missing));
@@ -248,7 +248,7 @@ TEST_CASE("a step without a method is E105, a method of anything else E103") {
              Catch::StartsWith("E103 5:10 `bias` has no `method`"));
 }
 
-TEST_CASE("an unknown method is E620, with those there are") {
+TEST_CASE("an unknown method is E620, with the list of methods") {
   CHECK(said_of("step = { method = \"rk5\" }") ==
         "E620 5:20 `step` has no method `rk5` | did you mean `rk4`?\n");
   CHECK(said_of("step = { method = \"dopri5\" }") ==
@@ -256,7 +256,7 @@ TEST_CASE("an unknown method is E620, with those there are") {
         "straight-line code\n");
 }
 
-TEST_CASE("files are known without deriving, the header first") {
+TEST_CASE("the names of all files are known before the derivation, the header first") {
   Emission emission;
   CHECK(paths(emission) ==
         std::vector<std::string>{"arm/arm.hpp", "arm/arm.equations.json", "arm/arm.md"});

@@ -1,5 +1,5 @@
-// Entries: coordinates, inputs, points, bodies, forces, outputs, and the tables that are not
-// repeated.
+// Entries of a model: coordinates, inputs, points, bodies, forces, outputs, and tables that cannot
+// be repeated.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -37,7 +37,7 @@ std::string named(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a coordinate keeps what is said of it") {
+TEST_CASE("a coordinate keeps all its keys") {
   const Model model = checked(R"toml(format = 1
 [model]
 name = "a"
@@ -77,7 +77,7 @@ J = { value = 1, unit = "kg*m^2" }
   CHECK(to_string(model, *q.singular) == "sin(q)");
 }
 
-TEST_CASE("what variables may not say") {
+TEST_CASE("refused keys of coordinates, inputs and prescribed functions") {
   const Rows rows{
       {"[[input]]\nname = \"u\"\nunit = \"N*m\"\non = \"x\"\n",
        "E403 14:9 `u` is in N*m, but a force on `x` is in N\n"},
@@ -100,7 +100,7 @@ TEST_CASE("what variables may not say") {
   check_rows(rows, [&](const std::string& entries) { return messages(block(entries)); });
 }
 
-TEST_CASE("prescribed functions may move what they move") {
+TEST_CASE("a prescribed function of time may occur in a potential") {
   const std::string model = block(
       "V = \"1/2*k*(x - h)^2\"\n[[prescribed]]\nname = \"h\"\nvalue = \"A*sin(w*t)\"\n"
       "[parameters.A]\nvalue = 1\nunit = \"m\"\n[parameters.w]\nvalue = 1\nunit = \"rad/s\"\n");
@@ -109,7 +109,7 @@ TEST_CASE("prescribed functions may move what they move") {
   CHECK(dumped(model, "time") == "time yes\n");
 }
 
-TEST_CASE("an angle wraps, also in a model in which all units are 1") {
+TEST_CASE("an angle wraps, also if all units of the model are 1") {
   const auto turned = [](const std::string& unit, const std::string& parameter) {
     return "format = 1\n[model]\nname = \"turned\"\n[[coordinate]]\nname = \"q\"\nunit = \"" +
            unit + "\"\nwrap = true\n[parameters]\nJ = { value = 1" + parameter +
@@ -128,7 +128,7 @@ TEST_CASE("points are padded to three components") {
   REQUIRE(model.points[0].mass);
 }
 
-TEST_CASE("bodies are planar with one number, spatial with three or six") {
+TEST_CASE("the inertia of a planar body is one number, of a spatial body three or six") {
   const Model planar = checked(with_J("[[body]]\nname = \"b\"\nmass = \"m\"\ncom = [\"x\", \"0\"]\n"
                                       "spin = \"dot(q)\"\ninertia = \"J\"\n"))
                            .model;
@@ -144,7 +144,7 @@ TEST_CASE("bodies are planar with one number, spatial with three or six") {
   CHECK_FALSE(spatial.bodies[0].mass);
 }
 
-TEST_CASE("what masses may not be") {
+TEST_CASE("refused masses and inertias") {
   const Rows rows{
       {"[[point]]\nname = \"p\"\nat = [\"x\"]\n",
        "E104 21:6 1 component, but a vector has 2 or 3\n"},
@@ -184,7 +184,7 @@ TEST_CASE("what masses may not be") {
   check_rows(rows, [&](const std::string& entries) { return messages(with_J(entries)); });
 }
 
-TEST_CASE("a point is joined to points, frames and the origin, and to nothing else") {
+TEST_CASE("a point joins points, frames and the origin only") {
   const std::string point = "[[point]]\nname = \"p\"\nat = [\"x\", \"0\"]\n";
   const Rows rows{
       {"joined_to = [\"p\", \"arm\", \"origin\"]\n", ""},
@@ -207,20 +207,20 @@ TEST_CASE("a point is joined to points, frames and the origin, and to nothing el
   check_rows(rows, [&](const std::string& key) { return messages(with_J(point + key + others)); });
 }
 
-TEST_CASE("forces act on a coordinate, or at a point and back on another") {
+TEST_CASE("forces act on a coordinate or at a point, with an optional reaction at another point") {
   CHECK(dumped(with_points + "[[force]]\nname = \"damper\"\non = \"x\"\nvalue = \"u - b*dot(x)\"\n"
                              "[[force]]\nat = \"p\"\nfrom = \"r\"\nvalue = [\"u\", \"0\"]\n",
                "force") == "force damper on x = [u - b*dot(x)]\nforce  at p from r = [u, 0, 0]\n");
 }
 
-TEST_CASE("outputs are one value or several, with Jacobians where asked") {
+TEST_CASE("outputs are a scalar or a list, optionally with Jacobians") {
   CHECK(dumped(with_points +
                    "[[output]]\nname = \"tip\"\nvalue = [\"x(p)\", \"y(p)\"]\njacobian = true\n"
                    "[[output]]\nname = \"length\"\nvalue = \"x\"\n",
                "output") == "output tip = [x(p), y(p)], jacobian\noutput length = [x]\n");
 }
 
-TEST_CASE("what forces and outputs may not be") {
+TEST_CASE("refused forces and outputs") {
   const Rows rows{
       {"[[force]]\nvalue = \"u\"\n",
        "E112 24:1 none of `on`, `at` and `frame` says where the force acts\n"},
@@ -257,14 +257,14 @@ TEST_CASE("what forces and outputs may not be") {
   check_rows(rows, [&](const std::string& entries) { return messages(with_points + entries); });
 }
 
-TEST_CASE("kinks are allowed in forces") {
+TEST_CASE("functions with kinks are allowed in forces") {
   CHECK(messages(with_points + "[[force]]\non = \"x\"\nvalue = \"-min(abs(b*dot(x)), 1*b*dot(x)) + "
                                "sign(dot(x))*u\"\n")
             .substr(0, 10) == "E509 26:10");
   CHECK(messages(with_points + "[[force]]\non = \"x\"\nvalue = \"-b*abs(dot(x))\"\n").empty());
 }
 
-TEST_CASE("a model's name is lower case and free in C++") {
+TEST_CASE("the name of a model is lower case and free in C++") {
   CHECK(messages(named("arm_2")).empty());
   CHECK(messages(named("Arm")) ==
         "E205 3:9 `Arm` is not lower-case letters, digits and underscores\n");
@@ -272,7 +272,7 @@ TEST_CASE("a model's name is lower case and free in C++") {
         "E204 3:9 `class` is reserved: it is a keyword of C++ | `class_1` is free\n");
 }
 
-TEST_CASE("the texts of the header are kept") {
+TEST_CASE("texts for the header are kept") {
   const Model model = checked(
                           "format = 1\n[model]\nname = \"a\"\ntitle = \"A\"\ndescription = \"B\"\n"
                           "reference = \"C\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
@@ -283,7 +283,7 @@ TEST_CASE("the texts of the header are kept") {
   CHECK(model.reference == "C");
 }
 
-TEST_CASE("definitions come in any order") {
+TEST_CASE("definitions may be in any order") {
   const std::string model = block("V = \"a*x\"\n[define]\na = \"b/2\"\nb = \"k*x\"\n");
   CHECK(dumped(model, "definition") == "definition a = b/2\ndefinition b = k*x\n");
   CHECK(messages(model).empty());
@@ -302,7 +302,7 @@ TEST_CASE("gravity is an acceleration of two or three components") {
   check_rows(rows, [&](const std::string& entries) { return messages(block(entries)); });
 }
 
-TEST_CASE("energies are in joule, dissipation in watt, none takes an input") {
+TEST_CASE("energies are in joule, dissipation in watt, and neither depends on an input") {
   const Rows rows{
       {"V = \"m*x\"\n", "E403 12:6 `m*x` is in kg*m, but V is in J\n"},
       {"D = \"k*x^2\"\n", "E403 12:6 `k*x^2` is in J, but D is in W\n"},

@@ -1,5 +1,5 @@
-// Equilibria of a model: what the Model keeps of them, what is refused, and scenes that expand
-// about one by its name.
+// Declared equilibria of a model: their data in the Model, refusals, and scenes that expand about
+// an equilibrium by its name.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -8,7 +8,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Without units; `more` are the keys of an equilibrium `rest`.
+/// A model without units; `more` are keys of the equilibrium `rest`.
 std::string sliding(const std::string& more) {
   return R"toml(format = 1
 [model]
@@ -42,7 +42,7 @@ Wanted about_rest(const std::string& more = {}) {
   return wanted;
 }
 
-/// Of a block with units; `more` starts on line 19.
+/// The messages about an equilibrium in a model with units; `more` starts on line 19.
 std::string equilibrium_messages(const std::string& more) {
   return messages(block("V = \"1/2*k*x^2\"\n[[input]]\nname = \"u\"\nunit = \"N\"\non = \"x\"\n"
                         "[[equilibrium]]\nname = \"rest\"\n") +
@@ -66,12 +66,12 @@ TEST_CASE("an equilibrium has a point, a condition and squared frequencies") {
   CHECK(covered_text(model.equilibria[0].span) == "rest");
 }
 
-TEST_CASE("equilibria have names of their own") {
+TEST_CASE("names of equilibria are unique") {
   const std::string another = "at = {}\n[[equilibrium]]\nname = \"x\"\nat = { x = 1 }\n";
   CHECK(equilibrium_of(another) == "equilibrium rest at , []\nequilibrium x at x = 1, []\n");
 }
 
-TEST_CASE("what an equilibrium may not say") {
+TEST_CASE("refused equilibria") {
   check_rows(
       {
           {"at = { y = 0 }\n", "E612 19:8 `y` is no coordinate\n"},
@@ -97,7 +97,8 @@ TEST_CASE("a scene expands about an equilibrium by its name") {
         "approximate order 1 about angle = acos(g/R), u = 1 where R - g > 0 with angle small\n");
 }
 
-TEST_CASE("what is locked is where the lock holds it, and equilibria are of the whole model") {
+TEST_CASE(
+    "locked coordinates keep the value of the lock, and equilibria belong to the whole model") {
   const std::string still = sliding("at = { x = 0, angle = 0 }\n");
   const Wanted wanted = about_rest("[lock]\nx = { value = 1 }\n");
   CHECK(dumped(still, "approximate", wanted) ==

@@ -1,4 +1,4 @@
-// Expansion: which entries a repetition makes, and what their names must be.
+// Expansion of repetitions: the entries of each `for` and the rules for their names.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -27,15 +27,15 @@ TEST_CASE("repetitions make one entry per combination") {
   CHECK(model.points[2].identifier == "p_12");
 }
 
-TEST_CASE("entries refer forward and backward") {
+TEST_CASE("entries may refer to earlier and later entries") {
   CHECK(messages(model_with_entries("[[point]]\nname = \"a1\"\nat = [\"x(b1)\", \"0\"]\n"
                                     "[[point]]\nname = \"b1\"\nat = [\"x\", \"0\"]\n"))
             .empty());
 }
 
-TEST_CASE("names of repetitions that cannot be") {
+TEST_CASE("refused names of repetitions") {
   const Rows rows{
-      // The second instance bears the name of the first.
+      // Both instances have the name `p`.
       {"[[point]]\nfor = \"i in 1..n\"\nname = \"p\"\nat = [\"x\", \"0\"]\n",
        "E203 15:9 `p` is already a point | first at line 15\n"},
       {"[[point]]\nname = \"p[i]\"\nat = [\"x\", \"0\"]\n", "E201 14:11 unknown index `i`\n"},
@@ -43,7 +43,7 @@ TEST_CASE("names of repetitions that cannot be") {
        "E205 15:9 `p[-4]` has a negative index\n"},
       {"[[point]]\nfor = \"m in 1..n\"\nname = \"p[m]\"\nat = [\"x\", \"0\"]\n",
        "E203 14:8 the running index `m` is also a parameter\n"},
-      // Whichever stands first.
+      // The order of the two entries does not matter.
       {"[[point]]\nfor = \"u in 1..n\"\nname = \"p[u]\"\nat = [\"x\", \"0\"]\n"
        "[[input]]\nname = \"u\"\n",
        "E203 14:8 the running index `u` is also an input\n"},
@@ -60,7 +60,7 @@ TEST_CASE("names of repetitions that cannot be") {
              [&](const std::string& entries) { return messages(model_with_entries(entries)); });
 }
 
-TEST_CASE("numbers of entries are limited, at the limit and one past it") {
+TEST_CASE("the numbers of entries have limits, tested at the limit and beyond") {
   const std::string points = model_with_entries(
       "[define]\none = \"1\"\n[[point]]\nfor = \"i in 1..n\"\nname = \"p[i]\"\nat = [\"x\", "
       "\"0\"]\n");
@@ -75,7 +75,7 @@ TEST_CASE("numbers of entries are limited, at the limit and one past it") {
   wanted.limits.coordinates = 3;
   CHECK(checked(coordinates, wanted).model.coordinates.size() == 3);
   wanted.limits.coordinates = 2;
-  // Errors that would follow from the missing coordinate are not reported.
+  // Errors that follow from the missing coordinate are not reported.
   CHECK(messages(coordinates, wanted) == "E906 6:9 more than 2 coordinates\n");
 }
 

@@ -1,4 +1,4 @@
-// Closed forms that a model expects, and the units of outputs.
+// Closed forms in [[expect]], and the units of outputs.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -64,7 +64,7 @@ std::string unit(const Model& model, const char* output, std::uint32_t row, std:
 
 }  // namespace
 
-TEST_CASE("closed forms are columns, matrices, or entries by index") {
+TEST_CASE("closed forms are columns, matrices, or single entries by index") {
   CHECK(dumped(sprung_masses +
                    "gravity = [\"k*x[1]\", \"0\"]\nmass_matrix = [[\"m[1]\", 0], [0, \"m[2]\"]]\n",
                "expect") ==
@@ -82,7 +82,7 @@ TEST_CASE("closed forms are columns, matrices, or entries by index") {
         "expect potential_energy 1 1 = [1/2*k*x[1]^2]\nexpect conserved 2 1 = [dot(x[2]), k]\n");
 }
 
-TEST_CASE("an entry of a matrix has two indices, whatever its size is") {
+TEST_CASE("an entry of a matrix has two indices, even if the matrix is 1 x 1") {
   const std::string chain = file_text("models/chain.toml");
   for (const std::string size : {"n=1", "n=2"}) {
     INFO(size);
@@ -90,7 +90,7 @@ TEST_CASE("an entry of a matrix has two indices, whatever its size is") {
   }
 }
 
-TEST_CASE("closed forms that do not fit") {
+TEST_CASE("closed forms with a wrong shape or name") {
   const Rows rows{
       {"gravity = [\"k*x[1]\"]\n", "E517 17:11 1 x 1 entries, but `gravity` is 2 x 1\n"},
       {"mass_matrix = [\"m[1]\", \"m[2]\"]\n",
@@ -133,7 +133,7 @@ TEST_CASE("closed forms that do not fit") {
   check_rows(rows, [&](const std::string& expect) { return messages(sprung_masses + expect); });
 }
 
-TEST_CASE("an equation with an error of its own is not said to hold no acceleration") {
+TEST_CASE("an equation with another error is not reported as free of accelerations") {
   const std::string rotor =
       "format = 1\n[model]\nname = \"c1\"\n[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n"
       "[[point]]\nname = \"P\"\nat = [\"NAME*cos(q)\", \"0\"]\n[parameters]\n"
@@ -156,7 +156,7 @@ TEST_CASE("an equation with an error of its own is not said to hold no accelerat
   CHECK(said("I", "J*q = 0") == reserved + none);
 }
 
-TEST_CASE("equations are counted beside constraints of unknown points") {
+TEST_CASE("the number of equations is not checked if a constraint has an error") {
   const std::string masses =
       "format = 1\n[model]\nname = \"c2\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
       "[[coordinate]]\nname = \"y\"\nunit = \"m\"\n[[point]]\nname = \"P\"\n"
@@ -167,7 +167,8 @@ TEST_CASE("equations are counted beside constraints of unknown points") {
   CHECK(messages(masses + one) == "E540 15:1 1 equation, but the model has 2 accelerations\n");
 }
 
-TEST_CASE("E and p(NAME) are names in conserved alone, and a model's own names stay") {
+TEST_CASE(
+    "E and p(NAME) have their meaning only in conserved, unless the model declares the name") {
   const std::string p = "[define]\np = \"k*x[1]\"\n";
   const Model model =
       checked(sprung_masses + "conserved = [\"E\", \"p(x[2])\", \"p/k\"]\n" + p).model;
@@ -181,7 +182,7 @@ TEST_CASE("E and p(NAME) are names in conserved alone, and a model's own names s
   CHECK(unknown.find("E201 17:13 unknown name `E`") == 0);
 }
 
-TEST_CASE("an E of the model wins, with one note") {
+TEST_CASE("a name E of the model has priority, with one note") {
   const std::string own =
       sprung_masses +
       "conserved = [\"E\", \"2*E\", \"energy_function\"]\n[define]\nE = \"k*x[1]^2\"\n";
@@ -194,7 +195,7 @@ TEST_CASE("an E of the model wins, with one note") {
   CHECK(is_leaf(model.expressions[entries[2]], Opcode::energy));
 }
 
-TEST_CASE("big closed forms are kept only where they are asked for") {
+TEST_CASE("large closed forms are kept only for verification") {
   const std::string model = sprung_masses +
                             "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
                             "\"delta(i, j)*m[i]\" }\ngravity_entry = { for = \"i in 1..n\", value "
@@ -210,7 +211,7 @@ TEST_CASE("big closed forms are kept only where they are asked for") {
   CHECK(to_string(large, large.expectations[0].entries.back()) == "1*m[64]");
 }
 
-TEST_CASE("mistakes in big closed forms are found all the same") {
+TEST_CASE("errors in large closed forms are always found") {
   CHECK(messages(sprung_masses +
                      "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
                      "\"delta(i, j)*mm[i]\" }\n",
@@ -218,7 +219,7 @@ TEST_CASE("mistakes in big closed forms are found all the same") {
         "E201 17:78 unknown name `mm` | did you mean `m`? (parameter, line 11)\n");
 }
 
-TEST_CASE("units follow from those of coordinates and inputs") {
+TEST_CASE("units of outputs follow from the units of coordinates and inputs") {
   const Model model = sliding_pendulum();
   CHECK(unit(model, "mass_matrix", 0, 0) == "kg");
   CHECK(unit(model, "mass_matrix", 0, 1) == "kg*m");
@@ -233,7 +234,7 @@ TEST_CASE("units follow from those of coordinates and inputs") {
   CHECK(unit(model, "input_matrix", 0, 0) == to_string(*find_unit("N") / *find_unit("V")));
 }
 
-TEST_CASE("pivots are shares, rates of angles stay rad/s") {
+TEST_CASE("relative pivots have no unit, and rates of angles are in rad/s") {
   const Model model = sliding_pendulum();
   const auto pivot = unit_of_entry(model, {OutputKind::forward_dynamics, "relative_pivots", 0, 0});
   REQUIRE(pivot);
@@ -243,7 +244,7 @@ TEST_CASE("pivots are shares, rates of angles stay rad/s") {
   CHECK(velocity_unit(model, model.velocities[2]).empty());
 }
 
-TEST_CASE("a missing unit leaves the entry unknown") {
+TEST_CASE("a missing unit makes the unit of the entry unknown") {
   const Model model = sliding_pendulum();
   CHECK(unit(model, "mass_matrix", 0, 2) == "not known");
   CHECK(unit(model, "bias", 2, 0) == "not known");

@@ -1,4 +1,4 @@
-// Points, bodies, loads and outputs given in frames, as the world sees them.
+// Points, bodies, forces and outputs that are given in a frame, transformed to the world.
 #include "check/entries/in_frame.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,8 +13,8 @@ namespace {
 constexpr double m = 2;
 constexpr double J = 0.2;
 
-/// Frames `f` (shifted by s, turned by q about z) and `g` (turned by 0.4 about x) on lines 16 to
-/// 23.
+/// Frames `f` (translated by s, rotated by q about z) and `g` (rotated by 0.4 about x), on lines 16
+/// to 23.
 std::string with_two(const std::string& entries) {
   return with_frames(R"([[frame]]
 name = "f"
@@ -32,7 +32,7 @@ Model two_frames(const std::string& entries) { return checked(with_two(entries))
 
 ModelNumbers numbers(const Model& model) { return {model, {q, s}, {q_rate, s_rate}}; }
 
-TEST_CASE("points in frames are where the frame takes them", "[frames]") {
+TEST_CASE("points of a frame are transformed to the world", "[frames]") {
   const Model model = two_frames(
       "[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"2*s\", \"0\"]\nmass = \"m\"\n"
       "[[point]]\nname = \"w\"\nframe = \"world\"\nat = [\"l\", \"0\", \"0\"]\n");
@@ -44,7 +44,7 @@ TEST_CASE("points in frames are where the frame takes them", "[frames]") {
   CHECK_FALSE(model.points[1].local);
 }
 
-TEST_CASE("bodies turn with their frame", "[frames]") {
+TEST_CASE("bodies rotate with their frame", "[frames]") {
   const Model model = two_frames(
       "[[body]]\nname = \"b\"\nframe = \"g\"\nmass = \"m\"\ncom = [\"l\", \"0\", \"2*l\"]\n"
       "inertia = [\"J\", \"2*J\", \"3*J\", \"J/9\", \"0\", \"J/8\"]\n");
@@ -57,7 +57,7 @@ TEST_CASE("bodies turn with their frame", "[frames]") {
   CHECK_FALSE(body.local->about_origin);
 }
 
-TEST_CASE("an inertia about the origin becomes one about the centre of mass", "[frames]") {
+TEST_CASE("an inertia about the origin is converted to the centre of mass", "[frames]") {
   const Model model = two_frames(
       "[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n"
       "com = [\"l/7\", \"-2*l/7\", \"3*l/7\"]\n"
@@ -81,12 +81,12 @@ TEST_CASE("a body without inertia has no spin", "[frames]") {
   CHECK(model.bodies[0].spin.empty());
 }
 
-TEST_CASE("a body without a centre of mass has it at the origin of its frame", "[frames]") {
+TEST_CASE("the default centre of mass is the origin of the frame", "[frames]") {
   const Model model = two_frames("[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\n");
   CHECK(close(numbers(model).values(model.bodies[0].com), {0, s, l}));
 }
 
-TEST_CASE("forces have the axes of the world or of `in`", "[frames]") {
+TEST_CASE("components of forces are in the axes of the world or of the frame `in`", "[frames]") {
   const std::string point = "[[point]]\nname = \"p\"\nframe = \"g\"\nat = [\"l\", \"0\", \"0\"]\n";
   const std::string force =
       "[parameters.F]\nvalue = 1\nunit = \"N\"\n"
@@ -103,7 +103,7 @@ TEST_CASE("forces have the axes of the world or of `in`", "[frames]") {
   CHECK(close(numbers(named).values(named.forces[0].value), {1, 2, 3}));
 }
 
-TEST_CASE("torques are kept in the axes of the frame they turn", "[frames]") {
+TEST_CASE("torques are kept in the axes of the frame on which they act", "[frames]") {
   const std::string torque =
       "[parameters.F]\nvalue = 1\nunit = \"N*m\"\n"
       "[[force]]\nframe = \"g\"\nvalue = [\"F\", \"2*F\", \"3*F\"]\n";
@@ -120,7 +120,7 @@ TEST_CASE("torques are kept in the axes of the frame they turn", "[frames]") {
   CHECK(two_frames(torque + "from = \"world\"\n").forces[0].reaction.empty());
 }
 
-TEST_CASE("the output of a frame is its pose, and its twist in the axes asked for", "[frames]") {
+TEST_CASE("the output of a frame is its pose, and its twist in the requested axes", "[frames]") {
   const std::string output = "[[output]]\nname = \"o\"\nframe = \"g\"\njacobian = true\n";
   const Model world = two_frames(output);
   const UserOutput& pose = world.outputs[0];
@@ -141,7 +141,7 @@ TEST_CASE("the output of a frame is its pose, and its twist in the axes asked fo
   CHECK(close(numbers(own).values(own.outputs[0].twist), twist));
 }
 
-TEST_CASE("one moment of inertia tells a planar body where no vector has yet", "[frames]") {
+TEST_CASE("a scalar moment of inertia makes a model planar if it has no vectors yet", "[frames]") {
   CHECK(messages(R"toml(format = 1
 [model]
 name = "m"
@@ -190,7 +190,7 @@ unit = "N*m"
   CHECK(close(at.values(model.forces[0].value), {0, 0, 5}));
 }
 
-TEST_CASE("what may not be in a frame", "[frames]") {
+TEST_CASE("refused entries in frames", "[frames]") {
   const Rows rows{
       {"[[point]]\nname = \"p\"\nframe = \"ff\"\nat = [\"l\", \"0\", \"0\"]\n",
        "E201 27:10 unknown frame `ff` | did you mean `f`? (frame, line 17)\n"},

@@ -1,4 +1,5 @@
-// Mechanics: degrees of energies, forces affine in inputs, and which velocities move something.
+// Mechanics: degrees of energies in the rates, forces affine in inputs, and velocities with
+// inertia.
 #include <catch2/catch.hpp>
 
 #include "check/judge/judge.hpp"
@@ -10,7 +11,7 @@ namespace elgen::test {
 
 namespace {
 
-/// A model of two coordinates without any energy.
+/// A model of two coordinates x and y without any energy.
 std::string bare(const std::string& entries) {
   return "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
          "[[coordinate]]\nname = \"y\"\nunit = \"m\"\n[parameters]\n"
@@ -18,7 +19,8 @@ std::string bare(const std::string& entries) {
          entries;
 }
 
-/// Whether x, y and z move, as "xz"; a heavy point at (w, 0) keeps every model valid.
+/// The names of x, y and z with moving inertia, such as "xz". An armature keeps the model valid
+/// during the check and is then removed.
 std::string moving(const std::string& entries) {
   Model model = checked(
                     "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
@@ -39,7 +41,7 @@ std::string moving(const std::string& entries) {
 
 }  // namespace
 
-TEST_CASE("degrees of the energies in the rates") {
+TEST_CASE("degrees of energies in the rates") {
   const Rows rows{
       {"T = \"m*dot(x)^2 + m*dot(y)^2 + m*c*dot(x) + m*c^2\"\n", ""},
       {"T = \"m*dot(x)^2 + m*dot(y)^3/c\"\n",
@@ -70,7 +72,7 @@ TEST_CASE("a spin is linear in the rates") {
       "them, not at most linear\n");
 }
 
-TEST_CASE("a Lagrangian given whole may have any degree, and says which") {
+TEST_CASE("a Lagrangian L may have any degree in the rates, and the model records it") {
   const std::string quadratic = bare("[energy]\nL = \"m*dot(x)^2 + m*dot(y)^2\"\n");
   CHECK(messages(quadratic).empty());
   CHECK(dumped(quadratic, "quadratic") == "quadratic yes\n");
@@ -79,7 +81,7 @@ TEST_CASE("a Lagrangian given whole may have any degree, and says which") {
   CHECK(dumped(other, "quadratic") == "quadratic no\n");
 }
 
-TEST_CASE("a Lagrangian is given once, and there is one") {
+TEST_CASE("a Lagrangian is given once, as L or by energies") {
   const Rows rows{
       {"",
        "E514 2:1 `a` has no kinetic energy | give a point or body a mass, or write `[energy] T`\n"},
@@ -94,7 +96,7 @@ TEST_CASE("a Lagrangian is given once, and there is one") {
   check_rows(rows, [&](const std::string& entries) { return messages(bare(entries)); });
 }
 
-TEST_CASE("an input acts by its `on` or where a force names it, not both") {
+TEST_CASE("an input acts by its `on` or through a force, not both") {
   const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
   const std::string input = "[[input]]\nname = \"u\"\nunit = \"N\"\n";
   const std::string acting = input + "on = \"x\"\n";
@@ -117,12 +119,12 @@ TEST_CASE("an input acts by its `on` or where a force names it, not both") {
   check_rows(rows, [&](const std::string& entries) { return messages(bare(energy + entries)); });
 }
 
-TEST_CASE("every coordinate moves something") {
+TEST_CASE("a coordinate whose rate is in no energy is an error") {
   CHECK(messages(bare("[energy]\nT = \"m*dot(x)^2 + y*m*c*dot(x)/(1*x)\"\n")) ==
         "E513 8:9 the rate of `y` is in no energy, so nothing determines its motion\n");
 }
 
-TEST_CASE("drift is there where T or V are not of one degree in the rates") {
+TEST_CASE("drift is non-zero if T or V is not homogeneous in the rates") {
   const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
   const std::string body = "J = { value = 1, unit = \"kg*m^2\" }\n" + energy +
                            "[[body]]\nname = \"b\"\ninertia = \"J\"\nspin = ";
@@ -136,7 +138,7 @@ TEST_CASE("drift is there where T or V are not of one degree in the rates") {
   CHECK(dumped(bare("[energy]\nL = \"m*dot(x)^2 + m*dot(y)^2\"\n"), "drift") == "drift yes\n");
 }
 
-TEST_CASE("time matters where it reaches an equation") {
+TEST_CASE("a model uses time if time occurs in an equation of motion") {
   const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
   const std::string moving_point = "[[point]]\nname = \"p\"\nat = [\"x + c*t\", \"y\"]\n";
   CHECK(dumped(bare(energy + moving_point), "time") == "time no\n");
@@ -150,7 +152,7 @@ TEST_CASE("time matters where it reaches an equation") {
   CHECK(dumped(bare(energy + "[gravity]\nvector = [\"0\", \"c/t\"]\n"), "time") == "time yes\n");
 }
 
-TEST_CASE("time matters where it turns what a torque acts on") {
+TEST_CASE("a model uses time if time rotates a frame on which a torque acts") {
   const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
   const auto frame = [](const std::string& name, const std::string& turn) {
     return "[[frame]]\nname = \"" + name + "\"\nparent = \"world\"\nrotate = [[\"x\", \"x/y\"]" +
@@ -193,7 +195,7 @@ TEST_CASE("rates are found through definitions, points and derivatives") {
   }
 }
 
-TEST_CASE("an armature moves its coordinate") {
+TEST_CASE("an armature gives its coordinate inertia") {
   const Model model = checked(
                           "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
                           "armature = 1\n")
@@ -201,7 +203,7 @@ TEST_CASE("an armature moves its coordinate") {
   CHECK(moving_velocities(model) == std::vector<bool>{true});
 }
 
-TEST_CASE("a coordinate comes with its rate") {
+TEST_CASE("a coordinate is appended together with its rate") {
   Model model;
   Coordinate plain;
   plain.name = "s[2]";

@@ -1,4 +1,4 @@
-// Expressions of a Model as numbers: value and rate along a motion, by plain recursion.
+// Evaluates expressions of a Model in double by recursion: value and rate along a motion.
 #pragma once
 
 #include <cln/float.h>
@@ -18,7 +18,7 @@ struct Moving {
   double rate = 0;
 };
 
-/// Parameters at their values, all rates as given, t = 1/2.
+/// Parameters have their declared values, rates are given, t = 1/2.
 class ModelNumbers {
  public:
   ModelNumbers(const Model& model, std::vector<double> q, std::vector<double> v)
@@ -33,7 +33,7 @@ class ModelNumbers {
     return result;
   }
 
-  /// Rotation and origin of a frame, as twelve numbers.
+  /// Rotation (row-major) and origin of a frame, twelve numbers.
   [[nodiscard]] std::vector<double> pose(std::size_t frame) const {
     std::vector<double> result = values(model_.frames[frame].rotation);
     for (const double x : values(model_.frames[frame].origin)) result.push_back(x);
@@ -113,7 +113,7 @@ class ModelNumbers {
   std::vector<double> v_;
 };
 
-/// Rotations written down independently of the code: row-major.
+/// Row-major rotation matrices, written independently of the program.
 using Rotation3 = std::array<double, 9>;
 
 inline Rotation3 about_x(double a) {
@@ -182,7 +182,7 @@ T = "1/2*m*dot(s)^2 + 1/2*J*dot(q)^2"
 )" + entries;
 }
 
-/// A state of that model, and its l.
+/// A state of the model of `with_frames`, and the value of its parameter l.
 inline constexpr double q = 0.3;
 inline constexpr double s = 0.8;
 inline constexpr double l = 0.7;

@@ -1,4 +1,4 @@
-// Names stand for what their indices refer to.
+// Indices into tables of the Model are printed as names.
 #include "check/model_text.hpp"
 
 #include "numbers/exact_number.hpp"
@@ -165,7 +165,7 @@ class ModelDump {
            (force.from_frame ? " from " + frame_name(force.from_frame) : "");
   }
 
-  /// The changes that a scene makes to the model, before the outputs are chosen.
+  /// Prints the changes of the scene to the model: locks and expansion.
   void dump_scene() {
     for (const Lock& lock : model_.variant.locks) {
       line("lock " + lock_text(whole_of(model_), lock) + (lock.reaction ? ", reaction" : ""));

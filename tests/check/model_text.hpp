@@ -1,4 +1,4 @@
-// A Model as text, one entry a line.
+// Prints a Model as text, one entry per line.
 #pragma once
 
 #include <string>

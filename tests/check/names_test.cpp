@@ -1,4 +1,4 @@
-// Names: of functions, those that a model may not give to its entries, and those that it gives.
+// Names: names of functions, names reserved for other meanings, and names declared by a model.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -51,7 +51,7 @@ TEST_CASE("names are letters, digits and underscores after a letter") {
   }
 }
 
-TEST_CASE("a name is held against both rules") {
+TEST_CASE("a name is checked against both rules") {
   const auto answer = [](const std::string& name) {
     Report report;
     const bool good = check_name(name, {}, report);
@@ -62,7 +62,7 @@ TEST_CASE("a name is held against both rules") {
   CHECK(answer("double") == "`double` is reserved: it is a keyword of C++");
 }
 
-TEST_CASE("another name is offered, which is free in the file") {
+TEST_CASE("a free alternative is suggested for a reserved name") {
   const auto instead = [](const std::string& name, const std::string& text = "") {
     const SourcePointer source = make_source("m.toml", text);
     return name_instead(name, {source.get(), 0, 0});
@@ -82,7 +82,7 @@ TEST_CASE("another name is offered, which is free in the file") {
   }
 }
 
-TEST_CASE("functions of each table are known, and each once") {
+TEST_CASE("functions of each table are found, and their names are unique") {
   std::vector<std::string> names = function_names();
   for (const char* name : {"dot", "dist2", "sqrt", "sin", "atan2", "sinc", "stumpff"}) {
     CHECK(std::count(names.begin(), names.end(), name) == 1);
@@ -91,7 +91,7 @@ TEST_CASE("functions of each table are known, and each once") {
   CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
 }
 
-TEST_CASE("elements of one array are declared one by one") {
+TEST_CASE("elements of an array are declared one by one") {
   DeclaredNames symbols;
   Report report;
   CHECK(symbols.declare({"q", 1, {}}, SymbolKind::coordinate, 0, report));
@@ -104,7 +104,7 @@ TEST_CASE("elements of one array are declared one by one") {
   CHECK(only_message(report) == "E203 `q[2]` is already a coordinate");
 }
 
-TEST_CASE("kinds share one set of names") {
+TEST_CASE("all kinds share one namespace") {
   DeclaredNames symbols;
   Report report;
   CHECK(symbols.declare({"a", {}, {}}, SymbolKind::input, 0, report));
@@ -120,7 +120,7 @@ TEST_CASE("a single name and an array cannot share it") {
   CHECK(only_message(report) == "E203 `a[1]` is already a point");
 }
 
-TEST_CASE("names that become one identifier are told apart from duplicates") {
+TEST_CASE("names that become the same identifier get another error than duplicates") {
   DeclaredNames symbols;
   Report report;
   CHECK(symbols.declare({"q_1", {}, {}}, SymbolKind::parameter, 0, report));
@@ -128,7 +128,7 @@ TEST_CASE("names that become one identifier are told apart from duplicates") {
   CHECK(only_message(report) == "E211 `q[1]` and `q_1` both become `q_1` in code");
 }
 
-TEST_CASE("reserved and malformed names fail, and are remembered as failed") {
+TEST_CASE("a reserved or malformed name fails and is recorded as failed") {
   DeclaredNames symbols;
   Report report;
   CHECK_FALSE(symbols.declare({"double", {}, {}}, SymbolKind::parameter, 0, report));
@@ -140,7 +140,7 @@ TEST_CASE("reserved and malformed names fail, and are remembered as failed") {
   CHECK(only_message(second).substr(0, 4) == "E205");
 }
 
-TEST_CASE("a duplicate points at the first declaration, suggestions say what is meant") {
+TEST_CASE("a duplicate points to the first declaration, and a suggestion gives its kind") {
   const SourcePointer source = make_source("m.toml", "\nmass\nmass");
   DeclaredNames symbols;
   Report report;

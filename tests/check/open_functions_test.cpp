@@ -1,4 +1,4 @@
-// Functions left open: their values, and what closes them.
+// Open functions: their values and derivatives, and the scenes and samples that close them.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -31,8 +31,8 @@ gravity = ["V_1", "V_2"]
 potential_energy = "V"
 )toml");
 
-/// A mass in a plane, and two that slide, under a function of the arguments, whose
-/// sample is on line 14; `far` is a definition of y, P the point (x, y), s a function of t.
+/// A mass in a plane, and two sliding masses, with a function U of `arguments`; its sample is on
+/// line 14. `far` is a definition that uses y, P is the point (x, y), s a function of t.
 std::string sampled(const std::string& arguments, const std::string& sample) {
   return model_text("sampled", R"toml([[coordinate]]
 name = "x"
@@ -64,20 +64,20 @@ value = "U"
 )toml");
 }
 
-/// The messages about a sample; the note that nothing has a unit is none.
+/// The messages about a sample, without the note on missing units.
 std::string said(const std::string& arguments, const std::string& sample) {
   const std::string all = messages(sampled(arguments, sample));
   return all.starts_with("E520") ? "" : all;
 }
 
-/// The message about a sample that reads more than its argument does, at its place.
+/// The message about a sample at this position that depends on a leaf outside the arguments of U.
 std::string reads(const std::string& sample, const std::string& leaf,
                   const std::string& place = "14:11") {
   return "E319 " + place + " `" + sample + "` reads `" + leaf +
          "`, and no argument of `U` does | `of` names all that the function depends on\n";
 }
 
-/// "V [J], V_1 [N], …"
+/// A list such as "V [J], V_1 [N], …".
 std::string open_values(const Model& model) {
   std::string text;
   for (const OpenValue& value : model.open_values) {
@@ -86,7 +86,7 @@ std::string open_values(const Model& model) {
   return text;
 }
 
-/// "V = k*x*y", of the one definition, and how many closed forms there are.
+/// The only definition, such as "V = k*x*y", and the number of closed forms.
 std::string closed_text(const CheckedModel& closed) {
   const Model& model = closed.model;
   REQUIRE(model.functions.empty());
@@ -99,7 +99,7 @@ std::string closed_text(const CheckedModel& closed) {
 
 }  // namespace
 
-TEST_CASE("an open function has its value and derivatives up to the second") {
+TEST_CASE("an open function has its value and its derivatives up to order two") {
   const Model model = checked_model(plane).model;
   CHECK(open_values(model) ==
         "V [J], V_1 [N], V_2 [N], V_11 [kg/s^2], V_12 [kg/s^2], V_22 [kg/s^2]");
@@ -108,7 +108,7 @@ TEST_CASE("an open function has its value and derivatives up to the second") {
   CHECK(model.expectations.size() == 2);
 }
 
-TEST_CASE("derivatives of open values do not depend on their order") {
+TEST_CASE("mixed derivatives of open functions are symmetric") {
   const Model model = checked_model(plane).model;
   CHECK(derivative_of(model, 0, 1) == 2U);
   CHECK(derivative_of(model, 1, 1) == 4U);
@@ -125,7 +125,7 @@ TEST_CASE("a scene or a sample closes an open function") {
   CHECK(closed_text(checked_model(plane, options)) == "V = 1/2*k*(x^2 + y^2), 1 expected");
 }
 
-TEST_CASE("an expression of a function reads what its arguments read") {
+TEST_CASE("an expression of a function may use the leaves of its arguments") {
   CHECK(said("'x'", "k*x^2 + sin(x)") == "");
   CHECK(said("'x', 'y'", "far*x(P)") == "");
   CHECK(said("'sqrt(x^2 + y^2)'", "k*x(P) + far") == "");
@@ -136,7 +136,7 @@ TEST_CASE("an expression of a function reads what its arguments read") {
   CHECK(said("'x', 't'", "x*s") == "");
 }
 
-TEST_CASE("an expression of a function that reads more is told what") {
+TEST_CASE("an error names each leaf outside the arguments of the function") {
   const auto of_x = [](const std::string& sample) { return said("'x'", sample); };
   CHECK(of_x("1/2*k*(x^2 + y^2)") == reads("1/2*k*(x^2 + y^2)", "y"));
   CHECK(of_x("x*far") == reads("x*far", "y"));
@@ -149,14 +149,14 @@ TEST_CASE("an expression of a function that reads more is told what") {
   CHECK(said("'q[1]'", "q[1]*q[2]") == reads("q[1]*q[2]", "q[2]"));
 }
 
-TEST_CASE("a scene that closes a function is held to its arguments") {
+TEST_CASE("an expression in a scene may only use the arguments of the function, too") {
   Wanted wanted;
   wanted.scene =
       "format = 1\nmodel = \"model.toml\"\nname = \"wide\"\n[functions]\nU = \"k*x*y\"\n";
   CHECK(messages(sampled("'x'", "x"), wanted) == reads("k*x*y", "y", "5:6"));
 }
 
-TEST_CASE("derivatives of a function whose name is refused are no unknown names") {
+TEST_CASE("derivatives of a function with a refused name are not reported as unknown") {
   const auto called = [](const std::string& name) {
     return messages(model_text(
         "line", "[[coordinate]]\nname = \"x\"\n[[function]]\nname = \"" + name +

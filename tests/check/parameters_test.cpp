@@ -1,4 +1,4 @@
-// Parameters: exact values, arrays, and values that contradict what is said of them.
+// Parameters: exact values, arrays, and values that contradict the declaration.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -12,7 +12,7 @@ std::string model_with_parameters(const std::string& parameters) {
          parameters;
 }
 
-TEST_CASE("values are exact, arrays take one number for all, or a list") {
+TEST_CASE("values are exact, and an array has one number for all elements or a list") {
   CHECK(dumped(model_with_parameters("a = { value = 0.1, unit = \"kg\" }\n"), "parameter") ==
         "parameter a = 1/10 [kg]\n");
   CHECK(dumped(model_with_parameters("a = { value = \"1/3\", size = \"n-1\", unit = \"1\" }\n"),
@@ -24,7 +24,7 @@ TEST_CASE("values are exact, arrays take one number for all, or a list") {
   CHECK(dumped(model_with_parameters("a = 5\n"), "parameter") == "parameter a = 5\n");
 }
 
-TEST_CASE("declarations keep what they say") {
+TEST_CASE("declarations keep their keys") {
   const Model model =
       checked(model_with_parameters("a = { value = 2, size = \"n\", unit = \"kg*m\", min = 1, "
                                     "max = 3, assume = \"positive\", doc = \"a doc\", "
@@ -47,7 +47,7 @@ TEST_CASE("declarations keep what they say") {
   CHECK(model.parameters[2].assumption == Assumption::positive);
 }
 
-TEST_CASE("values that do not fit") {
+TEST_CASE("refused values") {
   const Rows rows{
       {"a = { value = [1, 2], size = \"n\", unit = \"m\" }\n",
        "E104 13:15 2 values, but `a` has size 3\n"},
@@ -69,7 +69,7 @@ TEST_CASE("values that do not fit") {
   });
 }
 
-TEST_CASE("a value beyond its range is a warning") {
+TEST_CASE("a value outside its range is a warning") {
   for (const char* says :
        {"value = 1, min = 2", "value = 3, max = 2", "value = 3, min = 1, max = 2"}) {
     const std::string text =
@@ -79,7 +79,7 @@ TEST_CASE("a value beyond its range is a warning") {
   }
 }
 
-TEST_CASE("a value that its assumption denies is an error") {
+TEST_CASE("a value that contradicts its assumption is an error") {
   const auto assuming = [](const std::string& value, const std::string& assumption) {
     return messages(model_with_parameters("a = { value = " + value +
                                           ", unit = \"m\", size = \"n\", assume = \"" + assumption +
@@ -93,7 +93,7 @@ TEST_CASE("a value that its assumption denies is an error") {
   CHECK(assuming("1", "positive").empty());
 }
 
-TEST_CASE("a fixed value is held against what the model says, too") {
+TEST_CASE("a fixed value is checked against the declaration, too") {
   const std::string model = model_with_parameters(
       "a = { value = 1, unit = \"m\", assume = \"positive\", min = 1 }\nb = { value = 2, unit = "
       "\"m\", min = 1 }\n");
@@ -107,7 +107,7 @@ TEST_CASE("a fixed value is held against what the model says, too") {
   CHECK(fixing("a=2,b").empty());
 }
 
-TEST_CASE("more elements than entries may be are refused before they are made") {
+TEST_CASE("an array with more elements than the limit is refused before it is expanded") {
   CHECK(
       messages(model_with_parameters("a = { value = 1, size = \"1000000000\", unit = \"m\" }\n")) ==
       "E907 13:26 1000000000 elements, but the limit is 20000\n");
@@ -115,7 +115,7 @@ TEST_CASE("more elements than entries may be are refused before they are made") 
 
 }  // namespace
 
-TEST_CASE("an array whose name is refused is one error, and its elements are still read") {
+TEST_CASE("an array with a refused name is one error, and its elements are still read") {
   for (const std::string name : {"int", "pi", "I", "t", "x"}) {
     INFO(name);
     const std::string text = messages(model_with_parameters(

@@ -1,4 +1,4 @@
-// How far outputs may be off, and where.
+// `max_error` and `ranges` of a scene.
 #include <catch2/catch.hpp>
 
 #include "check/scene/scene.hpp"
@@ -6,7 +6,7 @@
 
 namespace elgen::test {
 
-TEST_CASE("a scene promises an error inside ranges") {
+TEST_CASE("a scene promises a maximum error inside ranges") {
   CHECK_FALSE(block_scene("").numerics.max_error);
   const Numerics numerics = block_scene(
                                 "[numeric]\nmax_error = 1e-6\n"
@@ -20,7 +20,7 @@ TEST_CASE("a scene promises an error inside ranges") {
   CHECK(numerics.ranges[1].high == 0);
 }
 
-TEST_CASE("errors that nothing keeps are E640") {
+TEST_CASE("maximum errors that are impossible or not measured are E640") {
   for (const std::string value : {"0", "-1e-6", "\"1 - pi\""}) {
     INFO(value);
     CHECK_THAT(block_scene_messages("[numeric]\nmax_error = " + value + "\n"),
@@ -31,7 +31,7 @@ TEST_CASE("errors that nothing keeps are E640") {
       Catch::Contains("E640") && Catch::Contains("errors are measured in `float` and `double`"));
 }
 
-TEST_CASE("ranges of what does not vary, and empty ones, are E630") {
+TEST_CASE("ranges of constants and empty ranges are E630") {
   const auto said = [](const std::string& ranges) {
     return block_scene_messages("[numeric]\nranges = { " + ranges + " }\n");
   };
@@ -42,7 +42,7 @@ TEST_CASE("ranges of what does not vary, and empty ones, are E630") {
              Catch::Contains("E630") && Catch::Contains("the range `[1, 0]` is empty"));
 }
 
-TEST_CASE("ranges of options come after those of the scene, and are read as those") {
+TEST_CASE("ranges of options follow the ranges of the scene and have the same syntax") {
   Wanted wanted{.scene = scene_of_block("[numeric]\nranges = { x = [0, 1] }\n")};
   wanted.ranges = {"x=-pi..2", "dot(x)=0..0"};
   const std::vector<NamedRange> ranges = checked(block(), wanted).scene.numerics.ranges;
@@ -59,7 +59,7 @@ TEST_CASE("ranges of options come after those of the scene, and are read as thos
   CHECK(said("m=0..1").starts_with("E630 1:1 `m` is no coordinate, rate, acceleration or input"));
 }
 
-TEST_CASE("a scene without its expansion") {
+TEST_CASE("verification of an expansion uses the scene without the expansion") {
   const auto expanded = [](bool is_exact) {
     const auto model = parse_model(make_source("model.toml", block("V = \"1/2*k*x^2\"\n")), {});
     const auto scene = parse_scene(make_source("a.scene.toml",

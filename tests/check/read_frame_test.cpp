@@ -1,4 +1,4 @@
-// Frames: every way to shift and turn them, their poses and spins, and what they may not be.
+// Frames: all keys for translation and rotation, poses, spins, and refusals.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -8,14 +8,15 @@ namespace elgen::test {
 
 namespace {
 
-/// The pose of a frame `f` in the world, at q and s.
+/// The pose of a frame `f` relative to the world, at q and s.
 std::vector<double> pose_of(const std::string& keys) {
   const Model model =
       checked(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\n" + keys)).model;
   return ModelNumbers(model, {q, s}, {0, 0}).pose(0);
 }
 
-/// cos 1 + sin K + (1 - cos) n n^T as 1 + sin K + (1 - cos) K K.
+/// The rotation by `angle` about the unit vector n, by Rodrigues' formula: 1 + sin K + (1 - cos) K
+/// K with K = S(n).
 Rotation3 about(const Triple& n, double angle) {
   const Rotation3 k{0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0};
   const Rotation3 square = k * k;
@@ -26,7 +27,7 @@ Rotation3 about(const Triple& n, double angle) {
   return result;
 }
 
-/// "1 0 0 0 0 -1 0 1 0"
+/// The entries in row-major order, such as "1 0 0 0 0 -1 0 1 0".
 std::string rotation_text(const Model& model, std::size_t frame) {
   std::string text;
   for (const ExpressionId id : model.frames[frame].rotation) {
@@ -40,7 +41,7 @@ std::string rotation_of(const std::string& keys) {
       checked(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\n" + keys)).model, 0);
 }
 
-/// A planar point, and a frame whose keys start on line 22.
+/// A model with a planar point and a frame whose keys start on line 22.
 std::string planar(const std::string& keys) {
   return with_frames(
       "[[point]]\nname = \"p\"\nat = [\"s\", \"0\"]\n"
@@ -50,12 +51,12 @@ std::string planar(const std::string& keys) {
 
 }  // namespace
 
-TEST_CASE("a frame alone is its parent", "[frames]") {
+TEST_CASE("a frame without rotation has the axes of its parent", "[frames]") {
   CHECK(close(pose_of(""), as_pose(about_x(0), {0, 0, 0})));
   CHECK(close(pose_of("translate = [\"s\", \"l\", \"0\"]\n"), as_pose(about_x(0), {s, l, 0})));
 }
 
-TEST_CASE("turns follow one another about the axes reached so far", "[frames]") {
+TEST_CASE("successive rotations are about the rotated axes", "[frames]") {
   CHECK(close(pose_of("rotate = [[\"x\", \"q\"]]\n"), as_pose(about_x(q), {0, 0, 0})));
   CHECK(close(pose_of("rotate = [[\"y\", \"q\"]]\n"), as_pose(about_y(q), {0, 0, 0})));
   CHECK(close(pose_of("rotate = [[\"z\", \"q\"]]\n"), as_pose(about_z(q), {0, 0, 0})));
@@ -97,12 +98,12 @@ TEST_CASE("irrational components of an axis keep their form", "[frames]") {
               as_pose(about({std::cos(1.0), -std::sin(1.0), 0}, q), {0, 0, 0})));
 }
 
-TEST_CASE("rpy are turns about the fixed axes x, y, z in this order", "[frames]") {
+TEST_CASE("rpy are rotations about the fixed axes x, y, z in this order", "[frames]") {
   CHECK(close(pose_of("rpy = [\"q\", \"0.2\", \"-q\"]\n"),
               as_pose(about_z(-q) * about_y(0.2) * about_x(q), {0, 0, 0})));
 }
 
-TEST_CASE("Denavit and Hartenberg, as they wrote it and as Craig did", "[frames]") {
+TEST_CASE("Denavit-Hartenberg parameters in the standard and the modified convention", "[frames]") {
   const std::string values = "a = \"l\", alpha = \"0.4\", d = \"s\", theta = \"q\" }\n";
   const Rotation3 theta = about_z(q);
   CHECK(close(pose_of("dh = { convention = \"standard\", " + values),
@@ -115,19 +116,19 @@ TEST_CASE("Denavit and Hartenberg, as they wrote it and as Craig did", "[frames]
               as_pose(theta, {l, s, 0})));
 }
 
-TEST_CASE("quaternions have any length but 0, the scalar first", "[frames]") {
+TEST_CASE("quaternions may have any length except 0, the scalar first", "[frames]") {
   CHECK(close(pose_of("quaternion = [\"cos(q/2)\", \"0\", \"sin(q/2)\", \"0\"]\n"),
               as_pose(about_y(q), {0, 0, 0})));
   CHECK(close(pose_of("quaternion = [\"2\", \"0\", \"0\", \"2\"]\n"),
               as_pose(about_z(std::acos(0.0)), {0, 0, 0})));
-  // (w, e) turns by 2 atan(|e|/w) about e.
+  // The quaternion (w, e) rotates by 2 atan(|e|/w) about e.
   const double length = std::sqrt(q * q + 4 + 0.01);
   CHECK(close(pose_of("quaternion = [\"3\", \"q\", \"2\", \"0.1\"]\n"),
               as_pose(about({q / length, 2 / length, 0.1 / length}, 2 * std::atan(length / 3)),
                       {0, 0, 0})));
 }
 
-TEST_CASE("frames may be declared before their parents, and carry names of bodies", "[frames]") {
+TEST_CASE("frames may precede their parents, and may have the names of bodies", "[frames]") {
   const Model model = checked(with_frames(R"toml([[frame]]
 name = "f"
 parent = "g"
@@ -153,7 +154,7 @@ com = ["0", "0", "0"]
               as_pose(parent * about_x(q), Triple{0, s, 0} + parent * Triple{l, 0, 0})));
 }
 
-TEST_CASE("what frames may not be", "[frames]") {
+TEST_CASE("refused frames", "[frames]") {
   const Rows rows{
       {"name = \"f\"\nparent = \"worl\"\n",
        "E201 18:11 unknown frame `worl` | did you mean `world`?\n"},
@@ -195,7 +196,7 @@ TEST_CASE("what frames may not be", "[frames]") {
              [&](const std::string& keys) { return messages(with_frames("[[frame]]\n" + keys)); });
 }
 
-TEST_CASE("right angles give the numbers 0, 1 and -1", "[frames]") {
+TEST_CASE("right angles give rotation matrices of 0, 1 and -1", "[frames]") {
   CHECK(rotation_of("") == "1 0 0 0 1 0 0 0 1");
   CHECK(rotation_of("rotate = [[\"x\", \"pi/2\"]]\n") == "1 0 0 0 0 -1 0 1 0");
   CHECK(rotation_of("rotate = [[\"y\", \"pi/2\"]]\n") == "0 0 1 0 1 0 -1 0 0");
@@ -207,11 +208,12 @@ TEST_CASE("right angles give the numbers 0, 1 and -1", "[frames]") {
         "1 0 0 0 0 1 0 -1 0");
 }
 
-TEST_CASE("a turn about a coordinate axis is a sine and a cosine", "[frames]") {
+TEST_CASE("a rotation about a coordinate axis is a sine and a cosine", "[frames]") {
   CHECK(rotation_of("rotate = [[\"z\", \"q\"]]\n") == "cos(q) -sin(q) 0 sin(q) cos(q) 0 0 0 1");
 }
 
-TEST_CASE("a pose is written over that of its parent, not over the parent's parent", "[frames]") {
+TEST_CASE("a pose refers to the pose of its parent, so that its size does not grow along a chain",
+          "[frames]") {
   std::string text;
   for (int i = 1; i <= 30; ++i) {
     const std::string parent = i == 1 ? "world" : "f" + std::to_string(i - 1);
@@ -255,7 +257,7 @@ quaternion = ["2*cos(q/2)", "2*sin(q/2)", "0", "0"]
   CHECK(close(spin(3), {q_rate, 0, 0}));
 }
 
-TEST_CASE("angular velocities from frame to frame are those of R^T dR/dt", "[frames]") {
+TEST_CASE("angular velocities between frames agree with R^T dR/dt", "[frames]") {
   const Model model = checked(with_frames(R"toml([[frame]]
 name = "upper"
 parent = "world"
@@ -284,7 +286,7 @@ rpy = ["s/l", "0.3", "q^2"]
   }
 }
 
-TEST_CASE("turns about z and shifts in the plane stay there", "[frames]") {
+TEST_CASE("rotations about z and translations in the plane stay in the plane", "[frames]") {
   for (const char* keys :
        {"translate = [\"l\", \"s\"]\nrotate = [[\"z\", \"q\"]]\n",
         "rotate = [[[\"0\", \"0\", \"-2\"], \"q\"], [\"x\", \"0\"], [\"y\", \"sin(pi)\"]]\n",
@@ -295,7 +297,7 @@ TEST_CASE("turns about z and shifts in the plane stay there", "[frames]") {
   }
 }
 
-TEST_CASE("what leaves the plane is refused where it does", "[frames]") {
+TEST_CASE("motion out of the plane is refused at its position", "[frames]") {
   const Rows rows{
       {"rotate = [[\"z\", \"q\"], [\"x\", \"2*q\"]]\n",
        "E516 22:30 `2*q` turns out of the plane of a model whose vectors have 2 components\n"},
@@ -313,7 +315,7 @@ TEST_CASE("what leaves the plane is refused where it does", "[frames]") {
   check_rows(rows, [&](const std::string& keys) { return messages(planar(keys)); });
 }
 
-TEST_CASE("models in space turn as they like", "[frames]") {
+TEST_CASE("frames of spatial models may have any rotation", "[frames]") {
   CHECK(messages(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\n"
                              "translate = [\"l\", \"0\", \"0\"]\nrpy = [\"q\", \"q\", \"q\"]\n")) ==
         "");

@@ -1,4 +1,4 @@
-// The data of a run: starts, laws of inputs and values of parameters, as options give them.
+// Options of a run: start values, laws of inputs and values of parameters.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
@@ -47,7 +47,8 @@ SceneOptions options(const std::string& starts, const std::string& laws = {},
   return result;
 }
 
-/// "E612 12 unknown coordinate `y` | did you mean `x`?", with the column.
+/// The error with its column, such as "E612 12 unknown coordinate `y` | did you mean `x`?"; empty
+/// if none.
 std::string answer(const SceneOptions& given) {
   const Limits limits;
   const Result<FileSyntax> syntax = parse_model(make_source("m.toml", flying_hull), limits);
@@ -64,7 +65,7 @@ std::string answer(const SceneOptions& given) {
 
 }  // namespace
 
-TEST_CASE("a start that is meant in degrees is noted") {
+TEST_CASE("a start value that looks like degrees is noted") {
   const Limits limits;
   const std::string arm = model_text(
       "arm", "[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n[energy]\nT = \"dot(q)^2\"\n");
@@ -103,14 +104,14 @@ TEST_CASE("a start names coordinates, rates, rotations and angular velocities") 
   CHECK(checked.scene.stated.others.empty());
 }
 
-TEST_CASE("what a start does not name stays as the model says") {
+TEST_CASE("the model gives the start values that the option omits") {
   const Model model = checked_model(flying_hull, options("q[1]=7")).model;
   CHECK(model.coordinates[0].start_value == 1);
   CHECK(model.velocities[0].start_rate == 2);
   CHECK(model.coordinates[3].start_value == 1);
 }
 
-TEST_CASE("mistakes in a start are answered where they stand") {
+TEST_CASE("errors in a start are reported at their position") {
   CHECK(answer(options("x=1,y=2")) == "E612 5 unknown coordinate `y`");
   CHECK(answer(options("x")) == "E606 1 `x` has no value");
   CHECK(answer(options("x=1, dot(x)=1, x =2")) == "E606 16 `x` is given twice");
@@ -120,7 +121,7 @@ TEST_CASE("mistakes in a start are answered where they stand") {
   CHECK(answer(options("attitude=[0,0,0,0]")) == "E606 10 a quaternion of length 0 is no rotation");
 }
 
-TEST_CASE("a law is made of the state, of time and of parameters, and its units are not judged") {
+TEST_CASE("a law may use state, time and parameters, and its unit is not checked") {
   const CheckedModel checked =
       checked_model(flying_hull, options("", "u=-m*x - 2*dot(x) + max(t, 0)"));
   const ExpressionId* const law = find_law(checked.scene, checked.model.inputs[0]);
@@ -131,7 +132,7 @@ TEST_CASE("a law is made of the state, of time and of parameters, and its units 
             .scene.laws.contains("u"));
 }
 
-TEST_CASE("mistakes in a law are answered where they stand") {
+TEST_CASE("errors in a law are reported at their position") {
   CHECK(answer(options("", "w=1")) == "E201 1 unknown input `w`");
   CHECK(answer(options("", "u=-3*xx")) ==
         "E201 6 unknown name `xx` | did you mean `x`? (coordinate, line 5)");
@@ -141,7 +142,7 @@ TEST_CASE("mistakes in a law are answered where they stand") {
   CHECK(answer(options("", "u=dot(v2(hull))")).starts_with("E"));
 }
 
-TEST_CASE("values are those of parameters that stay parameters") {
+TEST_CASE("values may be set for parameters that are not fixed") {
   const Model model = checked_model(flying_hull, options("", "", "m=3,l=1/2,l[2]=5")).model;
   CHECK(model.parameters[0].value == 3);
   CHECK(model.parameters[1].value == cln::cl_RA(1) / 2);
@@ -154,7 +155,7 @@ TEST_CASE("values are those of parameters that stay parameters") {
   CHECK(answer(fixed) == "E606 1 `m` is fixed, so it is no parameter");
 }
 
-TEST_CASE("what a scene locks has no start") {
+TEST_CASE("a locked coordinate has no start value") {
   const Limits limits;
   const Result<FileSyntax> scene = parse_scene(
       make_source("s.scene.toml",

@@ -1,4 +1,4 @@
-// Places and the motion of frames in expressions: their definitions, units, and what is refused.
+// Positions and motion of frames in expressions: definitions, units and refusals.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -8,7 +8,7 @@ namespace elgen::test {
 
 namespace {
 
-/// An arm that turns about z and carries a slide that turns about x; `more` starts on line 34.
+/// An arm that rotates about z and carries a slide that rotates about x; `more` starts on line 34.
 std::string slide(const std::string& more) {
   return with_frames(R"toml([[frame]]
 name = "arm"
@@ -37,7 +37,7 @@ std::string force(const std::string& value) {
 
 std::string messages_of(const std::string& value) { return messages(force(value)); }
 
-/// The number of an expression at q, s and their rates.
+/// The value of an expression at q, s and their rates.
 double number_of(const std::string& value) {
   const std::string unchecked = "[parameters.c]\nvalue = 1\n";
   const Model model =
@@ -48,7 +48,7 @@ double number_of(const std::string& value) {
 
 }  // namespace
 
-TEST_CASE("x, y and z are of points, of origins of frames, and of bodies in frames", "[frames]") {
+TEST_CASE("x, y and z take points, origins of frames, and bodies in frames", "[frames]") {
   CHECK(dumped(force("J*x(arm)*x(slide)*y(load)/s^3*wz(arm)^2"), "force") ==
         "force  on q = [J*x(arm)*x(slide)*y(load)/s^3*wz(arm)^2]\n");
   CHECK(number_of("c*x(slide)/l*1") == Approx(s * std::cos(q) / l));
@@ -58,7 +58,8 @@ TEST_CASE("x, y and z are of points, of origins of frames, and of bodies in fram
         Approx(com[0] * com[0] + com[1] * com[1] + com[2] * com[2]));
 }
 
-TEST_CASE("angular velocities are along the axes of the world, or of a frame", "[frames]") {
+TEST_CASE("components of angular velocities are in the axes of the world or of a frame",
+          "[frames]") {
   const Triple own = about_x(-2 * q) * Triple{0, 0, q_rate} + Triple{2 * q_rate, 0, 0};
   const Triple in_world = about_z(q) * (about_x(2 * q) * own);
   CHECK(number_of("c*wx(slide)") == Approx(in_world[0]));
@@ -72,7 +73,7 @@ TEST_CASE("angular velocities are along the axes of the world, or of a frame", "
         "force  on q = [J*wx(slide)*wy(slide, slide)]\n");
 }
 
-TEST_CASE("velocities of places are along the axes of a frame", "[frames]") {
+TEST_CASE("components of velocities are in the axes of a frame", "[frames]") {
   const Triple along = about_z(-q) * (Triple{s_rate * std::cos(q) - s * std::sin(q) * q_rate,
                                              s_rate * std::sin(q) + s * std::cos(q) * q_rate, 0});
   CHECK(number_of("c*vx(slide, arm)") == Approx(along[0]));
@@ -81,7 +82,8 @@ TEST_CASE("velocities of places are along the axes of a frame", "[frames]") {
   CHECK(number_of("c*vx(slide, world)") == number_of("c*dot(x(slide))"));
 }
 
-TEST_CASE("axis is the matrix from the axes of a frame to those of the world", "[frames]") {
+TEST_CASE("axis is the rotation matrix from the axes of a frame to the axes of the world",
+          "[frames]") {
   const Rotation3 turn = about_z(q) * about_x(2 * q);
   CHECK(number_of("c*axis(slide, 2, 3)") == Approx(turn[5]));
   CHECK(number_of("sum(i, 1, 3, c*axis(load, i, 1)^2)") == Approx(1));
@@ -90,7 +92,7 @@ TEST_CASE("axis is the matrix from the axes of a frame to those of the world", "
                "point") == "point P at [l*axis(arm, 1, 1), 0, 0]\n");
 }
 
-TEST_CASE("motion of frames has units, and names of the model may be its calls", "[frames]") {
+TEST_CASE("motion of frames has units, and a model may declare a name such as wx", "[frames]") {
   CHECK(messages_of("m*vx(slide, arm)*x(slide)*wz(arm)") == "");
   CHECK(messages_of("m*wx(slide)") ==
         "E403 36:10 `m*wx(slide)` is in kg/s, but a force is in N*m\n");
@@ -98,7 +100,7 @@ TEST_CASE("motion of frames has units, and names of the model may be its calls",
                        "value = \"wx*wx(slide)\"\n")) == "");
 }
 
-TEST_CASE("motion of frames that is refused", "[frames]") {
+TEST_CASE("refused motion of frames", "[frames]") {
   const Rows rows{
       {"J*wx(slid)", "E201 36:15 unknown frame `slid` | did you mean `slide`? (frame, line 21)\n"},
       {"J*wx(wheel)",
@@ -123,7 +125,7 @@ TEST_CASE("motion of frames that is refused", "[frames]") {
         "E319 36:10 `wx(slide)` is a rate, and a position takes none\n");
 }
 
-TEST_CASE("planar frames turn about z alone", "[frames]") {
+TEST_CASE("planar frames rotate only about z", "[frames]") {
   const std::string plane =
       "[[frame]]\nname = \"f\"\nparent = \"world\"\ntranslate = [\"s\", \"0\"]\n"
       "rotate = [[\"z\", \"q\"]]\n[[force]]\non = \"q\"\nvalue = \"J*";
@@ -134,7 +136,9 @@ TEST_CASE("planar frames turn about z alone", "[frames]") {
         "E516 23:12 `f` is planar, so it has no z\n");
 }
 
-TEST_CASE("a material point that is held by its rates is told apart from a contact", "[frames]") {
+TEST_CASE(
+    "an equation for the velocity of a material point is refused with a hint on rolling contact",
+    "[frames]") {
   const auto roll = [](const std::string& equations, const std::string& frame) {
     return slide("[[point]]\nname = \"C\"\n" + frame +
                  "at = [\"0\", \"0\", \"l\"]\n[[constraint]]\nname = \"roll\"\n"

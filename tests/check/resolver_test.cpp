@@ -1,4 +1,4 @@
-// Expressions resolved: names, calls and indices, and what is said of those that are not known.
+// Resolved expressions: names, calls and indices, and messages about unknown names.
 #include "check/expressions/resolver.hpp"
 
 #include <catch2/catch.hpp>
@@ -72,7 +72,7 @@ std::string points_error(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("numbers fold, everything else stays as written") {
+TEST_CASE("operations on numbers are folded, and other expressions stay as written") {
   const Rows rows{
       {"1/2*k*x^2", "1/2*k*x^2"},
       {"k*x^2 - (1/3 + 1/6)*k*x^2", "k*x^2 - 1/2*k*x^2"},
@@ -93,12 +93,12 @@ TEST_CASE("exponents are rational constants") {
   CHECK(potential_messages("k^x") ==
         "E311 12:8 `x` is not a rational constant | write exp(y*log(x)) for x^y\n");
   CHECK(potential_messages("k^pi").substr(0, 9) == "E311 12:8");
-  // Only the outermost exponent that varies is named.
+  // Only the outermost non-constant exponent is named.
   CHECK(potential_messages("k^x^m").substr(0, 17) == "E311 12:8 `x^m` i");
   CHECK(potential_messages("k^xx").substr(0, 9) == "E201 12:8");
 }
 
-TEST_CASE("powers have a limit, at which they are still allowed") {
+TEST_CASE("exponents have a limit, which is still allowed") {
   CHECK(messages(block("V = \"k*x^2*(x/x)^64\"\n")).empty());
   CHECK(potential_messages("k*x^65") == "E905 12:10 `65` is beyond the limit 64\n");
   CHECK(potential_messages("k*x^-65").substr(0, 4) == "E905");
@@ -109,7 +109,7 @@ TEST_CASE("powers have a limit, at which they are still allowed") {
   CHECK(messages(block("V = \"k*x^2*(x/x)^65\"\n"), {.limits = limits}).empty());
 }
 
-TEST_CASE("the nodes of all expressions together have a limit, reported once") {
+TEST_CASE("the number of nodes of all expressions has a limit, which is reported once") {
   Limits limits;
   limits.derived_nodes = 50;
   const std::string model = block("V = \"sum(i, 1, 100, k*x^2)\"\nD = \"sum(i, 1, 100, m)\"\n");
@@ -117,12 +117,12 @@ TEST_CASE("the nodes of all expressions together have a limit, reported once") {
         "E908 12:25 the expressions have more than 50 nodes after repetition\n");
 }
 
-TEST_CASE("sums that would never end are stopped") {
+TEST_CASE("sums with too many terms are stopped") {
   CHECK(potential_messages("sum(i, 1, 1000000000, sum(j, 1, 1000000000, k*x^2))").substr(0, 4) ==
         "E908");
 }
 
-TEST_CASE("a duplicate error of two terms is told twice, with two places") {
+TEST_CASE("the same error in two terms is reported at both positions") {
   CHECK(potential_messages("foo + bar") ==
         "E201 12:6 unknown name `foo`\nE201 12:12 unknown name `bar`\n");
 }
@@ -140,14 +140,14 @@ TEST_CASE("sizes and running indices are numbers inside expressions") {
         "energy V = 3*k*(1*x[1]^2 + 2*x[2]^2)\n");
 }
 
-TEST_CASE("pi and time are known") {
+TEST_CASE("pi and time are predefined") {
   CHECK(dumped(pushed_masses + "V = \"k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\"\n", "energy V") ==
         "energy V = k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\n");
   CHECK(dumped(pushed_masses + "V = \"k*x[1]^2*cos(t*sqrt(k/m[1]))\"\n", "time") == "time yes\n");
   CHECK(dumped(pushed_masses, "time") == "time no\n");
 }
 
-TEST_CASE("names that mean nothing here are told apart") {
+TEST_CASE("each kind of unknown or misused name has its own message") {
   const Rows rows{
       {"kk", "E201 22:6 unknown name `kk` | did you mean `k`? (parameter, line 12)"},
       {"sin", "E316 22:6 `sin` has no argument | write `sin(…)`"},
@@ -172,7 +172,7 @@ TEST_CASE("a very long name is cut in the message") {
   CHECK(message == "E201 22:6 unknown name `" + std::string(60, 'x') + "…`\n");
 }
 
-TEST_CASE("the uses of a name that failed to be declared are not reported too") {
+TEST_CASE("uses of a name whose declaration failed are not reported") {
   const std::string model = R"(format = 1
 [model]
 name = "a"
@@ -188,7 +188,7 @@ T = "double*dot(q)^2"
 }
 
 TEST_CASE("functions of points become functions of their components") {
-  // A coordinate and a component may share a letter: a call is never a name.
+  // A coordinate and a function may share the name x: a name before "(" is the function.
   CHECK(points_potential("c*x*x(P)") == "energy V = c*x*x(P)\n");
   CHECK(points_potential("c*y(Q[1])^2") == "energy V = c*y(Q[1])^2\n");
   CHECK(points_potential("c*dist2(P, Q[1])") ==
@@ -207,7 +207,8 @@ TEST_CASE("dot of a coordinate is its rate, of anything else a total derivative"
   CHECK(points_potential("c*x^2*(1 + dot(3))") == "energy V = c*x^2*1\n");
 }
 
-TEST_CASE("what others make up is its definition, at the place of the call") {
+TEST_CASE(
+    "a function defined by other functions is replaced by its definition, at the call's position") {
   CHECK(points_potential("c*sqrt(4)*x^2") == points_potential("c*2*x^2"));
   CHECK(points_error("c*sqrt(-4)*x^2").find("`sqrt(-4)`") != std::string::npos);
   CHECK(points_error("c*sqrt(x, y)").find("`sqrt` takes 1") != std::string::npos);
@@ -225,17 +226,17 @@ TEST_CASE("sqrt is the power 1/2, delta a number, sum a sum") {
         "energy V = 2*c*x^2\n");
 }
 
-TEST_CASE("terms of a sum that differ in a number only are one term") {
+TEST_CASE("terms of a sum that differ only in a numeric factor are combined") {
   CHECK(points_potential("sum(i, 1, 3, i*c*x^2 - c*x*y/(2*i))") ==
         "energy V = 6*c*x^2 + (-11/12*c*x*y)\n");
   CHECK(points_potential("sum(i, 1, 10000, i*c*x^2)") == "energy V = 50005000*c*x^2\n");
   CHECK(points_potential("sum(i, 1, 3, (i - 2)*c*x^2)") == "energy V = c*x^2 - c*x^2\n");
-  // Unlike ones stay as they are typed.
+  // Other terms stay as typed.
   CHECK(points_potential("sum(i, 1, 2, c*x^2*sin(i*x/y))") ==
         "energy V = c*x^2*sin(1*x/y) + c*x^2*sin(2*x/y)\n");
 }
 
-TEST_CASE("errors in like terms of a sum are those of the terms, also where these cancel") {
+TEST_CASE("errors in combined terms of a sum are reported, even if the terms cancel") {
   check_rows({{"sum(i, 1, 3, i*c*x)", "E403 21:6 `sum(i, 1, 3, i*c*x)` is in N, but V is in J\n"},
               {"c*x^2 + sum(i, -1, 1, i*c*x)",
                "E401 21:14 `sum(i, -1, 1, i*c*x)` is in N, but the sum is in J\n"},
@@ -243,20 +244,21 @@ TEST_CASE("errors in like terms of a sum are those of the terms, also where thes
                "E315 21:22 `abs(x)` is a function with a kink, and V takes none | a smooth "
                "stand-in is tanh(x/width)\n"}},
              points_error);
-  // Numbers of more digits than constants may have are not added, nor are quotients by 0.
+  // Numbers with more digits than the limit of constants are not added, and neither are quotients
+  // with divisor 0.
   const Model model =
       checked(two_points + "V = \"sum(i, 1, 2, c*x^2*1e300^10 + c*x^2/1e300^10)\"\n").model;
   CHECK(model.expressions[*model.energies.V].operands.size() == 2);
   CHECK(points_potential("sum(i, 0, 1, c*x^3/(i*y))") == "energy V = c*x^3/(0*y) + c*x^3/(1*y)\n");
 }
 
-TEST_CASE("a sum over no index is 0") {
+TEST_CASE("a sum over an empty range is 0") {
   CHECK(points_potential("c*x^2 + sum(i, 3, 2, c*x^2)") == "energy V = c*x^2 + 0\n");
   CHECK(points_potential("sum(i, 3, 1, c*x^2)") == "energy V = 0\n");
   CHECK(points_potential("sum(i, 1, 2, sum(j, i, 1, c*x^2))") == "energy V = c*x^2 + 0\n");
 }
 
-TEST_CASE("calls that mean nothing") {
+TEST_CASE("refused calls") {
   const Rows rows{
       {"sine(x)", "E202 21:6 unknown function `sine` | did you mean `sin`?"},
       {"sin(x, y)", "E309 21:6 2 arguments, but `sin` takes 1"},

@@ -1,4 +1,4 @@
-// Coordinates of kind rotation: names, keys, and what may be written of them.
+// Coordinates of kind rotation: names, keys and allowed uses.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-/// Lines 4 to 6 declare the rotation, `keys` follow on line 7; `more` ends the file.
+/// Lines 4 to 6 declare the rotation; `keys` follow on line 7, and `more` ends the file.
 std::string flying_top(const std::string& keys = {}, const std::string& more = {}) {
   return "format = 1\n[model]\nname = \"flying\"\n[[coordinate]]\nname = \"e\"\n"
          "kind = \"rotation\"\n" +
@@ -37,7 +37,7 @@ TEST_CASE("a rotation has four coordinates and three velocities") {
   CHECK(model.velocities[2].rate_range->high == 5);
 }
 
-TEST_CASE("its angular velocities stand where rates stand, and take torques") {
+TEST_CASE("angular velocities are used like rates and take torques") {
   const std::string forces =
       "[[input]]\nname = \"u\"\nunit = \"N*m\"\non = \"e[2]\"\n"
       "[[force]]\non = \"e[3]\"\nvalue = \"-J*dot(e[3])\"\n";
@@ -47,7 +47,7 @@ TEST_CASE("its angular velocities stand where rates stand, and take torques") {
   CHECK(dumped(flying_top("", forces), "force") == "force  on e[3] = [-J*dot(e[3])]\n");
 }
 
-TEST_CASE("a rotation is no number") {
+TEST_CASE("a rotation cannot be used as a number") {
   const auto energy = [](const std::string& text) {
     return messages(flying_top("", "[energy]\nV = \"" + text + "\"\n"));
   };
@@ -60,7 +60,7 @@ TEST_CASE("a rotation is no number") {
   CHECK(energy("J*dot(e)") == "E208 18:12 `e` needs an index: `e` has the elements 1 to 3\n");
 }
 
-TEST_CASE("keys that only numbers have") {
+TEST_CASE("refused keys of a rotation") {
   CHECK(messages(flying_top("range = [0, 1]\n")) == "E112 7:1 a rotation has no `range`\n");
   CHECK(messages(flying_top("wrap = true\n")) == "E112 7:1 a rotation has no `wrap`\n");
   CHECK(messages(flying_top("armature = 1\n")) == "E112 7:1 a rotation has no `armature`\n");
@@ -71,7 +71,7 @@ TEST_CASE("keys that only numbers have") {
         "E112 7:1 a rotation is not repeated: its index counts its angular velocities\n");
 }
 
-TEST_CASE("the start is a quaternion, scaled to length 1, and three rates") {
+TEST_CASE("the start is a quaternion, normalised, and three rates") {
   const auto start = [](const std::string& value) {
     const Model model = checked(flying_top("start = { value = " + value + " }\n")).model;
     std::vector<cln::cl_R> result;
@@ -86,7 +86,7 @@ TEST_CASE("the start is a quaternion, scaled to length 1, and three rates") {
     cln::cl_R square = 0;
     for (const cln::cl_R& q : start(value)) square = square + q * q;
     INFO(value);
-    CHECK(cln::abs(square - 1) < power_of_ten(-90));  // of the 100 digits of constants
+    CHECK(cln::abs(square - 1) < power_of_ten(-90));  // constants have 100 digits
   }
   CHECK(messages(flying_top("start = { value = [0, 0, 0, 0] }\n")) ==
         "E112 7:19 a quaternion of length 0 has no direction\n");
@@ -96,12 +96,12 @@ TEST_CASE("the start is a quaternion, scaled to length 1, and three rates") {
         "E104 7:18 2 components, but a rotation has 3 here\n");
 }
 
-TEST_CASE("names of the components are taken") {
+TEST_CASE("names of the components are reserved") {
   CHECK(messages(flying_top("", "[define]\ne_x = 1\n")) ==
         "E203 18:1 `e_x` is already a component of a rotation | first at line 5\n");
 }
 
-TEST_CASE("a rotation turns exactly one frame") {
+TEST_CASE("a rotation is used by exactly one frame") {
   const std::string second = "[[frame]]\nname = \"other\"\nparent = \"world\"\nrotation = \"e\"\n";
   CHECK(messages(flying_top("", second)) ==
         "E112 18:9 `e` is already the rotation of the frame `body`\n");
@@ -109,7 +109,7 @@ TEST_CASE("a rotation turns exactly one frame") {
   CHECK(messages(flying_top("", alone)) == "E513 18:9 `f` is the `rotation` of no [[frame]]\n");
 }
 
-TEST_CASE("symplectic steps of a rotation are refused before any value is asked for") {
+TEST_CASE("a symplectic step of a rotation is refused before the derivation") {
   const auto said = [](const std::string& method, const std::string& more = {}) {
     const std::string sliding = "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"J*dot(x)^2\"\n";
     return messages(

@@ -1,5 +1,5 @@
-// Changes that a scene makes to a model: locks, how they are read and what is left without the
-// locked coordinates; the point of an expansion.
+// Changes of a model by a scene: locks, the model without the locked coordinates, and the point of
+// an expansion.
 #include <catch2/catch.hpp>
 
 #include "check/scene/scene.hpp"
@@ -47,7 +47,7 @@ const CheckedModel& held() {
   return model;
 }
 
-/// x and y in m, one rotation, one time constant.
+/// A model with x and y in m, a rotation, and a time constant.
 const std::string body = R"toml(format = 1
 [model]
 name = "body"
@@ -113,7 +113,7 @@ Wanted near(const std::string& lines) {
 
 std::string said(const std::string& lines) {
   std::string text = messages(two_angles, near(lines));
-  if (!text.empty()) text.pop_back();  // the last end of line
+  if (!text.empty()) text.pop_back();  // the final line end
   return text;
 }
 
@@ -123,7 +123,7 @@ std::string approximation(const std::string& lines) {
 
 }  // namespace
 
-TEST_CASE("an output that the scene asks for keeps the inputs that it names", "[lock]") {
+TEST_CASE("an output of the scene keeps the inputs that it uses", "[lock]") {
   const std::string sensor =
       arm + "[[output]]\nname = \"o\"\njacobian = true\nvalue = \"dot(b) + u\"\n";
   const auto inputs = [](const std::string& model, const std::string& outputs,
@@ -148,7 +148,7 @@ TEST_CASE("an output that the scene asks for keeps the inputs that it names", "[
   CHECK(inputs(sensor, matrix, {"o"}) == "uw");
 }
 
-TEST_CASE("what is locked leaves coordinates and velocities", "[lock]") {
+TEST_CASE("a locked coordinate is removed from coordinates and velocities", "[lock]") {
   const Model& model = held().model;
   REQUIRE(model.coordinates.size() == 2);
   CHECK(model.coordinates[0].name == "b");
@@ -160,15 +160,15 @@ TEST_CASE("what is locked leaves coordinates and velocities", "[lock]") {
   CHECK(held_velocities(model) == std::vector<std::uint32_t>{0});
 }
 
-TEST_CASE("inputs and forces on it act only on what holds it", "[lock]") {
+TEST_CASE("inputs and forces on a locked coordinate are removed with it", "[lock]") {
   const Model& model = held().model;
-  REQUIRE(model.inputs.size() == 1);  // that of the lock is none
+  REQUIRE(model.inputs.size() == 1);  // without the input of the lock
   CHECK(model.inputs[0].on == 1U);
   REQUIRE(model.forces.size() == 1);
   CHECK(model.forces[0].on == 0U);
 }
 
-TEST_CASE("a law stays with its input as others leave", "[lock]") {
+TEST_CASE("a law stays with its input if other inputs are removed", "[lock]") {
   const SourcePointer source = make_source(
       "a.scene.toml", "format = 1\nmodel = \"m.toml\"\nname = \"a\"\n[lock]\na = { value = 0 }\n");
   const auto scene = parse_scene(source, {});
@@ -182,7 +182,7 @@ TEST_CASE("a law stays with its input as others leave", "[lock]") {
   CHECK(to_string(checked.model, *law) == "-2*c");
 }
 
-TEST_CASE("a page adds outputs, which the scene lists") {
+TEST_CASE("a page adds outputs, and the scene lists them") {
   SceneOptions options;
   options.laws = {make_source("command line", "w=-2*c")};
   CHECK(checked_model(arm, options).scene.shown.empty());
@@ -194,13 +194,13 @@ TEST_CASE("a page adds outputs, which the scene lists") {
   CHECK(model.outputs[number].name == "shown_laws");
 }
 
-TEST_CASE("without locks the model is returned as it is", "[lock]") {
+TEST_CASE("without locks the model is unchanged", "[lock]") {
   const Model model = checked_model(arm).model;
   CHECK(dump(variant_of(model)) == dump(model));
   CHECK(held_velocities(model).empty());
 }
 
-TEST_CASE("locks come in the order of the coordinates", "[lock]") {
+TEST_CASE("locks are in the order of the coordinates", "[lock]") {
   const std::vector<Lock> found = locks(
       "attitude = { value = [0, 0, 0, 2], reaction = true }\n\"q[2]\" = { value = 1 }\n"
       "x = { value = \"l*t/T\" }\n");
@@ -214,7 +214,7 @@ TEST_CASE("locks come in the order of the coordinates", "[lock]") {
   CHECK(found[2].reaction);
 }
 
-TEST_CASE("a quaternion is scaled to length 1", "[lock]") {
+TEST_CASE("a quaternion is normalised", "[lock]") {
   const CheckedModel held = checked(body, locking("attitude = { value = [0, 3, 0, -4] }\n"));
   const Model& model = whole_of(held.model);
   const Lock& lock = model.variant.locks.front();
@@ -222,7 +222,7 @@ TEST_CASE("a quaternion is scaled to length 1", "[lock]") {
   CHECK(model.expressions[lock.values[3]].number == -cln::cl_RA(4) / 5);
 }
 
-TEST_CASE("plain numbers are in the unit of the coordinate", "[lock]") {
+TEST_CASE("values without a unit are in the unit of the coordinate", "[lock]") {
   CHECK(lock_messages("x = { value = 0.3 }\n").empty());
   CHECK(lock_messages("x = { value = \"0.1*sin(2*pi*t)\" }\n").empty());
   CHECK(lock_messages("x = { value = \"l + m\" }\n") ==
@@ -231,7 +231,7 @@ TEST_CASE("plain numbers are in the unit of the coordinate", "[lock]") {
         "E403 5:16 `m` is in kg, but the value of a lock is in m\n");
 }
 
-TEST_CASE("what cannot be locked is told", "[lock]") {
+TEST_CASE("refused locks", "[lock]") {
   CHECK(lock_messages("z = { value = 0 }\n").rfind("E612 5:1 unknown coordinate `z`", 0) == 0);
   CHECK(lock_messages("attitud = { value = 0 }\n") ==
         "E612 5:1 unknown coordinate `attitud` | did you mean `attitude`? (rotation, line 12)\n");
@@ -252,11 +252,11 @@ TEST_CASE("what cannot be locked is told", "[lock]") {
         "E615 4:1 every coordinate is locked, so nothing moves\n");
 }
 
-TEST_CASE("a scene without locks leaves the model alone", "[lock]") {
+TEST_CASE("a scene without locks keeps no second model", "[lock]") {
   CHECK(checked(body).model.variant.whole == nullptr);
 }
 
-TEST_CASE("a whole array, an element, a coordinate and an input may be given") {
+TEST_CASE("an expansion point names arrays, elements, coordinates and inputs") {
   CHECK(approximation("order = 2\nabout = { q = 0, x = \"h/2\", F = 3 }") ==
         "approximate order 2 about q[1] = 0, q[2] = 0, x = h/2, F = 3 with q[1], q[2], x small\n");
   CHECK(approximation("order = 1\nabout = { \"q[2]\" = \"pi\" }") ==
@@ -265,7 +265,7 @@ TEST_CASE("a whole array, an element, a coordinate and an input may be given") {
         "approximate order 1 about q[1] = 0, q[2] = 0, x = 0 with q[1] small\n");
 }
 
-TEST_CASE("inputs are small where every coordinate is") {
+TEST_CASE("inputs are small if all coordinates are") {
   CHECK(checked(two_angles, near("order = 1\nabout = { q = 0, x = 0 }"))
             .model.approximation->small_inputs);
   CHECK_FALSE(
@@ -277,7 +277,7 @@ TEST_CASE("orders are 1 to 5") {
   CHECK(said("order = 6\nabout = { x = 0 }") == "E614 5:9 order `6` is not one of 1 to 5");
 }
 
-TEST_CASE("what is small is a coordinate with a value") {
+TEST_CASE("only coordinates with a value in `about` are small") {
   CHECK(said("order = 1\nabout = { y = 0 }") == "E614 6:11 `y` is no coordinate or input");
   CHECK(said("order = 1\nabout = { x = 0 }\nsmall = [\"q[1]\"]") ==
         "E614 7:11 `q[1]` is small, but about what? | give its value in `about`");
@@ -285,7 +285,7 @@ TEST_CASE("what is small is a coordinate with a value") {
         "E614 6:1 no coordinate is small | `about` gives the coordinates that are");
 }
 
-TEST_CASE("values are made of parameters, with the unit of what they are values of") {
+TEST_CASE("values use parameters only, and have the unit of their coordinate or input") {
   CHECK(said("order = 1\nabout = { x = \"t\" }").substr(0, 9) == "E319 6:16");
   CHECK(said("order = 1\nabout = { x = \"m\" }").substr(0, 9) == "E403 6:16");
 }

@@ -35,7 +35,7 @@ std::string fixed(const Scene& scene) {
   return text;
 }
 
-TEST_CASE("a model alone is the scene full") {
+TEST_CASE("a model without a scene file gets a default scene, named like the model") {
   const Scene full = checked(arrays).scene;
   CHECK(full.name.empty());
   CHECK(full.base_name == "block");
@@ -44,14 +44,14 @@ TEST_CASE("a model alone is the scene full") {
   CHECK_FALSE(full.has_options);
 }
 
-TEST_CASE("a scene is named after model and scene") {
+TEST_CASE("the base name of a scene consists of model and scene") {
   const Scene scene = arrays_scene("doc = \"quick\"\n[emit]\nnamespace = \"quick\"\n");
   CHECK(scene.base_name == "block_fast");
   CHECK(scene.emission.name_space == "quick");
   CHECK(scene.doc == "quick");
 }
 
-TEST_CASE("outputs come in the order of the table, once each") {
+TEST_CASE("outputs are in the order of the table, without duplicates") {
   CHECK(
       output_names(arrays_scene("[outputs]\nbias = true\nmass_matrix = true\ngravity = false\n")) ==
       "mass_matrix bias");
@@ -61,11 +61,11 @@ TEST_CASE("outputs come in the order of the table, once each") {
   CHECK(scene.base_name == "block");
 }
 
-TEST_CASE("options replace what the scene says of outputs") {
+TEST_CASE("options replace the outputs of the scene") {
   CHECK(output_names(arrays_scene("[outputs]\nbias = true\n", {.outputs = {"drift"}})) == "drift");
 }
 
-TEST_CASE("outputs may be renamed, but not to a name in use") {
+TEST_CASE("outputs may be renamed, but not to a used name") {
   const Scene scene = arrays_scene("[outputs]\nbias = { rename = \"h\" }\n");
   CHECK(output_names(scene) == "h");
   CHECK(arrays_messages("[outputs]\nmass_matrix = { rename = \"bias\" }\nbias = true\n") ==
@@ -74,7 +74,7 @@ TEST_CASE("outputs may be renamed, but not to a name in use") {
         "E204 5:20 `double` is reserved: it is a keyword of C++ | `double_1` is free\n");
 }
 
-TEST_CASE("forward dynamics gives pivots unless the model or the scene says otherwise") {
+TEST_CASE("forward dynamics gives pivots unless the model or the scene disables them") {
   const auto without = [](const std::string& model, const Wanted& wanted) {
     const Scene scene = checked(model, wanted).scene;
     return find_request(scene, "forward_dynamics")->without_pivots;
@@ -97,7 +97,7 @@ TEST_CASE("forward dynamics gives pivots unless the model or the scene says othe
         "E103 5:10 `bias` has no `pivots`: `forward_dynamics` has them\n");
 }
 
-TEST_CASE("an output refuses the options of others, and names an output that takes them") {
+TEST_CASE("an output refuses options of other outputs, and the message names such an output") {
   const auto refused = [](const std::string& output, const std::string& value) {
     return arrays_messages("[outputs]\n" + output + " = { " + value + " }\n");
   };
@@ -116,7 +116,7 @@ TEST_CASE("parameters are fixed by name, by element, or all") {
   CHECK(fixed(scene) == "0=1 1=7.85398163397448309615660845820e-1 3=7 ");
 }
 
-TEST_CASE("what cannot be fixed") {
+TEST_CASE("refused values of fixed parameters") {
   CHECK(arrays_messages("[parameters]\nfixed = { kk = 1 }\n") ==
         "E602 5:11 unknown parameter `kk` | did you mean `k`? (parameter, line 9)\n");
   CHECK(arrays_messages("[parameters]\nfixed = { all = 3 }\n") ==
@@ -135,7 +135,7 @@ TEST_CASE("what cannot be fixed") {
              [&](const std::string& option) { return messages(arrays, {.fixed = {option}}); });
 }
 
-TEST_CASE("balance is preferred unless a scene says otherwise") {
+TEST_CASE("the default preference is balanced") {
   const auto preference = [](const std::string& text) {
     return arrays_scene(text).numerics.prefer;
   };
@@ -144,13 +144,13 @@ TEST_CASE("balance is preferred unless a scene says otherwise") {
   CHECK(preference("[numeric]\nprefer = \"speed\"\n") == Preference::speed);
 }
 
-TEST_CASE("scalars come in one order") {
+TEST_CASE("scalars are in a fixed order") {
   const Scene scene = arrays_scene("[numeric]\nscalar = [\"double\", \"float\"]\n");
   CHECK(scene.numerics.scalars ==
         std::vector{ScalarKind::single_precision, ScalarKind::double_precision});
 }
 
-TEST_CASE("a form is asked for of one output, or of all") {
+TEST_CASE("a form is set for one output or for all") {
   const Scene scene = arrays_scene(
       "[outputs]\nmass_matrix = { form = \"recursive\" }\nbias = true\n"
       "[numeric]\nform = \"closed\"\n");
@@ -160,13 +160,13 @@ TEST_CASE("a form is asked for of one output, or of all") {
   CHECK_FALSE(arrays_scene("[outputs]\nbias = true\n").outputs[0].form);
 }
 
-TEST_CASE("dynamics needs something to hold") {
+TEST_CASE("dynamics needs other outputs without a and u") {
   CHECK(arrays_messages("[outputs]\ninverse_dynamics = true\ndynamics = true\n") ==
         "E603 6:1 `dynamics` holds the chosen outputs that take neither a nor u, and none is "
         "chosen\n");
 }
 
-TEST_CASE("what stamps are made of is the file of the scene and the options, without blanks") {
+TEST_CASE("the stamp of a scene covers its file and the options, without blanks") {
   const std::string sized = arrays + "[sizes]\nn = 2\n";
   Wanted wanted;
   wanted.outputs = {"bias, drift"};
@@ -180,7 +180,7 @@ TEST_CASE("what stamps are made of is the file of the scene and the options, wit
         "--outputs bias\n--outputs drift\n--fix k=pi/4\n--size n=4\n");
 }
 
-TEST_CASE("what stamps are made of is the file of the model, whatever a scene makes of it") {
+TEST_CASE("the stamp of a model covers its file, independent of the scene") {
   Wanted wanted;
   wanted.fixed = {"k"};
   wanted.scene = scene_of_block("[lock]\nx = { value = 0 }\n");
@@ -189,7 +189,7 @@ TEST_CASE("what stamps are made of is the file of the model, whatever a scene ma
   CHECK(checked(two).model.canonical != checked(arrays).model.canonical);
 }
 
-TEST_CASE("errors of model and scene are told together, each at its place") {
+TEST_CASE("errors of model and scene are reported together, each at its position") {
   const std::string text =
       messages(block("V = \"kk*x^2\"\n"), {.scene = scene_of_block("[outputs]\nbiass = true\n")});
   CHECK(text.find("E201 12:6 unknown name `kk`") != std::string::npos);

@@ -1,4 +1,4 @@
-// Sizes: of the model, of its scene, and of options.
+// Sizes in the model, in the scene and in options.
 #include <catch2/catch.hpp>
 
 #include "check/expressions/parameters.hpp"
@@ -28,7 +28,7 @@ std::size_t coordinates(const Wanted& wanted) {
 
 }  // namespace
 
-TEST_CASE("sizes of the option win over those of the model") {
+TEST_CASE("sizes of options override the sizes of the model") {
   const Limits limits;
   Context context(limits);
   context.sizes = {{"n", 1}, {"m", 1}};
@@ -39,7 +39,7 @@ TEST_CASE("sizes of the option win over those of the model") {
   CHECK(context.report.errors() == 0);
 }
 
-TEST_CASE("sizes are integers that sums and products of two can hold") {
+TEST_CASE("sizes are integers so small that sums and products of two do not overflow") {
   const auto answer = [](const std::string& option) {
     const Limits limits;
     Context context(limits);
@@ -69,7 +69,7 @@ TEST_CASE("a scene overrides sizes, an option overrides both") {
   CHECK(coordinates(wanted) == 5);
 }
 
-TEST_CASE("the uses of a size whose name is reserved are not reported too") {
+TEST_CASE("uses of a size with a reserved name are not reported") {
   CHECK(messages("format = 1\n[model]\nname = \"a\"\n[sizes]\nint = 2\n[[coordinate]]\n"
                  "for = \"i in 1..int\"\nname = \"q[i]\"\n[parameters]\n"
                  "m = { size = \"int\", value = 1 }\n[energy]\n"
@@ -77,7 +77,7 @@ TEST_CASE("the uses of a size whose name is reserved are not reported too") {
         "E204 5:1 `int` is reserved: it is a keyword of C++ | `int_1` is free\n");
 }
 
-TEST_CASE("unknown sizes are reported where they are written") {
+TEST_CASE("unknown sizes are reported at their position") {
   Wanted wanted;
   wanted.scene = scene_head + "[sizes]\nm = 3\n";
   CHECK(messages(free_masses, wanted) == "E605 5:1 unknown size `m`\n");
@@ -86,7 +86,7 @@ TEST_CASE("unknown sizes are reported where they are written") {
   CHECK(messages(free_masses, wanted) == "E605 1:6 unknown size `size`\n");
 }
 
-TEST_CASE("malformed sizes are reported where they are written") {
+TEST_CASE("malformed sizes are reported at their position") {
   const auto said = [](const std::string& size) {
     return messages(free_masses, {.sizes = {size}});
   };
@@ -100,7 +100,7 @@ TEST_CASE("a size may be too small for a repetition") {
   CHECK(messages(free_masses, {.sizes = {"n=0"}}) == "E209 7:8 from 1 to 0 there is no element\n");
 }
 
-TEST_CASE("a size is a name of the model") {
+TEST_CASE("a size may not have the name of a parameter") {
   CHECK(messages(free_masses + "[parameters]\nn = 3\n") ==
         "E203 12:1 `n` is already a size | first at line 5\n");
 }

@@ -1,4 +1,4 @@
-// Traits: degrees and ingredients of expressions, and the places that take them.
+// Traits: degrees and ingredients of expressions, and the keys that allow them.
 #include "check/expressions/traits.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Traits of an expression over a coordinate x and y, an input u, a parameter m and time t.
+/// Traits of an expression over coordinates x and y, an input u, a parameter m and time t.
 Traits traits_of(const std::string& text) {
   const Limits limits;
   Context context(limits);
@@ -126,7 +126,7 @@ TEST_CASE("ingredients") {
   }
 }
 
-TEST_CASE("each ingredient is reported where it comes in, also through a definition") {
+TEST_CASE("a refused ingredient is reported at its position, also inside a definition") {
   const Rows rows{
       {"V = \"k*x^2 + u*x\"\n", "E319 12:14 `u` is an input, and V takes none\n"},
       {"V = \"drive\"\n", "E319 12:6 `drive` contains an input, and V takes none\n"},
@@ -144,13 +144,13 @@ TEST_CASE("each ingredient is reported where it comes in, also through a definit
   check_rows(rows, [&](const std::string& energy) { return messages(block(energy + entries)); });
 }
 
-TEST_CASE("definitions take no accelerations, closed forms take everything") {
+TEST_CASE("definitions refuse accelerations, and closed forms allow them") {
   CHECK(messages(block(entries + "[[expect]]\ninverse_dynamics = [\"m*dot(dot(x))\"]\n")).empty());
   CHECK(messages(block("[define]\na = \"m*dot(dot(x))\"\n")) ==
         "E502 13:8 `dot(dot(x))` is a second derivative, and a definition takes none\n");
 }
 
-TEST_CASE("the rate of a function with a kink is refused where the function is not") {
+TEST_CASE("a function with a kink may be allowed although its rate is not") {
   const std::string force = "[[force]]\non = \"x\"\nvalue = \"";
   const std::string refused = " is the rate of a function with a kink | " +
                               std::string("a smooth stand-in is tanh(x/width)\n");
@@ -166,7 +166,7 @@ TEST_CASE("the rate of a function with a kink is refused where the function is n
           .empty());
 }
 
-TEST_CASE("a rate may stand in an energy, a spin and a force, in nothing else") {
+TEST_CASE("energies, spins and forces may contain rates, other keys may not") {
   CHECK(messages(block("D = \"0.5*T0*speed^2/x^2*dot(x)*0\"\n" + entries)).empty());
   CHECK(messages(block("[[prescribed]]\nname = \"w\"\nvalue = \"sin(t)\"\n[[point]]\nname = \"p\"\n"
                        "at = [\"x\", \"0\"]\nmass = \"m*w\"\n"))

@@ -1,5 +1,4 @@
-// Units: as they are written, and of expressions: what is compared, what is free, what is not
-// checked, and what helps.
+// Units: parsing, inference for expressions, comparisons, unchecked and unknown units, and hints.
 #include <rapidcheck.h>
 
 #include <catch2/catch.hpp>
@@ -11,7 +10,7 @@ namespace elgen::test {
 
 namespace {
 
-/// The diagnostic of the model `block` with this V.
+/// The first diagnostic of the model `block` with this V.
 Diagnostic unit_error(const std::string& potential) {
   const Result<CheckedModel> result = run_check(block("V = \"" + potential + "\"\n"));
   REQUIRE(!result.diagnostics.empty());
@@ -78,36 +77,36 @@ TEST_CASE("units that differ") {
       {"k*x", "E403 12:6 `k*x` is in N, but V is in J\n"},
       {"k*x^2/t", "E403 12:6 `k*x^2/t` is in W, but V is in J\n"},
       {"sqrt(k*x^2)", "E403 12:6 `sqrt(k*x^2)` is in kg^(1/2)*m/s, but V is in J\n"},
-      // One mistake, one message: the sum counts as unknown above.
+      // One mistake gives one message: the unit of the inner sum then counts as unknown.
       {"2*(k*x^2 + m)", "E401 12:17 `m` is in kg, but the sum is in J\n"},
   };
   check_rows(rows, [&](const std::string& text) { return potential_messages(text); });
 }
 
-TEST_CASE("what touches something without a unit is not checked, and noted once") {
+TEST_CASE("expressions with a name without unit are not checked, with one note") {
   const std::string model = block(
       "V = \"c*x + 1/2*k*x^2 + d\"\n[parameters.c]\nvalue = 1\n"
       "[parameters.d]\nvalue = 2\n[[input]]\nname = \"u\"\n");
   CHECK(messages(model) ==
         "E520 13:13 `c`, `d`, `u`: no unit, so what touches it is not checked\n");
-  // Beside an error the note is left out.
+  // An error suppresses the note.
   CHECK(messages(block("V = \"c*x + k + m\"\n[parameters.c]\nvalue = 1\n")) ==
         "E401 12:16 `m` is in kg, but the sum is in kg/s^2\n");
 }
 
-TEST_CASE("a model without any unit is not judged, and what is unknown stays so in functions") {
+TEST_CASE("a model without units is not checked, and unknown units stay unknown in functions") {
   const std::string free =
       "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"q\"\n"
       "[[point]]\nname = \"p\"\nat = [\"cos(q)\", 1]\nmass = 1\n";
   CHECK(messages(free) == "E520 5:9 `q`: no unit, so what touches it is not checked\n");
-  // With one unit declared the literals count, but what touches q does not.
+  // If one unit is declared, literals are checked, but expressions with q are not.
   CHECK(messages(free + "[parameters]\nm = { value = 1, unit = \"kg\" }\n") ==
         "E520 5:9 `q`: no unit, so what touches it is not checked\n"
         "E405 8:17 `1` names nothing, so it is in m, the SI unit of its key; the same goes for 1 "
         "other value\n");
 }
 
-TEST_CASE("where every unit is 1 none is checked") {
+TEST_CASE("units are not checked if all are 1") {
   const std::string pure =
       "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"q\"\nunit = \"1\"\n"
       "[parameters]\nm = { value = 2, unit = \"1\" }\n[energy]\nT = \"1/2*m*dot(q)^2\"\n"
@@ -115,7 +114,7 @@ TEST_CASE("where every unit is 1 none is checked") {
   CHECK(messages(pure).empty());
 }
 
-TEST_CASE("rates, accelerations and derivatives carry their seconds") {
+TEST_CASE("rates, accelerations and derivatives include powers of seconds") {
   CHECK(messages(block("[[expect]]\nbias = [\"m*dot(dot(x))\"]\nmomentum = [\"m*dot(x)\"]\n"))
             .empty());
   CHECK(messages(block("[[expect]]\nbias = [\"m*dot(x)\"]\n")) ==
@@ -142,13 +141,13 @@ TEST_CASE("an error of units points to the declaration of the first parameter") 
   CHECK(unit_error("1/2*k*x^2 + t").related_message.empty());
 }
 
-TEST_CASE("a number beside names has no unit, 0 needs none") {
+TEST_CASE("a number in an expression has no unit, except 0") {
   CHECK(unit_error("k*x^2*(x + 3*x/x)").hint ==
         "`3` has no unit in an expression: give it a name and a unit in `[parameters]`");
   CHECK(unit_error("k*x^2*(x + x/x)").hint.empty());
 }
 
-TEST_CASE("a value that names nothing is in the unit of its key") {
+TEST_CASE("a value without names is in the unit of its key") {
   CHECK(messages(block(post_of("0.5", "0.1", "-9.81"))) ==
         "E405 14:12 `0.5` names nothing, so it is in m, the SI unit of its key; the same goes for "
         "2 other values\n");
@@ -163,7 +162,7 @@ TEST_CASE("a value that names nothing is in the unit of its key") {
         "expression: give it a name and a unit in `[parameters]`\n");
 }
 
-TEST_CASE("what acts on an angle is in N*m, and so are its parts") {
+TEST_CASE("a generalised force on an angle and its terms are in N*m") {
   const std::string turning = block(
       "[parameters.J]\nvalue = 1\nunit = \"kg*m^2\"\n[[coordinate]]\nname = \"q\"\n"
       "unit = \"rad\"\narmature = \"J\"\n");
@@ -182,7 +181,7 @@ TEST_CASE("what acts on an angle is in N*m, and so are its parts") {
   check_rows(rows, [&](const std::string& entries) { return messages(turning + entries); });
 }
 
-TEST_CASE("products, quotients and powers are read from left to right") {
+TEST_CASE("products, quotients and powers of units associate to the left") {
   const Rows rows{
       {"1", "1"},          {"rad", "1"},          {"kg*m^2/s^2", "J"},
       {"N/m/s", "kg/s^3"}, {"N/(m*s)", "kg/s^3"}, {"m^(1/2)", "m^(1/2)"},
@@ -199,7 +198,7 @@ TEST_CASE("products, quotients and powers are read from left to right") {
   }
 }
 
-TEST_CASE("errors point at the character") {
+TEST_CASE("errors point to the character") {
   const Rows rows{
       {"kg*ft", "4 unknown unit `ft`"},
       {"mm", "1 unknown unit `mm` | 1 mm is 0.001 m"},
@@ -224,7 +223,7 @@ TEST_CASE("errors point at the character") {
   }
 }
 
-TEST_CASE("every spelling of a unit is read back") {
+TEST_CASE("every printed unit is read back") {
   CHECK(rc::check("to_string, then read_unit", [] {
     Unit unit;
     for (Exponent& power : unit.powers) {
@@ -237,7 +236,7 @@ TEST_CASE("every spelling of a unit is read back") {
   }));
 }
 
-TEST_CASE("deep brackets are refused, not followed") {
+TEST_CASE("deeply nested brackets are refused without recursion") {
   CHECK_FALSE(read(std::string(100'000, '(')).unit);
 }
 

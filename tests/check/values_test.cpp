@@ -1,5 +1,5 @@
-// Values: roots, constants and references of one entry, and nodes that check writes itself: what
-// vanishes is never written.
+// Values: roots, constants and references of an entry, and nodes built by check, in which zeros and
+// ones are folded.
 #include "check/expressions/values.hpp"
 
 #include <catch2/catch.hpp>
@@ -30,7 +30,7 @@ ValueSyntax vector_of(std::size_t count) {
   return vector;
 }
 
-/// A coordinate x, and nodes over it.
+/// A model with the coordinate x, and a builder of nodes over it.
 struct Sheet {
   Sheet() {
     Coordinate coordinate;
@@ -55,7 +55,7 @@ struct Sheet {
 
 }  // namespace
 
-TEST_CASE("a root is a run of nodes, a failed one is none") {
+TEST_CASE("a root covers its nodes, and a failed root leaves no nodes") {
   const Limits limits;
   Context context(limits);
   ValueReader values(context, Scope(context.sizes));
@@ -68,7 +68,7 @@ TEST_CASE("a root is a run of nodes, a failed one is none") {
   CHECK(context.report.errors() == 1);
 }
 
-TEST_CASE("constants leave nothing behind in the arena") {
+TEST_CASE("constants leave no nodes in the arena") {
   const Limits limits;
   Context context(limits);
   ValueReader values(context, Scope(context.sizes));
@@ -89,7 +89,7 @@ TEST_CASE("references find the element of the right kind") {
   CHECK(context.report.errors() == 2);
 }
 
-TEST_CASE("all vectors of a model have as many components as the first") {
+TEST_CASE("all vectors of a model have the size of the first") {
   const Limits limits;
   Context context(limits);
   ValueReader values(context, Scope(context.sizes));
@@ -114,7 +114,7 @@ TEST_CASE("keys of tables are found by name") {
   CHECK(text_of(entry, "doc") == "x");
 }
 
-TEST_CASE("zeros and ones fold away", "[frames]") {
+TEST_CASE("zeros and ones are folded", "[frames]") {
   Sheet s;
   NodeBuilder& nodes = s.nodes;
   CHECK(nodes.number(0) == no_expression);
@@ -131,7 +131,7 @@ TEST_CASE("zeros and ones fold away", "[frames]") {
   CHECK(nodes.subtract(s.x, no_expression) == s.x);
 }
 
-TEST_CASE("signs come out of products", "[frames]") {
+TEST_CASE("signs are moved out of products", "[frames]") {
   Sheet s;
   const ExpressionId minus_one = s.nodes.number(-1);
   CHECK(s.text(s.nodes.multiply({minus_one, s.x})) == "-x");
@@ -139,7 +139,7 @@ TEST_CASE("signs come out of products", "[frames]") {
   CHECK(s.text(s.nodes.multiply({minus_one, minus_one, minus_one})) == "-1");
 }
 
-TEST_CASE("rational constants become numbers, others stay as written", "[frames]") {
+TEST_CASE("rational constants are folded, others stay as written", "[frames]") {
   Sheet s;
   const ExpressionId three = s.nodes.number(3);
   const ExpressionId half = s.nodes.number(cln::cl_RA(1) / 2);

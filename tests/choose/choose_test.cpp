@@ -35,7 +35,7 @@ Chosen with_form(const std::string& text, Form form) {
   return result;
 }
 
-/// The errors of the recursive form, and the loss of what was chosen beside that.
+/// The errors of the recursive form, as the reference for the chosen form.
 TextErrors errors_of(const Chosen& c, std::size_t function) {
   const Function& text = c.recursive.functions[function];
   const Domain domain = domain_of({c.checked.model, c.checked.scene, c.recursive.leaves});
@@ -44,7 +44,7 @@ TextErrors errors_of(const Chosen& c, std::size_t function) {
 
 }  // namespace
 
-TEST_CASE("for speed the cheaper form is chosen, the closed one on a tie") {
+TEST_CASE("the preference speed chooses the cheaper form, on a tie the closed form") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     const Chosen c = chosen(text, {}, Preference::speed);
@@ -54,7 +54,7 @@ TEST_CASE("for speed the cheaper form is chosen, the closed one on a tie") {
       INFO(costs.function);
       const bool is_closed = costs.chosen == Form::closed;
       const bool is_cheaper = costs.closed && cost(*costs.closed) <= cost(costs.recursive);
-      // Guards of pivots count in neither form: they may tip the whole the other way.
+      // The costs compared exclude guards of pivots, which may reverse the order of the totals.
       const bool has_pivots = c.choice.program.functions[i].kind == OutputKind::forward_dynamics;
       CHECK((has_pivots || is_closed == is_cheaper));
       CHECK(c.choice.program.functions[i].form == costs.chosen);
@@ -65,7 +65,7 @@ TEST_CASE("for speed the cheaper form is chosen, the closed one on a tie") {
   }
 }
 
-TEST_CASE("no form is chosen that is inaccurate, or loses more digits than the recursive one") {
+TEST_CASE("a chosen form is neither inaccurate nor loses more digits than the tolerated loss") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     const Chosen c = chosen(text);
@@ -79,7 +79,7 @@ TEST_CASE("no form is chosen that is inaccurate, or loses more digits than the r
   }
 }
 
-TEST_CASE("balanced, a form is dearer where the cheaper is inaccurate, or by a quarter at most") {
+TEST_CASE("balanced forms cost at most a quarter more, unless the cheaper form is inaccurate") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     const Chosen fast = chosen(text, {}, Preference::speed);
@@ -91,12 +91,12 @@ TEST_CASE("balanced, a form is dearer where the cheaper is inaccurate, or by a q
       const std::size_t price = cost(count_operations(own));
       const std::size_t least = cost(count_operations(cheapest));
       if (errors_of(c, i).inaccurate_entry(fast.choice.program, cheapest)) continue;
-      CHECK(4 * price <= 5 * least + 16);  // or one division more
+      CHECK(4 * price <= 5 * least + 16);  // or one division (16) more
     }
   }
 }
 
-TEST_CASE("both forms are one function") {
+TEST_CASE("both forms compute the same function") {
   for (const std::string& text : {cart_pole_text(), everything_text()}) {
     const Chosen closed = with_form(text, Form::closed);
     const Chosen recursive = with_form(text, Form::recursive);
@@ -110,14 +110,14 @@ TEST_CASE("both forms are one function") {
       const auto x = evaluate(closed.choice.program, one, at);
       const auto y = evaluate(recursive.choice.program, other, at);
       REQUIRE(x.size() == y.size());
-      // About a hundred operations on numbers of order one.
+      // The margin covers about a hundred operations on numbers of order one.
       for (std::size_t k = 0; k < x.size(); ++k)
         CHECK(x[k] == Approx(y[k]).epsilon(1e-12).margin(1e-12));
     }
   }
 }
 
-TEST_CASE("angle sums are calls or products, whichever costs less") {
+TEST_CASE("sines of angle sums are calls or products, whichever costs less") {
   const Chosen c = chosen(model_text("arm", R"toml(
 [[coordinate]]
 name = "q1"
@@ -138,13 +138,14 @@ vector = ["0", "-9.81"]
     if (!costs.closed) continue;
     INFO(costs.function);
     ++closed;
-    // q1, and q2 or its half; q2 beside its half keeps a call, which has all digits.
+    // Calls for at most q1, q2 and q2/2. Next to q2/2 the call for q2 is kept, because it has all
+    // digits.
     CHECK(costs.closed->sincos <= 3);
   }
   CHECK(closed > 1);
 }
 
-TEST_CASE("an entry is read the same whatever else is asked for") {
+TEST_CASE("the form of an entry does not depend on the other outputs") {
   const Chosen all = chosen(cart_pole_text());
   SceneOptions options;
   options.outputs = {make_source("command line", "mass_matrix,gravity")};
@@ -153,8 +154,8 @@ TEST_CASE("an entry is read the same whatever else is asked for") {
   CHECK(readable(all, "gravity") == readable(some, "gravity"));
 }
 
-TEST_CASE("an output without a closed form leaves `dynamics` without one") {
-  // 330 terms in each of ten entries: each can be read, all together are given up.
+TEST_CASE("an output without a closed form leaves `dynamics` without a closed form") {
+  // 330 terms in each of ten entries: a single entry is read, all ten exceed the limit.
   std::string powers;
   for (int k = 1; k <= 10; ++k) {
     powers += (k > 1 ? ", " : "") + ("\"(q + a + b + c + " + std::to_string(k) + "*d)^7\"");

@@ -1,4 +1,4 @@
-// A model text through every stage up to the choice of forms.
+// Runs a model text through all stages up to the choice of forms.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct Chosen {
   CheckedModel checked;
   ClosedForms forms;
   Choice choice;
-  Program recursive = {};  ///< the program from which forms and choice are made
+  Program recursive = {};  ///< the program before the choice; all forms are derived from it
 };
 
 inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
@@ -33,7 +33,7 @@ inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
   return result;
 }
 
-/// The entries of one function as they are read.
+/// The entries of one function as text.
 inline std::vector<std::string> readable(const Chosen& chosen, const std::string& name) {
   const Program& program = chosen.choice.program;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {

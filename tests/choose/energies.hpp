@@ -1,5 +1,5 @@
-// The energies of energies.txt: models as users type them, with forms that keep their digits beside
-// them, and the states near which sums cancel.
+// The energies of energies.txt: models with V as users type it, stable forms of gravity and V that
+// keep their digits, and the states near which sums cancel.
 #pragma once
 
 #include <cmath>
@@ -16,19 +16,19 @@
 
 namespace elgen::test {
 
-/// Lists as in the file, item by item.
+/// One entry of the file; lists are split into items.
 struct TypedEnergy {
   std::string name = {};
-  std::vector<std::string> coordinates = {};  ///< "th rad [-3, 3]"
-  std::vector<std::string> parameters = {};   ///< "k = 7 N/m"
-  std::vector<std::string> points = {};       ///< "P = a*cos(th); a*sin(th)"
+  std::vector<std::string> coordinates = {};  ///< items such as "th rad [-3, 3]"
+  std::vector<std::string> parameters = {};   ///< items such as "k = 7 N/m"
+  std::vector<std::string> points = {};       ///< items such as "P = a*cos(th); a*sin(th)"
   std::string V = {};
-  std::string stable = {};  ///< "-" where none is known
+  std::string stable = {};  ///< a stable form of V; "-" if unknown
   std::vector<std::string> gravity = {};
-  std::vector<std::string> near = {};  ///< "x ~ y, y = 0.7"
+  std::vector<std::string> near = {};  ///< places such as "x ~ y, y = 0.7"
 };
 
-/// Without the blanks around them.
+/// The items without surrounding blanks.
 inline std::vector<std::string> items_of(const std::string& list, char separator) {
   std::vector<std::string> items;
   std::istringstream stream(list);
@@ -113,7 +113,7 @@ inline std::string point_entry(const std::string& line) {
          "\"\nat = " + quoted_list(items_of(sides.at(1), ';')) + "\n";
 }
 
-/// The model, with the stable forms as outputs: of gravity, then of V where one is known.
+/// The model, with the stable forms as outputs: first of gravity, then of V if known.
 inline std::string model_of(const TypedEnergy& energy) {
   std::string text;
   std::string T;
@@ -132,7 +132,7 @@ inline std::string model_of(const TypedEnergy& energy) {
   return model_text("energy", text);
 }
 
-/// "y + l", "-h": the sum of names and numbers.
+/// The value of a signed sum of names and numbers, such as "y + l" or "-h".
 inline double sum_of(const std::string& text, const std::map<std::string, double>& known) {
   double sum = 0;
   for (const std::string& item : items_of(text, ' ')) {
@@ -146,13 +146,13 @@ inline double sum_of(const std::string& text, const std::map<std::string, double
   return sum;
 }
 
-/// Steps are relative to a place that is not 0; far away is near infinity.
+/// A point near `place`: the step is relative if the place is not 0; near infinity it is 1/step.
 inline double beside(double place, double step) {
   if (std::isinf(place)) return 1 / step;
   return place == 0 ? step : place * (1 + step);
 }
 
-/// The states of one line of `near`.
+/// The states near the places in one line of `near`.
 class StatesNear {
  public:
   StatesNear(const Model& model, const std::string& line) : model_(model) {
@@ -172,7 +172,8 @@ class StatesNear {
     }
   }
 
-  /// The coordinates of up to four states inside the ranges, on both sides where there are two.
+  /// The coordinates of up to four states at this distance inside the ranges, on both sides if both
+  /// are inside.
   [[nodiscard]] std::vector<std::vector<double>> at(double distance) const {
     const std::vector<std::vector<double>> shares{{1, -0.8125, 0.59375, -1.15625},
                                                   {0.71875, 0.90625, -1.0625, -0.65625}};

@@ -1,5 +1,5 @@
-// Energies of which sums cancel (energies.txt): the digits of the emitted programs beside
-// those of the user's text, which is the recursive form, and of stable forms, all in double.
+// Energies with cancelling sums (energies.txt). Compares the digits of three forms in double: the
+// emitted programs, the user's text (the recursive form), and stable forms.
 #include "choose/energies.hpp"
 
 #include <cln/integer.h>
@@ -25,13 +25,13 @@ using namespace elgen::test;
 
 namespace {
 
-/// How many times the error of another form is accurate enough.
+/// An error up to this multiple of another form's error counts as equally accurate.
 constexpr double little_worse = 64;
-/// In u: a reference that loses digits is none.
+/// In u; a larger error of a stable form would disqualify it as a reference.
 constexpr double most_of_stable = 32;
 constexpr std::size_t least_near_stable = 88;
 
-/// x to a multiple of 1/2, by multiplications.
+/// x to a multiple of 1/2, computed by multiplications and a square root.
 double power_in_double(double x, const cln::cl_RA& exponent) {
   const long halves = cln::cl_I_to_long(cln::numerator(exponent * 2));
   double result = 1;
@@ -40,7 +40,7 @@ double power_in_double(double x, const cln::cl_RA& exponent) {
   return halves < 0 ? 1 / result : result;
 }
 
-/// Expressions of the model in double, operation by operation as they are written.
+/// Evaluates expressions of the model in double, in the order of the user's text.
 class AsWritten {
  public:
   AsWritten(const Model& model, const Arguments<double>& at) : model_(model), at_(at) {}
@@ -92,7 +92,7 @@ double error_in_u(double x, const cln::cl_R& exact) {
   return std::ldexp(ScalarTraits<double>::from_real(error), 53);
 }
 
-/// Of one entry; stable: none where no such form is known.
+/// Errors of one entry in u; no `stable` if no stable form is known.
 struct EntryErrors {
   std::optional<double> stable = {};
   double text = 0;
@@ -110,7 +110,7 @@ void take_worse(std::vector<EntryErrors>& worst, const std::vector<EntryErrors>&
   }
 }
 
-/// How many times worse; nothing is worse than what has no value.
+/// The ratio of two errors, the denominator at least 1; 0 if `other` is infinite.
 double times_worse(double error, double other) {
   return std::isinf(other) ? 0 : error / std::max(other, 1.0);
 }
@@ -142,7 +142,7 @@ std::vector<ExpressionId> stable_forms(const Model& model) {
   return forms;
 }
 
-/// Of gravity and V. Stable forms have to be these functions, to 25 digits.
+/// The errors of gravity and V. Also checks that stable forms equal these functions to 25 digits.
 std::vector<EntryErrors> errors_at(const Chosen& chosen, const std::vector<double>& q) {
   const Model& model = chosen.checked.model;
   const State state = state_in_double(chosen.checked, q);
@@ -167,9 +167,10 @@ std::vector<EntryErrors> errors_at(const Chosen& chosen, const std::vector<doubl
 }
 
 struct EnergyErrors {
-  std::vector<EntryErrors> entries = {};  ///< of gravity, then V: the worst of all states
-  /// How many times worse the emitted program is, of the worst states of an entry at one distance
-  /// from one place: a single state may be lucky.
+  std::vector<EntryErrors> entries = {};  ///< gravity, then V: the maximum over all states
+  /// The maximum ratio of the emitted program's error to the other's. Each error is the maximum
+  /// over the states at one distance from one place, since a single state may have a small error by
+  /// chance.
   double than_text = 0;
   double than_stable = 0;
 };
@@ -199,7 +200,7 @@ std::string figure(std::optional<double> error) {
   return *error < 1e4 ? fmt::format("{:.1f}", *error) : fmt::format("{:.1e}", *error);
 }
 
-/// A line for every entry.
+/// One line for each entry.
 std::string table_rows(const TypedEnergy& energy, const EnergyErrors& errors) {
   std::string rows;
   for (std::size_t i = 0; i < errors.entries.size(); ++i) {
@@ -215,7 +216,7 @@ std::string table_rows(const TypedEnergy& energy, const EnergyErrors& errors) {
 
 }  // namespace
 
-TEST_CASE("energies keep the digits of their texts, and most of them those of stable forms") {
+TEST_CASE("energies keep the digits of their texts, and most keep the digits of stable forms") {
   const std::vector<TypedEnergy> energies = typed_energies();
   CHECK(energies.size() == 93);
   std::string table = fmt::format("{:<30} {:<10} {:>8} {:>8} {:>8}   errors in u\n", "energy",

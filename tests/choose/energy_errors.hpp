@@ -1,5 +1,5 @@
-// The two programs of an energy, and the states in which their errors are measured: numbers of
-// double, which the oracle takes exactly.
+// The two programs of an energy, and the states in which their errors are measured. All coordinates
+// are doubles, which the oracle takes exactly.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,14 @@
 
 namespace elgen::test {
 
-/// Gravity and V, and no stable form.
+/// Gravity and V, without the stable forms.
 inline Chosen chosen_energy(const TypedEnergy& energy) {
   SceneOptions options;
   options.outputs = {make_source("command line", "gravity,potential_energy")};
   return chosen(model_of(energy), options);
 }
 
-/// All numbers are those of double, so that equal parameters are equal and none is rounded again.
+/// Rounds parameters to double, so that equal parameters stay equal and no value is rounded again.
 inline State state_in_double(const CheckedModel& checked, const std::vector<double>& q) {
   State state = nominal_state(checked.model, checked.scene);
   for (cln::cl_R& p : state.parameters) p = exact_value(ScalarTraits<double>::from_real(p));
@@ -31,8 +31,8 @@ inline State state_in_double(const CheckedModel& checked, const std::vector<doub
   return state;
 }
 
-/// Coordinates inside the ranges, each state once: zeros of typed sums and the origin, states
-/// beside these and near the places of the file, at all distances down to 1e-150, and any others.
+/// Distinct states inside the ranges: zeros of typed sums and the origin, states near these and
+/// near the places of the file, at distances down to 1e-150, and random states.
 class StatesInside {
  public:
   StatesInside(const TypedEnergy& energy, const Chosen& c)
@@ -67,7 +67,7 @@ class StatesInside {
     if (std::ranges::find(all, q) == all.end()) all.push_back(q);
   }
 
-  /// Each coordinate alone, and all of them.
+  /// Adds states with one coordinate displaced, and one with all coordinates displaced.
   void add_beside(const std::vector<double>& zero, double step) {
     std::vector<double> moved = zero;
     for (std::size_t i = 0; i < zero.size(); ++i) {

@@ -1,6 +1,6 @@
-// Emitted values beside the running errors of the users' texts, in states of all energies
-// (energies.txt): at rest in the origin, at zeros of typed sums and beside them down to 1e-150,
-// and anywhere inside the ranges.
+// Compares errors of emitted values with the running errors of the users' texts, for all energies
+// of energies.txt. States are at rest: the origin, zeros of typed sums and points near them down to
+// a distance of 1e-150, and random points inside the ranges.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,18 +20,19 @@ using namespace elgen::test;
 
 namespace {
 
-/// |x - x*|/u of an emitted entry, as a multiple of E + R: E is the running error of the text, R is
-/// |x*| + K (accuracy/conditioning.hpp).
+/// The bound on |x - x*|/u of an emitted entry, as a multiple of E + R. E is the running error of
+/// the text, R is |x*| + K (accuracy/conditioning.hpp).
 constexpr double most_errors = 16;
 constexpr std::size_t least_states = 10'000;
 
-/// The entry of all states whose error is the largest multiple.
+/// The entry with the largest multiple over all states.
 struct WorstEntry {
   double multiple = 0;
   std::string words = {};
 };
 
-/// None where the text has no bound. Every operation may be off by a denormal beside that.
+/// The error as a multiple of `bound`, after subtracting one denormal for each operation; none if
+/// the text has no bound.
 std::optional<double> multiple_of(double x, const cln::cl_R& exact, const Real& bound,
                                   std::size_t operations) {
   const Rounding<Real>& of_double = rounding<double, Real>();
@@ -46,7 +47,8 @@ std::optional<double> multiple_of(double x, const cln::cl_R& exact, const Real& 
   return ScalarTraits<double>::from_real(multiple.value());
 }
 
-/// Whether the text of a function has a value there, in double and exactly, and a bound.
+/// Updates `worst`; false if the text of the function has no value, in double or exactly, or no
+/// bound.
 bool judge(const Chosen& c, std::size_t index, const State& state, WorstEntry& worst) {
   const Function& text = c.recursive.functions.at(index);
   const Subject subject{c.checked.model, c.checked.scene, c.choice.program};
@@ -55,7 +57,7 @@ bool judge(const Chosen& c, std::size_t index, const State& state, WorstEntry& w
   };
   OracleValues exact = values();
   const auto is_zero = [](const cln::cl_R& x) { return cln::zerop(x); };
-  // tan(1e-150)^2 is 1 + tan(1e-150)^2 - 1 there.
+  // In 60 digits 1 + tan(1e-150)^2 - 1 would be 0.
   if (exact && std::ranges::any_of(*exact, is_zero)) exact = with_digits(700, values);
   if (!exact) return false;
   const auto point = arguments_at<double>(state);
@@ -84,7 +86,8 @@ bool judge(const Chosen& c, std::size_t index, const State& state, WorstEntry& w
 
 }  // namespace
 
-TEST_CASE("no error of an emitted energy or force is above 16 times that of its text and u R") {
+TEST_CASE(
+    "the error of an emitted energy or force is at most 16 times the error of its text plus u R") {
   std::size_t states = 0;
   for (const TypedEnergy& energy : typed_energies()) {
     const Chosen c = chosen_energy(energy);

@@ -1,4 +1,4 @@
-// The total energy beside the energies that it is the sum of.
+// The total energy as the sum of the kinetic and the potential energy.
 #include "choose/energy_sum.hpp"
 
 #include <catch2/catch.hpp>
@@ -52,7 +52,8 @@ V = "x^2 + b*x*dot(y)"
 
 }  // namespace
 
-TEST_CASE("at rest near its lowest point a pendulum's total energy is its potential one") {
+TEST_CASE(
+    "near its lowest point a pendulum at rest has a total energy equal to its potential energy") {
   const Chosen model = chosen(pendulum);
   const Program& program = model.choice.program;
   Arguments<double> at =
@@ -66,7 +67,8 @@ TEST_CASE("at rest near its lowest point a pendulum's total energy is its potent
   }
 }
 
-TEST_CASE("no sum is made of energies of which one has a part in the rates, whatever its value") {
+TEST_CASE(
+    "energies with terms linear in the rates are not summed, whatever the value of the terms") {
   for (const char* b : {"3", "0", "1e-8"}) {
     INFO(b);
     const Chosen model = chosen(magnet(b));

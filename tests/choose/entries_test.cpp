@@ -1,5 +1,4 @@
-// The entries of a function, those that are written in another way to keep digits, and all of them
-// as instructions.
+// The entries of a function: their forms, rewritings that keep digits, and their instructions.
 #include "choose/entries.hpp"
 
 #include <catch2/catch.hpp>
@@ -32,10 +31,10 @@ TEST_CASE("all entries of a function have a form") {
   CHECK_FALSE(is_complete({e.entries[0], std::nullopt}));
 }
 
-TEST_CASE("a rewriting that keeps digits is taken where the entry loses more than a limit") {
+TEST_CASE("a rewriting that keeps digits is chosen if the entry loses more than a limit") {
   Entries e({"1 - cos(a)", "b"});
   Arguments<double> point;
-  point.q = {1e-8, 1e-16, 1, 1, 1};  // entries of like sizes
+  point.q = {1e-8, 1e-16, 1, 1, 1};  // entries of similar size
   TextErrors text(e.program, e.shape, {point});
   e.entries = read_entries(e.program, e.forms, 0, e.points, &text);
   CHECK(e.entries[0]->loss > 1e15);
@@ -52,7 +51,7 @@ TEST_CASE("a rewriting that keeps digits is taken where the entry loses more tha
   CHECK(texts_of((*others)[0]->compact).at(0) == "2*sin(1/2*a)^2");
 }
 
-TEST_CASE("together entries share what they have in common, one by one they share nothing") {
+TEST_CASE("entries lowered together share subexpressions, entries lowered one by one do not") {
   Entries e({"(a + b)*c", "(a + b)*d"});
   const Function together = lowered_together(e.entries, e.shape, e.program, {}).function;
   CHECK(together.form == Form::closed);
@@ -63,7 +62,7 @@ TEST_CASE("together entries share what they have in common, one by one they shar
   CHECK(one_by_one.fields[0].entries.size() == 2);
 }
 
-TEST_CASE("a rewritten entry is code, whichever is cheaper") {
+TEST_CASE("a rewritten entry is emitted even if it costs more") {
   Entries e({"(a + b)*c", "(a + b)*d"});
   e.entries[0]->is_rewritten = true;
   e.entries[0]->compact.values = {e.entries[0]->compact.graph.leaf(Opcode::coordinate, 4)};

@@ -1,5 +1,5 @@
-// The last passes over a function: a vanishing diagonal entry is singular, quaternions of any
-// length come back with length 1, and sines and cosines come first.
+// The last passes over a function: NaN pivots at zero diagonal entries, normalised quaternions of
+// any length, and sines and cosines first.
 #include "choose/finish.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@ using namespace elgen;
 
 namespace {
 
-/// M = diag(m, m r^2, 2): all pivots are 1.
+/// M = diag(m, m r^2, 2): all relative pivots are 1.
 Program polar() {
   return testing::read_program(
       "parameters m\ncoordinates r phi x\nvelocities r phi x\nfunction forward_dynamics\n"
@@ -36,7 +36,7 @@ std::vector<double> pivots_at(double r) {
   return {entries.begin() + 3, entries.end()};
 }
 
-/// x, and the quaternion w, i, j, k.
+/// The result: x, and the normalised quaternion w, i, j, k.
 Program quaternion() {
   const std::string text =
       "coordinates x w i j k\nfunction normalized\n  0 = coordinate x\n  1 = coordinate w\n"
@@ -57,19 +57,19 @@ std::string ordered(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("pivots are what they were where the diagonal is not 0") {
+TEST_CASE("guards do not change pivots if the diagonal is not 0") {
   CHECK(pivots_at(2) == std::vector<double>{1, 1, 1});
   CHECK(pivots_at(1e-150) == std::vector<double>{1, 1, 1});
 }
 
-TEST_CASE("the pivot of a vanishing diagonal entry is not a number") {
+TEST_CASE("the pivot of a zero diagonal entry is NaN") {
   const std::vector<double> pivots = pivots_at(0);
   CHECK(pivots[0] == 1);
   CHECK(std::isnan(pivots[1]));
   CHECK(pivots[2] == 1);
 }
 
-TEST_CASE("a pivot that M_ii divides stays as it is") {
+TEST_CASE("a pivot that is already divided by M_ii needs no guard") {
   Program program = polar();
   Function& function = program.functions[0];
   function.instructions.push_back({.opcode = Opcode::divide, .a = 4, .b = 5});
@@ -80,7 +80,7 @@ TEST_CASE("a pivot that M_ii divides stays as it is") {
   CHECK(pivot.opcode == Opcode::divide);
 }
 
-TEST_CASE("a pivot is guarded by the reciprocal of M_ii that is there, else by a division") {
+TEST_CASE("a pivot is guarded by an existing reciprocal of M_ii, or by a new division") {
   Program program = polar();
   Function& function = program.functions[0];
   function.instructions.push_back({.opcode = Opcode::divide, .a = 2, .b = 5});
@@ -103,7 +103,7 @@ TEST_CASE("a pivot is guarded by the reciprocal of M_ii that is there, else by a
   CHECK(std::isnan(evaluate(program, function, at)[4]));
 }
 
-TEST_CASE("without the diagonal nothing of it is left") {
+TEST_CASE("without the diagonal no instruction for it remains") {
   Program program = polar();
   Function& function = program.functions[0];
   function.sampled_zeros = {1, 7};
@@ -114,7 +114,7 @@ TEST_CASE("without the diagonal nothing of it is left") {
   CHECK(dump(program).find("multiply") == std::string::npos);
 }
 
-TEST_CASE("a length may be as small or as large as numbers get") {
+TEST_CASE("a quaternion is normalised for every length in the range of double") {
   Program scaled = quaternion();
   scaled.functions[0] = with_scaled_lengths(scaled.functions[0], "normalized");
   CHECK(check_invariants(scaled).empty());
@@ -131,10 +131,10 @@ TEST_CASE("a length may be as small or as large as numbers get") {
     CHECK(e[2] == Approx(-0.4).epsilon(1e-15));
     CHECK(e[4] == Approx(0.8).epsilon(1e-15));
   }
-  CHECK(std::isnan(at(0)[1]));  // no direction is no number
+  CHECK(std::isnan(at(0)[1]));  // the zero quaternion has no direction
 }
 
-TEST_CASE("in `dynamics` the field of that name alone is scaled") {
+TEST_CASE("in `dynamics` only the field of this name is normalised") {
   Program scaled = quaternion();
   Function& function = scaled.functions[0];
   function.kind = OutputKind::dynamics;
@@ -148,7 +148,7 @@ TEST_CASE("in `dynamics` the field of that name alone is scaled") {
   CHECK(e[6] == 1);
 }
 
-TEST_CASE("sines and cosines come first, with what they need, the two of an angle together") {
+TEST_CASE("sines and cosines come first, after their operands, in pairs of one angle") {
   CHECK(ordered("parameters m\ncoordinates x y\nfunction bias\n"
                 "  0 = parameter m\n"
                 "  1 = multiply 0 0  ; square\n"

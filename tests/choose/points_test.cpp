@@ -1,5 +1,5 @@
 // Sums that vanish in several coordinates at once, and forces that hold a system at rest: the code
-// keeps the digits of the text there.
+// must keep the digits of the text near these states.
 #include "choose/points.hpp"
 
 #include <cln/integer.h>
@@ -31,7 +31,7 @@ Chosen line_with(const std::string& potential, const std::string& rest = {}) {
                                        "\"\n"));
 }
 
-/// At rest, parameters at their values.
+/// A state at rest; parameters have their declared values.
 Arguments<double> resting(const Chosen& c, const std::vector<double>& q) {
   Arguments<double> point =
       domain_of({c.checked.model, c.checked.scene, c.recursive.leaves}).states.front();
@@ -52,10 +52,11 @@ std::vector<Running<Real>> entries_at(const Program& program, const Function& fu
   return entries_of(function, fold<Running<Real>>(rules, program, function));
 }
 
-/// Between points of judgement, where 64 times is the limit, rewritings may lose a few times more.
+/// The bound at other states than the points that the choice compares; at those points the bound is
+/// 64.
 constexpr int little_worse_elsewhere = 512;
 
-/// Whether no entry loses more than so many times what the text loses.
+/// True if no entry loses more than this multiple of the text's loss.
 bool keeps_text(const Chosen& c, const std::string& name, const std::vector<double>& q) {
   const Arguments<double> point = resting(c, q);
   const std::size_t i = number_of(c, name);
@@ -71,7 +72,7 @@ bool keeps_text(const Chosen& c, const std::string& name, const std::vector<doub
   return true;
 }
 
-/// The largest error of an entry, in u of its magnitude; infinite where it is undefined.
+/// The largest relative error of an entry, in u; infinite if an entry is undefined.
 double digits_lost(const Chosen& c, const std::string& name, const std::vector<double>& q) {
   const Function& function = c.choice.program.functions[number_of(c, name)];
   double worst = 0;
@@ -85,7 +86,7 @@ double digits_lost(const Chosen& c, const std::string& name, const std::vector<d
 
 }  // namespace
 
-TEST_CASE("distances keep the digits of the text where both of their differences vanish") {
+TEST_CASE("a distance keeps the digits of the text near the point where both differences vanish") {
   const std::string parameters = "[parameters]\na = 100\nb = 1\nc = 0.3\nk = 40\n";
   const std::vector<std::string> potentials{"40*sqrt((x - 1)^2 + (y - 0.3)^2)",
                                             "k*sqrt((x - b)^2 + (y - c)^2)",
@@ -104,7 +105,7 @@ TEST_CASE("distances keep the digits of the text where both of their differences
   CHECK(keeps_text(product, "gravity", {1e-8, 0.3 + 1e-8}));
 }
 
-TEST_CASE("a force that holds a system at rest has the digits that the potential's has") {
+TEST_CASE("inverse dynamics at rest has the digits of the potential's gradient") {
   const Chosen spring = line_with("1/2*k*(sqrt(l^2 + x^2) - l)^2",
                                   "range = [-1, 1]\n[parameters]\nk = 40\nl = 0.7\n");
   CHECK(digits_lost(spring, "inverse_dynamics", {1e-8}) < 64);
@@ -115,7 +116,7 @@ TEST_CASE("a force that holds a system at rest has the digits that the potential
   CHECK(digits_lost(gas, "inverse_dynamics", {18}) < 64);
 }
 
-TEST_CASE("points of functions with rates are at rest, too") {
+TEST_CASE("comparison points of functions with rates include states at rest") {
   const Chosen model = plane_with("(x - 1)^2*(y - 0.3)^2");
   const auto points = [&model](const std::string& name) {
     const Program& program = model.recursive;
@@ -129,16 +130,16 @@ TEST_CASE("points of functions with rates are at rest, too") {
   CHECK(points("inverse_dynamics").size() <= 66);
 }
 
-TEST_CASE("the force of two equal sides has a value where the angle between them is small") {
+TEST_CASE("the force of two equal sides is accurate at small angles between them") {
   const Chosen sides = line_with("40*sqrt(9/4 + 9/4 - 2*3/2*3/2*cos(x))");
   CHECK(digits_lost(sides, "gravity", {1e-8}) < 64);
 }
 
-TEST_CASE("exponentials and logarithms without a range keep their digits far out") {
+TEST_CASE("without a range exponentials and logarithms keep their digits at large arguments") {
   const std::string parameters = "[parameters]\na = 1.5\nb = 1.25\n";
   const std::string well = "2*(1 - exp(-a*(x - b)))^2";
   const Chosen morse = line_with(well, parameters);
-  // The exponent, which is rounded twice, is 28 at most.
+  // The exponent is rounded twice and is at most 28.
   for (const double x : {10.0, 15.0, 20.0}) CHECK(digits_lost(morse, "gravity", {x}) < 128);
   const Chosen vortex = line_with("12*log(b/x)", "[parameters]\nb = 0.45\n");
   CHECK(digits_lost(vortex, "potential_energy", {4e3}) < 64);

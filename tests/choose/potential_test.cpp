@@ -1,5 +1,5 @@
-// The potential energy in one form: typed sums stay whole where that keeps digits, and every
-// function has V as it is chosen once.
+// One form of V for all functions: typed sums stay whole if this keeps digits, and every function
+// uses the chosen form.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Unit masses on lines x, y and z, as many as the list has ranges.
+/// Unit masses on lines x, y and z, one for each range in the list.
 Chosen masses_with(const std::string& potential, const std::vector<std::string>& ranges,
                    const std::string& parameters = {}) {
   std::string text;
@@ -44,7 +44,7 @@ std::size_t cost_of(const Chosen& c, OutputKind kind) {
 
 }  // namespace
 
-TEST_CASE("what holds a system at rest is the gravity, to the bit, where V was rewritten") {
+TEST_CASE("with a rewritten V inverse and forward dynamics at rest equal gravity bit by bit") {
   const std::string parameters =
       "[parameters]\nk = { value = 3, assume = \"positive\" }\nl = 0.7\n";
   struct Row {
@@ -64,15 +64,15 @@ TEST_CASE("what holds a system at rest is the gravity, to the bit, where V was r
     const std::vector<double> gravity = values_at_rest(c, OutputKind::gravity, q);
     CHECK(values_at_rest(c, OutputKind::inverse_dynamics, q) == gravity);
     CHECK(values_at_rest(c, OutputKind::bias, q) == gravity);
-    std::vector<double> accelerations =
-        values_at_rest(c, OutputKind::forward_dynamics, q);  // the pivots follow
+    std::vector<double> accelerations = values_at_rest(
+        c, OutputKind::forward_dynamics, q);  // without the relative pivots, which follow
     accelerations.resize(gravity.size());
     for (double& a : accelerations) a = -a;
     CHECK(accelerations == gravity);
   }
 }
 
-TEST_CASE("every function has the values of its text where V was rewritten") {
+TEST_CASE("with a rewritten V every function has the values of its text") {
   const Chosen c = masses_with("k*sqrt((x - 3/4)^2 + (y - l)^2)", {"[-3, 4]", "[-3, 4]"},
                                "[parameters]\nk = 3\nl = 0.7\n");
   const Domain domain = domain_of({c.checked.model, c.checked.scene, c.recursive.leaves});
@@ -89,11 +89,13 @@ TEST_CASE("every function has the values of its text where V was rewritten") {
       CHECK(values[k] == Approx(text[k]).epsilon(1e-12).margin(1e-12));
     }
   }
-  CHECK(derivatives == 2);  // those of inverse dynamics come out alike
+  CHECK(derivatives ==
+        2);  // derivatives of inverse dynamics have the same code without the rewriting
 }
 
-TEST_CASE("a sum of squares stays whole at any anchor") {
-  // Multiplied out, one anchor loses all digits and another none, by how its numbers round.
+TEST_CASE("a sum of squares stays whole for any anchor") {
+  // When multiplied out, one anchor loses all digits and another none, depending on the rounding of
+  // its numbers.
   const std::vector<std::vector<double>> anchors{{1, 2}, {1, 0.75}, {1.25, 0.6875}, {-0.5, 1}};
   for (const std::vector<double>& anchor : anchors) {
     const std::string x = std::to_string(anchor[0]);
@@ -108,7 +110,7 @@ TEST_CASE("a sum of squares stays whole at any anchor") {
   }
 }
 
-TEST_CASE("a sum is multiplied out where whole it loses digits") {
+TEST_CASE("a sum is multiplied out if it loses digits as a whole") {
   const Chosen c = masses_with("k*((l + x)^2 - l^2)", {"[-1, 1]"},
                                "[parameters]\nk = 3\nl = { value = 0.7, assume = \"positive\" }\n");
   const double x = 1e-9;
@@ -116,7 +118,7 @@ TEST_CASE("a sum is multiplied out where whole it loses digits") {
   CHECK(V == Approx(3 * x * (1.4 + x)).epsilon(1e-14));
 }
 
-TEST_CASE("V that cancels the weight of bodies stays beside it") {
+TEST_CASE("a V that cancels the weight of bodies stays separate from it") {
   const std::string text = R"toml([[coordinate]]
 name = "z"
 range = [-1, 1]
@@ -152,6 +154,6 @@ T = "1/2*((cos(x) + cos(y))^2 + (sin(x) + sin(y))^2)*dot(x)^2 + 1/2*dot(y)^2"
 V = "3*sqrt((x - 1)^2 + (y - 3/4)^2)"
 )toml";
   const Chosen c = chosen(model_text("circles", text));
-  // 2 + 2 cos(x - y)
+  // The bound is the cost of 2 + 2 cos(x - y).
   CHECK(cost_of(c, OutputKind::mass_matrix) <= 26 + 4);
 }

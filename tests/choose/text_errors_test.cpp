@@ -1,5 +1,5 @@
-// Rewritings that lose digits which the text keeps, the points that show it, and models whose code
-// kept none.
+// Rewritings that lose digits which the text keeps, the points that reveal the loss, and models
+// whose code once lost digits.
 #include "choose/text_errors.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ Arguments<double> at(double a, double b) {
   return point;
 }
 
-/// Whether a rewriting is less accurate than the text at one point.
+/// True if a rewriting is less accurate than the text at this point.
 bool is_inaccurate(const std::string& rewriting, const std::string& text, double a, double b) {
   const Program program = program_of(testing::Texts{text});
   const TextErrors errors(program, program.functions[0], {at(a, b)});
@@ -96,7 +96,7 @@ Points points_of_gravity(const Chosen& model) {
 
 }  // namespace
 
-TEST_CASE("a rewriting is inaccurate where it loses what the text keeps, wherever it cancels") {
+TEST_CASE("a rewriting is inaccurate if it loses digits that the text keeps") {
   const std::string text = "(a - b)*(a + b)";
   const std::string rewriting = "a^2 - b^2";
   CHECK(is_inaccurate(rewriting, text, 1, 1.0000001));
@@ -106,12 +106,12 @@ TEST_CASE("a rewriting is inaccurate where it loses what the text keeps, whereve
   CHECK(is_inaccurate("1 - cos(a)", "2*sin(1/2*a)^2", 1e-8, 0));
 }
 
-TEST_CASE("a rewriting without a value is inaccurate only where the text has one") {
+TEST_CASE("a rewriting without a value is inaccurate only if the text has a value") {
   CHECK(is_inaccurate("b/(a - a*b)", "1/a", 0.5, 1));
   CHECK_FALSE(is_inaccurate("1/(a - b)", "a/(a - b)", 1, 1));
 }
 
-TEST_CASE("entries of a function are inaccurate one by one") {
+TEST_CASE("inaccuracy is found for each entry of a function") {
   const Program text = program_of(testing::Texts{"a*b", "(a - b)*(a + b)"});
   const Program form = program_of(testing::Texts{"b*a", "a^2 - b^2"});
   const TextErrors errors(text, text.functions[0], {at(1, 3), at(1, 1.0000001)});
@@ -119,12 +119,12 @@ TEST_CASE("entries of a function are inaccurate one by one") {
   CHECK(errors.inaccurate_entry(text, text.functions[0]) == std::nullopt);
 }
 
-TEST_CASE("the force of a strut whose anchors are equally far from the hinge has all digits") {
+TEST_CASE("the force of a strut with anchors at equal distances from the hinge has all digits") {
   const Chosen model = chosen(strut);
   for (const double angle : {1e-1, 1e-4, 1e-8}) CHECK(error_of_force(model, angle) < 64);
 }
 
-TEST_CASE("wells as they were typed keep the digits at their minima") {
+TEST_CASE("typed wells keep the digits at their minima") {
   for (const char* potential : {"k*((x - 1)*(x + 1))^2", "k*(x - 1)^2*(x + 2)"}) {
     const Chosen model = chosen(well(potential));
     INFO(potential);
@@ -132,7 +132,7 @@ TEST_CASE("wells as they were typed keep the digits at their minima") {
   }
 }
 
-TEST_CASE("speed takes the cheaper form, whatever it loses") {
+TEST_CASE("the preference speed takes the cheaper form despite lost digits") {
   const auto gravity = [](const Chosen& model) {
     return model.choice.costs[index_of(model.recursive, "gravity")];
   };
@@ -142,7 +142,8 @@ TEST_CASE("speed takes the cheaper form, whatever it loses") {
   CHECK(error_of_force(chosen(strut), 1e-8) < 64);
 }
 
-TEST_CASE("points: inside the ranges, near places, and equal parameters of one unit stay equal") {
+TEST_CASE(
+    "comparison points are inside the ranges and near zeros, and keep equal parameters equal") {
   const Points points = points_of_gravity(chosen(strut));
   CHECK(points.size() <= 66);
   std::size_t others = 0;
@@ -163,7 +164,7 @@ TEST_CASE("points: inside the ranges, near places, and equal parameters of one u
   CHECK(has_different);
 }
 
-TEST_CASE("places are where terms of a sum cancel, at the values of parameters") {
+TEST_CASE("zeros of sums are found at the values of the parameters") {
   const auto has_near = [](const Chosen& model, double place) {
     const Points points = points_of_gravity(model);
     return std::ranges::any_of(points, [place](const Arguments<double>& point) {

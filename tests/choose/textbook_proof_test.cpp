@@ -1,6 +1,6 @@
-// Every entry of every output proved equal to the textbook route's, for every committed model of up
-// to three coordinates, of two with constraints: L written out in full, differentiated, and
-// compared as canonical sums.
+// Proves every entry of every output equal to the textbook derivation: L written out in full,
+// differentiated, and compared as canonical sums. Covers every committed model with up to three
+// coordinates, or two if the model has constraints.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
@@ -37,7 +37,7 @@ const std::map<OutputKind, Entry> vectors{
 const std::map<OutputKind, MatrixEntry> matrices{
     {OutputKind::mass_matrix, &Textbook::mass}, {OutputKind::coriolis_matrix, &Textbook::coriolis}};
 
-/// Empty for what the textbook route has not.
+/// Empty if the textbook derivation has no such output.
 std::vector<ex> textbook_entries(const Textbook& book, OutputKind kind, std::size_t n) {
   std::vector<ex> entries;
   if (numbers.count(kind) > 0) entries.push_back((book.*numbers.at(kind))());
@@ -50,11 +50,12 @@ std::vector<ex> textbook_entries(const Textbook& book, OutputKind kind, std::siz
   return entries;
 }
 
-/// Both routes in one program, so that their forms are over the same atoms.
+/// Both derivations in one program, so that their forms share atoms.
 struct BothRoutes {
   EquationsOfMotion equations;
   std::vector<OutputRequest> requests;
-  std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< functions: derived, textbook
+  std::vector<std::pair<std::size_t, std::size_t>>
+      pairs;  ///< numbers of functions: derived, textbook
 
   void add(const std::string& name, std::vector<ex> entries) {
     OutputRequest request;
@@ -73,7 +74,7 @@ struct BothRoutes {
   }
 };
 
-/// A^T lambda as derived; 0 where there are no constraints.
+/// A^T lambda as derived; 0 without constraints.
 std::vector<ex> forces_of_constraints(const EquationsOfMotion& derived, std::size_t n) {
   std::vector<ex> jacobian;
   std::vector<ex> multipliers;
@@ -90,7 +91,7 @@ std::vector<ex> forces_of_constraints(const EquationsOfMotion& derived, std::siz
   return result;
 }
 
-/// M a + bias - B u - A^T lambda at the derived acceleration, which is zero on every row.
+/// M a + bias - B u - A^T lambda at the derived acceleration; every row must be zero.
 std::vector<ex> residuals(const Textbook& book, const std::vector<ex>& acceleration,
                           const std::vector<ex>& held) {
   std::vector<ex> result;
@@ -147,12 +148,12 @@ void prove(const CheckedModel& checked) {
 
 }  // namespace
 
-TEST_CASE("the textbook route gives the same canonical sums") {
+TEST_CASE("the textbook derivation gives the same canonical sums") {
   std::size_t proved = 0;
   for (const auto& file : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR "/models")) {
     if (file.path().extension() != ".toml") continue;
     const CheckedModel checked = checked_model(read_text(file.path()));
-    // Solutions of equations with constraints have more terms.
+    // With constraints solutions have more terms.
     const std::size_t most = checked.model.constraints.empty() ? 3 : 2;
     if (checked.model.coordinates.size() > most) continue;
     INFO(checked.model.name);

@@ -1,4 +1,5 @@
-// .ci/checks.sh: what .ci/run prints about checks and tests, of commands that take no time.
+// .ci/checks.sh: the summary of checks and tests that .ci/run prints, for commands that take no
+// time.
 #include <catch2/catch.hpp>
 #include <regex>
 
@@ -7,14 +8,14 @@
 namespace elgen::test {
 namespace {
 
-/// Runs lines of bash after the file was read.
+/// Sources .ci/checks.sh and runs these lines of bash.
 Outcome sourced(const std::string& lines) {
   const Workspace workspace;
   workspace.write("script", ". " ELGEN_SOURCE_DIR "/.ci/checks.sh\n" + lines);
   return workspace.run("bash -uo pipefail script");
 }
 
-/// What ctest prints of three tests.
+/// A function that prints the log of three tests as ctest would, with exit code 8.
 const std::string tests = R"(three_tests() {
   tee "$tests_log" <<'END'
 1/3 Test #12: cli.some name, with 3.5 dots. in it ....   Passed    0.05 sec
@@ -32,7 +33,7 @@ END
 
 }  // namespace
 
-TEST_CASE("checks and tests are counted, failures stand before the count") {
+TEST_CASE("checks and tests are counted, and failures are listed before the counts") {
   const Outcome outcome =
       sourced(tests + "check right true\ncheck wrong false\ncount_tests three_tests\nconclude\n");
   INFO(outcome.output + outcome.errors);
@@ -43,19 +44,19 @@ TEST_CASE("checks and tests are counted, failures stand before the count") {
   CHECK(mentions(right.output, "\n1 passed, 0 failed\n"));
 }
 
-TEST_CASE("a command that ends without tests is a failure") {
+TEST_CASE("a test command that runs no tests fails") {
   const Outcome outcome = sourced("count_tests true\nconclude\n");
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.output, "\nfailed: tests\n0 passed, 1 failed\n"));
 }
 
-TEST_CASE("a check prints its seconds, those of processors, and what is left") {
+TEST_CASE("a check prints its wall time, its processor time and the remaining time") {
   const Outcome outcome = sourced(
       "check busy sh -c 'ulimit -t 2; while :; do :; done'\ncheck idle sleep "
       "1\nallowed_seconds=60\n"
       "check quick true\nconclude\n");
   INFO(outcome.output);
-  // Bash counts whole seconds: a check may cross one more than it takes.
+  // Bash counts whole seconds, so a check may count one second more than it takes.
   const auto matches = [&outcome](const std::string& text) {
     return std::regex_search(outcome.output, std::regex(text));
   };
@@ -66,7 +67,7 @@ TEST_CASE("a check prints its seconds, those of processors, and what is left") {
   CHECK_FALSE(mentions(busy.substr(0, busy.find(';')), " 0 s of processors"));
 }
 
-TEST_CASE("the ten longest checks and tests stand before the failures") {
+TEST_CASE("the ten longest checks and tests are listed before the failures") {
   const Outcome outcome =
       sourced(tests + "for i in {1..12}; do check \"check $i\" true; done\ncheck long sleep 3\n" +
               "count_tests three_tests\nconclude\n");

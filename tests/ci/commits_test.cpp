@@ -1,4 +1,4 @@
-// .ci/commits, on a small repository: which messages are refused, and in which words.
+// .ci/commits on a small repository: which messages are refused, and the texts of the errors.
 #include <catch2/catch.hpp>
 #include <utility>
 #include <vector>
@@ -13,8 +13,8 @@ const std::string rooms =
     " is no room of src/layers.txt, no folder of the project or of tests/, and none of all, build, "
     "ci, bootstrap, README, CHANGELOG\n";
 
-/// Two folders, one of them with a room, and a first commit on `main`, tagged `base`; only its file
-/// configures git.
+/// A repository with two folders, one with a room, and a first commit on `main`, tagged `base`. Git
+/// reads only the configuration file of this folder.
 class Project : public Workspace {
  public:
   Project() {
@@ -48,20 +48,20 @@ class Project : public Workspace {
     REQUIRE(done.status == 0);
   }
 
-  /// Commits all changes; the message is as it stands.
+  /// Commits all changes; git leaves the message unchanged.
   void commit(const std::string& message) const {
     write("home/message", message);
     git("add . && git commit -q --allow-empty --cleanup=verbatim -F home/message");
   }
 
-  /// What is said of empty commits with these messages, without their hashes.
+  /// The errors and warnings about empty commits with these messages, without hashes.
   [[nodiscard]] std::string told_of(const std::vector<std::string>& messages) const {
     git("checkout -q --detach base");
     for (const std::string& message : messages) commit(message);
     return without_hashes(outcome(commits + " base").output);
   }
 
-  /// "error: 1234abcd" is "error: HASH".
+  /// Replaces "error: 1234abcd" by "error: HASH".
   [[nodiscard]] std::string without_hashes(const std::string& text) const {
     write("home/text", text);
     return run("sed -E 's/^(error|warning): [0-9a-f]{8} /\\1: HASH /' home/text").output;
@@ -70,8 +70,8 @@ class Project : public Workspace {
 
 }  // namespace
 
-TEST_CASE("a subject names up to two rooms and what is done to them") {
-  // 72 characters, of which some have two bytes.
+TEST_CASE("a subject names up to two rooms and the change") {
+  // The last subject has 72 characters, but more than 72 bytes.
   CHECK(Project().told_of(
             {"check: refuse names", "names, base: refuse names", "check/names: let go of names",
              "tests: refuse names", "tests/cli: refuse names", "cli: refuse names", "models: add b",
@@ -138,7 +138,7 @@ TEST_CASE("more than 100 changed lines of source need a body with the reason") {
   CHECK(errors("models/a.toml", 101, "\n") == right);
 }
 
-TEST_CASE("a file that moves counts by its edits") {
+TEST_CASE("a moved file counts only its edited lines") {
   const Project project;
   project.git("mv src/check/long.cpp tests/long.cpp");
   project.commit("check: move to tests");
@@ -148,7 +148,7 @@ TEST_CASE("a file that moves counts by its edits") {
   CHECK(mentions(project.outcome(commits + " base").output, "150 changed lines of source"));
 }
 
-TEST_CASE("commits that are upstream get warnings, merges none") {
+TEST_CASE("commits that are upstream only get warnings, and merges are not checked") {
   const Project project;
   project.git("clone -q . home/clone");
   const std::string in_clone = "cd home/clone\n";
@@ -180,7 +180,7 @@ TEST_CASE("without a base the last ten commits get warnings") {
   CHECK(count(outcome.output, "warning: ") == 10);
 }
 
-TEST_CASE("the hook that bootstrap installs says the same before a commit is made") {
+TEST_CASE("the hook that bootstrap installs refuses the same commits") {
   const Project project;
   project.prepare("cp -r " ELGEN_SOURCE_DIR "/bootstrap " ELGEN_SOURCE_DIR "/.ci .");
   const Outcome installed = project.outcome("./bootstrap hooks && ./bootstrap hooks");

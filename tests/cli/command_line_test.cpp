@@ -1,4 +1,4 @@
-// The command line: help, version, limits, stages, and words that are not understood.
+// The command line: help, version, limits, stages, and invalid words.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -10,7 +10,7 @@ namespace elgen::test {
 
 namespace {
 
-/// The values that --stop-after takes: "--stop-after TEXT:{parse,check,…}".
+/// The values of --stop-after, from "--stop-after TEXT:{parse,check,…}".
 std::vector<std::string> stages_of_help() {
   const std::string help = run("elgen --help").output;
   const std::size_t start = help.find('{', help.find("--stop-after")) + 1;
@@ -22,7 +22,7 @@ std::vector<std::string> stages_of_help() {
 
 }  // namespace
 
-TEST_CASE("help starts with three examples and names what there is, and only that") {
+TEST_CASE("help starts with three examples and lists existing commands only") {
   const Outcome outcome = run("elgen --help");
   CHECK(outcome.status == 0);
   std::size_t examples = 0;
@@ -41,7 +41,7 @@ TEST_CASE("help starts with three examples and names what there is, and only tha
   }
 }
 
-TEST_CASE("elgen alone says what to type first, and every command") {
+TEST_CASE("elgen without arguments prints a first command and all commands") {
   const Outcome outcome = run("elgen");
   CHECK(outcome.status == 0);
   CHECK(outcome.errors.empty());
@@ -69,13 +69,13 @@ TEST_CASE("version and limits are printed on stdout") {
   CHECK(listed.at(0).at("name") == limit_table().front().name);
 }
 
-TEST_CASE("help is a command, too, and -V is the version") {
+TEST_CASE("help is a command, too, and -V prints the version") {
   CHECK(run("elgen help").output == run("elgen --help").output);
   CHECK(run("elgen help show").output == run("elgen show --help").output);
   CHECK(run("elgen -V").output == run("elgen --version").output);
 }
 
-TEST_CASE("a command line that is not understood exits with 2") {
+TEST_CASE("an invalid command line exits with 2") {
   for (const char* line :
        {"elgen -q", "elgen generte x.toml", "elgen generate", "elgen generate --outptus x a.toml",
         "elgen --limit seconds=soon generate a.toml", "elgen --limit apples=3 generate a.toml"}) {
@@ -88,7 +88,7 @@ TEST_CASE("a command line that is not understood exits with 2") {
   CHECK(mentions(run("elgen generte x.toml").errors, "did you mean `generate`"));
 }
 
-TEST_CASE("what would ask for two results at once is not understood") {
+TEST_CASE("options that ask for two results exclude each other") {
   const std::vector<std::string> options{"--check", "--list-outputs", "--stdout", "--depfile d"};
   for (std::size_t i = 0; i < options.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -102,7 +102,7 @@ TEST_CASE("what would ask for two results at once is not understood") {
   }
 }
 
-TEST_CASE("every stage may be the last, and nothing is written then") {
+TEST_CASE("every stage may be the last, and then nothing is written") {
   const std::vector<std::string> stages = stages_of_help();
   REQUIRE(stages.size() == 19);
   for (const std::string& stage : stages) {

@@ -1,5 +1,5 @@
-// Every command of the table is offered, in its order, and explains itself; shells complete it, and
-// the manual has it.
+// Every command of the table is in the help, in order, with its own help; in the completions of
+// shells, and in the manual.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-/// The completions that bash offers behind these words, in one line.
+/// The completions of bash after these words, in one line.
 std::string offered(const std::string& words) {
   const std::string script =
       "eval \"$(elgen completions bash)\"; COMP_WORDS=(elgen " + words +
@@ -19,7 +19,7 @@ bool has_shell(const std::string& shell) { return run("command -v " + shell).sta
 
 }  // namespace
 
-TEST_CASE("help has the commands in the order of their table") {
+TEST_CASE("help lists the commands in the order of the table") {
   const Workspace workspace;
   const std::string help = workspace.run("elgen --help").output;
   std::size_t at = help.find("Subcommands");
@@ -36,7 +36,7 @@ TEST_CASE("help has the commands in the order of their table") {
   }
 }
 
-TEST_CASE("options of several commands are read in each") {
+TEST_CASE("options of several commands are accepted by each") {
   const Workspace workspace;
   const std::string model = ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
   for (const char* command : {"generate --stdout ", "show "}) {
@@ -48,7 +48,7 @@ TEST_CASE("options of several commands are read in each") {
   }
 }
 
-TEST_CASE("the list of commands has what --help has") {
+TEST_CASE("the manual has a section for every command in --help") {
   const std::string manual = run("elgen man").output;
   const std::string help = run("elgen --help").output;
   const std::size_t commands = help.find("Subcommands:");
@@ -56,7 +56,7 @@ TEST_CASE("the list of commands has what --help has") {
   std::istringstream lines(help.substr(help.find('\n', commands) + 1));
   int count = 0;
   for (std::string line; std::getline(lines, line) && line.starts_with("  ");) {
-    if (line[2] == ' ') continue;  // a description that goes on
+    if (line[2] == ' ') continue;  // continuation of a description
     const std::string name = line.substr(2, line.find(' ', 2) - 2);
     INFO(name);
     CHECK(manual.find("\n.SS " + name + "\n") != std::string::npos);
@@ -74,13 +74,13 @@ TEST_CASE("bash completes commands, options and their words") {
   CHECK(offered("-V") == "-V\n");
 }
 
-TEST_CASE("bash completes files where an input stands") {
+TEST_CASE("bash completes file names for inputs") {
   CHECK(run("touch cart.toml && bash -c 'eval \"$(elgen completions bash)\"; COMP_WORDS=(elgen "
             "generate ca); COMP_CWORD=2; _elgen; echo \"${COMPREPLY[*]}\"'")
             .output == "cart.toml\n");
 }
 
-TEST_CASE("zsh and fish read their scripts") {
+TEST_CASE("zsh and fish accept their scripts") {
   for (const std::string shell : {"zsh", "fish"}) {
     const Outcome script = run("elgen completions " + shell);
     INFO(shell);
@@ -91,7 +91,7 @@ TEST_CASE("zsh and fish read their scripts") {
   }
 }
 
-TEST_CASE("the manual has options with their words, and exit codes") {
+TEST_CASE("the manual lists options with their arguments, and exit codes") {
   const Outcome manual = run("elgen man");
   CHECK(manual.status == 0);
   CHECK(manual.output.starts_with(".TH ELGEN 1 "));
@@ -100,7 +100,7 @@ TEST_CASE("the manual has options with their words, and exit codes") {
   CHECK(manual.output.find("\n.TP\n130\ninterrupted") != std::string::npos);
 }
 
-TEST_CASE("no text of the manual is a request of troff") {
+TEST_CASE("no line of text in the manual is a troff request") {
   std::istringstream lines(run("elgen man").output);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with('.') && !line.starts_with('\'')) continue;

@@ -1,4 +1,4 @@
-// elgen diff: what is compared, what it exits with, what is refused.
+// elgen diff: inputs, exit codes and refusals.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
@@ -6,7 +6,7 @@
 namespace elgen::test {
 namespace {
 
-/// A folder with the cart and its scene, and with gravity turned round in `new`.
+/// A folder with the cart and its scene, and a copy `new` with gravity reversed.
 class TwoFolders : public Workspace {
  public:
   TwoFolders() {
@@ -18,7 +18,7 @@ class TwoFolders : public Workspace {
   [[nodiscard]] Outcome diff(const std::string& words) const { return run("elgen diff " + words); }
 };
 
-/// Two versions of the cart.
+/// Two versions of the cart; gravity is reversed in the second.
 class TwoCarts : public Workspace {
  public:
   TwoCarts() {
@@ -41,7 +41,7 @@ TEST_CASE("two files are compared, a difference exits with 1") {
   CHECK(folders.diff("old/cart_pole.toml old/cart_pole.toml").status == 0);
 }
 
-TEST_CASE("scenes bring their models along") {
+TEST_CASE("a scene is compared together with its model") {
   const TwoFolders folders;
   const Outcome outcome =
       folders.diff("old/scenes/balance.scene.toml new/scenes/balance.scene.toml");
@@ -57,7 +57,7 @@ TEST_CASE("files of folders match by their paths") {
   CHECK_FALSE(mentions(outcome.output, "simple_pendulum"));
 }
 
-TEST_CASE("a model that is gone breaks, one that moved does not") {
+TEST_CASE("a removed model breaks, a moved model does not") {
   const TwoFolders folders;
   folders.prepare(
       "cp old/cart_pole.toml new && mv new/simple_pendulum.toml new/scenes/pendulum.toml");
@@ -77,7 +77,7 @@ TEST_CASE("a model that is gone breaks, one that moved does not") {
   CHECK(mentions(gone.output, "breaks       the code of callers breaks\n"));
 }
 
-TEST_CASE("files of a revision that moved or went are told so where they are named") {
+TEST_CASE("a file of a revision that was moved or removed is reported if named") {
   const TwoFolders folders;
   folders.prepare(
       "git init -q && git add old && git -c user.name=a -c user.email=a@b commit -q -m first && "
@@ -90,7 +90,7 @@ TEST_CASE("files of a revision that moved or went are told so where they are nam
   CHECK(folders.diff("--against HEAD nothing.toml").status == 2);
 }
 
-TEST_CASE("what exits with 0 is set by --allow") {
+TEST_CASE("--allow sets the differences that exit with 0") {
   const TwoFolders folders;
   const std::string pair = "old/cart_pole.toml new/cart_pole.toml ";
   CHECK(folders.diff(pair + "--allow extended").status == 1);
@@ -99,7 +99,7 @@ TEST_CASE("what exits with 0 is set by --allow") {
   CHECK(folders.diff(pair + "--allow all").status == 2);
 }
 
-TEST_CASE("a revision of git is compared with what is there") {
+TEST_CASE("a revision of git is compared with the working tree") {
   const TwoFolders folders;
   folders.prepare(
       "mv old/* . && rmdir old && rm -r new && git init -q && git add . && "
@@ -116,7 +116,7 @@ TEST_CASE("a revision of git is compared with what is there") {
   CHECK(mentions(unknown.errors, "error[E713]: `nothing` is no revision"));
 }
 
-TEST_CASE("what has no errors in one version is not compared with what has") {
+TEST_CASE("a model with errors in one version is reported as unreadable") {
   const TwoFolders folders;
   folders.prepare("sed -i 's/cos(theta)/cos(thet)/' new/cart_pole.toml");
   const Outcome outcome = folders.diff("old new");
@@ -126,7 +126,7 @@ TEST_CASE("what has no errors in one version is not compared with what has") {
   CHECK(mentions(outcome.errors, "new/cart_pole.toml:51:36: error[E201]: unknown name `thet`"));
 }
 
-TEST_CASE("one model that cannot be read leaves the report of the others, in every format") {
+TEST_CASE("an unreadable model does not stop the report of the others, in every format") {
   const TwoFolders folders;
   folders.prepare("echo x >> new/simple_pendulum.toml");
   const Outcome text = folders.diff("old new");
@@ -144,7 +144,7 @@ TEST_CASE("one model that cannot be read leaves the report of the others, in eve
   CHECK(mentions(json.output, "\"path\": \"new/simple_pendulum.toml\""));
 }
 
-TEST_CASE("roots written otherwise pass as equal, unless --strict") {
+TEST_CASE("equal roots in another form are equal, except with --strict") {
   const Workspace workspace;
   workspace.write("a.toml",
                   "format = 1\n[model]\nname = \"pushed\"\n[[coordinate]]\nname = \"x\"\n"
@@ -155,7 +155,7 @@ TEST_CASE("roots written otherwise pass as equal, unless --strict") {
   CHECK(workspace.run("elgen diff --strict a.toml b.toml").status == 1);
 }
 
-TEST_CASE("a model that cannot be read is an error in every mode, not a removed one") {
+TEST_CASE("an unreadable model is an error in every mode, not a removed model") {
   const std::string merge = "1i <<<<<<< HEAD";
   const std::string misnamed = "s/^.model./[modell]/";
   const std::string empty = "d";
@@ -181,7 +181,7 @@ TEST_CASE("a model that cannot be read is an error in every mode, not a removed 
   }
 }
 
-TEST_CASE("a model that cannot be read in both versions is an error, changed or not") {
+TEST_CASE("a model that is unreadable in both versions is an error, changed or not") {
   const std::string merge = "1i <<<<<<< HEAD";
   const std::string misnamed = "s/^.model./[modell]/";
   const std::string unknown = "s/^.parameters./&\\nZ = \"2*zeta\"/";
@@ -211,7 +211,7 @@ TEST_CASE("a model that cannot be read in both versions is an error, changed or 
   }
 }
 
-TEST_CASE("annotations tell what can be compared beside what cannot be read") {
+TEST_CASE("annotations report differences and unreadable models") {
   const TwoFolders folders;
   folders.prepare(
       "sed -i 's/^name *= \"u\"/name = \"F\"/' new/cart_pole.toml && echo x >> "
@@ -226,7 +226,7 @@ TEST_CASE("annotations tell what can be compared beside what cannot be read") {
       mentions(outcome.output, "title=elgen diff%3A unreadable::new/simple_pendulum.toml: E101: "));
 }
 
-TEST_CASE("links that lead nowhere, and paths that are too long, are no internal errors") {
+TEST_CASE("dangling links and long paths are no internal errors") {
   const TwoFolders folders;
   folders.prepare(
       "ln -s nothing old/dangling.toml && ln -s round new/round && ln -s loop.toml new/loop.toml "
@@ -253,14 +253,14 @@ TEST_CASE("a rename is OLD=NEW, and two inputs are compared") {
   CHECK(mentions(one.errors, "`diff` compares two, not 1"));
 }
 
-TEST_CASE("programs get JSON, also of errors") {
+TEST_CASE("with --format json results and errors are JSON") {
   const TwoFolders folders;
   const Outcome outcome = folders.diff("old new --format json");
   CHECK(starts_with(outcome.output, "{\n  \"format\": \"elgen diff 1\",\n"));
   CHECK(starts_with(folders.diff("old nowhere.toml --format json").errors, "{"));
 }
 
-TEST_CASE("a report is written as messages are, unless its own format is said") {
+TEST_CASE("a report has the format of messages, unless diff has its own --format") {
   const TwoFolders folders;
   const std::string pair = " old/cart_pole.toml new/cart_pole.toml";
   const auto output = [&](const std::string& words) {
@@ -272,7 +272,7 @@ TEST_CASE("a report is written as messages are, unless its own format is said") 
   CHECK(starts_with(output("diff --format markdown"), "### elgen diff: different"));
 }
 
-TEST_CASE("outputs that are not asked for are not told, but count") {
+TEST_CASE("--only hides other outputs, but they count for the verdict") {
   const TwoFolders folders;
   const Outcome mass = folders.diff("--only mass_matrix old/cart_pole.toml new/cart_pole.toml");
   CHECK(mentions(mass.output, "follows      0 of 4 entries differ, 0 rewritten\n"));
@@ -284,7 +284,7 @@ TEST_CASE("outputs that are not asked for are not told, but count") {
   CHECK(mentions(unknown.errors, "no version has an output `biass`"));
 }
 
-TEST_CASE("files of other programs, hidden folders and equal files are passed over") {
+TEST_CASE("other TOML files, hidden folders and equal files are skipped") {
   const Workspace workspace;
   workspace.prepare(
       "mkdir -p old/.cache && cp " + models +
@@ -302,7 +302,7 @@ TEST_CASE("a folder is not compared with a file") {
   CHECK(mentions(outcome.errors, "is a folder"));
 }
 
-TEST_CASE("steps are compared as they are emitted") {
+TEST_CASE("steps are compared in their emitted form") {
   const Workspace workspace;
   workspace.prepare("cp -r " + models +
                     " old && cp -r old new && "
@@ -318,7 +318,7 @@ TEST_CASE("a model may come from standard input") {
   CHECK(carts.diff("- - < old/cart_pole.toml").status == 4);
 }
 
-TEST_CASE("operations of emitted code are told, of large systems they are not counted") {
+TEST_CASE("operations of emitted code are reported, but not counted for large systems") {
   const TwoCarts carts;
   carts.prepare("sed 's/l\\*sin(theta)/2*l*sin(theta)/' old/cart_pole.toml > new/cart_pole.toml");
   CHECK(mentions(carts.diff("old/cart_pole.toml new/cart_pole.toml").output, "\noperations   "));

@@ -1,4 +1,4 @@
-// elgen evaluate and elgen vectors: their words, files and messages.
+// elgen evaluate and elgen vectors: options, files and messages.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +15,7 @@ Outcome evaluate(const std::string& rest) {
 
 }  // namespace
 
-TEST_CASE("settings may stand in one word, in several, or after one another") {
+TEST_CASE("settings may be one word, several words or several options") {
   const std::string expected =
       "simple_pendulum at theta = 0.1, dot(theta) = 2.0\nmomentum\n  theta  0.1 kg*m^2/s\n";
   for (const std::string state :
@@ -61,7 +61,7 @@ TEST_CASE("digits are between 1 and 60") {
   }
 }
 
-TEST_CASE("vectors are written as the ending says, and nothing is overwritten unasked") {
+TEST_CASE("the file extension sets the format of vectors, and existing files need --force") {
   const Workspace workspace;
   const auto vectors = [&](const std::string& rest) {
     return workspace.run("elgen vectors --outputs gravity --samples 2 " + rest + " " +
@@ -84,7 +84,7 @@ TEST_CASE("vectors are written as the ending says, and nothing is overwritten un
         "      the ending says what is written\n");
 }
 
-TEST_CASE("the header of vectors compiles in C and C++ without warnings, and has the values") {
+TEST_CASE("the header of vectors compiles as C and C++ without warnings and has the values") {
   const Workspace workspace;
   workspace.prepare("elgen vectors --samples 4 -o vectors.h " + models + "/cart_pole.toml");
   const std::string program = R"(#include "vectors.h"

@@ -1,4 +1,4 @@
-// The exit codes of every command: each that it can end with, and why it cannot with others.
+// The exit codes of every command: a command line for each code, or the reason why there is none.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -13,12 +13,12 @@ namespace {
 struct ExitRow {
   std::string command;
   int code;
-  std::string line;          ///< the command line; empty: the command cannot end so
-  std::string why_not = {};  ///< then
+  std::string line;          ///< the command line; empty: the command never ends with this code
+  std::string why_not = {};  ///< the reason if `line` is empty
 };
 
-/// In a folder with a pendulum `good`, `other` in the value of a parameter, and one with an error,
-/// a wrong expectation, and a force that grows without bound.
+/// In a folder with a pendulum `good`, a copy `other` with another parameter value, a model with an
+/// error, one with a wrong expectation, and one with a force that grows without bound.
 const std::vector<ExitRow> exit_rows{
     {"generate", 0, "elgen generate good.toml"},
     {"generate", 1, "elgen generate --check -o none good.toml"},
@@ -120,7 +120,7 @@ TEST_CASE("every command has a row for each exit code from 0 to 4") {
   }
 }
 
-TEST_CASE("every command ends with the exit code of what happened") {
+TEST_CASE("every command line ends with its exit code") {
   const Models workspace;
   for (const ExitRow& row : exit_rows) {
     if (row.line.empty()) continue;
@@ -130,8 +130,8 @@ TEST_CASE("every command ends with the exit code of what happened") {
   }
 }
 
-/// Each step is a constant or a value beyond 10^10000 for some state.
-TEST_CASE("absurd powers end with a limit, or are emitted, and are no internal errors") {
+/// Each step is a constant, or exceeds 10^10000 in some state.
+TEST_CASE("absurd powers end with a limit or are emitted, without internal errors") {
   const Workspace workspace;
   const auto status = [&](const std::string& leaf, const std::string& step, int steps) {
     std::string text =
@@ -159,7 +159,7 @@ TEST_CASE("the program stops at memory errors") {
     REQUIRE(outcome.status == 0);
     return outcome.output;
   };
-  // Full RELRO: what the loader writes is read-only afterwards, and nothing is bound later.
+  // Full RELRO: all symbols are bound at start, and the loader's data is read-only afterwards.
   CHECK(mentions(printed("--program-headers"), "GNU_RELRO"));
   CHECK(mentions(printed("--dynamic"), "BIND_NOW"));
   const std::string symbols = printed("--dyn-syms");

@@ -1,4 +1,4 @@
-// elgen explain: every code has its words, every entry its keys.
+// elgen explain: a text for every code, and the keys of every entry.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -37,7 +37,7 @@ TEST_CASE("explain knows every entry and its keys") {
   CHECK(mentions(frame, "\n  x_parent = translate + R x."));
 }
 
-TEST_CASE("explain knows codes in any case, outputs and functions") {
+TEST_CASE("explain accepts codes in any case, outputs and functions") {
   CHECK(run("elgen explain e201").output == run("elgen explain E201").output);
   CHECK(mentions(run("elgen explain mass_matrix").output, "mass_matrix: an output\n\n"));
   for (const OutputRow& row : output_table()) {
@@ -55,7 +55,7 @@ TEST_CASE("explain knows codes in any case, outputs and functions") {
   CHECK(mentions(run("elgen explain mass_matri").errors, "did you mean `mass_matrix`?"));
 }
 
-TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
+TEST_CASE("an entry is explained with its tables, types of values and choices") {
   CHECK(run("elgen explain scene.emit").output == R"text([emit]: the emitted code
 
   language       one of                   language of the emitted code ("c++17", "c99", "python", "matlab", "javascript"); default: "c++17"
@@ -75,7 +75,7 @@ TEST_CASE("an entry is shown with its tables, kinds of values and choices") {
   CHECK(mentions(unknown.errors, "did you mean `coordinate`?"));
 }
 
-TEST_CASE("programs get codes and keys as JSON") {
+TEST_CASE("codes and keys are available as JSON") {
   const auto code = nlohmann::json::parse(run("elgen explain E201 --format json").output);
   CHECK(code.at("severity") == "error");
   CHECK(code.at("exit_code") == 2);

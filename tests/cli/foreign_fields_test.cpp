@@ -1,4 +1,4 @@
-// elgen verify --foreign: code of constrained models, of outputs with several fields, and of steps.
+// elgen verify --foreign: constrained models, outputs with several fields, and steps.
 #include <catch2/catch.hpp>
 
 #include "cli/foreign_testing.hpp"
@@ -6,7 +6,7 @@
 namespace elgen::test {
 namespace {
 
-/// A bob on a rod, with gains as `stabilise` says.
+/// A bob on a rod; `stabilise` sets the gains.
 std::string rod(const std::string& stabilise = "") {
   return R"toml(format = 1
 [model]
@@ -35,7 +35,8 @@ equation = "x^2 + y^2 = l^2"
 )toml" + stabilise;
 }
 
-/// A command for each state: p, x, y, and v of `square`.
+/// A program that prints `answer` for each state, with p, x, y and vx, vy defined; `length` is the
+/// square of the rod's length.
 std::string on_the_rod(const std::string& length, const std::string& answer) {
   return "import json, sys\n"
          "for line in sys.stdin:\n"
@@ -51,7 +52,7 @@ const std::string forward = "--function forward_dynamics";
 
 }  // namespace
 
-TEST_CASE("code of a constrained model is judged on the constraints") {
+TEST_CASE("code of a constrained model is compared at states on the constraints") {
   const Foreign folder;
   folder.write("rod.toml", rod());
   const auto judged = [&](const std::string& length, const std::string& answer) {
@@ -74,7 +75,7 @@ TEST_CASE("code of a constrained model is judged on the constraints") {
   CHECK(mentions(length.output, "only where parameters are varied"));
 }
 
-TEST_CASE("multipliers are compared, with the gains of `stabilise` too") {
+TEST_CASE("multipliers are compared, also with the gains of `stabilise`") {
   const Foreign folder;
   folder.write("rod.toml", rod());
   folder.write("stable.toml", rod("stabilise = { omega = 10, zeta = 1 }\n"));
@@ -96,7 +97,7 @@ TEST_CASE("multipliers are compared, with the gains of `stabilise` too") {
   }
 }
 
-TEST_CASE("outputs that say how far off a state is are judged off the constraints") {
+TEST_CASE("constraint residuals are compared off the constraints") {
   const Foreign folder;
   folder.write("rod.toml", rod());
   const auto judged = [&](const std::string& rate) {
@@ -110,7 +111,7 @@ TEST_CASE("outputs that say how far off a state is are judged off the constraint
   CHECK(judged("x * vx + y * vy").status == 1);
 }
 
-TEST_CASE("code that is right off the constraints holds, though no digit is left on them") {
+TEST_CASE("code that is right off the constraints holds, although all digits cancel on them") {
   const Foreign folder;
   folder.write("rod.toml", rod() + "[[output]]\nname = \"stretch\"\nvalue = \"x^2 + y^2 - l^2\"\n");
   const auto judged = [&](const std::string& answer) {
@@ -125,7 +126,7 @@ TEST_CASE("code that is right off the constraints holds, though no digit is left
   CHECK(judged("x * x - y * y - p['l'] ** 2").status == 1);
 }
 
-TEST_CASE("states that no step of Newton puts on the constraints are counted") {
+TEST_CASE("states that cannot be projected onto the constraints are counted") {
   const Foreign folder;
   folder.write("wall.toml",
                replaced(replaced(rod(), "l = { value = 1,", R"(d = { value = 1, unit = "m" }
@@ -141,7 +142,7 @@ l = { value = 1.05,)"),
   CHECK_FALSE(mentions(outcome.output, "agrees at 60 states"));
 }
 
-TEST_CASE("every field of an output can be judged, together or by its name") {
+TEST_CASE("all fields of an output are compared, or one by its name") {
   const Foreign folder;
   folder.write("upright.toml", R"toml(format = 1
 [model]
@@ -196,7 +197,7 @@ on = "theta"
   CHECK(mentions(judged(right, "gravity.B").errors, "error[E601]: `gravity` has no field `B`"));
 }
 
-TEST_CASE("code that answers 0 is right where terms cancel to 0") {
+TEST_CASE("code that returns 0 is right if terms cancel to 0") {
   const Foreign folder;
   const auto judged = [&](const std::string& answer) {
     return folder.judge("import sys\nfor line in sys.stdin:\n  print(" + answer + ")\n",
@@ -239,7 +240,7 @@ name = "rk4"
 step = { method = "rk4", rename = "advance" }
 step_derivatives = { method = "rk4" }
 )toml");
-  // One step, and its derivatives by differences in the complex plane, which lose no digits.
+  // One step, and its derivatives by complex-step differentiation, which loses no digits.
   const std::string step = R"py(import cmath, json, sys
 
 def advanced(x, t, h, u, p):
@@ -286,7 +287,7 @@ for line in sys.stdin:
   CHECK(mentions(vectors.output, "\"function\": \"step\""));
 }
 
-TEST_CASE("the input of a model without inputs is an empty list, and a pointer that is not read") {
+TEST_CASE("without inputs a command gets an empty list and a library an unused pointer") {
   const Foreign folder;
   folder.write("mass.toml",
                "format = 1\n[model]\nname = \"mass\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"

@@ -1,12 +1,12 @@
-// elgen verify --foreign: code that crashes, hangs, writes where it should not, or answers what is
-// no answer.
+// elgen verify --foreign: code that crashes, hangs, writes out of bounds, or returns invalid
+// answers.
 #include <catch2/catch.hpp>
 
 #include "cli/foreign_testing.hpp"
 
 namespace elgen::test {
 
-TEST_CASE("a crash and a hang end the foreign code alone") {
+TEST_CASE("a crash or a hang ends only the foreign code") {
   const Foreign folder;
   const std::string end = "  result[0] = a;\n";
   const Outcome crash =
@@ -30,7 +30,7 @@ TEST_CASE("a crash and a hang end the foreign code alone") {
   CHECK(mentions(command.output, "has not ended within 3 s, after 1 answer\n"));
 }
 
-TEST_CASE("a library that stops, or ignores its alarm, ends within the limit") {
+TEST_CASE("a library that stops itself or ignores its alarm is ended within the limit") {
   const Foreign folder;
   const std::string end = "  result[0] = a;\n";
   for (const char* const hang :
@@ -45,7 +45,7 @@ TEST_CASE("a library that stops, or ignores its alarm, ends within the limit") {
   }
 }
 
-TEST_CASE("a library that writes before its result, or anywhere, is told") {
+TEST_CASE("a library that writes outside its result is reported") {
   const Foreign folder;
   const std::string end = "  result[0] = a;\n";
   const std::string before = "writes before its result, after 0 answers";
@@ -62,7 +62,7 @@ TEST_CASE("a library that writes before its result, or anywhere, is told") {
                  "writes before its result, after 2 answers"));
 }
 
-TEST_CASE("the words of a library are indented, and only told where it fails") {
+TEST_CASE("output of a library is indented, and shown only if the library fails") {
   const Foreign folder;
   const std::string end = "  result[0] = a;\n";
   const std::string words = R"(write(1, "[1, 2]\n::error::x\n", 18);)";
@@ -79,7 +79,7 @@ TEST_CASE("the words of a library are indented, and only told where it fails") {
   CHECK(mentions(wrong.errors, "signal 11 (Segmentation fault), after 0 answers; " + indented));
 }
 
-TEST_CASE("a command that fails behind its last answer, or writes on, is told") {
+TEST_CASE("a command that fails or writes after its last answer is reported") {
   const Foreign folder;
   const std::string as = "--function forward_dynamics --samples 10";
   const Outcome exits = folder.judge(script + "sys.exit(3)\n", as);
@@ -92,7 +92,7 @@ TEST_CASE("a command that fails behind its last answer, or writes on, is told") 
   CHECK(folder.judge(script + "print()\n", as).status == 0);
 }
 
-TEST_CASE("numbers that no double holds are infinite, not 0") {
+TEST_CASE("numbers too large for double are infinite, not 0") {
   const Foreign folder;
   folder.write("masses.toml", R"toml(format = 1
 [model]
@@ -122,7 +122,7 @@ T = "1/2*m*(dot(x)^2 + dot(y)^2)"
   CHECK(judged("[%r, 1e-400, -1e-400, %r]").status == 0);
 }
 
-TEST_CASE("a wrong count of numbers, NaN and what is no number are told") {
+TEST_CASE("a wrong count of numbers, NaN and invalid numbers are reported") {
   const Foreign folder;
   const std::string end = "  result[0] = a;\n";
   CHECK(mentions(folder.judge_changed(end, end + "  result[2] = a;\n").output,
@@ -144,7 +144,7 @@ TEST_CASE("a wrong count of numbers, NaN and what is no number are told") {
   CHECK(mentions(folder.judge("print([1, 2])\n", as).output, "ends early, after 1 answer\n"));
 }
 
-TEST_CASE("the words of a command that fails are shown") {
+TEST_CASE("the output of a failing command is shown") {
   const Foreign folder;
   const Outcome outcome = folder.judge("raise ValueError('no such pole')\n", "--function bias");
   CHECK(outcome.status == 1);

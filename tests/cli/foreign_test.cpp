@@ -1,5 +1,4 @@
-// elgen verify --foreign: code that elgen did not write, right and wrong in the ways of its
-// authors.
+// elgen verify --foreign: code that elgen did not write, correct or with typical errors.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +11,7 @@ const std::string another = "under another convention: ";
 
 }  // namespace
 
-TEST_CASE("foreign code that is right agrees to the last digits") {
+TEST_CASE("correct foreign code agrees to the last digits") {
   const Foreign folder;
   const Outcome in_c = folder.judge_c(cart);
   INFO(in_c.output << in_c.errors);
@@ -28,7 +27,7 @@ TEST_CASE("foreign code that is right agrees to the last digits") {
   CHECK(mentions(in_python.output, "2 checks hold, 0 fail, 0 skipped\n"));
 }
 
-TEST_CASE("a wrong sign is told by the situation in which it shows") {
+TEST_CASE("a wrong sign is located by the situation in which it matters") {
   const Foreign folder;
   const Outcome outcome = folder.judge_changed("+ m * l * w", "- m * l * w");
   INFO(outcome.output << outcome.errors);
@@ -41,7 +40,7 @@ TEST_CASE("a wrong sign is told by the situation in which it shows") {
   CHECK(mentions(outcome.errors, "error[E717]: `my_fd as forward_dynamics`: "));
 }
 
-TEST_CASE("a half turn, and a direction, of an angle are named") {
+TEST_CASE("half a turn and a reversed direction of an angle are recognised") {
   const Foreign folder;
   const Outcome half_turn =
       folder.judge_changed("theta = q[1]", "theta = q[1] + 3.14159265358979324");
@@ -49,7 +48,7 @@ TEST_CASE("a half turn, and a direction, of an angle are named") {
   CHECK(half_turn.status == 1);
   CHECK(mentions(half_turn.output, "found      at rest already\n"));
   CHECK(mentions(half_turn.output, another + "its `theta` is `theta + pi`\n"));
-  // Counted from the other side: a' = -a, w' = -w.
+  // The angle is measured in the opposite direction: a' = -a, w' = -w.
   const Outcome mirrored = folder.judge_c(replaced(replaced(cart, "theta = q[1]", "theta = -q[1]"),
                                                    "(g * s - c * a)", "-(g * s - c * a)"));
   INFO(mirrored.output);
@@ -63,7 +62,7 @@ TEST_CASE("a half turn, and a direction, of an angle are named") {
   CHECK(mentions(both.output, another));
 }
 
-TEST_CASE("a reversed input shows with inputs alone") {
+TEST_CASE("a reversed input matters only with inputs") {
   const Foreign folder;
   const Outcome outcome = folder.judge_changed("force = u[0]", "force = -u[0]");
   INFO(outcome.output);
@@ -72,7 +71,7 @@ TEST_CASE("a reversed input shows with inputs alone") {
   CHECK(mentions(outcome.output, another + "its `u` is `-u`\n"));
 }
 
-TEST_CASE("relative angles for absolute ones, and another order, are named") {
+TEST_CASE("relative angles and another order of coordinates are recognised") {
   const Foreign folder;
   folder.write("links.toml", R"toml(format = 1
 [model]
@@ -105,7 +104,7 @@ T = "1/2*m*l^2*(2*dot(a)^2 + 2*cos(a - b)*dot(a)*dot(b) + dot(b)^2)"
   CHECK_FALSE(mentions(wrong, another));
 }
 
-TEST_CASE("a point mass for a rod is a factor") {
+TEST_CASE("a point mass instead of a rod is reported as a factor") {
   const Foreign folder;
   folder.write("rod.toml", R"toml(format = 1
 [model]
@@ -130,7 +129,7 @@ V = "-1/2*m*g*l*cos(theta)"
   CHECK(mentions(outcome.output, "found      is 0.666667 times the oracle's at all states\n"));
 }
 
-TEST_CASE("a parameter that is written out is named") {
+TEST_CASE("a parameter replaced by a number is named") {
   const Foreign folder;
   const Outcome outcome = folder.judge_changed("g = p[3]", "g = 9.81");
   INFO(outcome.output);
@@ -140,7 +139,7 @@ TEST_CASE("a parameter that is written out is named") {
   CHECK(mentions(outcome.output, "found      ignores `g`\n"));
 }
 
-TEST_CASE("single precision agrees to the digits of float, within a tolerance it is right") {
+TEST_CASE("single precision agrees to the digits of float, and passes with a tolerance") {
   const Foreign folder;
   const Outcome outcome = folder.judge_changed("typedef double real", "typedef float real");
   INFO(outcome.output);
@@ -169,7 +168,7 @@ TEST_CASE("code that cannot be called exits with 4") {
   CHECK(mentions(judged("./none.so"), "`./none.so` is no file, and no command that could be run"));
 }
 
-TEST_CASE("options of foreign code that lack their companions are refused") {
+TEST_CASE("incomplete options for foreign code are refused") {
   const Foreign folder;
   folder.write("mine.py", script);
   const std::string cart_pole = " " + models + "/cart_pole.toml";
@@ -210,11 +209,11 @@ TEST_CASE("certificates of foreign code are JSON, and annotations name the model
 }
 
 // CartPole and Pendulum of OpenAI Gym (MIT licence, https://github.com/openai/gym,
-// gym/envs/classic_control), written anew from their equations: Barto, Sutton, Anderson, Neuronlike
+// gym/envs/classic_control), rewritten from their equations: Barto, Sutton, Anderson, Neuronlike
 // adaptive elements (1983), with the corrections of Florian, Correct equations for the dynamics of
-// the cart-pole system (2007), without friction. `l` of the cart is half the length of its pole,
-// which is a rod.
-TEST_CASE("the formulas of Gym's CartPole and Pendulum are those of rods") {
+// the cart-pole system (2007), without friction. `l` of the cart is half the length of its pole, a
+// uniform rod.
+TEST_CASE("the formulas of Gym's CartPole and Pendulum describe rods") {
   const Foreign folder;
   const std::string head = "format = 1\n[model]\nname = \"rod\"\n";
   const std::string angle = "[[coordinate]]\nname = \"theta\"\nunit = \"rad\"\n";

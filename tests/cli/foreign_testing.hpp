@@ -1,4 +1,4 @@
-// Foreign code of models/cart_pole.toml, in C and in Python, and a folder to judge it in.
+// Foreign code for models/cart_pole.toml, in C and in Python, and a folder to compare it in.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ void my_fd(const double *p, const double *q, const double *v, const double *u, d
 }
 )c";
 
-/// The same as a command.
+/// The same accelerations as a command.
 inline const std::string script = R"py(import json, math, sys
 
 def forward_dynamics(p, q, v, u):
@@ -43,19 +43,19 @@ for line in sys.stdin:
 /// A folder with models and foreign code.
 class Foreign : public Workspace {
  public:
-  /// Of the cart, as C.
+  /// Compiles C code for the cart and compares it.
   [[nodiscard]] Outcome judge_c(const std::string& text, const std::string& options = "") const {
     write("mine.c", text);
     prepare("cc -std=c99 -D_DEFAULT_SOURCE -O1 -fPIC -shared mine.c -o mine.so -lm");
     return run("elgen verify --foreign ./mine.so --function forward_dynamics=my_fd " + options +
                " " + models + "/cart_pole.toml");
   }
-  /// Of the cart with one thing changed.
+  /// Compares the C code of the cart with `part` replaced by `other`.
   [[nodiscard]] Outcome judge_changed(const std::string& part, const std::string& other,
                                       const std::string& options = "") const {
     return judge_c(replaced(cart, part, other), options);
   }
-  /// As a command.
+  /// Runs Python code as a command and compares it.
   [[nodiscard]] Outcome judge(const std::string& text, const std::string& functions,
                               const std::string& model = models + "/cart_pole.toml") const {
     write("mine.py", text);

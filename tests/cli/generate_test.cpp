@@ -1,5 +1,4 @@
-// elgen generate: what its options make of the files it would write, and what these say they were
-// made from.
+// elgen generate: the effect of options on the written files, and the sources named in the files.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
@@ -7,7 +6,7 @@
 namespace elgen::test {
 namespace {
 
-/// The first line of the header that a command makes.
+/// The first line of the header that the command writes.
 std::string first_line(const std::string& command, const std::string& header) {
   const Workspace workspace;
   workspace.prepare("mkdir -p a/scenes b/deep && cp " + models + "/cart_pole.toml a && cp " +
@@ -18,7 +17,7 @@ std::string first_line(const std::string& command, const std::string& header) {
 
 }  // namespace
 
-TEST_CASE("a scene's base name is the model's and its own") {
+TEST_CASE("the base name of a scene is the model's name and its own") {
   const Workspace workspace;
   const Outcome outcome =
       workspace.run("elgen generate -q -o out " + models + "/scenes/balance.scene.toml");
@@ -30,7 +29,7 @@ TEST_CASE("a scene's base name is the model's and its own") {
         "./out/cart_pole_balance/cart_pole_balance.md\n");
 }
 
-TEST_CASE("`files` of a scene leaves out the sidecar and the page") {
+TEST_CASE("`files` of a scene omits the sidecar and the page") {
   const Project project;
   project.write(
       "bare.scene.toml",
@@ -62,7 +61,7 @@ TEST_CASE("option --list-outputs prints the paths and writes nothing") {
   CHECK(workspace.files().empty());
 }
 
-TEST_CASE("option --depfile names what the output depends on, in the language of make") {
+TEST_CASE("option --depfile writes the dependencies of each output as rules of make") {
   const Workspace workspace;
   workspace.prepare("cp -r " + models + " models");
   const Outcome outcome =
@@ -74,7 +73,7 @@ TEST_CASE("option --depfile names what the output depends on, in the language of
         stem + ".hpp" + sources + stem + ".equations.json" + sources + stem + ".md" + sources);
 }
 
-TEST_CASE("a rule of Ninja that declares every file runs elgen where a source changed") {
+TEST_CASE("with a Ninja rule that declares every file, elgen runs if a source changed") {
   const Workspace workspace;
   workspace.prepare("cp -r " + models + " models");
   const std::string stem = "out/cart_pole_balance/cart_pole_balance";
@@ -93,7 +92,7 @@ TEST_CASE("a rule of Ninja that declares every file runs elgen where a source ch
   CHECK_FALSE(builds("true"));
 }
 
-TEST_CASE("the JSON of generate names the sources, which all are files") {
+TEST_CASE("the JSON of generate names the sources that are files") {
   const Workspace workspace;
   workspace.prepare("cp -r " + models + " models");
   const std::string list = "elgen generate --list-outputs --format json ";
@@ -103,7 +102,7 @@ TEST_CASE("the JSON of generate names the sources, which all are files") {
   CHECK(mentions(workspace.run(list + "- < models/cart_pole.toml").output, "\"sources\": []"));
 }
 
-TEST_CASE("options that would change the model's own output are refused without -o") {
+TEST_CASE("options that change the model's default output are refused without -o") {
   const Workspace workspace;
   const std::string generate = "elgen generate -q " + models + "/chain.toml ";
   for (const std::string option : {"--outputs mass_matrix", "--fix g", "--size n=2"}) {
@@ -117,7 +116,8 @@ TEST_CASE("options that would change the model's own output are refused without 
   }
 }
 
-TEST_CASE("code of a model is not replaced by that of another of its name while that is there") {
+TEST_CASE(
+    "code of a model is not replaced by another model of the same name while its source exists") {
   const Workspace workspace;
   workspace.prepare("mkdir a b && cp " + models +
                     "/simple_pendulum.toml a/pend.toml && sed 's/\"-g\"/\"-2*g\"/' a/pend.toml > "
@@ -143,7 +143,7 @@ TEST_CASE("code of a model is not replaced by that of another of its name while 
   CHECK(workspace.run("mv a/pend.toml b/moved.toml && elgen generate -q b/moved.toml").status == 0);
 }
 
-TEST_CASE("a scene takes no files of another model or scene of its name") {
+TEST_CASE("a scene does not replace files of another model or scene of the same name") {
   const Workspace workspace;
   workspace.prepare("cp " + models + "/simple_pendulum.toml swing.toml");
   const auto scene = [&](const std::string& file) {
@@ -163,14 +163,14 @@ TEST_CASE("a scene takes no files of another model or scene of its name") {
   CHECK(workspace.run("elgen generate -q fast.toml").status == 2);
 }
 
-TEST_CASE("a line says what was checked, and that [[expect]] was not") {
+TEST_CASE("a line reports the comparison, and that [[expect]] was not checked") {
   const Outcome outcome = run("elgen generate -o out " + models + "/simple_pendulum.toml");
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.errors, "simple_pendulum: compared with 60-digit arithmetic at "));
   CHECK(mentions(outcome.errors, " lost; [[expect]] is left to `elgen verify`\n"));
 }
 
-TEST_CASE("paths are relative to the folder that everything goes to, however it is called") {
+TEST_CASE("paths in files are relative to the output root, in whatever form it is given") {
   const std::string line = "// Code generated by elgen from ../a/cart_pole.toml. DO NOT EDIT.";
   const std::string header = "b/cart_pole/cart_pole.hpp";
   CHECK(first_line("elgen generate -q -o b a/cart_pole.toml", header) == line);
@@ -182,7 +182,7 @@ TEST_CASE("paths are relative to the folder that everything goes to, however it 
         "NOT EDIT.");
 }
 
-TEST_CASE("a path that would tell of the machine is a name") {
+TEST_CASE("a path that would reveal the machine is replaced by the file name") {
   const std::string named = "// Code generated by elgen from cart_pole.toml. DO NOT EDIT.";
   const std::string header = "b/cart_pole/cart_pole.hpp";
   CHECK(first_line("elgen generate --stdout a/cart_pole.toml > b/cart.hpp", "b/cart.hpp") == named);
@@ -193,7 +193,7 @@ TEST_CASE("a path that would tell of the machine is a name") {
         named);
 }
 
-TEST_CASE("a clone below the folder for temporary files has nothing to do with others there") {
+TEST_CASE("a clone below the folder for temporary files has no paths to other folders there") {
   const Workspace clone;
   const Workspace other;
   clone.prepare("cp " + models + "/cart_pole.toml . && git init -q");

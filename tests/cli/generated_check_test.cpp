@@ -1,5 +1,5 @@
-// generate --check: committed output that is current, stale, edited by hand, missing or left over;
-// then the remedy.
+// generate --check: committed output that is current, stale, edited by hand, missing or orphaned,
+// and the printed remedy.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 const std::string turn = "sed -i 's/\\[\"0\", \"-g\"\\]/[\"0\", \"g\"]/' cart_pole.toml";
 
-/// A model, a scene and what they generate.
+/// A model and a scene with their generated files.
 class ModelAndScene : public Workspace {
  public:
   ModelAndScene() {
@@ -25,7 +25,7 @@ class ModelAndScene : public Workspace {
 
 }  // namespace
 
-TEST_CASE("stale files are named, with the commands that repair them and compare the equations") {
+TEST_CASE("stale files are listed with commands that repair them and compare the equations") {
   const Outcome outcome = Project().check_after(turn);
   CHECK(outcome.status == 1);
   CHECK(outcome.output ==
@@ -40,11 +40,11 @@ TEST_CASE("stale files are named, with the commands that repair them and compare
                                "cart_pole.toml\n"));
 }
 
-TEST_CASE("the lines that differ are shown where more is asked for") {
+TEST_CASE("option -v shows the lines that differ") {
   CHECK(mentions(Project().check_after(turn, " -v").output, "\n  @@"));
 }
 
-TEST_CASE("standard input has no revisions to compare with") {
+TEST_CASE("standard input has no revision to compare with") {
   const Project project;
   project.prepare(turn);
   const Outcome outcome = project.run("elgen generate --check - < cart_pole.toml");
@@ -52,7 +52,7 @@ TEST_CASE("standard input has no revisions to compare with") {
   CHECK_FALSE(mentions(outcome.errors, "elgen diff"));
 }
 
-TEST_CASE("files that are edited, broken or missing are told apart") {
+TEST_CASE("edited, broken and missing files have different messages") {
   const Outcome edited = Project().check_after(
       "sed -i 's/\"M + m\"/\"M - m\"/' generated/cart_pole/cart_pole.equations.json");
   CHECK(edited.output == "edited       generated/cart_pole/cart_pole.equations.json (by hand)\n");
@@ -64,7 +64,7 @@ TEST_CASE("files that are edited, broken or missing are told apart") {
   CHECK(missing.output == "missing      generated/cart_pole/cart_pole.md\n");
 }
 
-TEST_CASE("files are diagnostics where these are for programs") {
+TEST_CASE("with --format json files are reported as diagnostics") {
   const Outcome outcome =
       Project().check_after("rm generated/cart_pole/cart_pole.md", " --format json");
   CHECK(outcome.status == 1);
@@ -73,7 +73,7 @@ TEST_CASE("files are diagnostics where these are for programs") {
   CHECK(mentions(outcome.errors, "E715"));
 }
 
-TEST_CASE("what a model says is said once for all of its scenes") {
+TEST_CASE("a note about a model is printed once for all of its scenes") {
   const Project project;
   project.prepare("mkdir scenes && cp " + std::string(ELGEN_SOURCE_DIR) +
                   "/models/scenes/balance.scene.toml scenes && " + turn);
@@ -89,14 +89,14 @@ TEST_CASE("the committed output of every model and scene is current") {
   CHECK(outcome.status == 0);
 }
 
-TEST_CASE("output just written is current, and checking writes nothing") {
+TEST_CASE("newly written output is current, and checking writes nothing") {
   const Project project;
   const std::string listing = project.run("ls -lR --full-time generated").output;
   CHECK(project.check().status == 0);
   CHECK(project.run("ls -lR --full-time generated").output == listing);
 }
 
-TEST_CASE("generating again repairs what --check complains about") {
+TEST_CASE("generating again repairs the files that --check reports") {
   const Project project;
   project.prepare("sed -i 's/mass_matrix/mass_Matrix/' generated/cart_pole/cart_pole.hpp");
   REQUIRE(project.check().status == 1);
@@ -104,7 +104,7 @@ TEST_CASE("generating again repairs what --check complains about") {
   CHECK(project.check().status == 0);
 }
 
-TEST_CASE("the command that --check prints repairs, whatever the options") {
+TEST_CASE("the command that --check prints repairs the files, whatever the options") {
   for (const std::string options :
        {"", " --outputs mass_matrix,bias", " --fix g -o 'my out'", " --fix m=1/2 --fix g"}) {
     INFO(options);
@@ -122,7 +122,7 @@ TEST_CASE("the command that --check prints repairs, whatever the options") {
   }
 }
 
-TEST_CASE("the folder of a scene that was renamed is found") {
+TEST_CASE("the folder of a renamed scene is found") {
   const ModelAndScene project;
   const Outcome outcome = project.check(
       "sed -i 's/^name *= *\"balance\"/name = \"upright\"/' scenes/balance.scene.toml && "
@@ -136,7 +136,7 @@ TEST_CASE("the folder of a scene that was renamed is found") {
   CHECK_FALSE(mentions(outcome.errors, "elgen generate"));
 }
 
-TEST_CASE("the folder of a file that moved or went is found") {
+TEST_CASE("the folder of a moved or removed source is found") {
   const ModelAndScene project;
   const Outcome outcome = project.check(
       "mv scenes/balance.scene.toml scenes/upright.scene.toml && mkdir generated/mine "
@@ -151,12 +151,12 @@ TEST_CASE("the folder of a file that moved or went is found") {
   CHECK(mentions(gone.output, "cart_pole_balance.md: there is no scenes/balance.scene.toml\n"));
 }
 
-TEST_CASE("folders of files that are there and were not asked for are left alone") {
+TEST_CASE("folders of other existing sources are not reported") {
   const ModelAndScene project;
   CHECK(project.run("elgen generate --check cart_pole.toml").status == 0);
 }
 
-TEST_CASE("a file beside the generated ones is an orphan if it bears our mark") {
+TEST_CASE("a file in a generated folder is an orphan if it has our marker") {
   const ModelAndScene project;
   const Outcome outcome = project.check(
       "cp generated/cart_pole/cart_pole.hpp generated/cart_pole/old.hpp && touch "

@@ -1,5 +1,5 @@
-// elgen import: the model on stdout or in a file, which is not overwritten unasked; many notes as
-// one line for each kind.
+// elgen import: the model on stdout or in a file, which is not overwritten without --force; notes
+// grouped by kind.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
@@ -18,7 +18,7 @@ std::string turning(const std::string& parent, const std::string& child) {
          "\"/><child link=\"" + child + "\"/></joint>\n";
 }
 
-/// The messages of an import of a robot: b and c have no mass, d has, a has and is the world.
+/// The messages of an import of a robot. a is the world; a and d have masses, b and c have none.
 std::string said(const std::string& options) {
   const Workspace workspace;
   workspace.write("r.urdf",
@@ -63,7 +63,7 @@ TEST_CASE("option -o writes a file and names the model, --force writes it again"
   CHECK(workspace.files() == "./new/arm.toml\n");
 }
 
-TEST_CASE("option --check compares a model with what the robot gives now") {
+TEST_CASE("option --check compares a model with the current import of the robot") {
   const Workspace workspace;
   workspace.prepare("cp " + robot + " hand.urdf && elgen import -q -o hand.toml hand.urdf");
   const Outcome same = workspace.run("elgen import --check hand.toml hand.urdf");
@@ -81,7 +81,7 @@ TEST_CASE("option --check compares a model with what the robot gives now") {
   CHECK(workspace.run("elgen import --check hand.toml -o x.toml hand.urdf").status == 2);
 }
 
-TEST_CASE("option --check does not compare the names of files") {
+TEST_CASE("option --check ignores the names of files") {
   const Workspace workspace;
   workspace.prepare(
       "cp " + robot +
@@ -96,7 +96,7 @@ TEST_CASE("option --check does not compare the names of files") {
   CHECK(workspace.run("elgen import -q --check kept.toml other.urdf").status == 1);
 }
 
-TEST_CASE("a mistake in the robot writes nothing and exits with 2") {
+TEST_CASE("an error in the robot writes nothing and exits with 2") {
   const Workspace workspace;
   workspace.write("bad.urdf", "<robot name=\"r\"></robot>\n");
   const Outcome outcome = workspace.run("elgen import bad.urdf -o bad.toml");
@@ -105,7 +105,7 @@ TEST_CASE("a mistake in the robot writes nothing and exits with 2") {
   CHECK(workspace.files() == "./bad.urdf\n");
 }
 
-TEST_CASE("a model that no code could be made of is not imported") {
+TEST_CASE("a robot whose name cannot name a model is not imported") {
   const Workspace workspace;
   const Outcome outcome = workspace.run("elgen import " + robot + " -o write.toml");
   CHECK(outcome.status == 2);
@@ -124,7 +124,7 @@ TEST_CASE("a file beyond the limit is not read") {
   CHECK(mentions(outcome.errors, "[E901]"));
 }
 
-TEST_CASE("what is said of many places is told once for each kind, with its count") {
+TEST_CASE("notes of one kind are counted and printed once") {
   const std::string text = said("");
   CHECK(mentions(text,
                  "elgen: note[E815]: `<gazebo>` in `<robot>` is not imported, 2 times, from "
@@ -137,7 +137,8 @@ TEST_CASE("what is said of many places is told once for each kind, with its coun
   CHECK(mentions(text, "-v lists every note with its place\n"));
 }
 
-TEST_CASE("option -v and programs get every note at its place, -q what changes the mechanics") {
+TEST_CASE(
+    "with -v or machine-readable formats every note has its position, with -q there are no notes") {
   for (const std::string place : {"r.urdf:2:2: note[E815]", "r.urdf:3:2: note[E815]",
                                   "r.urdf:4:13: note[E816]", "r.urdf:5:13: note[E816]"}) {
     CHECK(mentions(said("-v"), place));

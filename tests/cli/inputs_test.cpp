@@ -1,11 +1,11 @@
-// Files that a command reads: models, scenes with their model, and paths that are neither.
+// Input files of a command: models, scenes with their models, and invalid paths.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
-TEST_CASE("a scene finds its model relative to itself, not to the working folder") {
+TEST_CASE("the path of a model is relative to its scene, not to the working directory") {
   const Workspace workspace;
   workspace.prepare("mkdir -p project/scenes elsewhere && cp " + models +
                     "/cart_pole.toml project && cp " + models +
@@ -15,7 +15,7 @@ TEST_CASE("a scene finds its model relative to itself, not to the working folder
   CHECK(workspace.run("ls elsewhere/generated").output == "cart_pole_balance\n");
 }
 
-TEST_CASE("every input is read, and the worst exit code counts") {
+TEST_CASE("every input is read, and the most severe exit code counts") {
   const Workspace workspace;
   workspace.prepare("mkdir folder.toml");
   const std::string good = models + "/cart_pole.toml";
@@ -26,7 +26,7 @@ TEST_CASE("every input is read, and the worst exit code counts") {
   CHECK(mentions(both.errors, "`folder.toml`"));
 }
 
-TEST_CASE("a path with spaces and quotes is a path") {
+TEST_CASE("a path may contain spaces and quotes") {
   const Workspace workspace;
   workspace.prepare("mkdir \"it's mine\" && cp " + models + "/cart_pole.toml \"it's mine\"");
   CHECK(workspace.run("elgen generate -q -o \"out 1\" \"it's mine/cart_pole.toml\"").status == 0);
@@ -53,7 +53,7 @@ TEST_CASE("`-` is standard input, for models, scenes and robots") {
   CHECK(mentions(twice.errors, "error[E707]: `<stdin>` can be read only once"));
 }
 
-TEST_CASE("a FIFO is read as far as the limit, and waited for as long as the limit") {
+TEST_CASE("a FIFO is read up to the limit of bytes, and waited for up to the limit of seconds") {
   const Workspace workspace;
   workspace.prepare("mkfifo pipe.toml silent.toml");
   const Outcome read =
@@ -71,7 +71,7 @@ TEST_CASE("a FIFO is read as far as the limit, and waited for as long as the lim
   }
 }
 
-TEST_CASE("folders and devices are no inputs, not even of a scene") {
+TEST_CASE("folders and devices are refused as inputs and as models of scenes") {
   const Workspace workspace;
   workspace.prepare("mkdir folder.toml && ln -s /dev/zero zero.toml");
   for (const std::string& path : {std::string("zero.toml"), std::string("folder.toml")}) {
@@ -86,7 +86,7 @@ TEST_CASE("folders and devices are no inputs, not even of a scene") {
   }
 }
 
-TEST_CASE("line ends in names of inputs reach no message and no report") {
+TEST_CASE("line ends in names of inputs are escaped in messages and reports") {
   const Workspace workspace;
   workspace.prepare("mkdir old new && cp " + models +
                     "/simple_pendulum.toml old/a.toml && cp old/a.toml new");

@@ -1,5 +1,5 @@
-// Interpreters that do not work, are too old, write of their own, end or hang: verify says so, and
-// nothing that elgen wrote is blamed.
+// Python interpreters that do not work, are too old, print messages, end early or hang: verify
+// reports this and does not blame the generated module.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
@@ -11,7 +11,7 @@ namespace {
 const std::string verified =
     " elgen verify --samples 2 --language python " ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
 
-/// `python`: a script that is run in its place.
+/// Verifies with a shell script in place of `python`.
 Outcome verified_by(const std::string& python) {
   const Workspace workspace;
   write_text(workspace.path() / "mine", "#!/bin/sh\n" + python + "\n");
@@ -20,8 +20,8 @@ Outcome verified_by(const std::string& python) {
 
 }  // namespace
 
-// Constraints, rotations, kinks, open functions, series.
-TEST_CASE("python: ten models have the bits of the program") {
+// Models with constraints, rotations, kinks, open functions, series.
+TEST_CASE("python: ten models agree with the program bit by bit") {
   if (!is_installed("python3", "python3 --version")) return;
   std::string models;
   for (const std::string name :
@@ -36,7 +36,7 @@ TEST_CASE("python: ten models have the bits of the program") {
   CHECK_FALSE(mentions(judged.output, "could not be run"));
 }
 
-TEST_CASE("an interpreter that is not there, too old or does not start is a row that is skipped") {
+TEST_CASE("an interpreter that is missing, too old or fails to start is a skipped row") {
   const Outcome missing = run("export PYTHON=/nowhere/python3;" + verified);
   CHECK(missing.status == 0);
   CHECK(mentions(missing.output, "`/nowhere/python3` could not be run"));
@@ -50,7 +50,7 @@ TEST_CASE("an interpreter that is not there, too old or does not start is a row 
   CHECK(mentions(dead.output, "no such site"));
 }
 
-TEST_CASE("an interpreter may write of its own, but not end before its last answer") {
+TEST_CASE("an interpreter may print other lines, but not end before its last answer") {
   if (!is_installed("python3", "python3 --version")) return;
   const Outcome talking = verified_by("echo hello; exec python3 -W error \"$@\"");
   CHECK(talking.status == 0);
@@ -61,7 +61,7 @@ TEST_CASE("an interpreter may write of its own, but not end before its last answ
   CHECK(mentions(ending.output, "mine` exits 9, after 3 answers"));
 }
 
-TEST_CASE("an interpreter may be isolated, and a model may be called as the driver was") {
+TEST_CASE("an interpreter may be isolated, and a model may have the name of the driver") {
   if (!is_installed("python3", "python3 --version")) return;
   for (const std::string python : {"export PYTHON='python3 -I';", "export PYTHONSAFEPATH=1;"}) {
     INFO(python);

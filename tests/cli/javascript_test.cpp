@@ -1,4 +1,4 @@
-// language = "javascript": a module that node runs, names and texts that it and a page can have.
+// language = "javascript": a module for node, with valid names and texts, also inside a page.
 #include <catch2/catch.hpp>
 #include <sstream>
 #include <string>
@@ -11,24 +11,24 @@ namespace {
 
 bool has_node() { return is_installed("node", "node --version"); }
 
-/// A folder with scenes in the language.
+/// A folder with scenes in JavaScript.
 class JavaScript : public Workspace {
  public:
-  /// Of a model file; its module is named NAME_m where the model is named NAME.
+  /// Writes a scene of a model file; the module of a model NAME is NAME_m.
   void write_scene(const std::string& name, const std::string& model,
                    const std::string& more = "") const {
     write(name + ".scene.toml", "format = 1\nmodel = \"" + model + "\"\nname = \"m\"\n" + more +
                                     "[emit]\nlanguage = \"javascript\"\n");
   }
-  /// What node says to the statements, in the folder of a module.
+  /// Runs statements in node, in the folder of a module.
   [[nodiscard]] Outcome node(const std::string& name, const std::string& statements) const {
     write("generated/" + name + "/asked.mjs", statements + "\n");
     return run("cd generated/" + name + " && node asked.mjs");
   }
 };
 
-/// Words of strict mode and of modules, an object of the library, a parameter that is an array,
-/// kinks, a series; texts that would end strings, comments and scripts.
+/// Names that are words of strict mode and of modules, or an object of the library; an array
+/// parameter, kinks, a series; texts that could end strings, comments and scripts.
 const std::string model_of_words = R"text(format = 1
 [model]
 name = "odd"
@@ -54,7 +54,7 @@ on = "let"
 value = "-eval*sign(dot(let)) - eval*max(sin(theta), 0.5)"
 )text";
 
-/// Without accelerations, whose sums lose digits by cancellation.
+/// Without accelerations, because their sums lose digits by cancellation.
 const std::string odd_outputs =
     "[outputs]\nmass_matrix = true\ngravity = true\napplied_force = true\n"
     "momentum = { rename = \"await\" }\n";
@@ -63,7 +63,7 @@ const std::string rk4 = "import * as cart from \"./cart_pole.mjs\";\n";
 
 }  // namespace
 
-TEST_CASE("javascript: ten models have the numbers of the program") {
+TEST_CASE("javascript: ten models agree with the program") {
   if (!has_node()) return;
   const JavaScript folder;
   std::string scenes;
@@ -79,9 +79,9 @@ TEST_CASE("javascript: ten models have the numbers of the program") {
   CHECK_FALSE(mentions(judged.output, "could not be run"));
 }
 
-// At equal angles of 1000 rad the bars are parallel, and the pivot of `projected` is rounding: the
-// sines of the C library give a number, those of node 0/0.
-TEST_CASE("javascript: where a pivot is rounding alone a module may have no number") {
+// At equal angles of 1000 rad the bars are parallel, so the pivot of `projected` is a rounding
+// error. With sines of the C library the result is a number, with sines of node 0/0.
+TEST_CASE("javascript: NaN is accepted if a pivot is only a rounding error") {
   if (!has_node()) return;
   const JavaScript folder;
   folder.write_scene("four_bar", models + "/four_bar.toml", "[outputs]\nprojected = true\n");
@@ -90,7 +90,7 @@ TEST_CASE("javascript: where a pivot is rounding alone a module may have no numb
   CHECK(judged.status == 0);
 }
 
-TEST_CASE("javascript: a changed module is told from the program, and no node is a row skipped") {
+TEST_CASE("javascript: a changed module is found, and a missing node is a skipped row") {
   const JavaScript folder;
   folder.write_scene("cart_pole", models + "/cart_pole.toml", "[outputs]\nmass_matrix = true\n");
   const Outcome without =
@@ -102,7 +102,7 @@ TEST_CASE("javascript: a changed module is told from the program, and no node is
   const Outcome right = folder.run("elgen verify --samples 4 cart_pole.scene.toml");
   INFO(right.output + right.errors);
   CHECK(right.status == 0);
-  // It answers as node does, but for the sign of the first cosine.
+  // Runs node with the sign of the first cosine reversed.
   folder.write("wrong",
                "#!/bin/sh\nmodule=\"$(dirname \"$1\")/cart_pole_m.mjs\"\n"
                "sed -i '0,/= Math.cos(/s//= -Math.cos(/' \"$module\"\nexec node \"$1\"\n");
@@ -112,7 +112,8 @@ TEST_CASE("javascript: a changed module is told from the program, and no node is
   CHECK(wrong.status == 1);
 }
 
-TEST_CASE("javascript: words of strict mode and modules get an underscore, texts end nothing") {
+TEST_CASE(
+    "javascript: reserved words get an underscore, and texts do not end strings or comments") {
   const JavaScript folder;
   folder.write("odd.toml", model_of_words);
   folder.write_scene("odd", "odd.toml", odd_outputs);
@@ -151,14 +152,14 @@ TEST_CASE("javascript: texts of a model do not end the script of a page") {
   folder.prepare("elgen simulate odd.toml --time 1 --method rk4 --step 0.01 -o odd.html");
   const std::string page = folder.read("odd.html");
   CHECK(count(page, "</script>") == count(page, "<script>"));
-  // A separator of lines would end a comment of one line: models have none.
+  // A line separator would end a comment, so models with line separators are refused.
   folder.write("parted.toml", replaced(model_of_words, "A </script>", "A \u2028</script>"));
   const Outcome parted = folder.run("elgen generate --language javascript -o out parted.toml");
   CHECK(parted.status == 2);
   CHECK(mentions(parted.errors, "[E113]: U+2028"));
 }
 
-TEST_CASE("javascript: vectors are typed, matrices arrays of rows, what is empty has its type") {
+TEST_CASE("javascript: vectors are typed arrays, matrices arrays of rows, also if empty") {
   if (!has_node()) return;
   const JavaScript folder;
   folder.write_scene("pendulum", models + "/simple_pendulum.toml");
@@ -201,7 +202,7 @@ TEST_CASE("javascript: rk4 runs as templates/README.md shows") {
   CHECK(mentions(page, "prints `" + said.output.substr(0, said.output.find('\n')) + "`"));
 }
 
-TEST_CASE("javascript: an output is not called as what the module has of its own") {
+TEST_CASE("javascript: an output may not have the name of a member of the module") {
   const JavaScript folder;
   folder.write_scene("renamed", models + "/cart_pole.toml",
                      "[outputs]\ngravity = { rename = \"Math\" }\n"

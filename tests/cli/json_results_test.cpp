@@ -1,4 +1,4 @@
-// With --format json every command prints JSON alone, or says why not.
+// With --format json every command prints only JSON or refuses.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -13,8 +13,8 @@ const std::string pendulum = std::string(ELGEN_SOURCE_DIR) + "/models/simple_pen
 
 struct JsonRow {
   std::string command;
-  std::string line;  ///< all of it
-  std::string key;   ///< that the object has; "": a list
+  std::string line;  ///< the whole command line
+  std::string key;   ///< a key of the object; empty: the result is a list
 };
 
 const std::vector<JsonRow> json_rows{
@@ -43,7 +43,7 @@ const std::vector<std::string> refused{
 
 }  // namespace
 
-TEST_CASE("every command has its result as JSON, or refuses") {
+TEST_CASE("every command prints its result as JSON or refuses") {
   std::set<std::string> said;
   const Workspace workspace;
   for (const JsonRow& row : json_rows) {
@@ -66,7 +66,7 @@ TEST_CASE("every command has its result as JSON, or refuses") {
   }
 }
 
-TEST_CASE("what is no JSON is refused, as JSON") {
+TEST_CASE("options without JSON output are refused, with an error in JSON") {
   const Workspace workspace;
   for (const std::string& line : refused) {
     INFO(line);
@@ -77,7 +77,7 @@ TEST_CASE("what is no JSON is refused, as JSON") {
   }
 }
 
-TEST_CASE("a generated system names its files, and which of them are new") {
+TEST_CASE("a generated system lists its files and marks new files") {
   const Workspace workspace;
   const std::string generate = "elgen generate --format json -o out " + pendulum;
   const auto system = [&] {
@@ -93,7 +93,7 @@ TEST_CASE("a generated system names its files, and which of them are new") {
   CHECK(system().at("files").at(1).at("written") == false);
 }
 
-TEST_CASE("rows of a run are printed, as far apart as is asked for") {
+TEST_CASE("JSON has the rows of a run, at the interval of --every") {
   const Workspace workspace;
   const std::string simulate = "elgen simulate --time 1 --every 0.5 " + pendulum;
   const auto run = nlohmann::json::parse(workspace.run(simulate + " --format json").output);
@@ -103,7 +103,7 @@ TEST_CASE("rows of a run are printed, as far apart as is asked for") {
   CHECK(mentions(lost.errors, "`--every` is of rows"));
 }
 
-TEST_CASE("what --as says decides what is printed, whatever the format of messages") {
+TEST_CASE("--as sets the format of the result, whatever the format of messages") {
   const Workspace workspace;
   const std::string show = "elgen show --what gravity " + pendulum;
   CHECK(workspace.run(show + " --as text --format json").output == workspace.run(show).output);

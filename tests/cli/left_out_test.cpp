@@ -1,5 +1,5 @@
-// Outputs that a model leaves out where nothing names outputs: reported by every command and in
-// every file, and generated where a scene names them.
+// Outputs that a model omits by default: every command and every file reports them, and a scene
+// that names them gets them.
 #include <catch2/catch.hpp>
 
 #include "support/shell.hpp"
@@ -8,7 +8,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Free masses side by side: what is large here is quick to derive.
+/// Independent masses; a large system that is derived quickly.
 std::string masses(int count, const std::string& more = {}) {
   std::string text = "format = 1\n[model]\nname = \"row\"\n[energy]\nT = \"";
   for (int i = 1; i <= count; ++i) {
@@ -36,7 +36,8 @@ Outcome run_on(const std::string& command, const std::string& model, const Works
 
 }  // namespace
 
-TEST_CASE("generate, show and verify say which derivatives a kink takes away, and where it is") {
+TEST_CASE(
+    "generate, show and verify report derivatives omitted because of a kink, and its position") {
   for (const char* command : {"generate row.toml", "show row.toml", "verify --quick row.toml"}) {
     const Workspace workspace;
     const Outcome outcome = run_on(command, masses(1, friction), workspace);
@@ -46,7 +47,7 @@ TEST_CASE("generate, show and verify say which derivatives a kink takes away, an
   }
 }
 
-TEST_CASE("option -q, a choice of outputs and the steps of a derivation have nothing left out") {
+TEST_CASE("with -q, chosen outputs or derivation steps no omitted outputs are reported") {
   for (const char* command : {"generate -q row.toml", "generate --outputs bias row.toml",
                               "show --what bias row.toml", "show --what steps row.toml"}) {
     const Workspace workspace;
@@ -57,7 +58,7 @@ TEST_CASE("option -q, a choice of outputs and the steps of a derivation have not
   }
 }
 
-TEST_CASE("every file says what is left out of it") {
+TEST_CASE("every file lists its omitted outputs") {
   const Workspace workspace;
   const Outcome outcome = run_on("generate row.toml", masses(33), workspace);
   REQUIRE(outcome.status == 0);
@@ -77,7 +78,7 @@ TEST_CASE("every file says what is left out of it") {
                  "\n  \"left_out\": {\"linearization\": \"too many entries\"},\n"));
 }
 
-TEST_CASE("headers in C say it too, and a scene without [outputs]") {
+TEST_CASE("headers in C list omitted outputs, and a scene without [outputs] omits them, too") {
   const Workspace workspace;
   workspace.write("c.scene.toml",
                   "format = 1\nmodel = \"row.toml\"\nname = \"c\"\n[emit]\nlanguage = \"c99\"\n");

@@ -1,4 +1,4 @@
-// language = "matlab": a classdef that Octave runs, names that neither of the two takes.
+// language = "matlab": a classdef for Octave, without names reserved in MATLAB or Octave.
 #include <catch2/catch.hpp>
 #include <sstream>
 #include <string>
@@ -11,24 +11,24 @@ namespace {
 
 bool has_octave() { return is_installed("octave", "octave-cli --version"); }
 
-/// A folder with scenes in the language.
+/// A folder with scenes in MATLAB.
 class Matlab : public Workspace {
  public:
-  /// Of a model file; its module is named NAME_m where the model is named NAME.
+  /// Writes a scene of a model file; the module of a model NAME is NAME_m.
   void write_scene(const std::string& name, const std::string& model,
                    const std::string& more = "") const {
     write(name + ".scene.toml", "format = 1\nmodel = \"" + model + "\"\nname = \"m\"\n" + more +
                                     "[emit]\nlanguage = \"matlab\"\n");
   }
-  /// What Octave says to the statements, in the folder of a module.
+  /// Runs statements in Octave, in the folder of a module.
   [[nodiscard]] Outcome octave(const std::string& name, const std::string& statements) const {
     write("generated/" + name + "/asked.m", "1;\n" + statements + "\n");
     return run("cd generated/" + name + " && octave-cli --norc --quiet asked.m");
   }
 };
 
-/// Words of MATLAB and of Octave, a parameter that is an array, kinks, a series, an angle whose
-/// sine has a name of more than 63 characters.
+/// Names that are words of MATLAB and of Octave, an array parameter, kinks, a series, and an angle
+/// whose sine has a name of more than 63 characters.
 std::string odd_model(const std::string& angle) {
   return "format = 1\n[model]\nname = \"odd\"\n"
          "[[coordinate]]\nname = \"" +
@@ -47,7 +47,7 @@ std::string odd_model(const std::string& angle) {
 
 }  // namespace
 
-TEST_CASE("matlab: ten models have the numbers of the program") {
+TEST_CASE("matlab: ten models agree with the program") {
   if (!has_octave()) return;
   const Matlab folder;
   std::string scenes;
@@ -63,7 +63,7 @@ TEST_CASE("matlab: ten models have the numbers of the program") {
   CHECK_FALSE(mentions(judged.output, "could not be run"));
 }
 
-TEST_CASE("matlab: a changed module is told from the program, and no octave is a row skipped") {
+TEST_CASE("matlab: a changed module is found, and a missing octave is a skipped row") {
   const Matlab folder;
   folder.write_scene("cart_pole", models + "/cart_pole.toml", "[outputs]\nmass_matrix = true\n");
   const Outcome without =
@@ -72,7 +72,7 @@ TEST_CASE("matlab: a changed module is told from the program, and no octave is a
   CHECK(without.status == 0);
   CHECK(mentions(without.output, "`/nonexistent/octave` could not be run"));
   if (!has_octave()) return;
-  // It answers as Octave does, but for the sign of the first cosine.
+  // Runs Octave with the sign of the first cosine reversed.
   folder.write("wrong",
                "#!/bin/sh\nsed -i '0,/= cos(/s//= -cos(/' \"$(dirname \"$1\")/cart_pole_m.m\"\n"
                "exec octave-cli --norc --quiet \"$1\"\n");
@@ -82,7 +82,7 @@ TEST_CASE("matlab: a changed module is told from the program, and no octave is a
   CHECK(wrong.status == 1);
 }
 
-TEST_CASE("matlab: reserved words get an underscore, long names of values are cut") {
+TEST_CASE("matlab: reserved words get an underscore, and long names of values are cut") {
   const Matlab folder;
   const std::string name = "an_angle_whose_name_has_sixty_two_characters_of_the_sixty_three";
   folder.write("odd.toml", odd_model(name));
@@ -107,7 +107,7 @@ TEST_CASE("matlab: reserved words get an underscore, long names of values are cu
   CHECK(judged.status == 0);
 }
 
-TEST_CASE("matlab: functions that a module or its driver calls name no module, but values") {
+TEST_CASE("matlab: functions that a module or its driver calls may name values, but no module") {
   const Matlab folder;
   const auto rotor = [](const std::string& model, const std::string& coordinate,
                         const std::string& parameter) {
@@ -125,7 +125,7 @@ TEST_CASE("matlab: functions that a module or its driver calls name no module, b
   }
   if (!has_octave()) return;
   folder.write("values.toml", rotor("rotor", "size", "numel"));
-  // The file and the functions of the driver have names that no model has.
+  // No model can have the name of the driver's file or of its functions.
   folder.write("elgen_driver.toml", rotor("elgen_driver", "q", "J"));
   folder.write("flat.toml", rotor("flat", "q", "J"));
   folder.write("functions.toml", rotor("functions", "q", "J"));
@@ -137,7 +137,8 @@ TEST_CASE("matlab: functions that a module or its driver calls name no module, b
   CHECK(count(judged.output, " 0 fail, 0 skipped") == 4);
 }
 
-TEST_CASE("matlab: vectors are columns, several results a struct, what is empty has its shape") {
+TEST_CASE(
+    "matlab: vectors are columns, several results a struct, and empty results keep their shape") {
   if (!has_octave()) return;
   const Matlab folder;
   folder.write_scene("pendulum", models + "/simple_pendulum.toml");
@@ -174,7 +175,7 @@ TEST_CASE("matlab: ode45 integrates as templates/README.md shows") {
   CHECK(mentions(said.output, "theta(1) = "));
 }
 
-TEST_CASE("matlab: keys of compiled code are refused, and so is a name for the module's own") {
+TEST_CASE("matlab: keys of compiled code and names of members of the module are refused") {
   const Matlab folder;
   folder.write("odd.toml", odd_model("theta"));
   folder.write("stored.scene.toml",

@@ -1,4 +1,4 @@
-// simulate -o NAME.html: a page that moves, in one file.
+// simulate -o NAME.html: an animated page in one file.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -20,7 +20,7 @@ std::string shipped(const std::string& name) { return models + "/" + name + ".to
 
 }  // namespace
 
-TEST_CASE("player: ten models have at most 100 KB, nothing leaves the page") {
+TEST_CASE("player: pages of ten models have at most 100 KB and load nothing from elsewhere") {
   const Pages folder;
   for (const std::string name :
        {"cart_pole", "double_pendulum", "heavy_top", "free_body", "quadrotor", "kepler_polar",
@@ -36,14 +36,14 @@ TEST_CASE("player: ten models have at most 100 KB, nothing leaves the page") {
   }
 }
 
-TEST_CASE("player: the same bytes again, and from another folder") {
+TEST_CASE("player: the same bytes every time and from another folder") {
   const Pages folder;
   const std::string first = folder.page(shipped("cart_pole"), "--input 'u=-3*theta'");
   folder.write("elsewhere/cart_pole.toml", read_text(shipped("cart_pole")));
   CHECK(folder.page("elsewhere/cart_pole.toml", "--input 'u=-3*theta'") == first);
 }
 
-TEST_CASE("player: texts of a model are no markup") {
+TEST_CASE("player: texts of a model are escaped") {
   const Pages folder;
   folder.write("odd.toml",
                "format = 1\n[model]\nname = \"odd\"\n"
@@ -66,7 +66,7 @@ TEST_CASE("player: texts of a model are no markup") {
   CHECK(parsed.status == 0);
 }
 
-TEST_CASE("player: the browser has the state of simulate") {
+TEST_CASE("player: the browser computes the state of simulate") {
   if (!is_installed("chromium", "chromium --version")) return;
   const Pages folder;
   const Outcome said = folder.run("/usr/bin/python3 " ELGEN_SOURCE_DIR
@@ -77,7 +77,7 @@ TEST_CASE("player: the browser has the state of simulate") {
   CHECK(count(said.output, "holds") == 2);
 }
 
-TEST_CASE("player: the line of the state says what energy the steps lost") {
+TEST_CASE("player: the line of the state shows the energy error of the steps") {
   if (!is_installed("chromium", "chromium --version")) return;
   const Pages folder;
   folder.write("orbit.toml", R"toml(format = 1

@@ -1,4 +1,4 @@
-// Everything for people: diagnostics as text and JSON, whole whatever happens; colour, silence,
+// Output for people and programs: complete diagnostics as text and JSON in every case, colour, -q,
 // timings, progress on a terminal.
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 namespace elgen::test {
 namespace {
 
-/// Three commands with something to say, one without, and one that time ends.
+/// Three commands with errors, one without messages, and one ended by the time limit.
 constexpr std::array ends{
     std::pair{"elgen generate $broken/near_miss_name.toml $broken/unknown_unit.toml", 2},
     std::pair{"elgen generate -o /dev/null/out $models/simple_pendulum.toml", 4},
@@ -23,7 +23,7 @@ constexpr std::array ends{
     std::pair{"elgen verify --limit seconds=1 $models/panda7.toml", 3},
 };
 
-/// The objects on stderr, one per line.
+/// The JSON objects on stderr, one per line.
 std::vector<nlohmann::json> messages_of(const std::string& errors) {
   std::vector<nlohmann::json> messages;
   std::istringstream lines(errors);
@@ -48,7 +48,7 @@ std::string shown_on_terminal(const std::string& environment) {
 
 }  // namespace
 
-TEST_CASE("a diagnostic as JSON is one line with code, place and message") {
+TEST_CASE("a diagnostic as JSON is one line with code, position and message") {
   const Outcome outcome = run("elgen --format json generate " + broken + "/near_miss_name.toml");
   CHECK(outcome.status == 2);
   const nlohmann::json parsed = nlohmann::json::parse(outcome.errors);
@@ -58,7 +58,7 @@ TEST_CASE("a diagnostic as JSON is one line with code, place and message") {
   CHECK(parsed["position"]["column"] == 20);
 }
 
-TEST_CASE("colour on request, and never on a pipe without it") {
+TEST_CASE("colour on request only, if the output is a pipe") {
   const std::string command = "generate " + broken + "/near_miss_name.toml";
   CHECK(mentions(run("elgen --color always " + command).errors, "\x1b["));
   CHECK_FALSE(mentions(run("elgen --color auto " + command).errors, "\x1b["));
@@ -66,7 +66,7 @@ TEST_CASE("colour on request, and never on a pipe without it") {
   CHECK_FALSE(mentions(run("elgen " + command).errors, "\x1b["));
 }
 
-TEST_CASE("option -q leaves only errors") {
+TEST_CASE("option -q prints only errors") {
   const Outcome quiet = run("elgen generate -q " + models + "/cart_pole.toml");
   CHECK(quiet.status == 0);
   CHECK(quiet.output.empty());
@@ -81,12 +81,12 @@ TEST_CASE("timings name every stage") {
   }
 }
 
-TEST_CASE("option -q leaves out notes") {
+TEST_CASE("option -q omits notes") {
   CHECK(mentions(run("elgen import " + robot).errors, "note[E815]"));
   CHECK(run("elgen import -q " + robot).errors.empty());
 }
 
-TEST_CASE("what cannot be printed is said, and ends with 4") {
+TEST_CASE("a failure to write standard output is reported and exits with 4") {
   const std::string model = models + "/simple_pendulum.toml";
   for (const std::string& command :
        {"show " + model, "generate --stdout " + model, "generate --list-outputs " + model,
@@ -99,13 +99,13 @@ TEST_CASE("what cannot be printed is said, and ends with 4") {
   }
 }
 
-TEST_CASE("a command line that is not understood is reported in the format asked for") {
+TEST_CASE("errors of the command line are reported in the requested format") {
   const nlohmann::json parsed = nlohmann::json::parse(run("elgen generte --format json").errors);
   CHECK(parsed["code"] == "E913");
   CHECK(mentions(run("elgen --color=always generte").errors, "\x1b["));
 }
 
-TEST_CASE("every line is a message, with all that is said of all inputs") {
+TEST_CASE("every line of stderr is a message, and all inputs are reported") {
   const Workspace workspace;
   const std::string names = "models=" + models + " broken=" + broken + "; ";
   std::vector<std::vector<nlohmann::json>> said;
@@ -122,8 +122,8 @@ TEST_CASE("every line is a message, with all that is said of all inputs") {
   CHECK(said.at(4).at(0).at("code") == "E909");
 }
 
-TEST_CASE("a limit that is met while a message is written is told behind it") {
-  // More than a pipe holds, so that the program waits in the middle of it.
+TEST_CASE("a limit that is exceeded while a message is written is reported after the message") {
+  // The message is longer than a pipe holds, so the program waits while writing it.
   std::string text =
       "format = 1\n[model]\nname = \"m\"\n[[coordinate]]\nname = \"q\"\nunit = \"1\"\n[define]\n";
   for (int i = 0; i < 600; ++i) text += fmt::format("d{0} = \"nothing{0}*q + other{0}\"\n", i);
@@ -137,7 +137,7 @@ TEST_CASE("a limit that is met while a message is written is told behind it") {
   CHECK(messages.back().at("code") == "E909");
 }
 
-TEST_CASE("commands of a workflow stand among what people read") {
+TEST_CASE("workflow commands appear among the lines for people") {
   const Workspace workspace;
   workspace.prepare("cp " + broken + "/near_miss_name.toml m.toml");
   const Outcome outcome = workspace.run("elgen show --format github m.toml");
@@ -149,7 +149,8 @@ TEST_CASE("commands of a workflow stand among what people read") {
       "wrote generated/simple_pendulum/simple_pendulum.hpp\n"));
 }
 
-TEST_CASE("a character that turns directions reaches no message, annotation or JSON") {
+TEST_CASE(
+    "characters that change the text direction are escaped in messages, annotations and JSON") {
   const std::string turn = "\u202E";
   const Workspace workspace;
   workspace.prepare("cp " + models + "/simple_pendulum.toml 'a" + turn + ".toml'");
@@ -175,7 +176,7 @@ TEST_CASE("a character that turns directions reaches no message, annotation or J
   }
 }
 
-TEST_CASE("programs that read all are told nothing else, and what is for people is refused") {
+TEST_CASE("with --format json there are no other messages, and options for people are refused") {
   const Workspace workspace;
   const std::string generate = "elgen generate " + models + "/simple_pendulum.toml ";
   CHECK(workspace.run(generate + "--format json").errors.empty());
@@ -205,14 +206,14 @@ TEST_CASE("a pipe is shown no progress") {
   CHECK(outcome.output.empty());
 }
 
-TEST_CASE("the line of progress is gone before anything else is printed") {
+TEST_CASE("the progress line is erased before other output") {
   const std::string seen = run("script -q -e -c \"elgen generate -q --timings --size n=20 -o out " +
                                models + "/chain.toml\" /dev/null")
                                .output;
   CHECK(mentions(seen, clear_line + "       parse"));
 }
 
-TEST_CASE("a terminal whose locale is UTF-8 is shown Unicode, others text") {
+TEST_CASE("a UTF-8 terminal gets Unicode, others get plain text") {
   CHECK(shown_on_terminal("LC_ALL=C.UTF-8 TERM=xterm").find("⎣ m l cos θ") != std::string::npos);
   for (const char* const other : {"LC_ALL=C TERM=xterm", "LC_ALL=C.UTF-8 TERM=dumb"}) {
     INFO(other);

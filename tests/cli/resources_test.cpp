@@ -1,4 +1,4 @@
-// Limits on time and memory, and interrupts: the process ends in order, and nothing is left behind.
+// Limits of time and memory, and interrupts: the process ends in order and leaves no files.
 #include <catch2/catch.hpp>
 #include <regex>
 
@@ -8,13 +8,13 @@ namespace elgen::test {
 
 namespace {
 
-/// A chain that takes several seconds to derive.
+/// A chain whose derivation takes several seconds.
 const std::string long_job = "elgen generate --limit derived_nodes=1000000000 --size n=400 " +
                              std::string(ELGEN_SOURCE_DIR) + "/models/chain.toml ";
 
 }  // namespace
 
-TEST_CASE("time and memory that are used up, and interrupts, end it in order") {
+TEST_CASE("limits of time and memory and interrupts end the process in order") {
   const std::string interrupted = "timeout --preserve-status -s ";
   const Workspace workspace;
   for (const auto& [command, status, code] :
@@ -31,15 +31,14 @@ TEST_CASE("time and memory that are used up, and interrupts, end it in order") {
   }
 }
 
-TEST_CASE("a signal that is ignored ends nothing") {
+TEST_CASE("an ignored signal ends nothing") {
   CHECK(Workspace()
             .run("trap '' HUP; elgen show " ELGEN_SOURCE_DIR
                  "/models/panda7.toml & sleep 0.1; kill -HUP $!; wait $!")
             .status == 0);
 }
 
-TEST_CASE(
-    "a compiler that sleeps is ended by the limit and by interrupts, and its folder removed") {
+TEST_CASE("the limit and interrupts end a sleeping compiler and remove its folder") {
   const Workspace workspace;
   workspace.write("slow", "#!/bin/sh\ntest \"$1\" = --version && exit 0\nsleep 7713\n");
   workspace.prepare("chmod +x slow && mkdir tmp");
@@ -51,7 +50,7 @@ TEST_CASE(
   CHECK(mentions(late.output, "1 skipped"));
   for (const std::string signal : {"INT", "TERM", "HUP"}) {
     INFO(signal);
-    // A shell starts what runs beside it without SIGINT; timeout brings it back.
+    // A shell starts background processes with SIGINT ignored; timeout restores it.
     const Outcome outcome =
         workspace.run("export TMPDIR=$PWD/tmp CXX=./slow; timeout --preserve-status -s " + signal +
                       " 3 elgen verify "
@@ -77,7 +76,7 @@ TEST_CASE("a limit on the size of files leaves no temporary folder") {
   CHECK(workspace.files().empty());
 }
 
-TEST_CASE("a limit that is reached while the process ends is told whole, or not at all") {
+TEST_CASE("a limit exceeded while the process ends is reported completely or not at all") {
   const Workspace workspace;
   for (int i = 0; i < 30; ++i) {
     const Outcome outcome = workspace.run("elgen generate -q -o out --limit seconds=0 " +
@@ -89,7 +88,7 @@ TEST_CASE("a limit that is reached while the process ends is told whole, or not 
   }
 }
 
-TEST_CASE("the limit of processor time names the stage that it ends") {
+TEST_CASE("the limit of processor time names the stage that it ended") {
   const Workspace workspace;
   const Outcome outcome = workspace.run(long_job + "-q -o out --limit seconds=1");
   CHECK(outcome.status == 3);

@@ -1,4 +1,4 @@
-// The files of a revision of git, in environments that change how git behaves.
+// Files of a git revision, in environments that change the behaviour of git.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
@@ -10,7 +10,7 @@ namespace {
 const std::string commit = "git add -A . && git -c user.name=a -c user.email=a@b commit -q -m x";
 const std::string turned = "sed -i 's/\"-g\"/\"g\"/' ";
 
-/// A repository with the cart below `folder`; its gravity was turned round after the commit.
+/// A repository with the cart below `folder`; its gravity was reversed after the commit.
 class Repository : public Workspace {
  public:
   explicit Repository(const std::string& folder = "repository", const std::string& before = "true")
@@ -57,7 +57,7 @@ TEST_CASE("a repository without models, and no repository") {
   CHECK(mentions(outcome.output, "extended     "));
 }
 
-TEST_CASE("paths are those of the working tree, however they are written") {
+TEST_CASE("paths in a revision follow the working tree, in whatever form they are given") {
   const Repository repository;
   const std::vector<std::string> commands{
       "elgen diff --against HEAD " + (repository.root() / "m/cart_pole.toml").string(),
@@ -75,7 +75,7 @@ TEST_CASE("paths are those of the working tree, however they are written") {
   expect_refused(repository.run("elgen diff --against HEAD .."), "`..` is outside of the repos");
 }
 
-TEST_CASE("git's environment changes no verdict") {
+TEST_CASE("environment variables of git change no result") {
   const Repository repository;
   for (const std::string variables :
        {"GIT_TRACE=1", "GIT_TRACE_SETUP=1 GIT_TRACE_PACK_ACCESS=1", "GIT_LITERAL_PATHSPECS=1",
@@ -106,14 +106,14 @@ TEST_CASE("a revision is one commit") {
   expect_difference(repository.run("elgen diff --against HEAD^0"));
 }
 
-TEST_CASE("attributes hide nothing, and line ends in paths are part of them") {
+TEST_CASE("attributes hide no files, and paths may contain line ends") {
   expect_difference(Repository("r", "echo '*.toml export-ignore -text' > .gitattributes")
                         .run("elgen diff --against HEAD"));
   expect_difference(Repository("a\nb").run("elgen diff --against HEAD m/cart_pole.toml"));
   expect_difference(Repository(" r").run("elgen diff --against HEAD m/cart_pole.toml"));
 }
 
-TEST_CASE("an object that is missing is an error") {
+TEST_CASE("a missing object is an error") {
   const auto without = [](const std::string& object) {
     const Repository repository;
     prepare("o=$(git rev-parse " + object + ") && rm -f .git/objects/${o%${o#??}}/${o#??}",
@@ -125,7 +125,7 @@ TEST_CASE("an object that is missing is an error") {
   CHECK(without("HEAD:m/cart_pole.toml").status == 4);
 }
 
-TEST_CASE("links of a revision lead to its files, submodules have revisions of their own") {
+TEST_CASE("links of a revision lead to its files, and submodules have their own revisions") {
   const Repository repository(
       "r",
       "ln -s nothing.toml m/dangling.toml && ln -s round.toml m/round.toml && ln -s /etc/passwd "

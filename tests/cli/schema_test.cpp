@@ -1,5 +1,5 @@
-// elgen schema: the schemas hold for what the program reads, by Debian's python3-jsonschema, where
-// it is installed.
+// elgen schema: the schemas accept the inputs that elgen reads. Checked by Debian's
+// python3-jsonschema if installed.
 #include <catch2/catch.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -11,7 +11,8 @@
 namespace elgen::test {
 namespace {
 
-/// Judges files of TOML by a schema: `judge SCHEMA FILE...`. Prints what is wrong and exits with 1.
+/// `judge SCHEMA FILE...` validates TOML files. Prints the errors and exits with 1 if there are
+/// any.
 constexpr const char* judge = R"(import json, sys, tomllib
 import jsonschema
 schema = json.load(open(sys.argv[1]))
@@ -25,7 +26,7 @@ for path in sys.argv[2:]:
 sys.exit(wrong)
 )";
 
-/// The first Python that can judge; empty where there is none.
+/// The first Python with jsonschema and tomllib; empty if none.
 std::string judging_python() {
   const Workspace workspace;
   for (const std::string python : {"python3", "/usr/bin/python3"}) {
@@ -42,7 +43,7 @@ std::string schema_of(const std::string& name) {
   return workspace.run("elgen schema " + name).output;
 }
 
-/// A workspace with the judge and a schema.
+/// A workspace with the validator and a schema.
 class Judged : public Workspace {
  public:
   explicit Judged(const std::string& schema) : python_(judging_python()) {
@@ -81,7 +82,7 @@ TEST_CASE("all models and scenes satisfy their schemas") {
   Judged(schema_of("scene")).accepts(models + "/scenes/*.toml");
 }
 
-TEST_CASE("an unknown key, a missing one and a wrong word do not satisfy the schema of models") {
+TEST_CASE("the schema of models refuses an unknown key, a missing key and a wrong word") {
   const Judged workspace(schema_of("model"));
   const std::string cart = read_text(models + "/cart_pole.toml");
   const auto edited = [&](const std::string& part, const std::string& other) {
@@ -100,7 +101,7 @@ TEST_CASE("an unknown key, a missing one and a wrong word do not satisfy the sch
   workspace.refuses("m.toml", "$.coordinate[0].kind");
 }
 
-TEST_CASE("editors find every key that is read, with its words and documentation") {
+TEST_CASE("the schema has every key with its choices and documentation") {
   const auto model = nlohmann::json::parse(schema_of("model"));
   const auto& frame = model.at("properties").at("frame").at("items").at("properties");
   for (const KeyRow& row : key_table()) {
@@ -117,7 +118,7 @@ TEST_CASE("editors find every key that is read, with its words and documentation
   CHECK_FALSE(scene.at("properties").at("numeric").at("properties").contains("check"));
 }
 
-TEST_CASE("a schema that is not there is refused") {
+TEST_CASE("an unknown schema is refused") {
   const Outcome outcome = run("elgen schema modle");
   CHECK(outcome.status == 2);
   CHECK(outcome.output.empty());

@@ -1,4 +1,4 @@
-// elgen show: what comes out in each notation. Costs of generation, output by output.
+// elgen show: the printed pages in each notation, and the costs of generation for each output.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <regex>
@@ -33,7 +33,7 @@ std::string costs(const std::string& input) {
 
 }  // namespace
 
-TEST_CASE("show prints what is not zero, in the model language") {
+TEST_CASE("show prints non-zero entries in the model language") {
   const Outcome outcome = show(model("cart_pole"));
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "  M(q) a + C(q,v) v + g(q) = B(q) u\n"));
@@ -68,14 +68,14 @@ V = "1/2*k*x[1]^2 + sum(i, 1, n - 1, 1/2*k*(x[i + 1] - x[i])^2)"
   CHECK(workspace.run("elgen verify --build written --samples 16 one.toml").status == 0);
 }
 
-TEST_CASE("what is asked for by name is shown, zero or not") {
+TEST_CASE("outputs named on the command line are shown, even if zero") {
   const Outcome outcome = show(model("cart_pole") + " --what drift");
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "  drift[1] = 0\n"));
   CHECK_FALSE(mentions(outcome.output, "mass_matrix"));
 }
 
-TEST_CASE("the steps of a derivation are those of a textbook") {
+TEST_CASE("the steps of a derivation follow a textbook") {
   const Outcome outcome = show(model("simple_pendulum") + " --what steps");
   CHECK(outcome.status == 0);
   for (const char* line :
@@ -91,7 +91,7 @@ TEST_CASE("the steps of a derivation are those of a textbook") {
   }
 }
 
-TEST_CASE("cyclic coordinates are named with the condition of conservation") {
+TEST_CASE("cyclic coordinates are named, with the condition for conservation") {
   const std::string free = show(model("spherical_pendulum") + " --what steps").output;
   CHECK(mentions(free, "  L does not contain phi, so p_phi = dL/d(dot(phi)) is conserved\n"));
   const std::string driven = show(model("cart_pole") + " --what steps").output;
@@ -102,7 +102,7 @@ TEST_CASE("cyclic coordinates are named with the condition of conservation") {
   CHECK_FALSE(mentions(moving, "Equation of"));
 }
 
-TEST_CASE("the cost of both forms, and which is emitted") {
+TEST_CASE("the cost of both forms, and the emitted form") {
   const Outcome outcome = show(model("two_link_arm") + " --what cost");
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "emitted\n"));
@@ -148,7 +148,7 @@ TEST_CASE("symmetries are shown in every notation, of models and of scenes") {
   CHECK(mentions(steady.output, ": symmetries of L, dq = A q + b + c t, dt constant: 1\n"));
 }
 
-TEST_CASE("words that show does not know are refused with their place") {
+TEST_CASE("unknown words of show are refused at their position") {
   const Outcome unknown = show(model("cart_pole") + " --what mass_matrx");
   CHECK(unknown.status == 2);
   CHECK(mentions(unknown.errors, "error[E601]"));
@@ -161,7 +161,7 @@ TEST_CASE("words that show does not know are refused with their place") {
   CHECK(mentions(cost.errors, "`cost` is not printed as latex"));
 }
 
-TEST_CASE("pdflatex takes the page of every model, without overfull lines") {
+TEST_CASE("pdflatex accepts the page of every model, without overfull lines") {
   REQUIRE(has_program("pdflatex"));
   const Workspace workspace;
   for (const auto& file : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR "/models")) {
@@ -178,7 +178,7 @@ TEST_CASE("pdflatex takes the page of every model, without overfull lines") {
   }
 }
 
-TEST_CASE("robots stand on eight sheets, and nothing on them is called by a hash") {
+TEST_CASE("robots fit on eight sheets, without hashes as names") {
   REQUIRE(has_program("pdflatex"));
   const Workspace workspace;
   const std::string quadruped = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/golden/quadruped.toml";
@@ -201,7 +201,7 @@ TEST_CASE("robots stand on eight sheets, and nothing on them is called by a hash
   }
 }
 
-TEST_CASE("plain numbers give the equations of named parameters that are fixed") {
+TEST_CASE("numbers give the same equations as fixed parameters") {
   const Workspace workspace;
   workspace.write("named.toml", R"toml(format = 1
 [model]
@@ -259,7 +259,7 @@ value = ["F", 0]
   CHECK(mentions(workspace.run("elgen show plain.toml").errors, "note[E405]"));
 }
 
-TEST_CASE("a model's outputs have a cost and a time") {
+TEST_CASE("outputs of a model have a cost and a time") {
   const std::string text = costs("simple_pendulum.toml");
   CHECK(mentions(text, "\noutput "));
   CHECK(mentions(text, "cost         alone\n"));
@@ -276,7 +276,7 @@ TEST_CASE("a scene is compared with its full model") {
   CHECK(mentions(text, "ms, the full model in "));
 }
 
-TEST_CASE("a scene is compared with the full model of its own size") {
+TEST_CASE("a scene is compared with the full model of the same size") {
   const Workspace workspace;
   const std::string scene = "format = 1\nmodel = \"" + models + "/chain.toml\"\nname = \"long\"\n";
   workspace.write("long.scene.toml", scene + "[sizes]\nn = 4\n");
@@ -287,7 +287,7 @@ TEST_CASE("a scene is compared with the full model of its own size") {
     INFO(command);
     const Outcome outcome = workspace.run("elgen show -q --what cost " + command);
     CHECK(outcome.status == 0);
-    // Nothing is fixed or locked: every output costs what it costs in the full model.
+    // Nothing is fixed or locked, so every output costs as much as in the full model.
     CHECK(mentions(outcome.output, "   100 %"));
     const std::size_t row = outcome.output.find("\nmass_matrix ", outcome.output.find("\noutput "));
     REQUIRE(row != std::string::npos);
@@ -295,13 +295,13 @@ TEST_CASE("a scene is compared with the full model of its own size") {
   }
 }
 
-TEST_CASE("a search that is cut names its limit, which the seconds set unless it is given") {
+TEST_CASE("the page names the limit that ended the search, by default from the seconds") {
   const auto ending = [](const std::string& limits) {
     const std::string text = show(limits + " --what equilibria " + model("body_on_springs")).output;
     const std::size_t at = text.find("; the limit ");
     return at == std::string::npos ? text : text.substr(at, text.find(':', at) - at);
   };
-  // A second is enough for 7e6 four times; a sanitizer takes longer.
+  // A second suffices for 28e6 enclosures without a sanitizer.
   CHECK(ending("--limit seconds=60 --limit enclosures=1000000") ==
         "; the limit enclosures=1000000 ended the search");
   CHECK(ending("--limit enclosures=1000000 --limit seconds=60") ==

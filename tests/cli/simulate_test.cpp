@@ -1,4 +1,4 @@
-// elgen simulate: what it prints and writes.
+// elgen simulate: printed and written results.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -6,7 +6,7 @@
 
 namespace elgen::test {
 
-TEST_CASE("a run prints its last state and its drifts, by a method of `step` without a compiler") {
+TEST_CASE("a run by a method of `step` needs no compiler and prints its last state and drifts") {
   const Outcome outcome =
       run("CXX=/nowhere elgen simulate -q --time 2 --method midpoint --step 0.01 --state theta=1 " +
           models + "/simple_pendulum.toml");
@@ -17,7 +17,7 @@ TEST_CASE("a run prints its last state and its drifts, by a method of `step` wit
   CHECK(mentions(outcome.output, " ns per step in the evaluator\n"));
 }
 
-TEST_CASE("a run says how far the conserved quantities of the model went, in their units") {
+TEST_CASE("a run reports the drift of the conserved quantities of the model, with units") {
   const std::string command =
       "elgen simulate -q --time 2 --method midpoint --step 0.01 " + models + "/kepler_polar.toml";
   const Outcome outcome = run(command);
@@ -33,7 +33,7 @@ TEST_CASE("a run says how far the conserved quantities of the model went, in the
   CHECK(conserved[2]["unit"] == "m^3/s^2");
 }
 
-TEST_CASE("a run without projection stays where its steps take it") {
+TEST_CASE("a run without projection may leave the constraints") {
   const std::string command = "elgen simulate -q --time 2 --method rk4 --step 0.05 --format json " +
                               models + "/pendulum_xy.toml --project ";
   const auto offset = [&](const std::string& word) {
@@ -47,7 +47,7 @@ TEST_CASE("a run without projection stays where its steps take it") {
   CHECK(run(command + "maybe").status != 0);
 }
 
-TEST_CASE("rows are written as the ending of the file says, and nothing is overwritten unasked") {
+TEST_CASE("the file extension sets the format of rows, and existing files need --force") {
   const Workspace workspace;
   const auto run = [&](const std::string& rest) {
     return workspace.run("elgen simulate -q --time 1 " + rest + " " + models + "/cart_pole.toml");
@@ -67,7 +67,7 @@ TEST_CASE("rows are written as the ending of the file says, and nothing is overw
   CHECK(starts_with(workspace.read("x.svg"), "<svg "));
 }
 
-TEST_CASE("multipliers stand in rows, and rates, multipliers and paths are drawn on request") {
+TEST_CASE("rows have multipliers, and rates, multipliers and paths are drawn on request") {
   const Workspace workspace;
   const auto run = [&](const std::string& rest) {
     return workspace.run("elgen simulate -q --time 0.2 " + rest + " " + models +
@@ -90,7 +90,7 @@ TEST_CASE("multipliers stand in rows, and rates, multipliers and paths are drawn
   CHECK(mentions(workspace.read("path.svg"), ">x(bob) [m]<"));
 }
 
-TEST_CASE("curves that are not there, or that nothing draws, are refused") {
+TEST_CASE("curves that do not exist or cannot be drawn are refused") {
   const auto refused = [&](const std::string& rest) {
     const Outcome outcome =
         run("elgen simulate -q --time 0.2 " + rest + " " + models + "/pendulum_xy.toml");
@@ -109,7 +109,7 @@ TEST_CASE("curves that are not there, or that nothing draws, are refused") {
   CHECK(mentions(refused("--show x --path bob -o x.svg"), "[E913]"));
 }
 
-TEST_CASE("an input that is one number runs as typed beyond its limits, a law is cut off there") {
+TEST_CASE("a constant input may exceed its limits, a law is clipped to them") {
   const Workspace workspace;
   workspace.write("block.toml",
                   "format = 1\n[model]\nname = \"block\"\n[[coordinate]]\nname = \"x\"\n"
@@ -131,7 +131,7 @@ TEST_CASE("an input that is one number runs as typed beyond its limits, a law is
   CHECK(workspace.run(command + "--input 'u=5 + x'").errors.empty());
 }
 
-TEST_CASE("the plot of a run takes the work off E") {
+TEST_CASE("the plot of a run subtracts the work from E") {
   const Workspace workspace;
   const std::string command =
       "elgen simulate -q --time 1 --method rk4 --step 0.1 -o run.svg " + models + "/cart_pole.toml";
@@ -158,7 +158,7 @@ V = "-x^4"
   CHECK(workspace.files() == "./runaway.toml\n");
 }
 
-TEST_CASE("a run ends at a singular place, unless it is to go through by steps of one length") {
+TEST_CASE("a run ends at a singular configuration, unless fixed steps may go through it") {
   const std::string fall = " -q --time 0.3 " + models + "/five_bar.toml";
   const Outcome stopped = run("elgen simulate" + fall);
   CHECK(stopped.status == 1);
@@ -173,7 +173,7 @@ TEST_CASE("a run ends at a singular place, unless it is to go through by steps o
   CHECK(run("elgen tradeoff --trajectory 0.3 " + models + "/five_bar.toml").status == 1);
 }
 
-TEST_CASE("a long run says how long it will take before its limit ends it") {
+TEST_CASE("a long run reports its expected duration before its limit ends it") {
   const Outcome outcome =
       run("elgen simulate --time 1e9 --method rk4 --step 0.1 --limit seconds=4 " + models +
           "/cart_pole.toml");
@@ -182,7 +182,7 @@ TEST_CASE("a long run says how long it will take before its limit ends it") {
   CHECK(mentions(outcome.errors, "[E909]"));
 }
 
-TEST_CASE("scenes run whatever code they ask for, with what they lock and fix") {
+TEST_CASE("scenes for any emitted code run, with their locked and fixed values") {
   const Workspace workspace;
   workspace.write("held.scene.toml",
                   "format = 1\nmodel = \"" + models + "/two_link_arm.toml\"\nname = \"held\"\n" +
@@ -196,7 +196,7 @@ TEST_CASE("scenes run whatever code they ask for, with what they lock and fix") 
   CHECK_FALSE(mentions(outcome.output, "q2"));
 }
 
-TEST_CASE("every model runs from its own start") {
+TEST_CASE("every model runs from its declared start") {
   const Outcome outcome =
       run("for m in " + models + "/*.toml; do elgen simulate -q --time 0.1 $m || echo $m; done");
   INFO(outcome.output + outcome.errors);
@@ -204,8 +204,7 @@ TEST_CASE("every model runs from its own start") {
   CHECK_FALSE(mentions(outcome.output, "\n/"));
 }
 
-TEST_CASE(
-    "commands that run a system take scenes of C and of float, and with a step of their own") {
+TEST_CASE("commands that run a system accept scenes in C, in float and with a step") {
   const Workspace workspace;
   workspace.write("c.scene.toml",
                   "format = 1\nmodel = \"" ELGEN_SOURCE_DIR

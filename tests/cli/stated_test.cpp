@@ -1,4 +1,4 @@
-// [[expect]] of others: equations as students write them, and numbers at a state, by elgen verify.
+// elgen verify with [[expect]]: equations as students write them, and numbers at a state.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 namespace elgen::test {
 namespace {
 
-/// A model with these keys in the place of its [[expect]] entries.
+/// Verifies a model with these keys instead of its [[expect]] entries.
 Outcome verified(const std::string& model, const std::string& keys,
                  const std::string& options = "-q") {
   const Workspace workspace;
@@ -21,7 +21,7 @@ Outcome verified(const std::string& model, const std::string& keys,
 struct StudentEquations {
   std::string model;
   std::string keys;
-  std::vector<std::string> words;  ///< of what is wrong; none: nothing is
+  std::vector<std::string> words;  ///< expected words in the report; none: the equations are right
 };
 
 const std::string cart_row =
@@ -60,7 +60,7 @@ const std::vector<StudentEquations> students{
 
 }  // namespace
 
-TEST_CASE("verify: equations of students, right ones in any form and wrong ones in words") {
+TEST_CASE("verify: equations of students are right in any form, or wrong with an explanation") {
   for (const StudentEquations& student : students) {
     const Outcome judged = verified(student.model, student.keys);
     INFO(student.keys << judged.output << judged.errors);
@@ -82,7 +82,8 @@ TEST_CASE("verify: an equation solved for an acceleration is compared with the a
   CHECK(mentions(judged.errors, "has the other sign"));
 }
 
-/// Two pulleys and three masses; the second of its equations has 4*M*m2, not 2*M*m2, below.
+/// Two pulleys and three masses. The second equation is an acceleration with 4*M*m2 in its
+/// denominator; a test replaces it by 2*M*m2.
 const std::string three_masses = R"toml(format = 1
 [model]
 name = "three_masses"
@@ -110,7 +111,7 @@ Outcome verified_masses(const std::string& acceleration) {
   return workspace.run("elgen verify --quick -q model.toml");
 }
 
-TEST_CASE("verify: numerators and denominators of stated accelerations are compared apart") {
+TEST_CASE("verify: numerators and denominators of stated accelerations are compared separately") {
   CHECK(verified_masses("2*m1*(m2 - M)*g/(m1*M + m1*m2 + 4*M*m2)").status == 0);
   const Outcome below = verified_masses("2*m1*(m2 - M)*g/(m1*M + m1*m2 + 2*M*m2)");
   INFO(below.errors);
@@ -123,7 +124,7 @@ TEST_CASE("verify: numerators and denominators of stated accelerations are compa
   INFO(above.errors);
   CHECK(mentions(above.errors, "has the other sign"));
   CHECK_FALSE(mentions(above.errors, "denominator"));
-  // Neither agrees: no term is named.
+  // Numerator and denominator both differ: no term is named.
   const Outcome both = verified_masses("m1*(3*m2 - M)*g/(m1*M + m1*m2 + 2*M*m2)");
   INFO(both.errors);
   CHECK(both.status == 1);
@@ -160,7 +161,7 @@ TEST_CASE("verify: a square of an equation determines no acceleration") {
   CHECK_FALSE(mentions(other_sign.errors, "E540"));
 }
 
-TEST_CASE("verify: a form that holds for the values of the file alone is told so") {
+TEST_CASE("verify: an equation that holds only for the values of the file is reported") {
   const std::string told = "it holds for the values of the parameters in the file";
   const auto ball = [](const std::string& share) {
     return verified("rolling_ball", "equations = [\"dot(dot(x)) = " + share +
@@ -190,7 +191,7 @@ TEST_CASE("verify: the term that keeps a sum from being conserved is named") {
   CHECK_FALSE(mentions(judged(kinetic + "+ m*R^2*theta^2*Omega^2").errors, "conserved quantity"));
 }
 
-TEST_CASE("verify: equations are proved, where they have a closed form") {
+TEST_CASE("verify: equations with a closed form are proved") {
   const Outcome proved =
       verified("simple_pendulum", "equations = \"l*dot(dot(theta)) = -g*sin(theta)\"\n", "");
   INFO(proved.output);
@@ -211,7 +212,8 @@ TEST_CASE("verify: equations that do not determine the accelerations are refused
   CHECK(mentions(judged.errors, "[E540]: d(left - right)/da has rank 1 of 2, so"));
 }
 
-TEST_CASE("verify: with constraints equations hold where these are kept, and count with them") {
+TEST_CASE(
+    "verify: equations of a constrained model hold on the constraints and are counted with them") {
   const std::string tangent = "x*dot(dot(y)) - y*dot(dot(x)) = ";
   CHECK(verified("pendulum_xy", "equations = \"" + tangent + "-g*x\"\n").status == 0);
   const Outcome wrong = verified("pendulum_xy", "equations = \"" + tangent + "g*x\"\n");
@@ -220,7 +222,7 @@ TEST_CASE("verify: with constraints equations hold where these are kept, and cou
   CHECK(mentions(wrong.errors, "[E510]: left - right is "));
 }
 
-TEST_CASE("verify: numbers at a state are right to a share of the largest") {
+TEST_CASE("verify: numbers at a state may differ by a fraction of the largest entry") {
   const std::string at = "at = { theta = \"pi/2\", \"dot(theta)\" = 2, m = 1, l = 0.5 }\n";
   CHECK(verified("simple_pendulum", at + "gravity = [4.905]\nmass_matrix = [[0.25]]\n"
                                          "hamiltonian = 0.5\n")
@@ -234,7 +236,7 @@ TEST_CASE("verify: numbers at a state are right to a share of the largest") {
                  "0.00101937 of the largest entry, more than 1e-12, at q = (1.5708)"));
 }
 
-/// A potential that is 1 everywhere, of terms of x^2, with this expectation at x.
+/// A potential that equals 1 everywhere, written with terms in x^2, with this expectation at x.
 Outcome verified_at(const std::string& x, const std::string& keys) {
   const Workspace workspace;
   workspace.write("model.toml", R"toml(format = 1
@@ -253,7 +255,7 @@ at = { x = )toml" + x + " }\n" + keys);
   return workspace.run("elgen verify --quick model.toml");
 }
 
-TEST_CASE("verify: numbers at a state are looked at in more digits where terms cancel") {
+TEST_CASE("verify: numbers at a state are computed with more digits if terms cancel") {
   CHECK(verified_at("1e100", "potential_energy = \"1\"\ngravity = [0]\n").status == 0);
   CHECK(verified_at("1e100", "potential_energy = \"0\"\n").status == 1);
   CHECK(verified_at("1", "potential_energy = \"1\"\n").status == 0);
@@ -263,7 +265,7 @@ TEST_CASE("verify: numbers at a state are looked at in more digits where terms c
   CHECK(mentions(untold.output, "1 where the oracle cannot say"));
 }
 
-TEST_CASE("verify: what vanishes at pi is 0 there") {
+TEST_CASE("verify: a function that vanishes at pi is exactly 0 there") {
   const auto upright = [](const std::string& gravity) {
     return verified("simple_pendulum",
                     "at = { theta = \"pi\" }\ngravity = [\"" + gravity + "\"]\n");
@@ -272,7 +274,7 @@ TEST_CASE("verify: what vanishes at pi is 0 there") {
   CHECK(upright("1e-90").status == 1);
 }
 
-TEST_CASE("verify: inputs, momenta, parameters and components of rotations are named at a state") {
+TEST_CASE("verify: a state may set inputs, momenta, parameters and components of rotations") {
   CHECK(verified("cart_pole",
                  "at = { u = 1, theta = 0, M = 2, m = 1, l = 1 }\n"
                  "forward_dynamics = [\"1/2\", -0.5]\n")

@@ -1,5 +1,5 @@
-// elgen tradeoff: which output tables are about, designs on the bench, runs by all methods, files
-// and exit codes; no time is looked at.
+// elgen tradeoff: the output of a table, designs, runs by all methods, files and exit codes. No
+// test depends on measured times.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ nlohmann::json table_in(const Outcome& outcome) {
   return nlohmann::json::parse(outcome.output);
 }
 
-/// A compiler that tells of every library it makes, and refuses those whose source has a word.
+/// A compiler that logs every library, and fails if the source contains the word `refused`.
 void write_compiler(const Workspace& workspace, const std::string& refused) {
   workspace.write("compiler.sh",
                   "for word; do case $word in */timing_driver.cpp)\n"
@@ -24,7 +24,7 @@ void write_compiler(const Workspace& workspace, const std::string& refused) {
                       "' \"$word\" && exit 1 ;; esac; done\nexec c++ \"$@\"\n");
 }
 
-/// A model, a scene of it, and a compiler that compiles nothing.
+/// A model, a scene, and a compiler that fails.
 class Base : public Workspace {
  public:
   Base() {
@@ -52,7 +52,7 @@ class Base : public Workspace {
 
 }  // namespace
 
-TEST_CASE("a wider scalar between doubles has all digits, whatever M is") {
+TEST_CASE("a wider inner scalar has all digits, whatever the condition of M") {
   const Workspace workspace;
   workspace.write("far.scene.toml",
                   "format = 1\nmodel = \"" + models +
@@ -71,7 +71,7 @@ TEST_CASE("a wider scalar between doubles has all digits, whatever M is") {
   CHECK(workspace.run("elgen verify --build written --samples 8 wide.scene.toml").status == 0);
 }
 
-TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good under verify") {
+TEST_CASE("a model has ten designs, and verify confirms the error of the chosen scene") {
   const Workspace workspace;
   const Outcome outcome = workspace.run(
       "elgen tradeoff --as json --max-error 1e-6 --write-scene "
@@ -102,7 +102,7 @@ TEST_CASE("a model gives ten designs, and the scene of the one chosen is as good
   CHECK(verified("fast.scene.toml") == 1);
 }
 
-TEST_CASE("an expansion is held to its promise where the scene says, by the exact model") {
+TEST_CASE("the error of an expansion is measured against the exact model if the scene says so") {
   const Workspace workspace;
   const auto status = [&workspace](const std::string& ranges) {
     workspace.write("upright.scene.toml",
@@ -117,7 +117,7 @@ TEST_CASE("an expansion is held to its promise where the scene says, by the exac
   CHECK(status("") == 1);
 }
 
-TEST_CASE("dimensions that are asked for are tried, expansions about the point of the scene") {
+TEST_CASE("requested dimensions are tried, expansions about the point of the scene") {
   const Workspace workspace;
   workspace.write("upright.scene.toml",
                   "format = 1\nmodel = \"" + models +
@@ -131,13 +131,13 @@ TEST_CASE("dimensions that are asked for are tried, expansions about the point o
     CHECK_FALSE(design.contains("failure"));
     if (design["design"]["order"] != "1") continue;
     ++expanded;
-    // 1.5 times 0.01^2/6, at the end of the range.
+    // 1.5 times 0.01^2/6 at the end of the range.
     CHECK(design["error"]["worst"] == Approx(2.5e-5).epsilon(0.01));
   }
   CHECK(expanded > 0);
 }
 
-TEST_CASE("a design has two costs, and what is left out of packs one, that of a call") {
+TEST_CASE("a design has a cost per state and a cost per call, and only packs differ in them") {
   const Workspace workspace;
   const std::string command = "elgen tradeoff -q --of gravity " + models + "/simple_pendulum.toml";
   const nlohmann::json both = table_in(workspace.run(command + " --as json"));
@@ -156,7 +156,7 @@ TEST_CASE("a design has two costs, and what is left out of packs one, that of a 
   for (const auto& design : one["designs"]) CHECK(design["design"]["batch"] == "one");
 }
 
-TEST_CASE("the row that is picked is printed, with -q too, and its scene is as pinned") {
+TEST_CASE("the chosen row is printed, also with -q, and its scene has the pinned values") {
   const Workspace workspace;
   const Outcome outcome = workspace.run(
       "elgen tradeoff -q --scalar float --batch one --parameters arguments --max-error 1e-3 "
@@ -172,7 +172,7 @@ TEST_CASE("the row that is picked is printed, with -q too, and its scene is as p
   CHECK_FALSE(mentions(scene, "fixed"));
 }
 
-TEST_CASE("a scene keeps what it locks and fixes, and files are not overwritten unasked") {
+TEST_CASE("a scene keeps its locked and fixed values, and existing files need --force") {
   const Workspace workspace;
   const std::string command =
       "elgen tradeoff -q --as csv -o x.csv " + models + "/scenes/balance.scene.toml";
@@ -185,7 +185,7 @@ TEST_CASE("a scene keeps what it locks and fixes, and files are not overwritten 
   CHECK(workspace.run("elgen tradeoff -o x.pdf " + models + "/cart_pole.toml").status == 2);
 }
 
-TEST_CASE("where no design is good enough no scene is written, and the table all the same") {
+TEST_CASE("if no design is accurate enough, the table is written and no scene") {
   const Workspace workspace;
   const Outcome outcome = workspace.run(
       "elgen tradeoff --of gravity --max-error 1e-30 --write-scene x.scene.toml -o x.csv " +
@@ -196,7 +196,7 @@ TEST_CASE("where no design is good enough no scene is written, and the table all
   CHECK_FALSE(std::filesystem::exists(workspace.path() / "x.scene.toml"));
 }
 
-TEST_CASE("runs have a row for each step that is emitted, and shorter steps smaller errors") {
+TEST_CASE("runs have a row for each emitted step, and shorter steps have smaller errors") {
   const Workspace workspace;
   const Outcome outcome = workspace.run(
       "elgen tradeoff --trajectory 2 --as json --max-error 1e-6 --write-scene x.scene.toml "
@@ -223,7 +223,7 @@ TEST_CASE("runs have a row for each step that is emitted, and shorter steps smal
   CHECK(error("4", "0.02 s") > 100 * error("4", "0.002 s"));
   CHECK(error("2", "0.002 s") > 100 * error("8", "0.002 s"));
   CHECK(row("verlet", "2", "0.002 s").is_null());
-  // Ten times the steps cost ten times as much.
+  // Ten times as many steps cost ten times as much.
   const auto cost = [&row](const std::string& step) {
     return row("rk4", "4", step)["cost"]["median"].get<double>();
   };
@@ -236,7 +236,7 @@ TEST_CASE("runs have a row for each step that is emitted, and shorter steps smal
   CHECK(workspace.run("elgen generate x.scene.toml").status == 0);
 }
 
-TEST_CASE("runs by steps that are asked for, projected where there are constraints") {
+TEST_CASE("runs with requested steps, projected if the model has constraints") {
   const Workspace workspace;
   const auto measured = [&workspace](const std::string& options) {
     const Outcome outcome = workspace.run("elgen tradeoff --as json " + options);
@@ -249,7 +249,8 @@ TEST_CASE("runs by steps that are asked for, projected where there are constrain
   CHECK(bar["designs"].size() == 4);
   for (const auto& design : bar["designs"]) {
     CHECK((design["design"]["step"] == "0.01 s" || design["design"]["step"] == "0.002 s"));
-    // Without `projected` steps of 0.01 s are off by 7e-7, for the state leaves the constraints.
+    // Without `projected` the error with steps of 0.01 s is 7e-7, because the state leaves the
+    // constraints.
     CHECK(design["error"]["worst"].get<double>() < 2e-7);
   }
   CHECK(mentions(bar["sentences"].dump(), "`projected` is called behind every step"));
@@ -261,7 +262,7 @@ TEST_CASE("runs by steps that are asked for, projected where there are constrain
         2);
 }
 
-TEST_CASE("what is about an output is not about runs") {
+TEST_CASE("options for outputs are refused for runs") {
   const Workspace workspace;
   for (const char* option :
        {"--of gravity", "--dimensions order", "--batch one", "--range q1=0..1"}) {
@@ -273,7 +274,7 @@ TEST_CASE("what is about an output is not about runs") {
   }
 }
 
-TEST_CASE("ten designs are made in four libraries") {
+TEST_CASE("ten designs are compiled as four libraries") {
   const Workspace workspace;
   write_compiler(workspace, "no such word");
   const Outcome outcome =
@@ -285,7 +286,8 @@ TEST_CASE("ten designs are made in four libraries") {
   CHECK(workspace.read("made") == "made\nmade\nmade\nmade\n");
 }
 
-TEST_CASE("designs that are not compiled say so, the others are measured, and it exits with 4") {
+TEST_CASE(
+    "designs that do not compile are reported, the others are measured, and the exit code is 4") {
   const Workspace workspace;
   write_compiler(workspace, "fixed");
   const Outcome outcome =
@@ -302,13 +304,14 @@ TEST_CASE("designs that are not compiled say so, the others are measured, and it
                       [](const auto& design) { return design.contains("cost"); }) == 5);
 }
 
-TEST_CASE_METHOD(Base, "it is inverse_dynamics, the first output of a scene, or what is named") {
+TEST_CASE_METHOD(
+    Base, "the subject is inverse_dynamics, the first output of a scene, or the named output") {
   CHECK(subject("rotor.toml") == "inverse_dynamics");
   CHECK(subject("two.scene.toml") == "gravity");
   CHECK(subject("--of potential_energy two.scene.toml") == "potential_energy");
 }
 
-TEST_CASE_METHOD(Base, "what is not one output is refused") {
+TEST_CASE_METHOD(Base, "several outputs and unknown outputs are refused as subject") {
   const Outcome outcome = measure("--of gravity,bias rotor.toml");
   CHECK(outcome.status == 2);
   CHECK(mentions(outcome.errors, "`gravity,bias` is not one output"));

@@ -1,11 +1,12 @@
-// elgen verify where digits end: right code is no failure, and what nobody can say is counted.
+// elgen verify at the limit of precision: correct code does not fail, and undecided states are
+// counted.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
 
 namespace elgen::test {
 
-TEST_CASE("right code that cancels where digits end is no failure") {
+TEST_CASE("correct code that loses digits by cancellation does not fail") {
   const Workspace workspace;
   const auto write = [&workspace](const std::string& name, const std::string& parameters,
                                   const std::string& potential, const std::string& range = "") {
@@ -29,7 +30,7 @@ TEST_CASE("right code that cancels where digits end is no failure") {
   }
 }
 
-TEST_CASE("functions of doubles in a wider scalar have all digits") {
+TEST_CASE("functions of doubles with a wider inner scalar have all digits") {
   const Workspace workspace;
   workspace.write("rod.toml",
                   "format = 1\n[model]\nname = \"rod\"\n[[coordinate]]\nname = \"x\"\n"
@@ -53,9 +54,9 @@ TEST_CASE("functions of doubles in a wider scalar have all digits") {
   }
 }
 
-TEST_CASE("where no more digits are to be had, the oracle cannot say, and states are counted") {
+TEST_CASE("states at which the oracle is undecided with all its digits are counted") {
   const Workspace workspace;
-  // 1 - cos(x)^2 takes 300 digits, pi has 200; with 1 - cos(x) it would be cosc(x).
+  // 1 - cos(x)^2 needs 300 digits, pi has 200. (1 - cos(x) would be rewritten as cosc(x).)
   workspace.write("tiny.toml",
                   "format = 1\n[model]\nname = \"tiny\"\n[[coordinate]]\nname = \"x\"\n"
                   "range = [\"1e-150\", \"2e-150\"]\n[energy]\nT = \"1/2*dot(x)^2\"\n"
@@ -66,7 +67,7 @@ TEST_CASE("where no more digits are to be had, the oracle cannot say, and states
   CHECK(mentions(outcome.output, " where the oracle cannot say"));
 }
 
-TEST_CASE("ranges in which values overflow are said by generate and verify") {
+TEST_CASE("generate and verify report ranges in which values overflow") {
   const Workspace workspace;
   const auto write = [&workspace](const std::string& name, const std::string& range,
                                   const std::string& potential) {

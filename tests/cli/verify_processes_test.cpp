@@ -1,4 +1,4 @@
-// elgen verify: samples are shared by processes.
+// elgen verify: several processes share the samples.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -6,7 +6,7 @@
 
 namespace elgen::test {
 
-TEST_CASE("the certificate is the same whatever the number of processes, not so of the seed") {
+TEST_CASE("the certificate depends on the seed, but not on the number of processes") {
   const Workspace workspace;
   write_rotor(workspace);
   const auto verified = [&](const std::string& options) {
@@ -40,7 +40,7 @@ TEST_CASE("all samples are visited, however many") {
   CHECK(compared == 2);
 }
 
-TEST_CASE("processor time is that of each process, and ends all of them") {
+TEST_CASE("the limit of processor time applies to each process, and ends all of them") {
   const Workspace workspace;
   write_rotor(workspace);
   const std::string command = "elgen verify --quick --samples 200000 --jobs 2 --limit seconds=1 ";
@@ -50,7 +50,7 @@ TEST_CASE("processor time is that of each process, and ends all of them") {
       mentions(outcome.errors, "[E909]: 1 s of processor time are over, in `accuracy in double`"));
 }
 
-TEST_CASE("an interrupt ends the processes that share states, and leaves no files") {
+TEST_CASE("an interrupt ends the processes that share states and leaves no files") {
   const Workspace workspace;
   write_rotor(workspace);
   const Outcome outcome = workspace.run(

@@ -6,7 +6,7 @@
 #include "cli/cli_testing.hpp"
 
 namespace elgen::test {
-TEST_CASE("verify: all closed forms of the models hold, a wrong one exits with 1") {
+TEST_CASE("verify: all closed forms of the models hold, and a wrong one exits with 1") {
   const Workspace workspace;
   const Outcome good = workspace.run("elgen verify --quick " + models + "/*.toml");
   INFO(good.output + good.errors);
@@ -44,7 +44,7 @@ TEST_CASE("forward dynamics without pivots is verified, and its model runs") {
   }
 }
 
-TEST_CASE("the Jacobian of a frame is judged as that of its twist") {
+TEST_CASE("the Jacobian of a frame is compared with its twist") {
   const Workspace workspace;
   workspace.write("arm.toml", R"toml(format = 1
 [model]
@@ -84,8 +84,7 @@ jacobian = true
   CHECK(mentions(judged.output, "J = d(omega; dp/dt)/dv, [omega]x = dR/dt R^T"));
 }
 
-TEST_CASE(
-    "the oracle's rounding of what does not depend on q is no failure, however slow the motion") {
+TEST_CASE("a rounding error of the oracle in terms without q is no failure, even in slow motion") {
   const Workspace workspace;
   workspace.write("turn.toml", R"toml(format = 1
 [model]
@@ -109,7 +108,7 @@ inertia_about = "origin"
   CHECK(outcome.status == 0);
 }
 
-TEST_CASE("every file that is emitted is compiled and run, in every storage") {
+TEST_CASE("every emitted file is compiled and run, in every storage order") {
   const Workspace workspace;
   const auto judged = [&](const std::string& emission) {
     workspace.write(
@@ -138,9 +137,9 @@ TEST_CASE("every file that is emitted is compiled and run, in every storage") {
   CHECK(mentions(in_packs, "sine and cosine (double, batch, -O3 -march=native, contraction on) "));
 }
 
-TEST_CASE("rounding beyond its bound is noted, and exits with 0") {
+TEST_CASE("a rounding error beyond its bound is a note, and the exit code is 0") {
   const Workspace workspace;
-  // A root of squares as typed; its code loses digits where b is far from a and c.
+  // A square root of squares, as typed. The code loses digits if b is far from a and c.
   workspace.write("egg.toml", R"toml(format = 1
 [model]
 name = "egg"
@@ -179,7 +178,7 @@ TEST_CASE("option --build compiles in one way only") {
   const Workspace workspace;
   write_rotor(workspace);
   const std::string verify = "elgen verify -v --samples 2 one.scene.toml --build ";
-  const std::string rows_of_bits = " entries differ\n";  // of double and float
+  const std::string rows_of_bits = " entries differ\n";  // double and float
   const std::string written = workspace.run(verify + "written").output;
   CHECK(count(written, rows_of_bits) == 2);
   CHECK_FALSE(mentions(written, "-O3 -march=native"));
@@ -196,7 +195,7 @@ TEST_CASE("option --build compiles in one way only") {
   }
 }
 
-TEST_CASE("a compiler that takes too long is no failure of the model") {
+TEST_CASE("a slow compiler is no failure of the model") {
   const Workspace workspace;
   write_rotor(workspace);
   workspace.write("slow",
@@ -211,7 +210,7 @@ TEST_CASE("a compiler that takes too long is no failure of the model") {
   CHECK(mentions(outcome.output, "slow` has not ended within 4 s; raised by --limit seconds=N\n"));
 }
 
-TEST_CASE("a model whose numbers do not fit float is verified in double alone") {
+TEST_CASE("a model whose numbers do not fit into float is verified in double only") {
   const Workspace workspace;
   workspace.write(
       "star.toml",
@@ -225,7 +224,7 @@ TEST_CASE("a model whose numbers do not fit float is verified in double alone") 
   CHECK_FALSE(mentions(outcome.output, "(float)"));
 }
 
-TEST_CASE("option -o writes the certificates, and over a file with --force only") {
+TEST_CASE("option -o writes the certificates, and replaces a file only with --force") {
   const Workspace workspace;
   workspace.prepare("cp " + models + "/simple_pendulum.toml a.toml");
   const std::string model = workspace.read("a.toml");
@@ -245,7 +244,7 @@ TEST_CASE("option -o writes the certificates, and over a file with --force only"
   CHECK(workspace.read("new/c.txt") == full);
 }
 
-TEST_CASE("where a certificate is missing no file is written") {
+TEST_CASE("if a certificate is missing, no file is written") {
   const Workspace workspace;
   workspace.prepare("cp " + models + "/simple_pendulum.toml a.toml && echo old > c.txt");
   const std::string command = "elgen verify --quick --force -o c.txt a.toml ";
@@ -274,7 +273,7 @@ TEST_CASE("option --samples is a positive number of states, -v prints the equati
 }
 
 TEST_CASE(
-    "there is a line per output, -v says all, -q the verdict alone, --format json everything") {
+    "one line for each output, all details with -v, the verdict with -q, everything with json") {
   const Workspace workspace;
   const std::string verify = "elgen verify --quick " + models + "/simple_pendulum.toml ";
   const Outcome lines = workspace.run(verify);
@@ -295,9 +294,9 @@ TEST_CASE(
   CHECK(json.at("checks").size() == json.at("holds"));
 }
 
-TEST_CASE("what is skipped is counted with its reason, and --strict makes it count") {
+TEST_CASE("skipped checks are counted with their reason, and fail with --strict") {
   const Workspace workspace;
-  // M is regular on paper, and singular to 1e-18 of its entries.
+  // M is regular in exact arithmetic, but singular up to 1e-18 of its entries.
   workspace.write(
       "light.toml",
       "format = 1\n[model]\nname = \"light\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
@@ -336,7 +335,7 @@ TEST_CASE("the forward dynamics of arms is compared at most states") {
   }
 }
 
-TEST_CASE("option --timings has the times of verify too") {
+TEST_CASE("option --timings includes verify") {
   const std::string model = models + "/simple_pendulum.toml";
   const Outcome outcome = run("elgen verify --build written --samples 2 --timings " + model);
   CHECK(outcome.status == 0);

@@ -1,5 +1,5 @@
-// Files that generate writes, and files that it leaves alone. Processes that write to the same
-// folders take turns; what fails half-way: tests/faults.
+// Files that generate writes or leaves alone. Processes that write to the same folder take turns.
+// Failures in the middle of writing are tested in tests/faults.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"
@@ -15,7 +15,7 @@ TEST_CASE("generate writes header, sidecar and page below generated/") {
   CHECK(starts_with(workspace.read("generated/cart_pole/cart_pole.hpp"), marker));
 }
 
-TEST_CASE("one faulty model among several: nothing is written at all") {
+TEST_CASE("if one of several models is faulty, nothing is written") {
   const Workspace workspace;
   workspace.write("faulty.toml", "format = 2\n");
   const Outcome outcome = workspace.run("elgen generate " + models + "/cart_pole.toml faulty.toml");
@@ -23,7 +23,7 @@ TEST_CASE("one faulty model among several: nothing is written at all") {
   CHECK(workspace.files() == "./faulty.toml\n");
 }
 
-TEST_CASE("a write that fails half-way leaves what was there, and no temporary file") {
+TEST_CASE("a failed write keeps the old files and leaves no temporary file") {
   const Workspace workspace;
   workspace.prepare("cp " + models + "/cart_pole.toml . && elgen generate -q cart_pole.toml");
   const std::string before = workspace.read("generated/cart_pole/cart_pole.hpp");
@@ -50,7 +50,7 @@ TEST_CASE("a file without our marker is overwritten with --force only") {
   CHECK(starts_with(read_text(header), marker));
 }
 
-TEST_CASE("a dependency file that cannot be written leaves everything as it was") {
+TEST_CASE("if a dependency file cannot be written, all files stay unchanged") {
   const Workspace workspace;
   workspace.write("file", "mine\n");
   const Outcome outcome =
@@ -60,7 +60,8 @@ TEST_CASE("a dependency file that cannot be written leaves everything as it was"
   CHECK(workspace.files() == "./file\n");
 }
 
-TEST_CASE("option --depfile replaces rules of files of ours, and nothing else unasked") {
+TEST_CASE(
+    "option --depfile replaces only rules for files of elgen, and other files only with --force") {
   const Workspace workspace;
   workspace.prepare("cp " + models + "/cart_pole.toml .");
   const auto depfile = workspace.path() / "cart_pole.d";
@@ -80,7 +81,7 @@ TEST_CASE("option --depfile replaces rules of files of ours, and nothing else un
   CHECK(read_text(depfile) == rules);
 }
 
-TEST_CASE("an input is no place for output, whatever it is called and whatever is forced") {
+TEST_CASE("an input is never overwritten, whatever its name and even with --force") {
   const Workspace workspace;
   workspace.prepare("cp " + models + "/cart_pole.toml . && ln cart_pole.toml other.toml");
   const std::string before = workspace.read("cart_pole.toml");
@@ -99,7 +100,7 @@ TEST_CASE("an input is no place for output, whatever it is called and whatever i
   CHECK(workspace.files() == "./cart_pole.toml\n./other.toml\n");
 }
 
-TEST_CASE("two files in one place are refused") {
+TEST_CASE("two outputs with the same path are refused") {
   const Workspace workspace;
   const Outcome outcome =
       workspace.run("elgen generate -q --depfile ./generated/cart_pole/cart_pole.hpp " + models +
@@ -109,7 +110,7 @@ TEST_CASE("two files in one place are refused") {
   CHECK(workspace.files().empty());
 }
 
-TEST_CASE("what is no regular file is never replaced") {
+TEST_CASE("only regular files are replaced") {
   const Workspace workspace;
   workspace.prepare(
       "mkdir folder && mkfifo fifo && echo mine > file && ln -s file link && ln -s nowhere loose");
@@ -129,7 +130,7 @@ TEST_CASE("what is no regular file is never replaced") {
   CHECK_FALSE(workspace.run("test -e generated").status == 0);
 }
 
-TEST_CASE("a file whose bytes do not change is not touched") {
+TEST_CASE("a file whose content does not change is not touched") {
   const Workspace workspace;
   workspace.prepare("cp " + models +
                     "/cart_pole.toml . && elgen generate -q cart_pole.toml && cd generated/"
@@ -142,7 +143,7 @@ TEST_CASE("a file whose bytes do not change is not touched") {
         "generated/cart_pole/cart_pole.md\n");
 }
 
-TEST_CASE("what a killed process left is removed by the next one") {
+TEST_CASE("temporary files of a killed process are removed by the next one") {
   const Workspace workspace;
   workspace.write("generated/cart_pole/.elgen-stage-abcdef/new0", "half");
   CHECK(workspace.run("elgen generate -q " + models + "/cart_pole.toml").status == 0);
@@ -150,7 +151,7 @@ TEST_CASE("what a killed process left is removed by the next one") {
         "cart_pole.equations.json\ncart_pole.hpp\ncart_pole.md\n");
 }
 
-TEST_CASE("a lock that is not released is waited for in vain") {
+TEST_CASE("waiting for a lock ends at the limit") {
   const Workspace workspace;
   workspace.prepare("mkdir -p generated/cart_pole");
   const Outcome outcome =
@@ -161,7 +162,7 @@ TEST_CASE("a lock that is not released is waited for in vain") {
   CHECK(workspace.files().empty());
 }
 
-TEST_CASE("writers of two versions at once leave one of them, and make one folder together") {
+TEST_CASE("two concurrent writers leave one complete version and may create a folder together") {
   const Workspace workspace;
   workspace.prepare("cp " + models +
                     "/cart_pole.toml a.toml && sed 's/\"-g\"/\"-2*g\"/' a.toml > b.toml");

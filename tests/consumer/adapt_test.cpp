@@ -1,5 +1,5 @@
-// The adaptive controller of the arm as its user builds it: how far it is off at first and at last,
-// and what it has learnt.
+// The adaptive controller of the arm, built as a user would: its tracking error at the start and at
+// the end, and the learnt parameters.
 #include <catch2/catch.hpp>
 
 #include "consumer/projects.hpp"
@@ -14,7 +14,7 @@ TEST_CASE("the arm of the example learns its masses and inertias", "[.all]") {
   const double first = number_after(run.output, "off by at most ");
   const double last = number_after(run.output, "first 5 s, by ");
   CHECK(last <= 1e-3);
-  CHECK(first > 10 * last);  // it knows half of what it carries
+  CHECK(first > 10 * last);  // initially all parameters are half their true values
   CHECK(number_after(run.output, "within ") <= 2);
   CHECK(is_shown(run.output));
 }

@@ -1,4 +1,4 @@
-// elgen_generate() and find_package() where something is wrong: CMake stops and says it.
+// elgen_generate() and find_package() with errors: CMake stops with a message.
 #include <catch2/catch.hpp>
 
 #include "consumer/projects.hpp"
@@ -7,7 +7,7 @@ namespace elgen::test {
 
 namespace {
 
-/// A project of one model whose CMakeLists.txt ends with the `lines`.
+/// A project with one model; `lines` are the end of its CMakeLists.txt.
 class Configured : public Workspace {
  public:
   explicit Configured(const std::string& lines,
@@ -22,14 +22,14 @@ class Configured : public Workspace {
     return run("cmake -S . -B build -G Ninja " + options);
   }
 
-  /// An executable file in this folder.
+  /// Writes an executable script in this folder.
   void write_program(const std::string& name, const std::string& script) const {
     write(name, "#!/bin/sh\n" + script + "\n");
     prepare("chmod +x " + name);
   }
 };
 
-/// On one line, with one blank between words: CMake breaks lines as it likes.
+/// The text on one line with single blanks, because CMake breaks lines.
 std::string on_one_line(const std::string& text) {
   std::string line;
   for (const char c : text) {
@@ -44,7 +44,7 @@ struct Mistake {
   std::string message;
 };
 
-/// Every file of the project, and of the code of its target `ok`, with its hash.
+/// Paths and hashes of all files of the project and of the code for its target `ok`.
 std::string hashes(const Workspace& project) {
   return project
       .run(
@@ -53,7 +53,7 @@ std::string hashes(const Workspace& project) {
       .output;
 }
 
-/// A project with code of elgen in its build and, committed, beside its sources.
+/// A project with generated code in its build folder, and committed code in its source folder.
 class Generated : public Configured {
  public:
   explicit Generated(const std::string& lines) : Configured(lines) {
@@ -66,7 +66,7 @@ class Generated : public Configured {
 
 }  // namespace
 
-TEST_CASE("wrong arguments of elgen_generate are told") {
+TEST_CASE("wrong arguments of elgen_generate are reported") {
   const Mistake mistakes[] = {
       {"elgen_generate(INPUTS cart_pole.toml)",
        "elgen_generate: TARGET is missing; write elgen_generate(TARGET plant INPUTS "
@@ -134,7 +134,7 @@ TEST_CASE("no name of a target touches a file of the project or of another targe
   }
 }
 
-TEST_CASE("only what elgen wrote for a target is removed") {
+TEST_CASE("only files that elgen wrote for a target are removed") {
   const Generated project("elgen_generate(TARGET ok INPUTS cart_pole.toml)");
   const std::string folder = "build/CMakeFiles/elgen/ok/";
   project.prepare("cd " + folder +
@@ -176,7 +176,7 @@ TEST_CASE("no code is written or removed through a symbolic link") {
   }
 }
 
-TEST_CASE("code is made and kept current below a folder with any sign that CMake takes") {
+TEST_CASE("code is generated and updated below a folder with any character that CMake allows") {
   const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
   for (const std::string folder : {"h#sh", "# 1", "a $b (c) 'd", "a$b, 100%", "[ok]*?"}) {
     INFO(folder);
@@ -201,7 +201,7 @@ TEST_CASE("code is made and kept current below a folder with any sign that CMake
   }
 }
 
-TEST_CASE("the first time CMake tells the error of an input as elgen does") {
+TEST_CASE("at the first configuration CMake shows elgen's error in an input") {
   const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
   project.prepare("sed -i 's/mass = \"m\"/mass = \"mq\"/' cart_pole.toml");
   const Outcome outcome = project.configure();
@@ -212,7 +212,7 @@ TEST_CASE("the first time CMake tells the error of an input as elgen does") {
                  "/cart_pole.toml has the errors above; mend them and run CMake again"));
 }
 
-TEST_CASE("an elgen that does not run or lists no sources is told") {
+TEST_CASE("an elgen that does not run or lists no sources is reported") {
   const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
   const auto told = [&](const std::string& program) {
     return on_one_line(
@@ -247,7 +247,7 @@ TEST_CASE("find_package finds this version and no newer one") {
   }
 }
 
-TEST_CASE("another elgen generates again, however old its file is") {
+TEST_CASE("another elgen generates again, even if its file is older") {
   const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
   const auto generates = [&](const std::string& version) {
     project.write_program("mine", "\"$ELGEN\" \"$@\" | sed s/0.1.0/" + version + "/");
@@ -262,7 +262,7 @@ TEST_CASE("another elgen generates again, however old its file is") {
   CHECK_FALSE(generates("0.1.1"));
 }
 
-TEST_CASE("a package found in a folder serves those above and beside it") {
+TEST_CASE("a package found in a folder is visible in its parent and sibling folders") {
   const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)",
                            "add_subdirectory(dependencies)");
   project.write("dependencies/CMakeLists.txt", "find_package(elgen CONFIG REQUIRED)\n");
@@ -286,7 +286,7 @@ TEST_CASE("a library is installed with its plant") {
   CHECK(mentions(project.read("p/share/cmake/controller/controller.cmake"), "cxx_std_17"));
 }
 
-TEST_CASE("CHECK_AGAINST is a test that fails where committed code is stale") {
+TEST_CASE("CHECK_AGAINST is a test that fails if committed code is stale") {
   const Configured project(
       "enable_testing()\n"
       "elgen_generate(TARGET plant INPUTS cart_pole.toml CHECK_AGAINST generated)");
@@ -301,7 +301,7 @@ TEST_CASE("CHECK_AGAINST is a test that fails where committed code is stale") {
   CHECK(mentions(stale.output, "generated/cart_pole/cart_pole.hpp"));
 }
 
-TEST_CASE("a project compiled for another machine runs the elgen of this one", "[.all]") {
+TEST_CASE("a cross-compiled project runs the elgen of the host", "[.all]") {
   const Configured project(
       "elgen_generate(TARGET plant INPUTS cart_pole.toml)\n"
       "add_executable(user user.cpp)\n"
@@ -324,7 +324,7 @@ TEST_CASE("a project compiled for another machine runs the elgen of this one", "
   CHECK_FALSE(builds(finding_elgen()));
   CHECK(builds("'-Delgen_DIR=" + package + "'"));
 
-  // The package of the other machine is found in its root; its elgen does not run here.
+  // The package of the target machine is found in its root, but its elgen does not run on the host.
   project.prepare("mkdir -p root/usr/bin root/usr/share/cmake && cp -r '" + package +
                   "' root/usr/share/cmake && echo foreign > root/usr/bin/elgen");
   CHECK_FALSE(builds(""));

@@ -1,5 +1,5 @@
-// The controller of the cart and pole as its user builds it: what it reaches, and its gains against
-// those of others.
+// The controller of the cart and pole, built as a user would: its performance, and its gains
+// compared with published gains.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <sstream>
@@ -58,7 +58,8 @@ unit = "N"
 on   = "x"
 )toml";
 
-/// The gains in the order in which either source prints them, and a system that no input moves.
+/// Prints the gains in the order of each source, and the error for a system that is not
+/// controllable.
 constexpr const char* gains_program = R"source(#include <cstdio>
 
 #include "cart_pole_balance/cart_pole_balance_eigen.hpp"
@@ -97,13 +98,13 @@ int main() {
 
 }  // namespace
 
-TEST_CASE("the pole of the example swings up and is balanced by the gains of others") {
+TEST_CASE("the example swings the pole up and balances it with published gains") {
   const Example balance("balance");
   const Outcome run = balance.run("build/balance");
   INFO(run.output << run.errors);
   CHECK(run.status == 0);
   const double seconds = number_after(run.output, "balanced: last outside 0.01 rad and 0.02 m at ");
-  CHECK(seconds > 0.5);  // 20 N do not raise it at once
+  CHECK(seconds > 0.5);  // 20 N are too little to raise the pole at once
   CHECK(seconds <= 6.0);
   CHECK(number_after(run.output, "at most ") <= 20.0);
   CHECK(number_after(run.output, " N and ") <= 2.5);

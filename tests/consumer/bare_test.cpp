@@ -1,5 +1,5 @@
-// README.md on a machine that has nothing but Debian 12. The first screen and the commands of `Use`
-// need the package and a compiler, the controller also the packages that its section names.
+// README.md on a bare Debian 12. The first screen and the commands of `Use` need the package and a
+// compiler; the controller also needs the packages named in its section.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -29,7 +29,7 @@ class BareDebian : public Workspace {
     return run("env -i PATH=/usr/bin:/usr/sbin:/bin HOME=/root chroot root sh /command");
   }
 
-  /// Throws where it fails; prints what it took.
+  /// Installs packages and prints the time and size. Throws on failure.
   void install(const std::string& packages) const {
     const auto start = std::chrono::steady_clock::now();
     const long before = megabytes();
@@ -47,7 +47,7 @@ class BareDebian : public Workspace {
   [[nodiscard]] long megabytes() const { return std::stol(run("du -sm root").output); }
 };
 
-/// The fences between two lines of the first page, in a folder of the root.
+/// Runs the fences of README.md between two lines, in a folder of the root.
 void replay_in(const BareDebian& debian, const std::string& folder, std::size_t begin,
                std::size_t end) {
   const auto run = [&](const std::string& command) { return debian.inside(command, folder); };
@@ -58,7 +58,7 @@ void replay_in(const BareDebian& debian, const std::string& folder, std::size_t 
   }
 }
 
-/// The line of the page's file that begins so.
+/// The line number of a heading in the page's text.
 std::size_t line_of(const std::string& text, const std::string& heading) {
   const std::size_t at = text.find("\n" + heading + "\n");
   REQUIRE(at != std::string::npos);

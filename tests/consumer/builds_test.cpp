@@ -1,5 +1,5 @@
-// elgen_generate() in a project of CMake: after every edit the table says for which inputs elgen
-// ran and what was compiled, and the next build does nothing.
+// elgen_generate() in a CMake project. For each edit the table lists the inputs for which elgen ran
+// and the compiled sources; the next build does nothing.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,22 +16,22 @@ namespace elgen::test {
 
 namespace {
 
-/// The names that the pattern finds, in alphabetical order; "-" where there is none.
+/// The distinct matches of the pattern, sorted; "-" if there are none.
 std::string found(const std::string& log, const std::string& pattern) {
   const std::vector<std::string> matches = all_matches(log, std::regex(pattern));
   const std::set<std::string> names(matches.begin(), matches.end());
   return names.empty() ? "-" : fmt::format("{}", fmt::join(names, " "));
 }
 
-/// An edit of a project, and the row that it makes.
+/// An edit of a project, and the expected row.
 struct Edit {
   const char* title;
   const char* command;
   const char* row;
-  bool settles = true;  ///< whether the next build does nothing
+  bool settles = true;  ///< the next build does nothing
 };
 
-/// Two callers in a folder of their own, each of the code of one input.
+/// A project with two callers; each uses the code of one input.
 class Project : public Workspace {
  public:
   Project(const std::string& generator, const std::filesystem::path& prefix)
@@ -57,8 +57,8 @@ class Project : public Workspace {
     prepare("cmake -S . -B build -G '" + generator + "' " + finding_elgen(prefix));
   }
 
-  /// The row of the build after an edit; one that passed does nothing when it is repeated, or, for
-  /// a file dated in the future, runs CMake and elgen once and compiles nothing.
+  /// The row of the build after an edit. A successful build is repeated and must do nothing, except
+  /// for a file dated in the future: then CMake and elgen run once and nothing is compiled.
   [[nodiscard]] std::string row(const Edit& edit) const {
     prepare(edit.command);
     const Outcome built = run("cmake --build build");
@@ -120,7 +120,8 @@ constexpr Edit edits[] = {
      "cart_pole_balance | cart.cpp"},
     {"all folders deleted", "rm -r build/CMakeFiles/elgen",
      "cart_pole_balance double_pendulum | cart.cpp pendulum.cpp"},
-    // Ninja removes build.ninja where the interrupt meets CMake at its end; then CMake has to run.
+    // Ninja removes build.ninja if the interrupt arrives at the end of CMake; then CMake must run
+    // again.
     {"an interrupt right after an edit",
      "sed -i 's/0.3, /0.4, /' models/cart_pole.toml; timeout -s INT 0.05 cmake --build build; "
      "[ -e build/build.ninja ] || [ -e build/Makefile ] || cmake build",
@@ -157,7 +158,7 @@ void check_builds(const std::string& generator, const std::filesystem::path& pre
 
 }  // namespace
 
-TEST_CASE("an edit compiles what includes changed code and nothing else", "[.all]") {
+TEST_CASE("after an edit only sources that include changed code are compiled", "[.all]") {
   const std::string generator = GENERATE("Ninja", "Ninja Multi-Config", "Unix Makefiles");
   check_builds(generator, installed());
 }
@@ -171,7 +172,7 @@ TEST_CASE("every generator builds the examples", "[.all]") {
   }
 }
 
-TEST_CASE("elgen of a package builds as an installed one does", "[.all]") {
+TEST_CASE("elgen from a package builds like an installed elgen", "[.all]") {
   const Workspace workspace("a package ");
   if (packed(workspace).empty()) return;
   workspace.prepare("dpkg-deb -x elgen.deb root");

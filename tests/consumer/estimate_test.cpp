@@ -1,12 +1,12 @@
-// The Kalman filter of the arm as its user builds it: how well it knows the angle that no sensor
-// measures.
+// The Kalman filter of the arm, built as a user would: the error of the estimated angle, which has
+// no sensor.
 #include <catch2/catch.hpp>
 
 #include "consumer/projects.hpp"
 
 namespace elgen::test {
 
-TEST_CASE("the filter of the example finds the angle that has no sensor", "[.all]") {
+TEST_CASE("the filter of the example estimates the angle that has no sensor", "[.all]") {
   const Example estimate("estimate");
   const Outcome run = estimate.run("build/estimate");
   INFO(run.output << run.errors);

@@ -1,5 +1,5 @@
-// examples/firmware: built for a Cortex-M4 by another compiler than the host's, and run by QEMU,
-// which counts instructions alike in every run. The symbols of its objects say what a controller
+// examples/firmware, cross-compiled for a Cortex-M4 and run in QEMU, whose instruction counts are
+// reproducible. The undefined symbols of the objects show the library functions that a controller
 // needs.
 #include <catch2/catch.hpp>
 
@@ -21,7 +21,7 @@ class Firmware : public Example {
       : Example("firmware", "-G Ninja -DCMAKE_TOOLCHAIN_FILE=cortex-m4.cmake '-Delgen_DIR=" +
                                 (installed() / "share/cmake/elgen").string() + "'") {}
 
-  /// The output of the target when ctest runs it by the emulator of the toolchain file.
+  /// The output of the target, run by ctest with the emulator of the toolchain file.
   [[nodiscard]] std::string printed() const {
     const Outcome tested = run("ctest --test-dir build --verbose --timeout 60");
     CHECK(tested.status == 0);
@@ -29,7 +29,7 @@ class Firmware : public Example {
     return run("grep -E '^1: (angle|control)' printed").output;
   }
 
-  /// The undefined symbols of an object, but for those that match, one a line.
+  /// The undefined symbols of an object that do not match `allowed`, one per line.
   [[nodiscard]] std::string needs(const std::string& object, const std::string& allowed) const {
     const Outcome listed = run("arm-none-eabi-nm -P -u build/CMakeFiles/firmware.dir/" + object);
     CHECK(listed.status == 0);
@@ -40,7 +40,7 @@ class Firmware : public Example {
 
 }  // namespace
 
-TEST_CASE("the firmware balances its pendulum, alike in every run", "[.all]") {
+TEST_CASE("the firmware balances its pendulum, with the same output in every run", "[.all]") {
   if (!has_cross_compiler()) return;
   const Firmware firmware;
   const std::string printed = firmware.printed();
@@ -55,7 +55,7 @@ TEST_CASE("the firmware balances its pendulum, alike in every run", "[.all]") {
   CHECK(is_shown(printed));
 }
 
-TEST_CASE("the firmware needs no heap, no doubles, and of libm sines and cosines", "[.all]") {
+TEST_CASE("the firmware needs no heap, no doubles, and only sine and cosine from libm", "[.all]") {
   if (!has_cross_compiler()) return;
   const Firmware firmware;
   CHECK(firmware.needs("controller.c.obj", "sinf|cosf").empty());

@@ -1,4 +1,5 @@
-// The base parameters of an arm from noisy torques, by the commands of the page of examples.
+// Identifies the base parameters of an arm from noisy torques, with the commands in
+// examples/README.md.
 #include <catch2/catch.hpp>
 
 #include "consumer/projects.hpp"
@@ -6,7 +7,7 @@
 
 namespace elgen::test {
 
-TEST_CASE("the base parameters of the example are found from noisy torques") {
+TEST_CASE("the example identifies base parameters from noisy torques") {
   if (!is_installed("numpy", "/usr/bin/python3 -c 'import numpy'")) return;
   const Workspace folder;
   folder.prepare("cp '" ELGEN_SOURCE_DIR

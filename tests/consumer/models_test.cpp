@@ -1,4 +1,4 @@
-// Models in examples/ have the physics and the values of their namesakes in models/.
+// Models in examples/ have the same equations and values as the models of the same name in models/.
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -6,7 +6,7 @@
 
 namespace elgen::test {
 
-TEST_CASE("a model in examples has the physics and the values of its namesake in models") {
+TEST_CASE("a model in examples has the equations and values of its namesake in models") {
   const std::filesystem::path source = ELGEN_SOURCE_DIR;
   std::size_t compared = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(source / "examples")) {

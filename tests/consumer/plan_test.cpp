@@ -1,4 +1,5 @@
-// The example that plans a swing-up: its plan keeps what it claims, and its derivatives are right.
+// The example that plans a swing-up: the plan satisfies its constraints, and its derivatives are
+// correct.
 #include <catch2/catch.hpp>
 #include <iostream>
 #include <string>
@@ -17,7 +18,7 @@ class Planner : public Example {
  public:
   Planner() : Example("plan") {}
 
-  /// The output of the program after `file` was edited by sed.
+  /// The output of the program after an edit of `file` by sed.
   [[nodiscard]] Outcome edited(const std::string& file, const std::string& edit,
                                const std::string& arguments = "") const {
     const std::string before = read(file);
@@ -34,7 +35,8 @@ constexpr const char* force = "at most ";
 
 }  // namespace
 
-TEST_CASE("the plan meets its constraints, and comes closer to a run on a finer grid", "[.all]") {
+TEST_CASE("the plan satisfies its constraints and is closer to a simulation on a finer grid",
+          "[.all]") {
   if (!ipopt_is_installed()) return;
   const Planner planner;
   const Outcome plan = planner.run("build/plan");
@@ -47,13 +49,13 @@ TEST_CASE("the plan meets its constraints, and comes closer to a run on a finer 
 
   const Outcome finer = planner.edited("main.cpp", "s/intervals = 100,/intervals = 200,/");
   CHECK(finer.status == 0);
-  // The method and rk4 are of fourth order.
+  // The collocation and rk4 both have order 4.
   const double ratio = number_after(plan.output, distance) / number_after(finer.output, distance);
   CHECK(ratio > 12);
   CHECK(ratio < 24);
 }
 
-TEST_CASE("the plan stays within the limits that the model gives the force", "[.all]") {
+TEST_CASE("the plan respects the limits of the force in the model", "[.all]") {
   if (!ipopt_is_installed()) return;
   const Outcome plan = Planner().edited("cart_pole.toml", "s/-20, 20/-8, 8/");
   CHECK(plan.status == 0);
@@ -61,7 +63,7 @@ TEST_CASE("the plan stays within the limits that the model gives the force", "[.
   CHECK(number_after(plan.output, force) == 8);
 }
 
-TEST_CASE("Ipopt finds no error in the derivatives of the plan, unless there is one", "[.all]") {
+TEST_CASE("Ipopt's derivative checker accepts the plan and finds an inserted error", "[.all]") {
   if (!ipopt_is_installed()) return;
   const Planner planner;
   const std::string found = "No errors detected by derivative checker.";

@@ -1,4 +1,4 @@
-// Projects that use elgen as it is installed, in folders with a blank in their paths.
+// Projects that use an installed elgen, in folders with a blank in their paths.
 #pragma once
 
 #include <filesystem>
@@ -11,21 +11,21 @@ namespace elgen::test {
 
 inline const std::string models = ELGEN_SOURCE_DIR "/models";
 
-/// The number behind the words; throws where they are not there.
+/// The number after these words; throws if the words are missing.
 [[nodiscard]] double number_after(const std::string& text, const std::string& words);
 
-/// Writes the package of Debian of this build into the workspace, and returns its path; an empty
-/// one where dpkg-dev is not there.
+/// Writes the Debian package of this build into the workspace and returns its path; empty if
+/// dpkg-dev is not installed.
 [[nodiscard]] std::filesystem::path packed(const Workspace& workspace);
 
 /// A copy of examples/NAME, configured and built in `build`.
 class Example : public Workspace {
  public:
-  /// Throws where it does not build.
+  /// Throws if the build fails.
   explicit Example(const std::string& name, const std::string& options = "-G Ninja");
 };
 
-/// Whether examples/README.md shows what an example printed.
+/// True if examples/README.md shows this output of an example.
 [[nodiscard]] bool is_shown(const std::string& output);
 
 }  // namespace elgen::test

@@ -1,11 +1,11 @@
-// The controller of the arm as its user builds it: how far from its circle it lets the joints go.
+// The controller of the arm, built as a user would: the tracking error of the joints on a circle.
 #include <catch2/catch.hpp>
 
 #include "consumer/projects.hpp"
 
 namespace elgen::test {
 
-TEST_CASE("the arm of the example stays on its circle, with the right masses and with wrong ones",
+TEST_CASE("the arm of the example follows its circle with correct and with wrong masses",
           "[.all]") {
   const Example track("track");
   const Outcome run = track.run("build/track");
@@ -15,7 +15,7 @@ TEST_CASE("the arm of the example stays on its circle, with the right masses and
   const double wrong = number_after(run.output, "and by ");
   CHECK(right <= 1e-4);
   CHECK(wrong <= 1e-2);
-  CHECK(wrong > 10 * right);  // the controller knows nothing of the heavier link
+  CHECK(wrong > 10 * right);  // the controller assumes the lighter link
   CHECK(is_shown(run.output));
 }
 

@@ -1,4 +1,4 @@
-// Articulated bodies against elimination of M, where they apply, and where they do not.
+// Articulated bodies compared with elimination of M, and systems to which they do not apply.
 #include "derive/tree/articulated.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,8 +12,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// A boom on a turning table, a slide along a slanted line that depends on its place, a reel with
-/// an armature on an axis between the coordinate axes, a spring, and damping; one limb beside it.
+/// A boom on a turntable, a slide along an inclined line that depends on its position, a reel with
+/// an armature about an oblique axis, a spring, damping, and a separate limb.
 const std::string& crane_text() {
   static const std::string text = frame_model("crane", "q r s p", R"toml(
 [[input]]
@@ -77,7 +77,7 @@ D = "C*(dot(q) - dot(p))^2/2"
   return text;
 }
 
-/// A flying body with an arm of a turn and a slide, and one of a turn.
+/// A free body with two arms: one rotates and slides, the other only rotates.
 const std::string& flyer_text() {
   static const std::string text = model_text("flyer", R"toml(
 [[coordinate]]
@@ -152,7 +152,7 @@ Lagrangian limbs_first(const std::string& text) {
   return lagrangian;
 }
 
-/// A state with quaternions of length 1.
+/// A state with unit quaternions.
 State unit_state(const CheckedModel& checked, int sample) {
   State state = some_state(checked, sample);
   for (const Rotation& rotation : checked.model.rotations) {
@@ -176,7 +176,7 @@ std::size_t definitions_of_chain(int links) {
 
 }  // namespace
 
-TEST_CASE("articulated bodies solve as elimination does, with its pivots", "[frames]") {
+TEST_CASE("articulated bodies give the solution and pivots of elimination", "[frames]") {
   for (const std::string& text : {two_turns_text(), three_turns_text(), tumbler_text(),
                                   crane_text(), flyer_text(), links_text(5)}) {
     const Framed system(text);
@@ -196,7 +196,7 @@ TEST_CASE("articulated bodies solve as elimination does, with its pivots", "[fra
   }
 }
 
-TEST_CASE("the pivot of the last joint is 1, as an expression", "[frames]") {
+TEST_CASE("the pivot of the last joint is exactly 1", "[frames]") {
   for (const std::string& text : {two_turns_text(), links_text(3), crane_text()}) {
     Derivation derivation(limbs_first(text));
     CHECK(articulated_dynamics(derivation)->solution.relative_pivots.back().is_equal(1));
@@ -204,16 +204,16 @@ TEST_CASE("the pivot of the last joint is 1, as an expression", "[frames]") {
 }
 
 TEST_CASE("articulated bodies do not apply to every Lagrangian", "[frames]") {
-  CHECK_FALSE(applies(quaternion_text()));  // a quaternion over coordinates
-  CHECK_FALSE(applies(turntable_text()));   // q1 turns two frames
-  CHECK_FALSE(applies(two_arms_text()));    // T couples rates, and a mass is beside the frames
-  CHECK_FALSE(applies(sliders_text()));     // a mass beside the frames
-  // The pivots of the other order.
+  CHECK_FALSE(applies(quaternion_text()));  // a rotation by a quaternion of coordinates
+  CHECK_FALSE(applies(turntable_text()));   // q1 rotates two frames
+  CHECK_FALSE(applies(two_arms_text()));    // T couples rates, and a mass is outside the frames
+  CHECK_FALSE(applies(sliders_text()));     // a mass is outside the frames
+  // In the other order of elimination articulated bodies would give other pivots.
   Derivation derivation(Framed(three_turns_text()).lagrangian);
   CHECK_FALSE(articulated_dynamics(derivation));
 }
 
-TEST_CASE("a velocity comes after those that carry its step", "[frames]") {
+TEST_CASE("the joints of a tree must come after the joints that carry them", "[frames]") {
   Derivation derivation(Framed(links_text(2)).lagrangian);
   const auto joints = tree_joints(tree_of(derivation));
   REQUIRE(joints);
@@ -222,15 +222,17 @@ TEST_CASE("a velocity comes after those that carry its step", "[frames]") {
   CHECK_FALSE(tree_joints(tree_of(other)));
 }
 
-TEST_CASE("definitions of articulated bodies grow as the chain does", "[frames]") {
+TEST_CASE("the number of definitions of articulated bodies is linear in the length of a chain",
+          "[frames]") {
   const std::size_t few = definitions_of_chain(10);
   const std::size_t more = definitions_of_chain(20);
   const std::size_t many = definitions_of_chain(40);
-  // 5 % for the first links, which move less.
+  // 5 % margin, because the first links have fewer degrees of freedom.
   CHECK(20 * (many - more) <= 42 * (more - few));
 }
 
-TEST_CASE("the factorisation of a chain takes d (d + 2) operations for d carriers", "[frames]") {
+TEST_CASE("the factorisation of a chain takes d (d + 2) operations for each joint with d carriers",
+          "[frames]") {
   Derivation derivation(limbs_first(links_text(4)));
   Tree& tree = tree_of(derivation);
   CHECK(operations_of_factorisation(tree, *tree_joints(tree)) == 3 + 8 + 15);

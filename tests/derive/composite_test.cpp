@@ -1,5 +1,5 @@
-// Composite inertias against sums over the bodies in the world, rates of momentum per unit twist,
-// and the laws of passing both on.
+// Composite inertias compared with sums over bodies in the world; rates of momentum per unit twist;
+// and their transformation along the tree.
 #include "derive/tree/composite.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// A motion in the axes before a step, in those after it.
+/// Transforms a twist from the axes before a step to the axes after it.
 Twist after(Tree& tree, std::size_t step, const Twist& before) {
   Twist result = before;
   if (tree.step(step).kind == FrameStepKind::translation) {
@@ -35,7 +35,7 @@ const Twist first{{GiNaC::numeric(2, 3), GiNaC::numeric(-1, 5), GiNaC::numeric(3
 const Twist second{{GiNaC::numeric(1, 4), GiNaC::numeric(6, 5), GiNaC::numeric(-2, 7)},
                    {GiNaC::numeric(5, 3), GiNaC::numeric(-1, 8), GiNaC::numeric(1, 2)}};
 
-/// (A s; s x P)
+/// The spatial force (A s; s x P).
 SpatialForce applied(VectorAlgebra& algebra, const CompositeRate& rate, const ExVector3& s) {
   SpatialForce result;
   result.moment = algebra.product(rate.a, s);
@@ -77,7 +77,7 @@ TEST_CASE("the base carries all bodies", "[frames]") {
   CHECK(nearly_equal(at({base.mass, base.moment[0], base.moment[1], base.moment[2]}), expected));
 }
 
-TEST_CASE("twice the kinetic energy does not depend on the axes", "[frames]") {
+TEST_CASE("twice the kinetic energy is independent of the axes", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
@@ -97,7 +97,7 @@ TEST_CASE("twice the kinetic energy does not depend on the axes", "[frames]") {
   }
 }
 
-TEST_CASE("along its own twist a body asks for w x momentum", "[frames]") {
+TEST_CASE("the composite rate of a body along its own twist is w x momentum", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     INFO(name);
     const Framed system(text);
@@ -105,7 +105,7 @@ TEST_CASE("along its own twist a body asks for w x momentum", "[frames]") {
     Tree& tree = tree_of(derivation);
     VectorAlgebra& algebra = tree.algebra;
     const std::vector<Twist> twists = tree_twists(tree, derivation.frozen);
-    const std::size_t leaf = tree.size() - 1;  // carries itself only
+    const std::size_t leaf = tree.size() - 1;  // a leaf carries only itself
     const CompositeRate rate = composite_rates(tree, twists)[leaf];
     const CompositeInertia inertia = composite_inertias(tree)[leaf];
     const ExVector3& w = twists[leaf].spin;
@@ -122,7 +122,7 @@ TEST_CASE("along its own twist a body asks for w x momentum", "[frames]") {
   }
 }
 
-TEST_CASE("a force per twist is the same force in the axes before a step", "[frames]") {
+TEST_CASE("a force per twist transforms to the axes before a step", "[frames]") {
   const ExVector3 s{GiNaC::numeric(2, 3), GiNaC::numeric(-1, 5), GiNaC::numeric(3, 7)};
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);

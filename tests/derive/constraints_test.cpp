@@ -1,5 +1,6 @@
-// Constraints as derived, by elimination, against the oracle, which solves the whole with pivoting,
-// on random systems; and derivatives against those of written-out accelerations.
+// Derived equations with constraints, solved by elimination, compared on random systems with the
+// oracle, which solves the whole system with pivoting. Derivatives are compared with derivatives of
+// written-out accelerations.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -15,7 +16,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// Texts of small systems with constraints that random numbers make.
+/// Texts of small random systems with constraints.
 class ConstrainedText {
  public:
   explicit ConstrainedText(unsigned seed)
@@ -47,7 +48,7 @@ class ConstrainedText {
   [[nodiscard]] std::string any() { return q(draw(coordinates_)); }
   [[nodiscard]] std::string number() { return std::to_string(1 + draw(7)) + "/5"; }
 
-  /// What is drawn is drawn in this order, whatever the compiler.
+  /// Random numbers are drawn in a fixed order, independent of the compiler.
   [[nodiscard]] std::string expression() {
     const std::string a = number();
     const std::string b = number();
@@ -65,7 +66,8 @@ class ConstrainedText {
     }
   }
 
-  /// Led by a coordinate of its own, so that none follows from the others everywhere.
+  /// Each constraint contains its own coordinate linearly, so that no constraint depends on the
+  /// others.
   [[nodiscard]] std::string constraint(std::size_t i) {
     const std::string left = expression();
     const std::string right = expression();
@@ -86,7 +88,7 @@ class ConstrainedText {
   std::size_t equations_;
 };
 
-/// The derived entries of all fields but those that the oracle does not have, and the oracle's.
+/// Compares all fields of an output that the oracle has.
 void check_against_oracle(const CheckedModel& checked, const std::string& name) {
   const OutputRequest request = *find_request(checked.model, name);
   const Lagrangian lagrangian = *specialise(*formulate(checked.model), checked);
@@ -131,7 +133,7 @@ equation = "x^2 + y^2 = l^2"
 stabilise = { omega = 7, zeta = "3/5" }
 )toml";
 
-/// The equations of a constrained motion, of accelerations and multipliers that are written out.
+/// Accelerations and multipliers of a constrained motion, with definitions written out.
 struct WrittenMotion {
   explicit WrittenMotion(const std::string& text) : system(text) {
     const ForwardDynamics motion = forward_dynamics(system.derivation);
@@ -150,7 +152,7 @@ struct WrittenMotion {
 
 }  // namespace
 
-TEST_CASE("elimination gives what the whole does with pivoting, on random systems") {
+TEST_CASE("elimination agrees with pivoting on random systems") {
   for (unsigned seed = 1; seed <= 30; ++seed) {
     const std::string text = ConstrainedText(seed).text();
     INFO(text);
@@ -163,7 +165,7 @@ TEST_CASE("elimination gives what the whole does with pivoting, on random system
   }
 }
 
-TEST_CASE("a mass on a rod has the motion that is written by hand") {
+TEST_CASE("a mass on a rod moves as derived by hand") {
   const WrittenMotion motion(model_text("rod", rod_text));
   const Symbols& s = motion.system.source.symbols;
   const ex& x = s.q[0];
@@ -181,7 +183,7 @@ TEST_CASE("a mass on a rod has the motion that is written by hand") {
   CHECK(motion.system.agree(motion.acceleration[1], 2 * y * lambda / m - s.parameters[2]));
 }
 
-TEST_CASE("derivatives are those of the written-out accelerations, multipliers included") {
+TEST_CASE("derivatives agree with derivatives of the written-out accelerations and multipliers") {
   WrittenMotion motion(model_text("rod", rod_text));
   const Symbols& s = motion.system.source.symbols;
   const ForwardDerivatives derived = forward_dynamics_derivatives(motion.system.derivation);
@@ -194,7 +196,7 @@ TEST_CASE("derivatives are those of the written-out accelerations, multipliers i
     }
     CHECK(motion.system.agree(derived.by_input[i], Textbook::by(a, s.u[0])));
   }
-  // Without d(A^T lambda)/dq = 2 lambda this would be missing in da_x/dx.
+  // The contribution of d(A^T lambda)/dq = 2 lambda to da_x/dx.
   const ex across = s.q[1] * s.q[1] / (s.q[0] * s.q[0] + s.q[1] * s.q[1]);
   const ex forgotten = 2 * motion.multipliers[0] * across / s.parameters[0];
   CHECK_FALSE(motion.system.agree(derived.by_position[0] - forgotten,

@@ -1,4 +1,5 @@
-// Directions and graded energies that the outputs share, and steps against the textbook route.
+// Directions and graded energies that the outputs share, and derivation steps compared with the
+// textbook derivation.
 #include "derive/lagrangian/derivation.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,7 +24,7 @@ const FieldEquations& field(const Steps& steps, const std::string& output,
 
 }  // namespace
 
-TEST_CASE("the four directions differ by what moves") {
+TEST_CASE("the four directions differ in the variables that they move") {
   Derived s(everything_text());
   const GiNaC::ex& x = s.source.masses.front().position[0];
   const GiNaC::ex whole = s.textbook.rate(s.textbook.out(x));
@@ -35,7 +36,8 @@ TEST_CASE("the four directions differ by what moves") {
   CHECK(s.agree(s.derivation.frozen(x), whole - still));
 }
 
-TEST_CASE("graded energies add up to T and V beside the point masses, and have their degree") {
+TEST_CASE(
+    "graded energies sum to T and V without the point masses, and have their degree in the rates") {
   Derived s(everything_text());
   const auto whole = [&](const Terms& terms) {
     GiNaC::ex sum = 0;
@@ -63,14 +65,14 @@ TEST_CASE("graded energies add up to T and V beside the point masses, and have t
   CHECK_FALSE(graded.kinetic1.empty());
 }
 
-TEST_CASE("the steps of every system are the textbook's") {
+TEST_CASE("the derivation steps of every system agree with the textbook") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     Derived s(text);
     const Result<Steps> steps = derive_steps(s.source);
     REQUIRE(steps);
     const auto total = [&](const std::string& output, const std::string& step) {
-      GiNaC::ex sum = 0;  // of the summands
+      GiNaC::ex sum = 0;  // the sum of the printed terms
       for (const GiNaC::ex& entry : field(*steps, output, step).entries) {
         sum += written_out(steps->equations.definitions, entry);
       }
@@ -96,7 +98,7 @@ TEST_CASE("the steps of every system are the textbook's") {
   }
 }
 
-TEST_CASE("positions and velocities come with what they belong to") {
+TEST_CASE("positions and velocities in steps refer to their point or body") {
   Derived s(cart_pole_text());
   const Result<Steps> steps = derive_steps(s.source);
   REQUIRE(steps);

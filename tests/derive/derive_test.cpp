@@ -1,4 +1,4 @@
-// The outputs that are derived, their shapes, and the limit on their size.
+// The derived outputs, their shapes, and the limit on the number of definitions.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
@@ -27,7 +27,8 @@ const OutputRequest& request(const CheckedModel& checked, OutputKind kind) {
   throw std::runtime_error("not an output of this model");
 }
 
-/// Fields without entries are left out; the diagonal of M comes with the pivots.
+/// The number of non-empty fields; outputs with pivots have the diagonal of M as an additional
+/// field.
 std::size_t fields_of(OutputKind kind, const Model& model) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   const auto is_there = [&](const FieldRow& field) {
@@ -39,7 +40,7 @@ std::size_t fields_of(OutputKind kind, const Model& model) {
 
 }  // namespace
 
-TEST_CASE("every output of the full scene has entries of its shape") {
+TEST_CASE("every output of the default scene has entries of its shape") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     const CheckedModel checked = checked_model(text);
@@ -60,7 +61,7 @@ TEST_CASE("every output of the full scene has entries of its shape") {
   }
 }
 
-TEST_CASE("gravity alone builds nothing that moves") {
+TEST_CASE("gravity alone needs no definitions with velocities or accelerations") {
   const CheckedModel checked = checked_model(chain_text());
   const auto equations = derived(checked, {request(checked, OutputKind::gravity)});
   REQUIRE(equations);
@@ -69,7 +70,7 @@ TEST_CASE("gravity alone builds nothing that moves") {
   }
 }
 
-TEST_CASE("what a fixed zero multiplies disappears from the equations") {
+TEST_CASE("terms with a fixed zero disappear from the equations") {
   SceneOptions options;
   options.fixed = {make_source("command line", "g=0")};
   const CheckedModel checked = checked_model(cart_pole_text(), options);
@@ -81,7 +82,7 @@ TEST_CASE("what a fixed zero multiplies disappears from the equations") {
   }
 }
 
-TEST_CASE("the list of definitions grows linearly along a chain") {
+TEST_CASE("the number of definitions grows linearly along a chain") {
   const auto count = [](int n) {
     std::string text = chain_text();
     text.replace(text.find("n = 3"), 5, "n = " + std::to_string(n));
@@ -90,11 +91,11 @@ TEST_CASE("the list of definitions grows linearly along a chain") {
     REQUIRE(equations);
     return equations->definitions.list.size();
   };
-  // Each link adds the same definitions, so second differences vanish.
+  // Each link adds the same number of definitions, so second differences vanish.
   CHECK(count(30) - count(20) == count(20) - count(10));
 }
 
-TEST_CASE("more definitions than the limit are refused, naming the output") {
+TEST_CASE("more definitions than the limit are refused with the name of the output") {
   const CheckedModel checked = checked_model(chain_text());
   Limits limits;
   limits.derived_nodes = 10;
@@ -105,7 +106,7 @@ TEST_CASE("more definitions than the limit are refused, naming the output") {
   CHECK(equations.diagnostics.front().hint == "raised by --limit derived_nodes=N");
 }
 
-TEST_CASE("an energy that has no value at rest names the output that needs it") {
+TEST_CASE("an energy without a value at rest is reported with the output that needs it") {
   const CheckedModel checked = checked_model(model_text("pole", R"toml(
 [[coordinate]]
 name = "x"
@@ -121,7 +122,8 @@ L = "1/2*m*dot(x)^2"
   CHECK(equations.diagnostics.front().code == Code::E313);
 }
 
-TEST_CASE("a rate whose elimination fails is named where M is solved for, and only there") {
+TEST_CASE(
+    "a failed elimination of M is reported with a velocity, only by outputs that solve for M") {
   const auto message = [](const std::string& energy, OutputKind kind) {
     const CheckedModel checked =
         checked_model(model_text("two",
@@ -142,7 +144,7 @@ TEST_CASE("a rate whose elimination fails is named where M is solved for, and on
         "the state is");
 }
 
-TEST_CASE("a dump lists definitions, then entries, the same in every run") {
+TEST_CASE("a dump lists definitions, then entries, and is deterministic") {
   const CheckedModel checked = checked_model(cart_pole_text());
   const std::string text = dump(*derived(checked, {request(checked, OutputKind::mass_matrix)}));
   CHECK(text.find("; bob_x\n") != std::string::npos);
@@ -151,7 +153,7 @@ TEST_CASE("a dump lists definitions, then entries, the same in every run") {
                               {request(checked, OutputKind::mass_matrix)})));
 }
 
-TEST_CASE("definitions are told by kind, frame and axis, alike beside other outputs") {
+TEST_CASE("named intermediates have a kind, frame and axis, independent of other outputs") {
   const CheckedModel checked = checked_model(links_text(3));
   const OutputRequest bias = request(checked, OutputKind::bias);
   const auto told = [&](const std::vector<OutputRequest>& outputs) {

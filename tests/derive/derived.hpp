@@ -1,4 +1,4 @@
-// One system, its textbook equations, and a Derivation to compare with them.
+// A system with its textbook equations and a Derivation for comparison.
 #pragma once
 
 #include "derive/lagrangian/derivation.hpp"

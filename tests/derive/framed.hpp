@@ -1,5 +1,5 @@
-// A system of frames: derived outputs as numbers of 60 digits, and the same by the oracle, which
-// knows frames only as positions and spins in the world.
+// A system of frames: its derived outputs as numbers with 60 digits, and the same outputs by the
+// oracle, which knows frames only as positions and angular velocities in the world.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace elgen::test {
 
 using Reals = std::vector<cln::cl_R>;
 
-/// Some state with no zero in it.
+/// A state without zeros.
 inline State some_state(const CheckedModel& checked, int sample = 1) {
   const Model& model = checked.model;
   State state = nominal_state(model, checked.scene);
@@ -39,7 +39,7 @@ inline bool nearly_equal(const Reals& a, const Reals& b, int digits = 40) {
                     });
 }
 
-/// Definitions as numbers at a state, one after another.
+/// Values of definitions at a state, computed in order.
 class NumbersAt {
  public:
   NumbersAt(const Symbols& symbols, const Definitions& definitions, const State& state) {
@@ -90,7 +90,7 @@ class Framed {
     throw std::runtime_error(name + " is not an output of this model");
   }
 
-  /// All entries of an output as derived, of every field.
+  /// The derived entries of all fields of an output.
   [[nodiscard]] Vector derived(const std::string& name) {
     equations_ = *derive(lagrangian, {request(name)}, {});
     Vector entries;
@@ -100,7 +100,7 @@ class Framed {
     return entries;
   }
 
-  /// The same as numbers.
+  /// The derived entries as numbers.
   [[nodiscard]] Reals derived(const std::string& name, const State& state) {
     const Vector entries = derived(name);
     return NumbersAt(equations_.symbols, equations_.definitions, state)(entries);
@@ -132,20 +132,20 @@ class Framed {
 
   [[nodiscard]] std::size_t size() const { return checked.model.velocities.size(); }
 
-  /// Definitions that the last derived output needed.
+  /// The definitions of the last derived output.
   [[nodiscard]] const Definitions& definitions() const { return equations_.definitions; }
 
   CheckedModel checked;
   Lagrangian lagrangian;
 
  private:
-  /// Of M, which is derived with the pivots.
+  /// Appends the diagonal of M, which is derived together with the pivots.
   void append_diagonal(Reals& values, const State& state) const {
     const Reals mass = *oracle_values(checked.model, request("mass_matrix"), state);
     for (std::size_t i = 0; i < size(); ++i) values.push_back(mass[i * (size() + 1)]);
   }
 
-  /// The twist is linear in v, but for what time moves.
+  /// The slopes of a twist in v; subtracts the part caused by time.
   [[nodiscard]] Reals twist_slopes(const std::vector<ExpressionId>& twist, State state) const {
     Reals result;
     for (const ExpressionId entry : twist) {

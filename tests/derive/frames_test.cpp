@@ -1,5 +1,5 @@
-// Outputs of systems of frames against the oracle, which sees them in the world, and the laws they
-// obey.
+// Outputs of systems of frames compared with the oracle, which works in the world, and general laws
+// of mechanics.
 #include <catch2/catch.hpp>
 
 #include "derive/outputs/outputs.hpp"
@@ -10,7 +10,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// (f(x + h) - f(x - h))/2h of the derived inverse dynamics, along one entry of q or v.
+/// Central differences (f(x + h) - f(x - h))/2h of the derived inverse dynamics, along one entry of
+/// q or v.
 Reals slopes(Framed& system, State state, Reals State::*of, std::size_t j) {
   const cln::cl_RA h = cln::expt(cln::cl_RA(10), -15);
   cln::cl_R& x = (state.*of)[j];
@@ -22,7 +23,7 @@ Reals slopes(Framed& system, State state, Reals State::*of, std::size_t j) {
   return result;
 }
 
-/// The same model with its frames, points, bodies and forces in the opposite order.
+/// The same model with frames, points, bodies and forces in reverse order.
 std::string reversed_entries(const std::string& text) {
   std::string front;
   std::string back;
@@ -40,7 +41,7 @@ std::string reversed_entries(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("outputs of frames", "[frames]") {
+TEST_CASE("outputs of systems of frames agree with the oracle", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     Framed system(text);
     for (const OutputRequest& output : system.checked.scene.outputs) {
@@ -51,7 +52,7 @@ TEST_CASE("outputs of frames", "[frames]") {
   }
 }
 
-TEST_CASE("derivatives of systems without frames") {
+TEST_CASE("derivatives of systems without frames agree with the oracle") {
   for (const auto& [name, text] : systems()) {
     Framed system(text);
     for (const char* output :
@@ -62,7 +63,7 @@ TEST_CASE("derivatives of systems without frames") {
   }
 }
 
-TEST_CASE("derivatives by columns are the slopes of the inverse dynamics", "[frames]") {
+TEST_CASE("derivatives by columns agree with differences of the inverse dynamics", "[frames]") {
   for (const std::string& text : {two_turns_text(), turntable_text(), two_arms_text()}) {
     Framed system(text);
     INFO(system.checked.model.name);
@@ -82,12 +83,12 @@ TEST_CASE("derivatives by columns are the slopes of the inverse dynamics", "[fra
   }
 }
 
-TEST_CASE("two arms meet in their base only", "[frames]") {
+TEST_CASE("two arms are coupled only through their base", "[frames]") {
   Framed system(two_arms_text());
   const std::size_t n = system.size();
   const Vector mass = system.derived("mass_matrix");
   const Vector coriolis = system.derived("coriolis_matrix");
-  // x a1 a2 b1 b2; the energy couples a1 and b2
+  // Velocities x, a1, a2, b1, b2; the energy couples a1 and b2.
   for (const auto& [i, j] :
        std::vector<std::pair<std::size_t, std::size_t>>{{1, 3}, {2, 3}, {2, 4}}) {
     INFO(i << " " << j);
@@ -101,7 +102,7 @@ TEST_CASE("two arms meet in their base only", "[frames]") {
   }
 }
 
-TEST_CASE("dM/dt - 2 C is skew", "[frames]") {
+TEST_CASE("dM/dt - 2 C is skew-symmetric", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     INFO(name);
     const Framed system(text);
@@ -120,7 +121,7 @@ TEST_CASE("dM/dt - 2 C is skew", "[frames]") {
   }
 }
 
-TEST_CASE("the order of declaration changes no number", "[frames]") {
+TEST_CASE("the order of declaration changes no value", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     Framed system(text);
     Framed reversed(reversed_entries(text));

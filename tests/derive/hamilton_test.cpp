@@ -1,4 +1,4 @@
-// Hamilton's functions in closed form, where books have them: the solve, b, and turning.
+// Hamiltonian functions with closed forms from textbooks: velocities of momenta, b, and rotations.
 #include <catch2/catch.hpp>
 
 #include "derive/outputs/outputs.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// Whether they are equal wherever positions and momenta are.
+/// True if both agree for all positions and momenta.
 bool agree(const Derived& s, const ex& derived, const ex& expected) {
   std::vector<ex> leaves = s.source.symbols.momenta;
   for (const auto* list :
@@ -22,7 +22,7 @@ bool agree(const Derived& s, const ex& derived, const ex& expected) {
   return vanishes(written_out(s.derivation.definitions, derived) - expected, leaves);
 }
 
-/// A system in coordinates x and y by energies alone, with masses m and a parameter k.
+/// A system in coordinates x and y with these energies, masses m and a parameter k.
 Derived in_plane(const std::string& energies) {
   return Derived(model_text("plane",
                             "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n"
@@ -47,7 +47,7 @@ TEST_CASE("Kepler in polar coordinates") {
   CHECK(rates.momentum_rates[1].is_zero());
 }
 
-TEST_CASE("in a magnetic field p differs from M v by b") {
+TEST_CASE("in a magnetic field p - M v equals b") {
   Derived s = in_plane("T = \"1/2*m*(dot(x)^2 + dot(y)^2)\"\nV = \"-k*x*dot(y)\"\n");
   const ex& x = s.source.symbols.q[0];
   const ex& m = s.source.symbols.parameters[0];
@@ -59,7 +59,7 @@ TEST_CASE("in a magnetic field p differs from M v by b") {
   CHECK(agree(s, hamilton_equations(s.derivation).momentum_rates[0], k * free / m));
 }
 
-TEST_CASE("on a hoop that turns H is not T + V") {
+TEST_CASE("on a rotating hoop H is not T + V") {
   Derived s(model_text("hoop", R"toml(
 [[coordinate]]
 name = "theta"
@@ -90,7 +90,7 @@ vector = ["0", "0", "-g"]
               inertia * parameter[3] * spin * GiNaC::cos(theta) - weight * GiNaC::sin(theta)));
 }
 
-TEST_CASE("inputs, forces and dissipation act on momenta, at the velocities that these give") {
+TEST_CASE("inputs, forces and dissipation change momenta, at the velocities of the momenta") {
   Derived s(cart_pole_text() + "[energy]\nD = \"1/2*m*dot(x)^2\"\n");
   const Vector v = velocities_of_momenta(s.derivation);
   const Vector rates = hamilton_equations(s.derivation).momentum_rates;
@@ -128,7 +128,7 @@ TEST_CASE("momenta of a free top turn in its axes: dp/dt = p x w") {
   }
 }
 
-TEST_CASE("velocities of momenta have the momenta that they are made of, of every system") {
+TEST_CASE("momentum(velocities_of_momenta(p)) equals p in every system") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     Derived s(text);

@@ -1,4 +1,4 @@
-// Outputs against the textbook route, and the laws they obey.
+// Outputs compared with the textbook derivation, and general laws of mechanics.
 #include "derive/outputs/outputs.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// A vector and its textbook entries; some outputs there are only where L is quadratic in v.
+/// A vector output and its textbook entries; `of_quadratic`: only for L quadratic in v.
 struct VectorOutput {
   const char* name;
   Vector (*derived)(Derivation& derivation);
@@ -51,7 +51,7 @@ void check_matrix(const Derived& system, const Vector& derived,
 
 }  // namespace
 
-TEST_CASE("vectors of every system") {
+TEST_CASE("vector outputs of every system agree with the textbook") {
   for (const auto& [name, text] : systems()) {
     for (const VectorOutput& output : vectors) {
       INFO(name << " " << output.name);
@@ -63,7 +63,8 @@ TEST_CASE("vectors of every system") {
   }
 }
 
-TEST_CASE("mass matrices of every system, and Coriolis matrices, which are Christoffel's") {
+TEST_CASE(
+    "mass matrices and Christoffel's Coriolis matrices of every system agree with the textbook") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     Derived s(text);
@@ -78,7 +79,7 @@ TEST_CASE("mass matrices of every system, and Coriolis matrices, which are Chris
   }
 }
 
-TEST_CASE("energies of every system") {
+TEST_CASE("energies of every system agree with the textbook") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     Derived s(text);
@@ -90,7 +91,7 @@ TEST_CASE("energies of every system") {
   }
 }
 
-TEST_CASE("an L given whole is split by its degree in the rates") {
+TEST_CASE("a Lagrangian L is split by its degree in the rates") {
   Derived s(model_text("oscillator", R"toml(
 [[coordinate]]
 name = "x"
@@ -109,7 +110,7 @@ L = "1/2*m*dot(x)^2 + e*x*dot(x) - 1/2*k*x^2"
   CHECK(s.agree(total_energy(s.derivation), p[0] * v * v / 2 + p[1] * x * x / 2 - p[2] * x * v));
 }
 
-TEST_CASE("forces with and without inputs") {
+TEST_CASE("applied forces with and without inputs") {
   Derived s(everything_text());
   const auto force = [&](std::size_t i) { return s.textbook.force(i); };
   const auto without = [&](std::size_t i) { return s.textbook.without_inputs(force(i)); };
@@ -119,7 +120,7 @@ TEST_CASE("forces with and without inputs") {
                 [&](std::size_t i) { return s.textbook.bias(i) + without(i) - force(i); });
 }
 
-TEST_CASE("dissipation is the gradient of D by the rates") {
+TEST_CASE("dissipation is the gradient of D with respect to the rates") {
   Derived s(everything_text());
   const Vector force = dissipation(s.derivation);
   const GiNaC::ex D = s.textbook.out(s.source.dissipation.front().value);
@@ -127,19 +128,19 @@ TEST_CASE("dissipation is the gradient of D by the rates") {
   CHECK(force[1].is_zero());
 }
 
-TEST_CASE("where time does not occur nothing drifts") {
+TEST_CASE("without time the drift is zero") {
   Derived s(chain_text());
   for (const GiNaC::ex& entry : drift(s.derivation)) CHECK(entry.is_zero());
 }
 
-TEST_CASE("a mass matrix of a quadratic L holds no rate") {
+TEST_CASE("the mass matrix of a quadratic L contains no rates") {
   Derived s(everything_text());
   for (const GiNaC::ex& entry : mass_matrix(s.derivation)) {
     CHECK_FALSE(dependence(s.derivation.definitions, entry).has_any(Opcode::velocity));
   }
 }
 
-TEST_CASE("input matrices are the slopes of the forces") {
+TEST_CASE("input matrices are the derivatives of forces with respect to inputs") {
   Derived s(everything_text());
   const Vector matrix = input_matrix(s.derivation);
   REQUIRE(matrix.size() == 4);
@@ -164,7 +165,7 @@ TEST_CASE("Jacobians and second rates of declared outputs") {
   }
 }
 
-TEST_CASE("M a + bias = B u for the acceleration found, in every system") {
+TEST_CASE("forward dynamics satisfies M a + bias = B u in every system") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     Derived s(text);
@@ -181,7 +182,7 @@ TEST_CASE("M a + bias = B u for the acceleration found, in every system") {
   }
 }
 
-TEST_CASE("relative pivots are one where coordinates are decoupled") {
+TEST_CASE("relative pivots are 1 if coordinates are decoupled") {
   Derived s(model_text("two_masses", R"toml(
 [[coordinate]]
 name = "x"
@@ -207,14 +208,14 @@ TEST_CASE("the second relative pivot is det M over the product of the diagonal")
   CHECK(s.agree(solved.relative_pivots[1], (m00 * m11 - m01 * m01) / (m00 * m11)));
 }
 
-TEST_CASE("accelerations are named by identifiers, for repeated coordinates too") {
+TEST_CASE("names of accelerations are identifiers, also for repeated coordinates") {
   Derived s(chain_text());
   const auto solved = forward_dynamics(s.derivation);
   const auto& place = s.derivation.definitions.places.at(solved.acceleration.back());
   CHECK(s.derivation.definitions.list[place.index].name == "acceleration_q_3");
 }
 
-TEST_CASE("the force that holds a cart is that of the swinging bob") {
+TEST_CASE("the reaction of a locked cart is the force of the swinging bob") {
   const CheckedModel checked =
       checked_scene(cart_pole_text(), "[lock]\nx = { value = 0, reaction = true }\n");
   Derivation d(*specialise(*formulate(checked.model), checked));
@@ -225,7 +226,7 @@ TEST_CASE("the force that holds a cart is that of the swinging bob") {
   const auto& [theta, omega, alpha] = std::tie(d.symbols.q[0], d.symbols.v[0], d.symbols.a[0]);
   const GiNaC::ex m = d.symbols.parameters[1];
   const GiNaC::ex l = d.symbols.parameters[2];
-  // m l (cos(theta) theta'' - sin(theta) theta'^2); the force on the cart is no input of the scene
+  // m l (cos(theta) theta'' - sin(theta) theta'^2); the force on the cart is no input of the scene.
   CHECK(d.symbols.u.empty());
   const GiNaC::ex expected = m * l * (cos(theta) * alpha - sin(theta) * omega * omega);
   const auto whole = [&](const GiNaC::ex& value) { return written_out(d.definitions, value); };

@@ -1,5 +1,6 @@
-// Regrouped numbers: the same functions of the state, in fewer of them. Masses taken to before the
-// rotation they move with: the same off the unit sphere, too.
+// Regrouped numeric inertias: the same functions of the state with fewer numbers. Masses moved
+// across the rotation of a quaternion give the same functions also for quaternions of other lengths
+// than 1.
 #include <catch2/catch.hpp>
 
 #include "derive/tree/tree.hpp"
@@ -16,7 +17,7 @@ SceneOptions all_fixed() {
   return options;
 }
 
-/// q1 about z, then q2 about x at (1, 0, 2); both links of general inertia.
+/// q1 about z, then q2 about x at (1, 0, 2); both links have general inertias.
 const char* const two_links = R"toml(
 [[coordinate]]
 name = "q1"
@@ -47,7 +48,7 @@ inertia = [90, 80, 70, 1, 2, 3]
 inertia_about = "origin"
 )toml";
 
-/// A flying body, its centre of mass off the origin; and one with an arm of a turn and a slide.
+/// A free body whose centre of mass is not its origin; `more` may add an arm.
 std::string flying(const std::string& more) {
   return model_text("flying", R"toml([[coordinate]]
 name = "x"
@@ -75,7 +76,8 @@ com = ["c", "b/2", "-c"]
 inertia = ["J", "2*J", "5/2*J"]
 )toml";
 
-/// The largest |momentum - M v|, and |tau(a) - tau(0) - M a|, with quaternions of length 1.1.
+/// The largest error of momentum = M v, tau(a) - tau(0) = M a and p v = 2 T, with quaternions of
+/// length 1.1.
 double off_the_sphere(const std::string& text) {
   Framed system(text);
   State state = some_state(system.checked, 1);
@@ -111,7 +113,7 @@ double off_the_sphere(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("every output of every system of frames, all parameters fixed", "[regroup]") {
+TEST_CASE("every output of every system of frames agrees with all parameters fixed", "[regroup]") {
   for (const auto& [name, text] : frame_systems()) {
     Framed system(text, all_fixed());
     for (const char* output :
@@ -123,11 +125,12 @@ TEST_CASE("every output of every system of frames, all parameters fixed", "[regr
   }
 }
 
-TEST_CASE("what a turn cannot tell from its parent moves there", "[regroup]") {
+TEST_CASE("inertia that acts equally on the parent of a rotation moves to the parent",
+          "[regroup]") {
   Framed system(model_text("two_links", two_links));
   Derivation derivation(system.lagrangian);
   std::vector<RigidBody> bodies = tree_of(derivation).bodies();
-  // The world's part first: a body that does not move has a weight only.
+  // The world comes first: a body that does not move only has a weight.
   REQUIRE(bodies.size() == 3);
   CHECK_FALSE(bodies[0].step.has_value());
   CHECK(bodies[0].mass.is_equal(8));
@@ -139,7 +142,7 @@ TEST_CASE("what a turn cannot tell from its parent moves there", "[regroup]") {
   CHECK((*second.moment)[0].is_zero());
   CHECK((*second.moment)[1].is_equal(10));
   CHECK((*second.moment)[2].is_equal(15));
-  // About x: Izz = 70 goes, and with it as much of Iyy.
+  // The axis is x: Izz = 70 becomes 0, and Iyy is reduced by the same amount.
   CHECK(second.inertia[0].is_equal(90));
   CHECK(second.inertia[1].is_equal(10));
   CHECK(second.inertia[2].is_zero());
@@ -148,7 +151,7 @@ TEST_CASE("what a turn cannot tell from its parent moves there", "[regroup]") {
   }
 }
 
-TEST_CASE("symbolic bodies stay as they are", "[regroup]") {
+TEST_CASE("bodies with symbolic inertias are not regrouped", "[regroup]") {
   for (const auto& [name, text] : frame_systems()) {
     INFO(name);
     Framed system(text);
@@ -165,7 +168,7 @@ TEST_CASE("symbolic bodies stay as they are", "[regroup]") {
   }
 }
 
-TEST_CASE("off the unit sphere T, momentum, forces and M are one function still", "[frames]") {
+TEST_CASE("for quaternions of any length T, momentum, forces and M stay consistent", "[frames]") {
   CHECK(off_the_sphere(flying(hull)) < 1e-40);
   CHECK(off_the_sphere(flying(hull + R"toml([[frame]]
 name = "mount"
@@ -178,7 +181,7 @@ mass = "3*m"
 com = ["0", "c", "0"]
 inertia = ["J", "J", "J"]
 )toml")) < 1e-40);
-  // With a joint behind the rotation.
+  // With a joint after the rotation.
   CHECK(off_the_sphere(flying("[[coordinate]]\nname = \"y\"\n" + hull + R"toml([[frame]]
 name = "arm"
 parent = "hull"

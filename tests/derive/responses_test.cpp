@@ -1,4 +1,4 @@
-// Derivatives of accelerations that are composed of their parts, against the long way.
+// Derivatives of accelerations composed of several programs, compared with direct derivation.
 #include <catch2/catch.hpp>
 #include <functional>
 
@@ -21,7 +21,7 @@ Program program_of(const Framed& system, const std::string& output) {
   return composed(*lower(*derive(system.lagrangian, requests, {}), requests, {}));
 }
 
-/// Checks the composed output against entries that were derived the long way.
+/// Compares the composed output with directly derived entries.
 void check_composed(const std::string& text, const std::string& output,
                     const std::function<Vector(Derivation&)>& longer) {
   const Framed system(text);
@@ -47,7 +47,7 @@ Vector joined(const std::vector<Vector>& fields) {
   return all;
 }
 
-/// Masses on springs in a row: M is diagonal.
+/// Masses on springs in a row; M is diagonal.
 std::string springs_text(int n) {
   std::string coordinates;
   std::string kinetic;
@@ -65,21 +65,22 @@ std::string springs_text(int n) {
 
 }  // namespace
 
-TEST_CASE("derivatives that are composed are those of the long way", "[frames]") {
+TEST_CASE("composed derivatives agree with direct derivation", "[frames]") {
   check_composed(limbs_text(5), "forward_dynamics_derivatives", [](Derivation& derivation) {
     const ForwardDerivatives all = forward_dynamics_derivatives(derivation);
     return joined({all.by_position, all.by_velocity, all.by_input});
   });
 }
 
-TEST_CASE("a linearization is composed below its rates, where rotations turn", "[frames]") {
+TEST_CASE("with rotations a linearization is composed except for the rates of coordinates",
+          "[frames]") {
   check_composed(limbs_text(4, true), "linearization", [](Derivation& derivation) {
     const Linearization all = linearization(derivation);
     return joined({all.a, all.b});
   });
 }
 
-TEST_CASE("few velocities, and matrices of zeros, stay straight lines", "[frames]") {
+TEST_CASE("with few velocities or zero matrices the program has no repetition", "[frames]") {
   Derivation few(Framed(limbs_text(4)).lagrangian);
   CHECK(few.size() == 9);
   CHECK_FALSE(response_parts(few));

@@ -1,4 +1,4 @@
-// Solutions, pivots, and that limbs do not fill in.
+// Solutions and pivots of the symmetric elimination, and its fill-in between limbs.
 #include "derive/lagrangian/symmetric_solve.hpp"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ SymmetricSolve solve_of(Derivation& derivation, const Vector& mass) {
   return {derivation.definitions, mass, order_of_velocities(derivation), RowsOf::velocities};
 }
 
-/// Definitions that the factorisation and one solution add to M.
+/// The number of definitions that the factorisation and one solution add to M.
 std::size_t cost(const std::string& text, bool last_first) {
   Derivation derivation(in_order(text, last_first));
   Vector mass = mass_matrix(derivation);
@@ -32,7 +32,7 @@ std::size_t cost(const std::string& text, bool last_first) {
   return derivation.definitions.list.size() - before;
 }
 
-/// A base x with two arms of three turns each, in the given order of the coordinates.
+/// A base x with two arms of three revolute joints each, with coordinates in the given order.
 std::string branched_text() {
   std::string text = model_text("branched", "[[coordinate]]\nname = \"x\"\n");
   std::string frames =
@@ -55,7 +55,7 @@ std::string branched_text() {
 
 }  // namespace
 
-TEST_CASE("M x = r in both orders of elimination", "[frames]") {
+TEST_CASE("M x = r holds in both orders of elimination", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     for (const bool last_first : {false, true}) {
       INFO(name << " " << last_first);
@@ -73,7 +73,8 @@ TEST_CASE("M x = r in both orders of elimination", "[frames]") {
   }
 }
 
-TEST_CASE("the first pivot is the entry itself, the others are what is left", "[frames]") {
+TEST_CASE("the first relative pivot is 1, the second is its Schur complement over the diagonal",
+          "[frames]") {
   const Framed system(two_turns_text());
   for (const bool last_first : {false, true}) {
     Derivation derivation(in_order(two_turns_text(), last_first));
@@ -87,10 +88,10 @@ TEST_CASE("the first pivot is the entry itself, the others are what is left", "[
   }
 }
 
-TEST_CASE("limbs first: nothing fills in between them", "[frames]") {
+TEST_CASE("elimination from the limbs has no fill-in between them", "[frames]") {
   const Framed system(branched_text());
   CHECK(system.lagrangian.eliminates_last_first);
-  // The base last: 9 entries between the arms stay zero.
+  // With the base last 9 entries between the arms stay zero.
   CHECK(cost(branched_text(), true) + 9 < cost(branched_text(), false));
   CHECK_FALSE(Framed(three_turns_text()).lagrangian.eliminates_last_first);
 }

@@ -1,4 +1,5 @@
-// The plain textbook route: write L out in full, differentiate, expand. Slow, and obviously right.
+// The textbook derivation: write out L, differentiate, expand. Slow, but simple enough to be
+// trusted.
 //
 //     tau = d/dt dL/dv - dL/dq + dD/dv - Q,    d/dt = sum v d/dq + sum a d/dv + d/dt
 #pragma once
@@ -31,7 +32,7 @@ class Textbook {
     return result;
   }
 
-  /// Generalized force of every declared force and input on coordinate i.
+  /// Generalised force of all declared forces and inputs on coordinate i.
   [[nodiscard]] GiNaC::ex force(std::size_t i) const {
     GiNaC::ex result = out(source_.forces[i]);
     for (const PointForce& applied : source_.point_forces) {
@@ -76,7 +77,7 @@ class Textbook {
     return by(momentum(i), s_.v[j]);
   }
 
-  /// The Christoffel form of C.
+  /// C in Christoffel form.
   [[nodiscard]] GiNaC::ex coriolis(std::size_t i, std::size_t j) const {
     GiNaC::ex result = 0;
     for (std::size_t k = 0; k < s_.q.size(); ++k) {

@@ -1,4 +1,4 @@
-// The variables that move a tree, those that meet on the way to the root, and their columns.
+// The variables that move a tree, pairs of variables on a path to the root, and their columns.
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -28,14 +28,15 @@ Pairs visited(Derivation& derivation) {
 
 }  // namespace
 
-TEST_CASE("a variable meets itself and those below it, never those of another arm", "[frames]") {
+TEST_CASE("a variable is paired with itself and its ancestors, never with another arm",
+          "[frames]") {
   Derivation derivation(Framed(two_arms_text()).lagrangian);
-  // 0 x, 1 a1, 2 a1 + a2, 3 b1, 4 b2
+  // Numbers of variables: 0 x, 1 a1, 2 a1 + a2, 3 b1, 4 b2.
   CHECK(visited(derivation) ==
         Pairs{{0, 0}, {1, 1}, {1, 0}, {2, 2}, {2, 0}, {3, 3}, {3, 0}, {4, 4}, {4, 3}, {4, 0}});
 }
 
-TEST_CASE("variables of one step meet in both orders", "[frames]") {
+TEST_CASE("variables of one step are paired in both orders", "[frames]") {
   Derivation derivation(Framed(sliders_text()).lagrangian);
   const Pairs pairs = visited(derivation);
   CHECK(pairs.count({0, 1}) == 1);
@@ -44,7 +45,7 @@ TEST_CASE("variables of one step meet in both orders", "[frames]") {
   CHECK(pairs.count({0, 2}) == 0);
 }
 
-TEST_CASE("a turn carries the inertia about its axis", "[frames]") {
+TEST_CASE("the inertia column of a rotation is the composite inertia about its axis", "[frames]") {
   const Framed system(planar_text());
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
@@ -60,12 +61,12 @@ TEST_CASE("a turn carries the inertia about its axis", "[frames]") {
   });
 }
 
-TEST_CASE("angles and components of offsets that coordinates move are variables", "[frames]") {
+TEST_CASE("moving angles and components of offsets are variables", "[frames]") {
   const Framed system(sliders_text());
   Derivation derivation(system.lagrangian);
   const TreeVariables variables = tree_variables(tree_of(derivation));
   CHECK(variables.is_complete);
-  // x, x/3 of the cabin; q of the arm; s, s^2/3 of the bead; 2 s, s q of the nozzle
+  // Cabin: x, x/3; arm: q; bead: s, s^2/3; nozzle: 2 s, s q.
   REQUIRE(variables.list.size() == 7);
   CHECK(variables.list[0].velocity[0].is_equal(1));
   CHECK(variables.list[1].velocity[1].is_equal(1));
@@ -74,7 +75,7 @@ TEST_CASE("angles and components of offsets that coordinates move are variables"
   CHECK(variables.list[0].step < variables.list[2].step);
 }
 
-TEST_CASE("what time moves is no variable", "[frames]") {
+TEST_CASE("a step moved only by time is no variable", "[frames]") {
   const Framed system(turntable_text());
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
@@ -88,7 +89,7 @@ TEST_CASE("what time moves is no variable", "[frames]") {
   CHECK(is_constant(derivation.definitions, row));
 }
 
-TEST_CASE("derivatives by columns need variables linear in the coordinates", "[frames]") {
+TEST_CASE("derivatives by columns need variables that are linear in the coordinates", "[frames]") {
   Derivation over_coordinates(Framed(quaternion_text()).lagrangian);
   CHECK_FALSE(tree_variables(tree_of(over_coordinates)).is_complete);
   const auto is_linear = [](const std::string& text) {

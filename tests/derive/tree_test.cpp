@@ -1,4 +1,4 @@
-// Passing along the tree against the poses of the Model.
+// Transformations along the tree, compared with the poses of the Model.
 #include "derive/tree/tree.hpp"
 
 #include <catch2/catch.hpp>
@@ -22,7 +22,7 @@ ExVector3 unit(std::size_t axis) {
 
 }  // namespace
 
-TEST_CASE("to the parent and back is nothing", "[frames]") {
+TEST_CASE("to_parent and to_child are inverse", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
@@ -37,7 +37,7 @@ TEST_CASE("to the parent and back is nothing", "[frames]") {
   }
 }
 
-TEST_CASE("components in the world are those of the frame's rotation", "[frames]") {
+TEST_CASE("components in the world agree with the frame's rotation", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     const Model& model = system.checked.model;
@@ -64,7 +64,7 @@ TEST_CASE("components in the world are those of the frame's rotation", "[frames]
   }
 }
 
-TEST_CASE("from one arm to the other, only the way between is gone", "[frames]") {
+TEST_CASE("a transformation between arms takes only the steps between them", "[frames]") {
   const Framed system(two_arms_text());
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
@@ -76,7 +76,7 @@ TEST_CASE("from one arm to the other, only the way between is gone", "[frames]")
   CHECK(derivation.definitions.list.size() == before);
 }
 
-TEST_CASE("the rate of a turned unit vector is spin x vector", "[frames]") {
+TEST_CASE("the rate of a rotated unit vector is spin x vector", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
@@ -97,7 +97,7 @@ TEST_CASE("the rate of a turned unit vector is spin x vector", "[frames]") {
   }
 }
 
-TEST_CASE("quarter turns permute and cost nothing", "[frames]") {
+TEST_CASE("quarter turns are permutations without definitions", "[frames]") {
   const Framed system(two_turns_text());
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
@@ -112,7 +112,8 @@ TEST_CASE("quarter turns permute and cost nothing", "[frames]") {
   CHECK(derivation.definitions.list.size() == before);
 }
 
-TEST_CASE("a force before a shift has a moment about the new origin", "[frames]") {
+TEST_CASE("a force transformed before a translation has a moment about the new origin",
+          "[frames]") {
   const Framed system(planar_text());
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);

@@ -1,4 +1,5 @@
-// Turning: Euler's equations and the Christoffel form of angular velocities, from an energy alone.
+// Rotations: Euler's equations and the Christoffel form for angular velocities, from the energy
+// alone.
 #include "derive/lagrangian/turning.hpp"
 
 #include <catch2/catch.hpp>
@@ -30,7 +31,7 @@ Lagrangian top() {
 
 }  // namespace
 
-TEST_CASE("velocity forces are Euler's") {
+TEST_CASE("velocity forces agree with Euler's equations") {
   Derivation derivation(top());
   const std::vector<ex>& w = derivation.symbols.v;
   const Vector force = velocity_force(derivation);
@@ -40,7 +41,7 @@ TEST_CASE("velocity forces are Euler's") {
   }
 }
 
-TEST_CASE("C is skew where M is constant") {
+TEST_CASE("C is skew-symmetric if M is constant") {
   Derivation derivation(top());
   const Vector c = coriolis_matrix(derivation);
   const Vector force = velocity_force(derivation);
@@ -55,10 +56,10 @@ TEST_CASE("C is skew where M is constant") {
   }
 }
 
-TEST_CASE("gradients are along turns") {
+TEST_CASE("gradients are along infinitesimal rotations") {
   Derivation derivation(top());
   const std::vector<ex>& e = derivation.symbols.q;
-  // R_33 = w^2 - x^2 - y^2 + z^2 falls by R_32 along a turn about x, and rises by R_31 about y.
+  // R_33 = w^2 - x^2 - y^2 + z^2 falls by R_32 along a rotation about x, and rises by R_31 about y.
   const ex height = e[0] * e[0] - e[1] * e[1] - e[2] * e[2] + e[3] * e[3];
   const Vector slope = derivation.by_position({{height, 1}});
   const Vector expected{-2 * (e[2] * e[3] + e[0] * e[1]), 2 * (e[1] * e[3] - e[0] * e[2]), 0};

@@ -1,5 +1,5 @@
-// Forces that agree where one happens to look, and are other functions elsewhere: none of them is
-// called equal. Forces that are one function are, where they are analytic.
+// Pairs of forces that agree at most points but differ elsewhere must not be called equal. Pairs
+// that are the same analytic function must be called equal.
 #include <fmt/format.h>
 
 #include <array>
@@ -16,7 +16,7 @@ struct Forms {
   const char* after;
 };
 
-/// With {} for a number above 1: alike in [-1, 1].
+/// Equal in [-1, 1], different beyond; {} is replaced by a number above 1.
 constexpr std::array different_beyond{
     Forms{"max(x - {}, 0)", "0*x"},
     Forms{"min(x, {})", "x"},
@@ -28,7 +28,7 @@ constexpr std::array different_beyond{
     Forms{"max(x, -{})", "x"},
 };
 
-/// Different on one side, at many points of [-1, 1] or at one of them.
+/// Different on one side of a point, at many points of [-1, 1] or at one point.
 constexpr std::array different_somewhere{
     Forms{"-k*max(x - pi/2, 0)", "-2*k*max(x - pi/2, 0)"},
     Forms{"atan2(sin(x), cos(x))", "x"},
@@ -44,7 +44,7 @@ constexpr std::array different_somewhere{
     Forms{"max(x, 1e5)", "1e5"},
 };
 
-/// With {} for a number above 1, wherever x is.
+/// Equal everywhere, for any number above 1 in place of {}.
 constexpr std::array equal_everywhere{
     Forms{"(x - {})^2", "x^2 - 2*{}*x + {}^2"},
     Forms{"exp(x + {})", "exp(x)*exp({})"},
@@ -57,7 +57,7 @@ constexpr std::array equal_everywhere{
     Forms{"sqrt({}*exp(2*x))", "exp(x)*sqrt({})"},
 };
 
-/// Alike at all points, and of the shapes that nothing is proved of.
+/// Equal at all points, but of a shape for which equality is not proved.
 constexpr std::array not_told_apart{
     Forms{"abs(x)^2", "x^2"},
     Forms{"abs(x)", "sqrt(x^2)"},
@@ -74,7 +74,7 @@ constexpr std::array not_told_apart{
 
 constexpr std::array<const char*, 6> numbers{"3/2", "2", "3", "5", "10", "40"};
 
-/// Every {} replaced.
+/// Replaces every {} by the number.
 std::string with_number(std::string text, const std::string& number) {
   for (std::size_t at = 0; (at = text.find("{}", at)) != std::string::npos;) {
     text.replace(at, 2, "(" + number + ")");
@@ -113,7 +113,7 @@ TEST_CASE("forces that differ on one side, or at one point, are different") {
   }
 }
 
-TEST_CASE("forces that are one analytic function are equal") {
+TEST_CASE("forces that are the same analytic function are equal") {
   for (const Forms& forms : equal_everywhere) {
     for (const char* const number : numbers) {
       const std::string before = with_number(forms.before, number);
@@ -124,7 +124,7 @@ TEST_CASE("forces that are one analytic function are equal") {
   }
 }
 
-TEST_CASE("roots and kinks that are written otherwise are not told apart, or different if strict") {
+TEST_CASE("roots and kinks in another form are undecided, or different if strict") {
   for (const Forms& forms : not_told_apart) {
     INFO(forms.before << ", " << forms.after);
     const SystemChange change = compared(pushed(forms.before), pushed(forms.after));
@@ -146,7 +146,7 @@ TEST_CASE("roots and kinks that are written otherwise are not told apart, or dif
   }
 }
 
-TEST_CASE("a difference that only rounding shows inside the ranges has no witness") {
+TEST_CASE("a difference below rounding errors inside the ranges has no witness") {
   const std::string before =
       edited(pushed("sqrt((x - 2)^2)"), "name = \"x\"", "name = \"x\"\nrange = [-1, 1]");
   const SystemChange change = compared(before, edited(before, "sqrt((x - 2)^2)", "2 - x"));
@@ -157,7 +157,7 @@ TEST_CASE("a difference that only rounding shows inside the ranges has no witnes
   }
 }
 
-TEST_CASE("a function that has values inside the ranges alone is compared there") {
+TEST_CASE("a function that is defined only inside the ranges is compared there") {
   const std::string before =
       edited(pushed("asin(x - 50)"), "name = \"x\"", "name = \"x\"\nrange = [49.5, 50.5]");
   const SystemChange same = compared(before, edited(before, "asin(x - 50)", "pi/2 - acos(x - 50)"));

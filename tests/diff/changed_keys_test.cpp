@@ -1,4 +1,5 @@
-// Keys that differ: their places, and what is no change; parsed trees with other names.
+// Changed keys and their positions, edits that change no key, and parsed files with renamed
+// entries.
 #include <catch2/catch.hpp>
 
 #include "diff/renamed.hpp"
@@ -9,7 +10,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// "[gravity] vector[2]: -g -> g", a line each.
+/// One line for each change, such as "[gravity] vector[2]: -g -> g".
 std::string key_changes(const std::string& before, const std::string& after,
                         const Renames& renames = {}) {
   const auto syntax = [](const std::string& text) {
@@ -31,7 +32,7 @@ std::string key_changes(const std::string& before, const std::string& after,
 
 }  // namespace
 
-TEST_CASE("one item of a list is one change, at its place") {
+TEST_CASE("one item of a list is one change at its position") {
   const std::string after = edited(cart, "\"-g\"", "\"g\"");
   CHECK(key_changes(cart, after) == "[gravity] vector[2]: -g -> g\n");
   const FileSyntax old = *parse_model(make_source("a.toml", cart), {});
@@ -49,7 +50,7 @@ TEST_CASE("blanks, comments, brackets and the order of keys are no change") {
   CHECK(key_changes(spring(), edited(spring(), "k = 3", "k = { value = 3 }")).empty());
 }
 
-TEST_CASE("entries are matched by their names, new and gone ones are one change each") {
+TEST_CASE("entries are matched by name, and a new or removed entry is one change") {
   const std::string point =
       "[[point]]\nname = \"bob\"\nat   = [\"x + l*sin(theta)\", "
       "\"l*cos(theta)\"]\nmass = \"m\"\njoined_to = \"cart\"\n";
@@ -62,19 +63,19 @@ TEST_CASE("entries are matched by their names, new and gone ones are one change 
         "joined_to = cart }\n");
 }
 
-TEST_CASE("forces without names are told apart by what they act on, then by number") {
+TEST_CASE("forces without names are identified by their target, then by number") {
   const std::string force = "[[force]]\non = \"x\"\nvalue = \"-m*dot(x)\"\n";
   const std::string other = "[[force]]\non = \"x\"\nvalue = \"-2*m*dot(x)\"\n";
   CHECK(key_changes(spring() + force + force, spring() + force + other) ==
         "[[force]] on x #2 value: -m*dot(x) -> -2*m*dot(x)\n");
 }
 
-TEST_CASE("another order of coordinates and parameters is told, of keys it is not") {
+TEST_CASE("another order of coordinates or parameters is reported, of keys not") {
   CHECK(key_changes(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
         "[parameters] order: m, k -> k, m\n");
 }
 
-TEST_CASE("with new names for the same things nothing is changed") {
+TEST_CASE("with a given renaming there are no changes") {
   std::string after = spring("1/2*c*x^2");
   after = edited(after, "k = 3", "c = 3");
   CHECK(key_changes(spring(), after, {{"k", "c"}}).empty());
@@ -82,7 +83,7 @@ TEST_CASE("with new names for the same things nothing is changed") {
         "[parameters] c:  -> 3\n[parameters] k: 3 -> \n[energy] V: 1/2*k*x^2 -> 1/2*c*x^2\n");
 }
 
-TEST_CASE("names change where they are declared and where they are used") {
+TEST_CASE("names change at declarations and at uses") {
   const FileSyntax syntax = *parse_model(make_source("model.toml", spring()), {});
   const std::string text = dump(renamed(syntax, {{"x", "s"}, {"m", "mass"}}));
   CHECK(mentions(text, "dot(s)"));
@@ -91,7 +92,7 @@ TEST_CASE("names change where they are declared and where they are used") {
   CHECK(dump(renamed(syntax, {})) == dump(syntax));
 }
 
-TEST_CASE("keys of a scene that are names change, too") {
+TEST_CASE("keys of a scene that are names are renamed, too") {
   const std::string scene =
       "format = 1\nmodel = \"m.toml\"\nname = \"fast\"\n[parameters]\n"
       "fixed = { m = 2 }\n[lock]\nx = { value = 0 }\n";
@@ -102,7 +103,7 @@ TEST_CASE("keys of a scene that are names change, too") {
   CHECK(now.entries.back().keys.front().value.entries.front().key == "value");
 }
 
-TEST_CASE("equations are told as they are written, and their order is told") {
+TEST_CASE("changed equations are printed as written, and their order is reported") {
   const std::string one = held_plane(held_rod);
   CHECK(key_changes(one, edited(one, "x^2 + y^2 = 1", "x^2 + 2*y^2 = 1")) ==
         "[[constraint]] rod equation: x^2 + y^2 = 1 -> x^2 + 2*y^2 = 1\n");
@@ -116,7 +117,7 @@ TEST_CASE("equations are told as they are written, and their order is told") {
         "[[constraint]] order: rod, slot -> slot, rod\n");
 }
 
-TEST_CASE("a state of an expectation is changed key by key, and has the names of its rates") {
+TEST_CASE("a state of an expectation is compared key by key, and its rates are renamed") {
   const std::string text = spring() + "[[expect]]\nat = { x = 1, \"dot(x)\" = 2 }\ngravity = [3]\n";
   CHECK(key_changes(text, edited(text, "{ x = 1", "{ x = 4")) == "[[expect]] #1 at.x: 1 -> 4\n");
   const FileSyntax syntax = *parse_model(make_source("model.toml", text), {});

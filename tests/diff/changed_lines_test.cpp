@@ -1,5 +1,4 @@
-// How much of a header changes with one term of its model: the functions of the entries that
-// differ, and no others.
+// A change of one term in a model changes only the functions in the header whose entries differ.
 #include <catch2/catch.hpp>
 #include <map>
 #include <regex>
@@ -17,7 +16,7 @@ struct OneTerm {
   const char* model;
   const char* part;
   const char* other;
-  std::size_t most_changed;  ///< lines of the header
+  std::size_t most_changed;  ///< limit of changed lines in the header
 };
 
 const OneTerm one_terms[]{
@@ -30,10 +29,10 @@ const OneTerm one_terms[]{
 
 struct Header {
   std::string text = {};
-  std::map<std::string, std::string> functions = {};  ///< name -> its lines
+  std::map<std::string, std::string> functions = {};  ///< function name -> its lines
 };
 
-/// Functions are paragraphs, with their comments.
+/// Functions are paragraphs with their comments.
 Header header_of(const Products& products, const std::string& name) {
   Header header{products.files->files.at(name + "/" + name + ".hpp")};
   static const std::regex signature(R"((\w+)\(const Parameters<Scalar>&)");
@@ -61,7 +60,7 @@ std::size_t changed_lines(const std::string& before, const std::string& after) {
 
 }  // namespace
 
-TEST_CASE("one term of a model changes the functions whose entries differ, and no others") {
+TEST_CASE("one term of a model changes only the functions whose entries differ") {
   for (const auto& [model, part, other, most] : one_terms) {
     INFO(model);
     const std::string text = model_of(model);
@@ -69,7 +68,7 @@ TEST_CASE("one term of a model changes the functions whose entries differ, and n
     const Lowered after = lowered(edited(text, part, other), "", Goal::emit);
     const Header old = header_of(before.products, model);
     const Header now = header_of(after.products, model);
-    std::set<std::string> different{"dynamics"};  // of all others together
+    std::set<std::string> different{"dynamics"};  // the function that computes all others together
     for (const OutputChange& output : compare(before.version(), after.version()).outputs) {
       const bool differs =
           std::ranges::count(output.entries, EntryVerdict::different, &EntryChange::verdict) > 0;

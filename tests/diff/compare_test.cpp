@@ -1,4 +1,4 @@
-// The impact of a change, and the report about it; the words and the order of impacts.
+// The impact of a change, its report, and the words and order of impacts.
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"
@@ -15,7 +15,7 @@ Impact impact(const std::string& before, const std::string& after) {
 
 }  // namespace
 
-TEST_CASE("from nothing to other equations") {
+TEST_CASE("impacts from equal to different") {
   CHECK(impact(cart, cart) == Impact::equal);
   CHECK(impact(cart, cart + "# more\n") == Impact::equal);
   CHECK(impact(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2")) == Impact::equal);
@@ -24,7 +24,7 @@ TEST_CASE("from nothing to other equations") {
   CHECK(impact(cart, edited(cart, "\"-g\"", "\"g\"")) == Impact::different);
 }
 
-TEST_CASE("lines that only pages draw change no equation, value or stamp") {
+TEST_CASE("keys for drawings change no equation, value or stamp") {
   const std::string point = "[[point]]\nname = \"end\"\nat = [\"x\", \"0\"]\n";
   const Lowered old = lowered(spring() + point);
   const Lowered now = lowered(spring() + point + "joined_to = \"origin\"\nas = \"spring\"\n");
@@ -39,13 +39,13 @@ TEST_CASE("lines that only pages draw change no equation, value or stamp") {
   }
 }
 
-TEST_CASE("an equilibrium is a text, unless a scene expands about it") {
+TEST_CASE("a declared equilibrium changes values only, unless a scene expands about it") {
   const std::string rest = spring() + "[[equilibrium]]\nname = \"rest\"\nat = { x = 0 }\n";
   CHECK(impact(spring(), rest) == Impact::values);
   CHECK(impact(rest, edited(rest, "x = 0 }", "x = \"0*k\" }")) == Impact::values);
 }
 
-TEST_CASE("the sample of an open function is a value, its arguments are more") {
+TEST_CASE("the sample of an open function changes values, its arguments more") {
   const auto with_function = [](const std::string& keys) {
     return edited(spring("U"), "[energy]", "[[function]]\nname = \"U\"\n" + keys + "[energy]");
   };
@@ -57,7 +57,7 @@ TEST_CASE("the sample of an open function is a value, its arguments are more") {
   CHECK(impact(sampled, edited(sampled, "[\"x\"]", "[\"2*x\"]")) == Impact::different);
 }
 
-TEST_CASE("a key of a scene against the built-in scene is a change") {
+TEST_CASE("a scene compared with the default scene has changed keys") {
   const Lowered old = lowered(spring());
   const Lowered now = lowered(spring(), "[outputs]\ngravity = true\n");
   const SystemChange system = compare(old.version(), now.version());
@@ -65,7 +65,7 @@ TEST_CASE("a key of a scene against the built-in scene is a change") {
   CHECK_FALSE(system.keys.empty());
 }
 
-TEST_CASE("a definition may be called as what only describes") {
+TEST_CASE("a definition may have the name of a descriptive key") {
   const auto defined = [](const std::string& value) {
     return edited(spring("k*range"), "[energy]", "[define]\nrange = \"" + value + "\"\n[energy]");
   };
@@ -73,13 +73,13 @@ TEST_CASE("a definition may be called as what only describes") {
   CHECK(impact(defined("x^2"), defined("x*x")) == Impact::equal);
 }
 
-TEST_CASE("an assumption that changes entries is more than a value") {
+TEST_CASE("an assumption that changes entries makes the equations different") {
   const std::string positive = spring("k*sqrt(m^2)*x");
   CHECK(impact(positive, edited(positive, ", assume = \"positive\"", "")) == Impact::different);
   CHECK(impact(spring(), edited(spring(), ", assume = \"positive\"", "")) == Impact::values);
 }
 
-TEST_CASE("a value that a scene fixes is a value") {
+TEST_CASE("another value of a parameter that a scene fixes is a change of values") {
   const std::string scene = "[outputs]\npotential_energy = true\n[parameters]\nfixed = \"all\"\n";
   const Lowered old = lowered(spring(), scene);
   const Lowered now = lowered(edited(spring(), "k = 3", "k = 4"), scene);
@@ -88,7 +88,7 @@ TEST_CASE("a value that a scene fixes is a value") {
   CHECK(entries_of(system, "potential_energy").size() == 1);
 }
 
-TEST_CASE("a value that is written otherwise is no other value") {
+TEST_CASE("an equal value in another notation is no change") {
   CHECK(impact(spring(), edited(spring(), "k = 3", "k = \"6/2\"")) == Impact::equal);
   const std::string scene = "[outputs]\ngravity = true\n[parameters]\nfixed = { k = ";
   const Lowered old = lowered(spring(), scene + "3 }\n");
@@ -96,28 +96,28 @@ TEST_CASE("a value that is written otherwise is no other value") {
   CHECK(compare(old.version(), now.version()).impact == Impact::equal);
 }
 
-TEST_CASE("a new term with a parameter of its own extends") {
+TEST_CASE("a new term with its own parameter extends") {
   const SystemChange system =
       compared(spring(), edited(spring("1/2*k*x^2 + c*x^4"), "k = 3", "k = 3\nc = 0"));
   CHECK(system.impact == Impact::extended);
   CHECK(system.extension == "at c = 0 all entries are the old ones (proved)");
 }
 
-TEST_CASE("a new parameter that changes what was there does not extend") {
+TEST_CASE("a new parameter that changes existing terms does not extend") {
   const SystemChange system =
       compared(spring(), edited(spring("k*x^2 + c*x^4"), "k = 3", "k = 3\nc = 0"));
   CHECK(system.impact == Impact::different);
   CHECK(system.extension.empty());
 }
 
-TEST_CASE("a parameter with another name does not compile, and changes no key") {
+TEST_CASE("a parameter renamed by --rename breaks callers, but changes no key") {
   const std::string other = edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c");
   const SystemChange named = compared(spring(), other, {{"k", "c"}});
   CHECK(named.keys.empty());
   CHECK(named.impact == Impact::breaks);
 }
 
-TEST_CASE("expectations that hold no longer are listed, those that never did are not") {
+TEST_CASE("expectations that no longer hold are listed, unless they never held") {
   const auto broken = compared(cart, edited(cart, "\"-g\"", "\"g\"")).broken_expectations;
   CHECK(std::ranges::count(broken, "gravity[2]") == 1);
   CHECK(std::ranges::count(broken, "mass_matrix[1,1]") == 0);
@@ -126,7 +126,7 @@ TEST_CASE("expectations that hold no longer are listed, those that never did are
   CHECK(std::ranges::count(again, "gravity[2]") == 0);
 }
 
-TEST_CASE("warnings that are new stand beside") {
+TEST_CASE("new warnings are reported") {
   const SystemChange system = compared(cart, edited(cart, "\"-g\"", "\"g\""));
   REQUIRE(system.warnings.size() == 1);
   CHECK(code_row(system.warnings[0].code).name == "E512");
@@ -140,7 +140,7 @@ TEST_CASE("an impact is found by its word") {
   CHECK_FALSE(find_impact("worse"));
 }
 
-TEST_CASE("what breaks is worst") {
+TEST_CASE("breaks is the worst impact") {
   CHECK(Impact::equal < Impact::values);
   CHECK(Impact::extended < Impact::different);
   CHECK(Impact::different < Impact::breaks);

@@ -1,4 +1,4 @@
-// Changes of the interface that callers see.
+// Changes of the interface of generated code, as callers see them.
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"
@@ -8,7 +8,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// "word: text", a line each.
+/// One line for each change, such as "word: text".
 std::string seen_by_callers(const std::string& before, const std::string& after,
                             const std::string& old_scene = {}, const std::string& new_scene = {},
                             const Renames& renames = {}) {
@@ -29,13 +29,13 @@ TEST_CASE("the same interface has no changes") {
   CHECK(seen_by_callers(spring(), spring("k*x^4")).empty());
 }
 
-TEST_CASE("another order of members means something else") {
+TEST_CASE("another order of members changes the meaning silently") {
   CHECK(
       seen_by_callers(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
       "breaks: members of Parameters are in another order: m, k -> k, m; " + silent);
 }
 
-TEST_CASE("new members extend where they come last") {
+TEST_CASE("new members extend if they come last") {
   const std::string more = spring("1/2*k*x^2 + c*x");
   CHECK(seen_by_callers(spring(), edited(more, "k = 3", "k = 3\nc = 0")) ==
         "extended: Parameters has new members: c\n");
@@ -43,19 +43,19 @@ TEST_CASE("new members extend where they come last") {
         "breaks: Parameters has new members, not all of them behind the others: c; " + silent);
 }
 
-TEST_CASE("members that are gone do not compile") {
+TEST_CASE("removed members do not compile") {
   CHECK(seen_by_callers(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"), spring()) ==
         "breaks: there is no parameter `c` any more\n");
 }
 
-TEST_CASE("what no function reads, or what a scene fixes, is no member") {
+TEST_CASE("unused and fixed parameters are no members") {
   CHECK(seen_by_callers(spring(), edited(spring(), "k = 3", "c = 0\nk = 3")).empty());
   const std::string reversed = edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
   const std::string scene = "[outputs]\ngravity = true\n[parameters]\nfixed = { k = 3 }\n";
   CHECK(seen_by_callers(spring(), reversed, scene, scene).empty());
 }
 
-TEST_CASE("pivots that go change what a function returns") {
+TEST_CASE("removed or added pivots change the result of a function") {
   const std::string with = "[outputs]\nforward_dynamics = true\n";
   const std::string without = "[outputs]\nforward_dynamics = { pivots = false }\n";
   CHECK(seen_by_callers(spring(), spring(), with, without) ==
@@ -66,12 +66,12 @@ TEST_CASE("pivots that go change what a function returns") {
         "breaks: `forward_dynamics` gives no relative pivots any more\n");
 }
 
-TEST_CASE("other assumptions are told, also where all entries are equal") {
+TEST_CASE("changed assumptions are reported, even if all entries are equal") {
   CHECK(seen_by_callers(spring(), edited(spring(), ", assume = \"positive\"", "")) ==
         "values: `m` is assumed to be any number where it was positive\n");
 }
 
-TEST_CASE("units and values are told by name") {
+TEST_CASE("changed units and values are reported by name") {
   const std::string mass = "m = { value = 2, assume = \"positive\" }";
   CHECK(seen_by_callers(edited(spring(), mass, "m = { value = 2, unit = \"kg\" }"),
                         edited(spring(), mass, "m = { value = 2, unit = \"1\" }")) ==
@@ -80,12 +80,12 @@ TEST_CASE("units and values are told by name") {
         "values: the value of `k` is 4 where it was 3\n");
 }
 
-TEST_CASE("time, once it occurs, is an argument of every function") {
+TEST_CASE("if time occurs, it is an argument of every function") {
   CHECK(mentions(seen_by_callers(spring(), spring("1/2*k*x^2 + x*sin(t)")),
                  "breaks: every function takes t now\n"));
 }
 
-TEST_CASE("functions come and go") {
+TEST_CASE("added functions extend, removed functions break") {
   const std::string one = "[outputs]\nmass_matrix = true\ngravity = true\n";
   const std::string two = one + "bias = true\n";
   CHECK(seen_by_callers(spring(), spring(), one, two) ==
@@ -94,7 +94,7 @@ TEST_CASE("functions come and go") {
         "breaks: there is no function `bias` any more\n");
 }
 
-TEST_CASE("the target of the code is part of it") {
+TEST_CASE("language, storage, namespace and Eigen header are part of the interface") {
   const std::string one = "[outputs]\nmass_matrix = true\n[emit]\n";
   CHECK(seen_by_callers(spring(), spring(), one, one + "storage = \"column-major\"\n") ==
         "breaks: matrices are stored column-major where they were row-major; " + silent);
@@ -112,7 +112,7 @@ TEST_CASE("a renamed parameter does not compile, a renamed coordinate does") {
         "breaks: `k` is called `c` now\n");
 }
 
-TEST_CASE("another method of a step, or another number of its iterations, is another function") {
+TEST_CASE("another method or number of iterations of a step is a different function") {
   const auto step = [](const std::string& what) {
     return "[outputs]\nstep = { method = \"" + what + " }\n";
   };
@@ -136,7 +136,7 @@ TEST_CASE("an output of another shape does not compile") {
         "breaks: `tip` is 2 x 1 where it was 1 x 1\n");
 }
 
-TEST_CASE("rad is 1 in a unit, so that writing it changes words alone") {
+TEST_CASE("rad equals 1 in a unit, so adding it changes only the text") {
   const std::string before = model_text(
       "damped",
       "[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n[parameters]\nJ = { value = 1, unit = "
@@ -146,7 +146,7 @@ TEST_CASE("rad is 1 in a unit, so that writing it changes words alone") {
         "values: the unit of parameter `d` is N*m*s where it was N*m*s/rad\n");
 }
 
-TEST_CASE("another error of sines and cosines is a change of values") {
+TEST_CASE("another error bound of sines and cosines is a change of values") {
   const auto scene = [](const char* error) {
     return "[numeric]\ntrigonometry = { max_error = " + std::string(error) +
            " }\n[emit]\nbatch = true\n";
@@ -155,7 +155,7 @@ TEST_CASE("another error of sines and cosines is a change of values") {
         "values: the error that batches allow sines and cosines differs\n");
 }
 
-TEST_CASE("sines of the library in the place of those in line are a change of values") {
+TEST_CASE("sines of the library instead of in-line sines are a change of values") {
   const auto scene = [](const std::string& sines) {
     return "[numeric]\ntrigonometry = { scalar = \"" + sines + "\" }\n";
   };
@@ -163,13 +163,13 @@ TEST_CASE("sines of the library in the place of those in line are a change of va
         "values: sines and cosines of numbers are the library's where they were in line\n");
 }
 
-TEST_CASE("another error that a scene promises is a change of values") {
+TEST_CASE("another promised error is a change of values") {
   const std::string promise = "[numeric]\nmax_error = ";
   CHECK(seen_by_callers(spring(), spring(), promise + "1e-7\n", promise + "1e-5\n") ==
         "values: the error that the scene promises of its outputs differs\n");
 }
 
-TEST_CASE("open values are counted and ordered") {
+TEST_CASE("number and order of open values are part of the interface") {
   const auto plane = [](const std::string& functions) {
     return model_text("plane", "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n" +
                                    functions +
@@ -186,7 +186,7 @@ TEST_CASE("open values are counted and ordered") {
             silent);
 }
 
-TEST_CASE("a constraint that is new or gone does not compile") {
+TEST_CASE("an added or removed constraint does not compile") {
   const std::string more = seen_by_callers(held_plane(""), held_plane(held_rod));
   CHECK(mentions(more, "breaks: 1 constraint where there were 0:  -> rod\n"));
   CHECK(mentions(more, "extended: there is a new function `constraint_jacobian`\n"));
@@ -195,7 +195,7 @@ TEST_CASE("a constraint that is new or gone does not compile") {
   CHECK(mentions(fewer, "breaks: there is no function `constraint_jacobian` any more\n"));
 }
 
-TEST_CASE("constraints in another order mean something else, of another kind do not compile") {
+TEST_CASE("reordered constraints change the meaning, another kind does not compile") {
   CHECK(seen_by_callers(held_plane(held_rod + held_slot), held_plane(held_slot + held_rod)) ==
         "breaks: constraints are other ones, or in another order: rod, slot -> slot, rod; " +
             silent);
@@ -204,7 +204,7 @@ TEST_CASE("constraints in another order mean something else, of another kind do 
         "breaks: `constraint_residual` is 1 x 1, 2 x 1 where it was 2 x 1, 2 x 1\n");
 }
 
-TEST_CASE("the rows of reaction are the locked coordinates, whatever their number") {
+TEST_CASE("the rows of reaction are identified by locked coordinates, whatever their number") {
   // The weights along x and y are equal, so the entries of `reaction` have the same text.
   const std::string space = model_text("space", R"toml([[coordinate]]
 name = "x"
@@ -230,7 +230,7 @@ V = "x + y"
         "breaks: the rows of `reaction` are x, y where they were x; " + silent);
 }
 
-TEST_CASE("columns of the regressor are told when they move, and rows of its parameters") {
+TEST_CASE("reordered columns of the regressor and rows of its parameters are reported") {
   const auto point = [](const std::string& name, const std::string& at) {
     return "[[point]]\nname = \"" + name + "\"\nat = [\"" + at + "\", 0]\nmass = \"m\"\n";
   };

@@ -1,5 +1,5 @@
-// Two programs over the leaves of both, and entries that meet by what their rows and columns stand
-// for.
+// Joint programs over the leaves of two versions, and entries matched by the names of their rows
+// and columns.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -21,7 +21,7 @@ name = "y"
 [energy]
 T = "dot(x)^2 + dot(x)*dot(y) + 2*dot(y)^2"
 )toml");
-/// The same with x and y in the place of each other.
+/// The same model with x and y exchanged.
 std::string turned(const std::string& given = plane) {
   std::string text = edited(given, "name = \"x\"", "name = \"z\"");
   text = edited(text, "name = \"y\"", "name = \"x\"");
@@ -35,7 +35,7 @@ std::vector<MatchedEntry> matched(const Lowered& old, const Lowered& now, Output
                          renames);
 }
 
-/// A model of entries that say in any order what it has.
+/// A model whose entries may be declared in reverse order.
 std::string plate(const std::vector<std::string>& constraints, bool is_reversed) {
   const auto listed = [is_reversed](std::vector<std::string> entries) {
     if (is_reversed) std::ranges::reverse(entries);
@@ -57,7 +57,7 @@ std::string plate(const std::vector<std::string>& constraints, bool is_reversed)
                                  "value = [\"x*z\", \"y\"]\njacobian = true\n");
 }
 
-/// Every entry of the newer version has the value of the entry that it meets.
+/// Every entry of the newer version equals its match.
 void check_values_meet(const std::string& scene, const std::vector<std::string>& constraints) {
   const Lowered old = lowered(plate(constraints, false), scene);
   const Lowered now = lowered(plate(constraints, true), scene);
@@ -98,7 +98,7 @@ TEST_CASE("rows and columns of M follow their coordinates") {
   CHECK(entries[1].before == 2U);
 }
 
-TEST_CASE("a coordinate that is new has entries without a match") {
+TEST_CASE("entries of a new coordinate have no match") {
   const std::string more = edited(plane, "[energy]", "[[coordinate]]\nname = \"z\"\n[energy]");
   const std::string space = edited(more, "2*dot(y)^2", "2*dot(y)^2 + dot(z)^2");
   const auto entries = matched(lowered(plane), lowered(space), OutputKind::gravity);
@@ -111,22 +111,23 @@ TEST_CASE("a coordinate that is new has entries without a match") {
   CHECK(back[2].place == "gravity[3]");
 }
 
-TEST_CASE("renamed coordinates stay where they are") {
+TEST_CASE("renamed coordinates keep their position") {
   const auto entries =
       matched(lowered(plane), lowered(turned()), OutputKind::mass_matrix, {{"x", "y"}, {"y", "x"}});
   CHECK(entries[0].before == 0U);
 }
 
-TEST_CASE("pivots are compared in one order of coordinates only") {
+TEST_CASE("pivots are compared only if the order of coordinates is the same") {
   CHECK(matched(lowered(plane), lowered(plane), OutputKind::forward_dynamics).size() == 6);
   CHECK(matched(lowered(plane), lowered(turned()), OutputKind::forward_dynamics).size() == 4);
 }
 
-TEST_CASE("where pivots are left out, the multipliers behind them are compared all the same") {
+TEST_CASE("multipliers are compared even if pivots are not") {
   const std::string held = plane + "[[constraint]]\nname = \"line\"\nequation = \"x + 2*y = 1\"\n";
   const auto alike = matched(lowered(held), lowered(held), OutputKind::forward_dynamics);
   const auto others = matched(lowered(held), lowered(turned(held)), OutputKind::forward_dynamics);
-  // Two accelerations, three pivots, a multiplier, and the diagonal that no program keeps.
+  // Two accelerations, three pivots, a multiplier, and three entries of the diagonal of M, which no
+  // program keeps.
   CHECK(alike.size() == 9);
   REQUIRE(others.size() == 6);
   CHECK(others[2].before == 5U);
@@ -152,7 +153,7 @@ TEST_CASE("rows of A, residuals and multipliers follow their constraints") {
   CHECK(*tension->before + 1 == *tension->after);
 }
 
-TEST_CASE("entries meet by what their lines stand for, whatever the order in the file") {
+TEST_CASE("entries are matched by the names of rows and columns, in any order of declaration") {
   check_values_meet(
       "[outputs]\nmass_matrix = true\ninput_matrix = true\nmomentum = true\nregressor = true\n"
       "regressor_parameters = true\nconstraint_jacobian = true\nconstraint_residual = true\n"
@@ -165,7 +166,7 @@ TEST_CASE("entries meet by what their lines stand for, whatever the order in the
       {});
 }
 
-TEST_CASE("entries of an output that only one version has are on their own") {
+TEST_CASE("entries of an output that only one version has are unmatched") {
   const Lowered one = lowered(plane);
   const Model& model = one.products.checked->model;
   const Function& gravity = *find_function(*one.products.lowered, OutputKind::gravity);
@@ -175,7 +176,7 @@ TEST_CASE("entries of an output that only one version has are on their own") {
   CHECK_FALSE(entries[1].before);
 }
 
-TEST_CASE("leaves meet by their names, and what is computed alike is one instruction") {
+TEST_CASE("leaves are matched by name, and equal computations are one instruction") {
   JointProgram joint(older, newer, {});
   CHECK(joint.program().leaves.parameters == std::vector<std::string>{"k", "m"});
   const JointFunction both = joint.joined(older.functions[0], newer.functions[0]);
@@ -183,12 +184,12 @@ TEST_CASE("leaves meet by their names, and what is computed alike is one instruc
   CHECK(both.function.instructions[both.after[0]].a == both.before[0]);
 }
 
-TEST_CASE("leaves that only the older version has come last") {
+TEST_CASE("leaves of only the older version come last") {
   const JointProgram joint(newer, older, {});
   CHECK(joint.program().leaves.parameters == std::vector<std::string>{"m", "k"});
 }
 
-TEST_CASE("a renamed leaf is the same leaf") {
+TEST_CASE("a renamed leaf is one leaf") {
   Program other = older;
   other.leaves.parameters = {"mass"};
   JointProgram joint(older, other, {{"m", "mass"}});
@@ -199,7 +200,7 @@ TEST_CASE("a renamed leaf is the same leaf") {
   CHECK(two.before != two.after);
 }
 
-TEST_CASE("parameters of the newer version may have values") {
+TEST_CASE("parameters of the newer version may be replaced by values") {
   JointProgram joint(older, newer, {});
   const JointFunction both = joint.joined(older.functions[0], newer.functions[0],
                                           {.after = {{"k", rational_constant(5)}}});

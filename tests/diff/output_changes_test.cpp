@@ -1,4 +1,4 @@
-// The change of every entry, and a state at which it is seen.
+// The change of every entry, and a state that demonstrates it.
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"
@@ -28,12 +28,12 @@ EntryChange told(const std::string& before, const std::string& after) {
 
 }  // namespace
 
-TEST_CASE("what is computed alike is not looked at") {
+TEST_CASE("entries with identical code are not listed") {
   for (const OutputChange& change : entry_changes(spring(), spring()))
     CHECK(change.entries.empty());
 }
 
-TEST_CASE("what is written differently is proved to be equal") {
+TEST_CASE("entries in another form are proved equal") {
   const auto all = entry_changes(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"));
   const OutputChange& potential = output(all, "potential_energy");
   REQUIRE(potential.entries.size() == 1);
@@ -42,7 +42,7 @@ TEST_CASE("what is written differently is proved to be equal") {
   CHECK(output(all, "mass_matrix").entries.empty());
 }
 
-TEST_CASE("what differs is told as it is read, with its difference") {
+TEST_CASE("different entries are printed with their difference") {
   const auto all = entry_changes(spring(), spring("1/2*k*x^2 + m*x"));
   const OutputChange& gravity = output(all, "gravity");
   REQUIRE(gravity.entries.size() == 1);
@@ -52,7 +52,7 @@ TEST_CASE("what differs is told as it is read, with its difference") {
   CHECK(gravity.entries[0].difference == "m");
 }
 
-TEST_CASE("outputs that only one version has are there, too") {
+TEST_CASE("outputs of only one version are listed") {
   const std::string with_output = spring() + "[[output]]\nname = \"place\"\nvalue = \"x\"\n";
   CHECK(output(entry_changes(spring(), with_output), "place").entries.at(0).verdict ==
         EntryVerdict::added);
@@ -60,7 +60,7 @@ TEST_CASE("outputs that only one version has are there, too") {
         EntryVerdict::removed);
 }
 
-TEST_CASE("a parameter at a value gives the old entries back") {
+TEST_CASE("setting a new parameter to a value restores the old entries") {
   const Lowered old = lowered(spring());
   const Lowered now = lowered(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"));
   const auto count = [&](const ParameterValues& values) {
@@ -76,7 +76,7 @@ TEST_CASE("a parameter at a value gives the old entries back") {
   CHECK(count({{"c", rational_constant(1)}}) > 0);
 }
 
-TEST_CASE("an implicit step, whose bounds grow with every substitution, is not taken for equal") {
+TEST_CASE("an implicit step, whose error bounds grow at every iteration, is still different") {
   const std::string scene = "[outputs]\nstep = { method = \"midpoint\" }\n";
   const std::string arm = model_of("double_pendulum");
   const Lowered old = lowered(arm, scene, Goal::choose);
@@ -89,7 +89,7 @@ TEST_CASE("an implicit step, whose bounds grow with every substitution, is not t
   }
 }
 
-TEST_CASE("what does not fit into a line is left out") {
+TEST_CASE("an entry too long for a line is not printed") {
   std::string sum = "cos(x)";
   for (int i = 2; i <= 20; ++i) sum += " + cos(" + std::to_string(i) + "*x)";
   const auto all = entry_changes(spring(), spring("k*(" + sum + ")"));
@@ -98,7 +98,7 @@ TEST_CASE("what does not fit into a line is left out") {
   CHECK(entry.after.empty());
 }
 
-TEST_CASE("the witness lists what the entry depends on, rounded as it is printed") {
+TEST_CASE("the witness lists the variables of the entry, rounded as printed") {
   const EntryChange change = told(spring("1/2*k*x^2"), spring("k*x^2"));
   CHECK(change.share == Approx(0.5));
   const std::string& at = change.witness->at;
@@ -108,7 +108,7 @@ TEST_CASE("the witness lists what the entry depends on, rounded as it is printed
   CHECK(change.witness->after == Approx(3 * x * x).epsilon(1e-12));
 }
 
-TEST_CASE("parameters of value 0 are drawn, so that what they multiply is seen") {
+TEST_CASE("parameters with value 0 get random values, so that their terms are compared") {
   const std::string before = edited(spring(), "k = 3", "k = 3\nc = 0");
   const EntryChange change = told(before, edited(before, "1/2*k*x^2", "1/2*k*x^2 + c*x^4"));
   CHECK(mentions(change.witness->at, "c = "));

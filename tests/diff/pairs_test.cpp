@@ -1,6 +1,6 @@
-// Pairs of models that are known to be equal, or not: random systems of one to seven coordinates,
-// written in two ways, or with one coefficient changed by as little as 1e-12. Those written by hand
-// are in rewritings_test and verdicts_test.
+// Random pairs of models known to be equal or different: systems of one to seven coordinates in two
+// forms, or with one coefficient changed by 1e-12 or 1. Hand-written pairs are in rewritings_test
+// and verdicts_test.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kinds = 5;
 
-/// c f(q_i, q_j), f one of five; c is exact.
+/// c f(q_i, q_j), with one of five functions f and an exact c.
 struct Term {
   std::uint64_t kind = 0;
   std::size_t i = 0;
@@ -24,7 +24,7 @@ struct Term {
   std::string coefficient = "1";
 };
 
-/// The factor that the term of V has in the kinds of either writing.
+/// The factor f(q_i, q_j) of a term of V, in its first or its rewritten form.
 std::string potential(const Term& term, bool is_rewritten) {
   const std::string x = fmt::format("q{}", term.i);
   const std::string y = fmt::format("q{}", term.j);
@@ -51,7 +51,8 @@ struct RandomSystem {
     }
   }
 
-  /// `which`: writing of each term; terms come backwards where it is rewritten.
+  /// The model; if `is_rewritten`, every term has its second form, and the terms are in reverse
+  /// order.
   [[nodiscard]] std::string text(bool is_rewritten) const {
     std::string coordinates;
     std::string T;
@@ -77,7 +78,7 @@ struct RandomSystem {
   }
 };
 
-/// All outputs, or of large systems those that others are made of: the rest takes seconds.
+/// All outputs; for large systems only the basic outputs, since all would take seconds.
 Lowered lowered_system(const RandomSystem& system, const std::string& text) {
   return lowered(text, system.size <= 4 ? "" : R"toml([outputs]
 mass_matrix = true
@@ -87,12 +88,13 @@ inverse_dynamics = true
 )toml");
 }
 
-/// Of pairs that are equal, and of those that are not.
+/// Number of equal pairs, and of different pairs.
 constexpr std::uint64_t pair_count = 20;
 
 }  // namespace
 
-TEST_CASE("twenty random systems are equal in other words, and not with one coefficient changed") {
+TEST_CASE(
+    "twenty random systems are equal in another form, and different with one coefficient changed") {
   std::size_t rewritten = 0;
   for (std::uint64_t seed = 1; seed <= pair_count; ++seed) {
     RandomSystem system(seed);
@@ -117,7 +119,7 @@ TEST_CASE("twenty random systems are equal in other words, and not with one coef
 
 namespace {
 
-/// An edit of a model of the project, and what it amounts to.
+/// An edit of a committed model, and its impact.
 struct Edit {
   const char* model;
   const char* part;
@@ -127,7 +129,7 @@ struct Edit {
 
 }  // namespace
 
-TEST_CASE("edits of known models amount to what a reviewer would say") {
+TEST_CASE("edits of known models have the expected impact") {
   const Edit edits[]{
       {"simple_pendulum", "g = {", "# gravity\ng = {", Impact::equal},
       {"cart_pole", "\"x + l*sin(theta)\"", "\"l*sin(theta) + x\"", Impact::equal},
@@ -157,7 +159,7 @@ TEST_CASE("edits of known models amount to what a reviewer would say") {
   }
 }
 
-TEST_CASE("coordinates of a chain of three to seven in another order are told to be moved") {
+TEST_CASE("reordered coordinates of a chain of three to seven break callers silently") {
   for (const int n : {3, 7}) {
     const RandomSystem system(static_cast<std::uint64_t>(n));
     if (system.size < 2) continue;

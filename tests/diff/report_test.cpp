@@ -1,5 +1,5 @@
-// A report in words, as people and programs read it, as a comment on a pull request, and as GitHub
-// shows it; what several systems have in common is said once.
+// A report as text, as JSON, as a pull-request comment and as GitHub annotations. Changes common to
+// several systems are printed once.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -23,7 +23,7 @@ std::string report(const std::string& before, const std::string& after, bool lis
 
 }  // namespace
 
-TEST_CASE("keys that are new, gone or moved") {
+TEST_CASE("keys that are new, removed or moved") {
   KeyChange change{.table = "gravity", .entry = "[gravity]", .path = {{"vector"}, {"", 2}}};
   change.after = "-g";
   CHECK(text_of(change) == "[gravity] vector[2] is new: -g");
@@ -34,12 +34,12 @@ TEST_CASE("keys that are new, gone or moved") {
   CHECK(place_text(change).empty());
 }
 
-TEST_CASE("long values of keys are cut") {
+TEST_CASE("long values of keys are truncated") {
   const KeyChange change{.entry = "[energy]", .after = std::string(100, 'x')};
   CHECK(text_of(change) == "[energy] is new: " + std::string(57, 'x') + "...");
 }
 
-TEST_CASE("entries without closed forms are told by their witness") {
+TEST_CASE("entries without closed forms are described by their witness") {
   EntryChange entry{.place = "bias[2]", .unit = "N*m", .verdict = EntryVerdict::different};
   CHECK(text_of(entry) == "bias[2] differs");
   CHECK(witness_text(entry).empty());
@@ -59,7 +59,7 @@ TEST_CASE("entries are counted by their verdicts") {
   CHECK(counts.text() == "1 of 8 entries differs, 2 rewritten (1 proved)");
 }
 
-TEST_CASE("an entry that is gone and one that is there instead count once") {
+TEST_CASE("a removed and an added entry count as one replaced entry") {
   OutputChange output{.entry_count = 4};
   for (const EntryVerdict verdict :
        {EntryVerdict::added, EntryVerdict::added, EntryVerdict::removed}) {
@@ -71,7 +71,7 @@ TEST_CASE("an entry that is gone and one that is there instead count once") {
   CHECK(counts.changed() == 2);
 }
 
-TEST_CASE("a coordinate with another name counts no entry twice") {
+TEST_CASE("entries of a renamed coordinate are not counted twice") {
   const std::string other = edited(
       edited(edited(spring(), "name = \"x\"", "name = \"s\""), "dot(x)", "dot(s)"), "x^2", "s^2");
   const VerdictCounts counts = counts_of(compared(spring(), other));
@@ -80,12 +80,12 @@ TEST_CASE("a coordinate with another name counts no entry twice") {
   CHECK(counts.changed() <= counts.all);
 }
 
-TEST_CASE("operations that stay are not told") {
+TEST_CASE("unchanged operations are not listed") {
   OperationsChange change{"bias", {.add = 1, .mul = 3}, {.add = 1, .mul = 4, .div = 1}};
   CHECK(text_of(change) == "bias: mul 3 -> 4, div 0 -> 1");
 }
 
-TEST_CASE("one sign is told in a dozen lines, its cause first") {
+TEST_CASE("the report of one changed sign has a dozen lines, the cause first") {
   CHECK(report(cart, edited(cart, "\"-g\"", "\"g\"")) ==
         "changed      model.toml:56:17  [gravity] vector[2]: -g -> g\n"
         "             V = m*l*g*cos(theta) -> -m*l*g*cos(theta);  T, D, Q, B identical\n"
@@ -100,7 +100,7 @@ TEST_CASE("one sign is told in a dozen lines, its cause first") {
         "different    the equations differ\n");
 }
 
-TEST_CASE("what breaks silently stands first") {
+TEST_CASE("silent breaks come first") {
   const std::string text =
       report(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {"));
   CHECK(starts_with(text,
@@ -109,12 +109,12 @@ TEST_CASE("what breaks silently stands first") {
   CHECK(mentions(text, "\nbreaks       the code of callers breaks\n"));
 }
 
-TEST_CASE("nothing, and nothing but text, is one line") {
+TEST_CASE("without changes of equations the report is one line") {
   CHECK(report(cart, cart) == "equal        the equations are the same\n");
   CHECK(report(cart, cart + "#\n") == "equal        the equations are the same\n");
 }
 
-TEST_CASE("every entry is listed where that is asked for") {
+TEST_CASE("every entry is listed on request") {
   const std::string text = report(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2 + m*x"), true);
   CHECK(mentions(text, "potential_energy = "));
   CHECK(mentions(text, "gravity = k*sin(x) -> m + k*sin(x), difference m\n"));
@@ -122,7 +122,7 @@ TEST_CASE("every entry is listed where that is asked for") {
   CHECK(mentions(equal, "potential_energy: equal, written differently (proved)\n"));
 }
 
-TEST_CASE("files that came or went are told, and count") {
+TEST_CASE("added and removed files are listed and affect the impact") {
   const DiffReport report{.added = {"a.toml"}};
   CHECK(impact_of(report) == Impact::extended);
   CHECK(starts_with(to_text(report, false), "added        a.toml\n"));
@@ -137,7 +137,7 @@ TEST_CASE("a cause that two systems share is one line") {
   CHECK(mentions(text, "verdict      spring, other: different: the equations differ\n"));
 }
 
-TEST_CASE("of two systems every line says which it is about, and each has its verdict") {
+TEST_CASE("in a report of two systems every line names its system, and each has its verdict") {
   const std::string second = edited(spring(), "\"spring\"", "\"second\"");
   const DiffReport report{.systems = {compared(spring(), spring("k*x^2")),
                                       compared(second, edited(second, "k = 3", "k = 4"))}};
@@ -157,7 +157,7 @@ TEST_CASE("of two systems every line says which it is about, and each has its ve
   CHECK(mentions(text, "3 -> 4 (second: values)\n"));
 }
 
-TEST_CASE("systems of one name are told apart by their paths") {
+TEST_CASE("systems of the same name are distinguished by their paths") {
   DiffReport report = twice(compared(spring(), spring("k*x^2")));
   report.systems[1].name = report.systems[0].name;
   report.systems[0].path = "a/spring.toml";
@@ -166,7 +166,7 @@ TEST_CASE("systems of one name are told apart by their paths") {
   CHECK(mentions(text, "verdict      spring (a/spring.toml), spring (b/spring.toml): different"));
 }
 
-TEST_CASE("each cause has the worst that it may have done, not what others did") {
+TEST_CASE("each cause has the worst impact that it can have itself") {
   const std::string moved = edited(edited(spring("k*x^2"), "k = 3\n", ""), "m = {", "k = 3\nm = {");
   const SystemChange system = compared(spring(), edited(moved, "value = 2,", "value = 5,"));
   CHECK(system.impact == Impact::breaks);
@@ -182,7 +182,7 @@ TEST_CASE("each cause has the worst that it may have done, not what others did")
                  "title=elgen diff%3A breaks (the code of callers breaks)::[parameters] order"));
 }
 
-TEST_CASE("what cannot be read stands beside what can, and alone without a verdict") {
+TEST_CASE("unreadable models are listed with the others, and alone they give no verdict") {
   DiffReport report{.unreadable = {{"a.toml", {Code::E201, {}, "unknown name `z`"}}}};
   CHECK(to_text(report, false) == "unreadable   a.toml: E201: unknown name `z`\n");
   CHECK(starts_with(to_markdown(report), "### elgen diff: unreadable\n\n```text\nunreadable "));
@@ -198,7 +198,7 @@ TEST_CASE("what cannot be read stands beside what can, and alone without a verdi
   CHECK(json.at("unreadable").at(0).at("error").at("code") == "E201");
 }
 
-TEST_CASE("entries that are not told apart are counted, shown, and said to pass") {
+TEST_CASE("undecided entries are counted, listed, and count as equal") {
   const std::string text = report(spring("k*(x + sqrt(x^4))"), spring("k*(x + x^2)"));
   CHECK(mentions(text, " not told apart at 64 points\n"));
   CHECK(mentions(text, "follows      0 of 25 entries differ, 0 rewritten"));
@@ -207,7 +207,7 @@ TEST_CASE("entries that are not told apart are counted, shown, and said to pass"
                  "(see --strict)\n"));
 }
 
-TEST_CASE("keys beyond five are counted") {
+TEST_CASE("more than five keys are counted") {
   SystemChange system{.impact = Impact::values};
   for (const char* const name : {"a", "b", "c", "d", "e", "f", "g"}) {
     system.keys.push_back({.table = "model", .entry = "[model]", .path = {{name}}, .after = "1"});
@@ -217,7 +217,7 @@ TEST_CASE("keys beyond five are counted") {
   CHECK(mentions(to_text(report, true), "[model] g is new: 1\n"));
 }
 
-TEST_CASE("operations are told where all of them are known") {
+TEST_CASE("operations are listed if all are known") {
   SystemChange system{.impact = Impact::equal, .keys = {{.entry = "[energy]", .after = "1"}}};
   CHECK_FALSE(mentions(to_text({.systems = {system}}, false), "operations"));
   system.operations.emplace();
@@ -226,31 +226,31 @@ TEST_CASE("operations are told where all of them are known") {
   CHECK(mentions(to_text({.systems = {system}}, false), "operations   bias: mul 3 -> 4\n"));
 }
 
-TEST_CASE("entries are listed by their systems") {
+TEST_CASE("entries are grouped by system") {
   const std::string text = to_text(twice(compared(spring(), spring("k*x^2"))), true);
   const std::string first = "             gravity = k*x -> 2*k*x, difference k*x\n";
   CHECK(mentions(text, "\nspring\n" + first));
   CHECK(mentions(text, "\nother\n" + first));
 }
 
-TEST_CASE("equations stand in blocks of code, all entries behind a fold") {
+TEST_CASE("in Markdown equations are code blocks, and all entries are folded") {
   const std::string text = to_markdown({.systems = {compared(spring(), spring("k*x^2"))}});
   CHECK(starts_with(text, "### elgen diff: different (the equations differ)\n\n```text\nchanged "));
   CHECK(mentions(text, "\n```\n\n<details><summary>Entries of spring</summary>\n\n```text\n"));
   CHECK(text.ends_with("\n```\n\n</details>\n"));
 }
 
-TEST_CASE("back-ticks of a text do not end its block") {
+TEST_CASE("back-ticks in a text do not end its code block") {
   SystemChange system{.impact = Impact::values};
   system.keys.push_back({.entry = "[model]", .path = {{"doc"}}, .after = "```"});
   CHECK(mentions(to_markdown({.systems = {system}}), "\n````text\n"));
 }
 
-TEST_CASE("where nothing differs there is a heading alone") {
+TEST_CASE("without differences Markdown has only a heading") {
   CHECK(to_markdown({}) == "### elgen diff: equal (the equations are the same)\n");
 }
 
-TEST_CASE("changes have ids that stay, and places") {
+TEST_CASE("changes in JSON have stable ids and positions") {
   const auto json = nlohmann::json::parse(
       to_json({.systems = {compared(cart, edited(cart, "\"-g\"", "\"g\""))}}));
   CHECK(json.at("format") == "elgen diff 1");
@@ -268,7 +268,7 @@ TEST_CASE("changes have ids that stay, and places") {
   CHECK(change.at("witness").at("at") == "theta = 1.68");
 }
 
-TEST_CASE("what is equal says whether that is proved, what is missing is null") {
+TEST_CASE("in JSON an equal entry says if it is proved, and missing values are null") {
   const auto json = nlohmann::json::parse(
       to_json({.systems = {compared(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2"))},
                .added = {"a.toml"}}));
@@ -278,7 +278,7 @@ TEST_CASE("what is equal says whether that is proved, what is missing is null") 
   CHECK(json.at("added").at(0) == "a.toml");
 }
 
-TEST_CASE("a cause stands at its place") {
+TEST_CASE("an annotation is at the position of its cause") {
   CHECK(to_annotations({.systems = {compared(cart, edited(cart, "\"-g\"", "\"g\""))}}) ==
         "::warning file=model.toml,line=56,col=17,title=elgen diff%3A different (the equations "
         "differ)::[gravity] vector[2]: -g -> g\n");
@@ -287,7 +287,7 @@ TEST_CASE("a cause stands at its place") {
       "::notice file="));
 }
 
-TEST_CASE("a system that breaks, is gone or cannot be read is one line, with the reason") {
+TEST_CASE("a broken, removed or unreadable system is one annotation with the reason") {
   const std::string reversed = edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
   const DiffReport report{.systems = {compared(spring(), reversed)},
                           .removed = {"old.toml"},
@@ -303,7 +303,7 @@ TEST_CASE("a system that breaks, is gone or cannot be read is one line, with the
       mentions(text, "::error title=elgen diff%3A unreadable::new.toml: E201: unknown name `z`\n"));
 }
 
-TEST_CASE("ten causes are shown, the last one counts the others") {
+TEST_CASE("ten causes are annotated, the last annotation counts the others") {
   SystemChange system{.impact = Impact::different};
   for (int i = 0; i < 12; ++i) {
     system.keys.push_back({.entry = "[model]", .path = {{std::to_string(i)}}, .after = "1"});

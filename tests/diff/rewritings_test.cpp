@@ -1,5 +1,5 @@
-// Systems written in two ways by hand: bodies on frames and in the world, chains of three to seven,
-// other definitions. Each is equal to its other writing, and not equal with one thing wrong.
+// Systems in two hand-written forms: bodies on frames and in the world, chains of three to seven
+// links, other definitions. Each pair is equal, and different with one error inserted.
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -10,14 +10,14 @@ using namespace elgen::test;
 
 namespace {
 
-/// One system, written in two ways by hand.
+/// A system in two hand-written forms.
 struct Rewriting {
   const char* what;
-  const char* coordinates;  ///< names; `attitude` is a rotation
-  int links;                ///< of a chain q[1] ... q[links] instead of these; 0: none
-  const char* before;       ///< the text after the parameters
+  const char* coordinates;  ///< names of scalars; `attitude` is a rotation
+  int links;                ///< if positive: a chain q[1] ... q[links] instead of `coordinates`
+  const char* before;       ///< the model after [parameters]
   const char* after;
-  const char* part;  ///< of `after`
+  const char* part;  ///< the part of `after` that `wrong` replaces
   const char* wrong;
 };
 
@@ -43,7 +43,7 @@ g = 9.81
 )toml" + rest);
 }
 
-/// Two pairs: the second writing is equal, and is not with one thing wrong.
+/// Checks that the second form is equal, and different with the error inserted.
 void check_pairs(const Rewriting& pair) {
   INFO(pair.what);
   const std::string before = text_of(pair, pair.before);
@@ -362,15 +362,15 @@ const Rewriting definitions[]{
 
 }  // namespace
 
-TEST_CASE("bodies on frames are those in the world, but not with one thing wrong") {
+TEST_CASE("bodies on frames equal bodies in the world, but not with one error") {
   for (const Rewriting& pair : bodies) check_pairs(pair);
 }
 
-TEST_CASE("chains of three to seven are equal, but not with one thing wrong") {
+TEST_CASE("chains of three to seven links are equal in two forms, but not with one error") {
   for (const Rewriting& pair : chains) check_pairs(pair);
 }
 
-TEST_CASE("coordinates of a chain of three, five and seven may be in another order") {
+TEST_CASE("coordinates of a chain of three, five and seven links may be reordered") {
   for (const int n : {3, 5, 7}) {
     INFO(n);
     const std::string before = text_of({"", "", n, "", "", "", ""}, chain_of_points);
@@ -378,12 +378,12 @@ TEST_CASE("coordinates of a chain of three, five and seven may be in another ord
     const SystemChange found = compared(before, after);
     CHECK(breaks_silently(found));
     CHECK(count_of(found, EntryVerdict::different) == 0);
-    if (n == 7) continue;  // seconds
+    if (n == 7) continue;  // would take seconds
     const std::string wrong = edited(after, "+ l*sin", "+ 1.000000000001*l*sin");
     CHECK(count_of(compared(before, wrong), EntryVerdict::different) > 0);
   }
 }
 
-TEST_CASE("other definitions are equal, but not with one thing wrong") {
+TEST_CASE("other definitions are equal, but not with one error") {
   for (const Rewriting& pair : definitions) check_pairs(pair);
 }

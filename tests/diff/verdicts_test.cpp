@@ -1,4 +1,4 @@
-// Edits of models and scenes, and what a reviewer would say they amount to.
+// Edits of models and scenes with their expected impact.
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 std::string word(Impact impact) { return std::string(impact_row(impact).word); }
 
-/// A mass on a spring: `k` and `e` with what follows their names, and V.
+/// A mass on a spring: `parameters` declares k, and e if needed; V is the potential.
 std::string oscillator(const std::string& parameters, const std::string& V) {
   return model_text("oscillator",
                     "[[coordinate]]\nname = \"x\"\n[parameters]\nm = { value = 2, assume = "
@@ -22,7 +22,7 @@ std::string oscillator(const std::string& parameters, const std::string& V) {
 }
 
 struct Oscillators {
-  const char* before[2];  ///< parameters, V
+  const char* before[2];  ///< parameters and V
   const char* after[2];
   Impact impact;
 };
@@ -32,15 +32,15 @@ constexpr const char* positive = "k = { value = 3, assume = \"positive\" }";
 constexpr const char* with_zero = "k = 3\ne = 0";
 
 const Oscillators oscillators[]{
-    // Roots under what is assumed.
+    // Roots, with and without assumptions.
     {{any, "k*x^2"}, {any, "sqrt(k^2)*x^2"}, Impact::different},
     {{positive, "k*x^2"}, {positive, "sqrt(k^2)*x^2"}, Impact::equal},
     {{positive, "k*x^2"}, {any, "sqrt(k^2)*x^2"}, Impact::different},
     {{any, "k*x^2"}, {positive, "sqrt(k^2)*x^2"}, Impact::values},
     {{positive, "k*x^2"}, {any, "k*x^2"}, Impact::values},
-    {{any, "k^2*x^2"}, {any, "sqrt(k^4)*x^2"}, Impact::equal},  // not told apart: k may be 0
+    {{any, "k^2*x^2"}, {any, "sqrt(k^4)*x^2"}, Impact::equal},  // undecided: k may be 0
     {{any, "k*x"}, {any, "k*sqrt(x^2)"}, Impact::different},
-    {{any, "k*x^2"}, {any, "k*sqrt(x^4)"}, Impact::equal},  // not told apart: x^4 may be 0
+    {{any, "k*x^2"}, {any, "k*sqrt(x^4)"}, Impact::equal},  // undecided: x^4 may be 0
     {{positive, "k*sqrt(1 + x^2)"}, {positive, "sqrt(k^2 + k^2*x^2)"}, Impact::equal},
     {{any, "k*sqrt(1 + x^2)"}, {any, "sqrt(k^2 + k^2*x^2)"}, Impact::different},
     // Terms with a parameter of value 0.
@@ -49,7 +49,7 @@ const Oscillators oscillators[]{
     {{with_zero, "k*x^2 + e*x^3"}, {with_zero, "k*x^2 + 1.000000000001*e*x^3"}, Impact::different},
     {{with_zero, "k*x^2*exp(e)"}, {with_zero, "k*x^2*exp(2*e)"}, Impact::different},
     {{with_zero, "k*x^2 + e*x^3"}, {"k = 3\ne = 1", "k*x^2 + e*x^3"}, Impact::values},
-    // Time.
+    // Terms that depend on time.
     {{any, "k*x^2"}, {any, "k*x^2 + x*sin(t)"}, Impact::breaks},
     {{any, "k*x^2 + x*sin(t)"}, {any, "k*x^2 + 2*x*sin(t/2)*cos(t/2)"}, Impact::equal},
     {{any, "k*x^2 + x*sin(t)"}, {any, "k*x^2 + x*sin(1.000000000001*t)"}, Impact::different},
@@ -65,7 +65,7 @@ const Oscillators oscillators[]{
 
 }  // namespace
 
-TEST_CASE("roots, zeros, time and new parameters of an oscillator are told apart") {
+TEST_CASE("roots, zeros, time and new parameters of an oscillator have the expected impact") {
   for (const auto& [before, after, impact] : oscillators) {
     INFO(before[0] << ", " << before[1] << " -> " << after[0] << ", " << after[1]);
     CHECK(word(compared(oscillator(before[0], before[1]), oscillator(after[0], after[1])).impact) ==
@@ -73,7 +73,7 @@ TEST_CASE("roots, zeros, time and new parameters of an oscillator are told apart
   }
 }
 
-TEST_CASE("an added body is seen at the 0 of its mass, whatever its value") {
+TEST_CASE("an added body extends, because its mass may be 0, whatever its value") {
   const std::string before = model_text("pendulum", R"toml([[coordinate]]
 name = "q1"
 [[coordinate]]
@@ -106,7 +106,7 @@ vector = ["0", "-g"]
   }
 }
 
-TEST_CASE("with their renames, parameters and coordinates are the old ones") {
+TEST_CASE("with a given renaming parameters and coordinates are matched") {
   const std::string before = spring("1/2*k*x^2");
   const std::string m = edited(edited(before, "m = {", "mass = {"), "2*m*dot", "2*mass*dot");
   const std::string wrong = edited(m, "2*mass*dot", "2.000000000002*mass*dot");
@@ -124,7 +124,7 @@ TEST_CASE("with their renames, parameters and coordinates are the old ones") {
   CHECK(breaks_silently(compared(before, y)));
 }
 
-TEST_CASE("an arm of seven joints is compared beyond the budget of closed forms") {
+TEST_CASE("an arm of seven joints is compared beyond the limit of closed forms") {
   const std::string before = model_of("panda7");
   const std::string after = edited(before, R"(["I5xx", "I5yy", "I5zz", "I5xy", "I5xz", "I5yz"])",
                                    R"toml(["I5xx + m5*(c5y^2 + c5z^2)", "I5yy + m5*(c5x^2 + c5z^2)",
@@ -146,7 +146,7 @@ inertia_about = "origin")toml");
 
 namespace {
 
-/// An edit of a scene, or of its model.
+/// An edit of a scene or of its model.
 struct SceneEdit {
   const char* model;
   const char* scene;
@@ -193,7 +193,7 @@ const SceneEdit scene_edits[]{
 
 }  // namespace
 
-TEST_CASE("edits of scenes amount to what a reviewer would say") {
+TEST_CASE("edits of scenes have the expected impact") {
   for (const auto& [model, scene, part, other, impact] : scene_edits) {
     INFO(model << ": " << part << " -> " << other);
     const std::string text = model_of(model);
@@ -204,7 +204,7 @@ TEST_CASE("edits of scenes amount to what a reviewer would say") {
   }
 }
 
-TEST_CASE("a model is compared as its scene sees it") {
+TEST_CASE("a model is compared as specialised by its scene") {
   const std::string before = model_of("two_mass_damper");
   const std::string moved = edited(before, "1/2*kc*(x1 - x2)^2", "1/2*kc*(x1 + x2)^2");
   const auto verdict = [&](const std::string& after, const std::string& scene) {
@@ -219,7 +219,7 @@ TEST_CASE("a model is compared as its scene sees it") {
   CHECK(verdict(value, "[parameters]\nfixed = { kc = 3 }\n") == "values");
 }
 
-TEST_CASE("a parameter that a scene fixes at its own value changes no entry") {
+TEST_CASE("a parameter fixed at its own value changes no entry") {
   const std::string outputs = "[outputs]\nmass_matrix = true\nbias = true\n[parameters]\n";
   const Lowered old = lowered(cart, outputs);
   for (const std::string value : {"0.1", "\"1/10\""}) {
@@ -228,14 +228,14 @@ TEST_CASE("a parameter that a scene fixes at its own value changes no entry") {
       const SystemChange found =
           is_new ? compare(old.version(), now.version()) : compare(now.version(), old.version());
       CHECK(count_of(found, EntryVerdict::different) == 0);
-      CHECK(word(found.impact) == "breaks");  // a member of Parameters goes, or comes
+      CHECK(word(found.impact) == "breaks");  // a member of Parameters disappears or appears
     }
   }
   const Lowered other = lowered(cart, outputs + "fixed = { m = 0.2 }\n");
   CHECK(count_of(compare(old.version(), other.version()), EntryVerdict::different) > 0);
 }
 
-TEST_CASE("a parameter that no output has may be fixed, and with another name, too") {
+TEST_CASE("a parameter that no output uses may be fixed or renamed") {
   const std::string outputs = "[outputs]\ngravity = true\n[parameters]\n";
   const Lowered old = lowered(spring(), outputs);
   for (const std::string value : {"2", "7"}) {

@@ -1,4 +1,4 @@
-// Two versions of a model, compared.
+// Compares two versions of a model.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace elgen::test {
 
-/// One version, with what it refers to.
+/// One version with its sources and products.
 struct Lowered {
   FileSyntax model = {};
   std::optional<FileSyntax> scene = {};
@@ -25,7 +25,7 @@ struct Lowered {
   }
 };
 
-/// `scene` is what follows its name.
+/// `scene` is the text after the scene's name.
 inline Lowered lowered(const std::string& text, const std::string& scene = {},
                        Goal goal = Goal::lower) {
   PipelineOptions options;
@@ -35,7 +35,7 @@ inline Lowered lowered(const std::string& text, const std::string& scene = {},
     inputs.scene = make_source("given.scene.toml",
                                "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n" + scene);
   }
-  static std::vector<SourcePointer> alive;  // spans of reports point into them
+  static std::vector<SourcePointer> alive;  // spans of reports point into the sources
   alive.insert(alive.end(), {inputs.model, inputs.scene});
   Lowered result{.products = run_pipeline(inputs, options)};
   INFO(format(result.products.diagnostics));
@@ -52,14 +52,14 @@ inline SystemChange compared(const std::string& before, const std::string& after
   return compare(old.version(), now.version(), {.renames = renames});
 }
 
-/// A model of the project.
+/// The text of a committed model.
 inline std::string model_of(const std::string& name) {
   return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
 }
 
 inline const std::string cart = model_of("cart_pole");
 
-/// The text with one part replaced, which it must have.
+/// The text with `part` replaced; fails if there is no such part.
 inline std::string edited(std::string text, const std::string& part, const std::string& other) {
   INFO(part);
   const std::size_t at = text.find(part);
@@ -75,7 +75,7 @@ inline std::vector<EntryChange> entries_of(const SystemChange& system, const std
   return {};
 }
 
-/// How many entries of all outputs have this verdict.
+/// The number of entries of all outputs with this verdict.
 inline std::ptrdiff_t count_of(const SystemChange& system, EntryVerdict verdict) {
   std::ptrdiff_t all = 0;
   for (const OutputChange& output : system.outputs) {
@@ -84,13 +84,13 @@ inline std::ptrdiff_t count_of(const SystemChange& system, EntryVerdict verdict)
   return all;
 }
 
-/// Whether callers compile and mean something else.
+/// True if the code of callers compiles, but with another meaning.
 inline bool breaks_silently(const SystemChange& system) {
   return system.impact == Impact::breaks &&
          std::ranges::count(system.interface, true, &InterfaceChange::is_silent) > 0;
 }
 
-/// Three coordinates that [[constraint]] entries hold.
+/// Three coordinates with these [[constraint]] entries.
 inline std::string held_plane(const std::string& constraints) {
   return model_text("held_plane", R"toml([[coordinate]]
 name = "x"

@@ -1,4 +1,4 @@
-// Expressions that vanish everywhere: proved, sampled, or not.
+// Expressions that vanish everywhere: proved, sampled, or not zero.
 #include "diff/zeros.hpp"
 
 #include <catch2/catch.hpp>
@@ -9,7 +9,7 @@ using namespace elgen;
 
 namespace {
 
-/// Of the only entry; both leaves may be negative.
+/// The verdict for the only entry; without `positive` both leaves may be negative.
 Zero zero_of(const std::string& code, bool positive = false) {
   const Program program = testing::read_program(
       "parameters m\n" + std::string(positive ? "positive m\n" : "") +
@@ -29,13 +29,13 @@ TEST_CASE("a coefficient of 1 + 1e-12 is no zero") {
                 "  4 = subtract 3 1\n  result 1 1 = 4\n") == Zero::no);
 }
 
-TEST_CASE("|m x| - |m| |x| vanishes at all points, which decides nothing, |x| - x does not") {
+TEST_CASE("|m x| - |m| |x| vanishes at all points, but is undecided, and |x| - x is not zero") {
   CHECK(zero_of("  2 = multiply 0 1\n  3 = abs 2\n  4 = abs 0\n  5 = abs 1\n"
                 "  6 = multiply 4 5\n  7 = subtract 3 6\n  result 1 1 = 7\n") == Zero::not_decided);
   CHECK(zero_of("  2 = abs 1\n  3 = subtract 2 1\n  result 1 1 = 3\n") == Zero::no);
 }
 
-TEST_CASE("sqrt(m^2) is m where m is positive, and only there") {
+TEST_CASE("sqrt(m^2) equals m only if m is positive") {
   const std::string root =
       "  2 = multiply 0 0\n  3 = square_root 2\n  4 = subtract 3 0\n"
       "  result 1 1 = 4\n";
@@ -43,12 +43,12 @@ TEST_CASE("sqrt(m^2) is m where m is positive, and only there") {
   CHECK(zero_of(root, false) == Zero::no);
 }
 
-TEST_CASE("what has no value anywhere is not taken for zero") {
+TEST_CASE("an expression without a value anywhere is not zero") {
   CHECK(zero_of("  2 = multiply 1 1\n  3 = constant -1\n  4 = subtract 3 2\n"
                 "  5 = square_root 4\n  6 = subtract 5 0\n  result 1 1 = 6\n") == Zero::no);
 }
 
-TEST_CASE("1/sqrt(exp(-2x)) is exp(x), also at points so far out that values are limits") {
+TEST_CASE("1/sqrt(exp(-2x)) equals exp(x), also at points with overflow to limits") {
   const std::string quotient =
       "  2 = add 1 1\n  3 = exp 1\n  4 = negate 2\n  5 = exp 4\n  6 = square_root 5\n"
       "  7 = constant 1\n  8 = divide 7 6\n";
@@ -67,14 +67,14 @@ TEST_CASE("tanh(x) is proved to be (exp(2x) - 1)/(1 + 1/exp(-2x)), and not with 
   }
 }
 
-TEST_CASE("nothing is taken for zero because its rounding hides it") {
+TEST_CASE("a term hidden by rounding is not zero") {
   // (10^80 + sin x) - 10^80 is 0 in 64 digits; its closed form is sin x.
   CHECK(zero_of("  2 = sin 1\n  3 = constant 1" + std::string(80, '0') +
                 "\n  4 = add 3 2\n  5 = subtract 4 3\n  6 = constant 0\n  7 = subtract 5 6\n"
                 "  result 1 1 = 7\n") == Zero::no);
 }
 
-TEST_CASE("|x - 2| and 2 - x differ, beyond the points next to 0") {
+TEST_CASE("|x - 2| and 2 - x differ, although not near 0") {
   CHECK(zero_of("  2 = constant 2\n  3 = subtract 1 2\n  4 = abs 3\n  5 = negate 3\n"
                 "  6 = subtract 4 5\n  result 1 1 = 6\n") == Zero::no);
 }

@@ -17,7 +17,7 @@ std::string batch_text(const Subject& subject) {
 
 }  // namespace
 
-TEST_CASE("a function loads its arguments and stores its fields one after another") {
+TEST_CASE("a function loads its arguments and stores its fields in order") {
   const std::string text = batch_text(cart_pole());
   CHECK(mentions(text,
                  "void forward_dynamics(const Parameters<T>& p, std::size_t count, const T* q, "
@@ -50,7 +50,7 @@ TEST_CASE("a function loads its arguments and stores its fields one after anothe
   CHECK_FALSE(mentions(text, "atan2"));
 }
 
-TEST_CASE("the scalars have the polynomials that the accuracy asks for") {
+TEST_CASE("the scalars have polynomials of the requested accuracy") {
   Subject subject = cart_pole();
   CHECK(mentions(batch_text(subject), "using Table = ::cart_pole::detail::Trigonometry<T>;"));
   subject.scene.numerics.scalars = {ScalarKind::single_precision};
@@ -63,7 +63,7 @@ TEST_CASE("the scalars have the polynomials that the accuracy asks for") {
   CHECK(mentions(text, "off by at most 0.001 for angles up to 1000,"));
 }
 
-TEST_CASE("what compares numbers takes one state after another") {
+TEST_CASE("a function that compares numbers processes one state at a time") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sign 0\n  2 = exp 0\n"

@@ -1,4 +1,4 @@
-// c99_dialect: leaves, constants and calls, then small functions, line for line.
+// c99_dialect: leaves, constants and calls, then the exact text of small functions.
 #include "emit/c99/c99_dialect.hpp"
 
 #include "emit/code/definition.hpp"
@@ -19,7 +19,7 @@ DefinitionText text_of(const Subject& subject, std::size_t function) {
 
 }  // namespace
 
-TEST_CASE("an array goes to result, unused arguments are named") {
+TEST_CASE("an array is written to result, and unused arguments are marked") {
   const DefinitionText gravity = text_of(in_c(), 1);
   CHECK(gravity.signature ==
         "static inline void cart_pole_gravity(const cart_pole_parameters *p, const double q[2],\n"
@@ -32,7 +32,7 @@ TEST_CASE("an array goes to result, unused arguments are named") {
         "  (void)p;\n  (void)q;\n  result[0] = 1.0;\n  result[1] = 0.0;\n");
 }
 
-TEST_CASE("a number is returned, a struct filled") {
+TEST_CASE("a number is returned, a struct is filled") {
   CHECK(text_of(in_c(), 2).body == "  (void)q;\n  return 0.5 * p->M * (v[0] * v[0]);\n");
   const DefinitionText forward = text_of(in_c(), 4);
   CHECK(forward.signature.find("cart_pole_forward_dynamics_result *result)") != std::string::npos);
@@ -54,14 +54,14 @@ TEST_CASE("float has its own functions and literals") {
   CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text == "cart_pole_smaller(x, y)");
 }
 
-TEST_CASE("sines of the library are called one by one") {
+TEST_CASE("sine and cosine of the library are separate calls") {
   Subject subject = in_c();
   subject.scene.numerics.has_library_sines = true;
   CHECK(text_of(subject, 1).body.find("const double sin_theta = sin(q[1]);") != std::string::npos);
   CHECK_FALSE(c99_dialect(subject.model, subject.scene, subject.program)->has_pairs());
 }
 
-TEST_CASE("temporaries hide nothing, and those that parts share are members") {
+TEST_CASE("temporaries hide no other names, and shared temporaries of parts are members") {
   const Subject subject = in_c();
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
   CHECK(dialect->shared("sin_theta") == "w->sin_theta");
@@ -72,7 +72,7 @@ TEST_CASE("temporaries hide nothing, and those that parts share are members") {
   }
 }
 
-TEST_CASE("a number in parts comes back through an array") {
+TEST_CASE("a scalar function in parts returns its number through an array") {
   const Subject subject = in_c();
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
   CHECK(dialect->calling_body(subject.program.functions[2], 2) ==

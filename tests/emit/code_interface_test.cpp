@@ -1,5 +1,5 @@
-// code_interface: which parameters are emitted, which arguments a function takes, structs and plain
-// results, numbers and arrays of one, storage.
+// code_interface: emitted parameters, arguments of functions, structs and plain results, numbers
+// and arrays of one element, storage order.
 #include "emit/interface/code_interface.hpp"
 
 #include "emit/fixture.hpp"
@@ -32,7 +32,7 @@ TEST_CASE("struct names") {
   CHECK(camel_case("x2") == "X2");
 }
 
-TEST_CASE("what no function reads is no parameter, and one element brings its array") {
+TEST_CASE("unused parameters are not emitted, and one used element emits its whole array") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
   const auto second = emitted_parameters(subject.model, reading(5));
@@ -43,7 +43,7 @@ TEST_CASE("what no function reads is no parameter, and one element brings its ar
   CHECK(emitted_parameters(subject.model, Program()).empty());
 }
 
-TEST_CASE("one unnamed field is no struct") {
+TEST_CASE("a result with one unnamed field is no struct") {
   const Program program = cart_pole().program;
   CHECK_FALSE(gives_struct(program.functions[0]));
   CHECK(gives_struct(program.functions[4]));
@@ -62,7 +62,7 @@ TEST_CASE("an energy is a number, the force of one coordinate an array of one") 
   CHECK(is_scalar(program, function, function.fields[2]));
 }
 
-TEST_CASE("column-major matrices are their transposes, vectors stay") {
+TEST_CASE("column-major matrices are emitted transposed, and vectors are unchanged") {
   Function function;
   function.fields = {{"A", 2, 3, {1, 2, 3, 4, 5, 6}}, {"b", 3, 1, {7, 8, 9}}};
   CHECK(stored(function, Storage::row_major).fields[0].entries == function.fields[0].entries);
@@ -73,7 +73,7 @@ TEST_CASE("column-major matrices are their transposes, vectors stay") {
   CHECK(columns.fields[1].rows == 3);
 }
 
-TEST_CASE("what would not fit a stack is not returned") {
+TEST_CASE("a result too large for the stack is not returned by value") {
   Function function;
   function.fields = {{"", 64, 64, std::vector<std::uint32_t>(largest_returned, 0)}};
   CHECK(is_returned(function));
@@ -87,7 +87,7 @@ TEST_CASE("types of fields") {
   Model model;
   CHECK(field_type(model, OutputKind::coriolis_matrix, {"", 2, 2, {}}) == "SquareMatrix<Scalar>");
   CHECK(field_type(model, OutputKind::bias, vector) == "Forces<Scalar>");
-  CHECK(field_type(model, OutputKind::bias, one) == "Forces<Scalar>");  // of one coordinate
+  CHECK(field_type(model, OutputKind::bias, one) == "Forces<Scalar>");  // with one coordinate
   CHECK(field_type(model, OutputKind::total_energy, one) == "Scalar");
   CHECK(field_type(model, OutputKind::user_value, vector) == "std::array<Scalar, 2>");
   CHECK(field_type(model, OutputKind::user_value, one) == "Scalar");
@@ -107,7 +107,7 @@ TEST_CASE("types of fields with Eigen") {
   CHECK(eigen_type(OutputKind::total_energy, {"", 1, 1, {0}}) == "Scalar");
 }
 
-TEST_CASE("a name space is the base name unless the scene says another") {
+TEST_CASE("the default namespace is the base name") {
   Scene scene;
   scene.base_name = "cart_pole";
   CHECK(name_space(scene) == "cart_pole");
@@ -116,7 +116,7 @@ TEST_CASE("a name space is the base name unless the scene says another") {
   CHECK(name_space(scene) == "cart2");
 }
 
-TEST_CASE("sign, min, max and Stumpff's functions are the code's own, and compare numbers") {
+TEST_CASE("sign, min, max and Stumpff functions are emitted and compare numbers") {
   Program program;
   program.functions.emplace_back();
   CHECK_FALSE(needs_order(program.functions[0]));
@@ -150,7 +150,7 @@ TEST_CASE("pages number the entries of a field") {
   CHECK(index_text({"", 1, 1, {0}}, 0).empty());
 }
 
-TEST_CASE("a field of `dynamics` is of the function of its name, or of the output") {
+TEST_CASE("the kind of a field of `dynamics` follows from the function or output of its name") {
   Program program;
   Function& renamed = program.functions.emplace_back();
   renamed.kind = OutputKind::gravity;
@@ -162,7 +162,7 @@ TEST_CASE("a field of `dynamics` is of the function of its name, or of the outpu
   CHECK(kind_of_field(program, renamed, {"bias", 2, 1, {}}) == OutputKind::gravity);
 }
 
-TEST_CASE("a header declares names, units and ranges, each of its own") {
+TEST_CASE("a header declares arrays of names, units and ranges") {
   Model model = cart_pole().model;
   model.coordinates[1].range = Interval{-1, 1};
   model.velocities[1].rate_range = Interval{-2, 2};
@@ -181,13 +181,13 @@ TEST_CASE("a header declares names, units and ranges, each of its own") {
                                           "input_limits"});
 }
 
-TEST_CASE("the values of a parameter are those of its elements") {
+TEST_CASE("the values of a parameter array are the values of its elements") {
   Model model = cart_pole().model;
   elgen::testing::add_parameter_array(model, "k", {1, 2});
   CHECK(values_of(model, model.parameter_arrays.back()) == std::vector<cln::cl_R>{1, 2});
 }
 
-TEST_CASE("arguments in one order, t and h last") {
+TEST_CASE("arguments have a fixed order, with t and h last") {
   Subject subject = cart_pole();
   const std::vector<Function>& functions = subject.program.functions;
   CHECK(names(subject.model, functions[0]) == "pq");    // mass_matrix

@@ -1,6 +1,6 @@
-// Emitted headers, compiled: every function of every header below generated/ and of the test's own
-// model, for every scalar type, by both compilers under strict warnings. One driver instantiates
-// all; values are compared with 50-digit ones, operations with what the sidecar states.
+// Compiles every function of every header below generated/ and of a model of this test, for every
+// scalar type, with both compilers and strict warnings. One driver instantiates all; values are
+// compared with 50-digit values, operation counts with the sidecar.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -20,11 +20,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Header {
-  std::string path;  ///< as included
+  std::string path;  ///< as in #include
   std::string name_space;
   std::string text;
   Json sidecar;
-  bool is_exhaustive;  ///< every scalar type, not the built-in ones alone
+  bool is_exhaustive;  ///< with every scalar type, not only the built-in types
 };
 
 std::string namespace_of(const std::string& text) {
@@ -47,8 +47,8 @@ void add_folder(std::vector<Header>& headers, const fs::path& folder, bool is_ex
   }
 }
 
-/// Packs and arrays have no order and no atan2, AutoDiffScalar has neither atan nor the hyperbolic
-/// functions' inverses.
+/// Packs and arrays have neither comparisons nor atan2; AutoDiffScalar has neither atan nor the
+/// inverse hyperbolic functions.
 std::vector<std::string> scalars_of(const Header& header) {
   std::vector<std::string> scalars = {"float", "double", "long double"};
   if (!header.is_exhaustive) return scalars;
@@ -63,7 +63,7 @@ std::vector<std::string> scalars_of(const Header& header) {
   return scalars;
 }
 
-/// A lambda over h::name that can be asked which arguments it takes, open values aside.
+/// A lambda over h::name whose parameters can be inspected, except open values.
 std::string lambda(const Header& header, const std::string& name) {
   const char* const given =
       header.sidecar.contains("open_values") ? "p, open_values(p), y..." : "p, y...";
@@ -79,7 +79,7 @@ auto open_values(const h::Parameters<Scalar>&) {
 }
 )";
 
-/// Outputs of equations: steps of any length are no numbers to compare.
+/// Appends the outputs of equations; steps have no numbers to compare.
 std::string appended(const Json& output, const std::string& result) {
   std::string text;
   if (output.contains("entries")) text = fmt::format("    append(to, {});\n", result);
@@ -153,7 +153,7 @@ std::string driver(const std::vector<Header>& headers) {
 
 std::vector<Header> all_headers(const fs::path& folder, bool is_exhaustive) {
   testing::Subject subject = testing::cart_pole();
-  subject.scene.emission.name_space = "own_cart_pole";  // generated/ has a cart_pole too
+  subject.scene.emission.name_space = "own_cart_pole";  // generated/ also has a cart_pole
   const Result<EmittedFiles> files =
       emit(subject.model, subject.scene, subject.program, {subject.program});
   REQUIRE(files);
@@ -166,10 +166,11 @@ std::vector<Header> all_headers(const fs::path& folder, bool is_exhaustive) {
   return headers;
 }
 
-/// In groups whose drivers take a compiler at most about a gigabyte; panda7 and ur5 alone take
-/// four, and say nothing in other scalars that shorter headers do not.
+/// Groups of headers, so that a driver needs at most about a gigabyte to compile. panda7 and ur5
+/// would need four and are skipped; other scalars would show nothing new in them.
 std::vector<std::vector<Header>> grouped(const std::vector<Header>& headers) {
-  constexpr std::size_t most_text = 100'000;  // 20 kB of equations in eight scalar types: 300 MB
+  constexpr std::size_t most_text =
+      100'000;  // bytes; 20 kB of equations in eight scalar types need 300 MB
   std::vector<std::vector<Header>> groups;
   std::size_t size = most_text;
   for (const Header& header : headers) {
@@ -184,7 +185,7 @@ std::vector<std::vector<Header>> grouped(const std::vector<Header>& headers) {
   return groups;
 }
 
-/// Where there is ccache, headers that did not change since are not compiled again.
+/// Uses ccache if installed, so that unchanged headers are not compiled again.
 void compile_and_run(const std::string& compiler, const fs::path& folder,
                      const std::vector<Header>& headers) {
   test::write_text(folder / "driver.cpp", driver(headers));
@@ -201,7 +202,7 @@ void compile_and_run(const std::string& compiler, const fs::path& folder,
 
 void check_headers(const std::string& compiler, bool is_exhaustive) {
   INFO(compiler);
-  // The same path in every run, which is a part of what ccache compares.
+  // ccache compares paths, so the folder must be the same in every run.
   const fs::path folder = fs::path(ELGEN_BINARY).parent_path() / "compiled_headers" / compiler;
   fs::remove_all(folder);
   fs::create_directories(folder);

@@ -1,4 +1,4 @@
-// Helpers with which a generated driver compares every function of emitted headers with every
+// Helpers of a generated driver, which evaluates every function of emitted headers with every
 // scalar type.
 #pragma once
 
@@ -62,9 +62,9 @@ void append(std::vector<Reference>& to, const std::array<Scalar, Size>& values) 
   for (const Scalar& value : values) to.push_back(lowered(value));
 }
 
-/// Prints a line and counts a failure where values differ by more than the type's rounding can
-/// make: the sums have up to some hundred terms of the size of the largest entry, hence 4000
-/// epsilon of it.
+/// Prints and counts values that differ by more than rounding errors. Sums have up to some hundred
+/// terms of the size of the largest entry, so the tolerance is 4000 epsilon times the largest
+/// entry.
 inline int failures = 0;
 inline void compare(const char* what, const std::vector<Reference>& values,
                     const std::vector<Reference>& reference, double epsilon) {

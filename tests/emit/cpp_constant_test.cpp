@@ -1,4 +1,5 @@
-// cpp_constant: rows of value -> text, then many values compiled once and compared in every type.
+// cpp_constant: table of values and texts; then many values are compiled together and compared in
+// every type.
 #include "emit/code/cpp_constant.hpp"
 
 #include <cln/float.h>
@@ -21,7 +22,7 @@ cl_R pi() { return cln::pi(cln::float_format(100)); }
 
 }  // namespace
 
-TEST_CASE("what a float holds is one literal") {
+TEST_CASE("a number that float holds exactly is one literal") {
   CHECK(cpp_constant(0) == "constant<Scalar>(0.0)");
   CHECK(cpp_constant(cl_RA(-1) / 2) == "-constant<Scalar>(0.5)");
   CHECK(is_short_constant(1000));
@@ -37,7 +38,7 @@ TEST_CASE("other numbers have a literal of each type and an exact fraction") {
   CHECK_FALSE(is_short_constant(cl_RA(1) / 3));
 }
 
-TEST_CASE("decimal powers are exponents, and what a type cannot hold has no literal") {
+TEST_CASE("decimal powers are exponents, and a number out of range has no literal") {
   CHECK(cpp_constant(ten_to(-300)) ==
         "constant<Scalar>(detail::OutOfRange{}, 1e-300, 1e-300L, {1}, {1}, -300)");
   CHECK(cpp_constant(3 * ten_to(400)) ==
@@ -67,7 +68,7 @@ TEST_CASE("names of constants: numbers, multiples of pi and roots are spelled ou
   CHECK(constant_name(rational_constant(ten_to(-300))) == "number_1em300");
 }
 
-TEST_CASE("names of other constants are hashes of their form, each its own") {
+TEST_CASE("names of other constants are unique hashes of their form") {
   std::set<std::string> names;
   for (const char* text : {"2 + pi", "2*(1 + pi)", "2*pi", "1/2 + pi", "1/2*pi", "2 + sqrt(3)",
                            "2*sqrt(3)", "cos(1) + sin(1)", "cos(1)*sin(1)", "cos(3/10)"}) {

@@ -1,5 +1,5 @@
-// cpp_dialect: leaves, constants and calls, then small functions, line for line; and what differs
-// on Eigen, which tests/pipeline/languages_test.cpp compiles.
+// cpp_dialect: leaves, constants and calls, then the exact text of small functions; and the
+// differences for Eigen, whose code tests/pipeline/languages_test.cpp compiles.
 #include "emit/cpp/cpp_dialect.hpp"
 
 #include "emit/code/definition.hpp"
@@ -32,7 +32,7 @@ DefinitionText on_eigen(std::size_t function) {
 
 }  // namespace
 
-TEST_CASE("functions called, named values, result") {
+TEST_CASE("a body declares used functions and named values, then returns the result") {
   CHECK(body_of(1) ==
         "  const Scalar sin_theta = detail::Sine<Scalar>::of(q[1]);\n"
         "  return {{constant<Scalar>(0.0), -p.g * p.l * p.m * sin_theta}};\n");
@@ -48,7 +48,7 @@ TEST_CASE("a scalar is returned without braces, a struct field by field") {
         "  };\n");
 }
 
-TEST_CASE("kinked functions are the header's own") {
+TEST_CASE("kinked functions are emitted in the header") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
@@ -58,7 +58,7 @@ TEST_CASE("kinked functions are the header's own") {
   CHECK(body.find("using std::sign;") == std::string::npos);
 }
 
-TEST_CASE("a matrix too long for a line is one row a line, or one entry a line") {
+TEST_CASE("a matrix too long for a line has one row or one entry per line") {
   Subject subject = cart_pole();
   Function function;
   function.instructions = {{Opcode::velocity, FunctionId::sin, 0, 0}};
@@ -104,7 +104,7 @@ TEST_CASE("leaves") {
   CHECK(dialect->leaf(Opcode::time, 0) == "t");
 }
 
-TEST_CASE("constants stand where they are used when they are short") {
+TEST_CASE("short constants are written at their use") {
   const Subject subject = cart_pole();
   const auto dialect = cpp_dialect(subject.model, subject.program);
   CHECK(dialect->constant(rational_constant(2)).text == "constant<Scalar>(2.0)");
@@ -157,7 +157,7 @@ TEST_CASE("Eigen: numbers are returned, structs filled") {
         std::string::npos);
 }
 
-TEST_CASE("Eigen: temporaries leave the header its names") {
+TEST_CASE("Eigen: temporaries hide no names of the header") {
   const Subject subject = cart_pole();
   const auto dialect = eigen_dialect(subject.model, subject.program);
   CHECK(dialect->temporary("Vector") == "Vector_");
@@ -165,7 +165,7 @@ TEST_CASE("Eigen: temporaries leave the header its names") {
   CHECK(dialect->temporary("Vectors") == "Vectors");
 }
 
-TEST_CASE("temporaries give way") {
+TEST_CASE("temporaries with a used name get an underscore") {
   const Subject subject = cart_pole();
   const auto dialect = cpp_dialect(subject.model, subject.program);
   CHECK(dialect->temporary("sin_theta") == "sin_theta");

@@ -1,5 +1,5 @@
-// cpp_header: which parts a header has; the golden header shows them whole. On vectors and matrices
-// of Eigen: tests/pipeline/languages_test.cpp compiles them.
+// cpp_header: the sections of a header, which the golden header shows completely. Headers for Eigen
+// are compiled by tests/pipeline/languages_test.cpp.
 #include "emit/text/emission_input.hpp"
 #include "fixture.hpp"
 #include "support/shell.hpp"
@@ -23,7 +23,7 @@ std::string eigen_text(const Subject& subject) {
 
 }  // namespace
 
-TEST_CASE("helpers stand only where they are used") {
+TEST_CASE("helpers are emitted only if used") {
   Subject subject = cart_pole();
   const std::string with_pivots = cpp_text(subject);
   CHECK(mentions(with_pivots, "bool is_regular("));
@@ -42,7 +42,7 @@ TEST_CASE("helpers stand only where they are used") {
   CHECK_FALSE(mentions(with_kinks, "number_"));
 }
 
-TEST_CASE("sine and cosine are in line for float and double, whichever the scene names") {
+TEST_CASE("sine and cosine are in line for float and double, in any order of scalars") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate theta\n  1 = sin 0\n  2 = cos 0\n"
@@ -59,7 +59,7 @@ TEST_CASE("sine and cosine are in line for float and double, whichever the scene
   subject.scene.numerics.scalars = {ScalarKind::single_precision, ScalarKind::long_double};
   const std::string others = cpp_text(subject);
   CHECK(mentions(others, "::sincosf(angle, &sine, &cosine);"));
-  // No device has long double.
+  // Devices do not have long double.
   CHECK(mentions(others, "struct LibrarySineCosine<long double> {\n  [[nodiscard]] static"));
   CHECK(mentions(others, "struct SineCosine<float> : SineCosineInLine<float> {};"));
   CHECK_FALSE(mentions(others, "SineCosineInLine<long double>"));
@@ -68,12 +68,12 @@ TEST_CASE("sine and cosine are in line for float and double, whichever the scene
   subject.scene.numerics.scalars = {ScalarKind::double_precision};
   subject.scene.numerics.has_library_sines = true;
   CHECK_FALSE(mentions(cpp_text(subject), "Trigonometry"));
-  subject.scene.emission.batch = true;  // packs have no library
+  subject.scene.emission.batch = true;  // packs cannot call the library
   CHECK(mentions(cpp_text(subject), "Trigonometry<double>"));
   CHECK_FALSE(mentions(cpp_text(subject), "SineCosineInLine"));
 }
 
-TEST_CASE("a constant is one function however often it occurs") {
+TEST_CASE("a constant is emitted as one function, however often it occurs") {
   Subject subject = cart_pole();
   elgen::testing::load_constant(subject, rational_constant(cln::cl_RA(1) / 3));
   elgen::testing::load_constant(subject, rational_constant(cln::cl_RA(1) / 3));
@@ -95,7 +95,7 @@ TEST_CASE("no line is longer than 100 columns, none ends with a space, no blank 
   CHECK_FALSE(mentions(text, "\n\n\n"));
 }
 
-TEST_CASE("names, units and bounds are declared, and without inputs their arrays are empty") {
+TEST_CASE("names, units and bounds are declared, with empty arrays if there are no inputs") {
   Subject subject = cart_pole();
   subject.model.velocities[1].rate_range = Interval{0, elgen::testing::ten_to(400)};
   const std::string text = cpp_text(subject);
@@ -113,8 +113,7 @@ TEST_CASE("names, units and bounds are declared, and without inputs their arrays
   CHECK(mentions(cpp_text(subject), "input_limits{};"));
 }
 
-TEST_CASE(
-    "parameters have their defaults and their documentation, arrays of one value are filled") {
+TEST_CASE("parameters have defaults and documentation, and arrays of equal values are filled") {
   Subject subject = cart_pole();
   subject.model.parameter_arrays[0].range = Interval{0, 10};
   elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
@@ -131,7 +130,7 @@ TEST_CASE(
                  "std::array<Scalar, 3> c = detail::filled<3>(constant<Scalar>(3.0));"));
 }
 
-TEST_CASE("Eigen: functions, structs and the test of the pivots") {
+TEST_CASE("Eigen: functions, structs and is_regular") {
   const std::string text = eigen_text(cart_pole());
   CHECK(mentions(text, "[[nodiscard]] Matrix<Scalar, 2, 2> mass_matrix("));
   CHECK(mentions(text, "  Vector<Scalar, 2> acceleration;"));
@@ -139,7 +138,7 @@ TEST_CASE("Eigen: functions, structs and the test of the pivots") {
   CHECK(mentions(text, "Eigen::RowMajor>;"));
 }
 
-TEST_CASE("Eigen: storage decides the order of Eigen's matrices") {
+TEST_CASE("Eigen: storage sets the order of Eigen's matrices") {
   Subject subject = cart_pole();
   subject.scene.emission.storage = Storage::column_major;
   CHECK(mentions(eigen_text(subject), ": Eigen::ColMajor>;"));

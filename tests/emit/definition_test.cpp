@@ -1,4 +1,4 @@
-// definition: short functions whole, long ones in parts, matrices in the order of storage.
+// definition: short functions in one body, long functions in parts, matrices in storage order.
 #include "emit/code/definition.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +13,8 @@ using elgen::testing::Subject;
 
 namespace {
 
-/// A chain of statements: each named value is used by the next two; the last entry is `entry`.
+/// A chain of statements: each named value is used by the next two; the last entry is instruction
+/// `entry`.
 Subject long_function(std::size_t statements, std::size_t entry = 1) {
   Subject subject = cart_pole();
   std::string text =
@@ -52,7 +53,7 @@ TEST_CASE("a long function calls its parts in order") {
         "  detail::gravity_part_3(result, w, p, q);\n"
         "  return result;\n");
   CHECK(function.whole.signature.find("Parameters<Scalar>& p") != std::string::npos);
-  CHECK(function.workspace.values.size() == 4);  // two at each cut
+  CHECK(function.workspace.values.size() == 4);  // two values at each of two cuts
   const std::string shared = "w." + function.workspace.values.front();
   CHECK(function.parts[0].body.find("\n  " + shared + " = ") != std::string::npos);
   CHECK(function.parts[1].body.find(shared) != std::string::npos);
@@ -64,11 +65,11 @@ TEST_CASE("one call computes the sine and the cosine of an angle") {
             "  const auto [sin_x, cos_x] = detail::SineCosine<Scalar>::of(q[0]);\n") == 0);
 }
 
-TEST_CASE("one call writes the sine and the cosine that parts share") {
+TEST_CASE("one call writes a sine and cosine that parts share") {
   const std::size_t sine = 1;
   const FunctionDefinition parts = function_of(long_function(longest_body, sine));
   REQUIRE(parts.parts.size() == 3);
-  // The sine is an entry of the first part; nothing behind needs the two.
+  // The sine is an entry of the first part, and later parts need neither.
   CHECK(parts.parts[0].body.find("  const auto [sin_x, cos_x] = ") == 0);
   Subject subject = long_function(longest_body);
   Function& gravity = subject.program.functions.front();
@@ -78,7 +79,7 @@ TEST_CASE("one call writes the sine and the cosine that parts share") {
             "  std::tie(w.sin_x, w.cos_x) = detail::SineCosine<Scalar>::of(q[0]);\n") == 0);
 }
 
-TEST_CASE("parts name the arguments they mention") {
+TEST_CASE("parts name only arguments that they use") {
   const FunctionDefinition function = function_of(long_function(longest_body));
   const std::string& last = function.parts.back().signature;
   CHECK(last.find("GravityWorkspace<Scalar>& w") != std::string::npos);
@@ -87,7 +88,7 @@ TEST_CASE("parts name the arguments they mention") {
         std::string::npos);
 }
 
-TEST_CASE("column-major storage goes down the columns") {
+TEST_CASE("column-major matrices are written column by column") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction mass_matrix\n  0 = coordinate x\n  1 = coordinate theta\n"
@@ -99,7 +100,7 @@ TEST_CASE("column-major storage goes down the columns") {
 
 namespace {
 
-/// The squares of x times x and times theta, as repetitions; `before` instructions stand before.
+/// Repetitions that multiply x^2 by x and by theta, after `before` other instructions.
 Subject repeating_function(std::size_t before = 0) {
   Subject subject = cart_pole();
   std::string text =

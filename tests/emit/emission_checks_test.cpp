@@ -1,5 +1,5 @@
-// E701 at its place in the scene; E702 for parameters and constants, in the scalars asked for and
-// no others.
+// E701 at its position in the scene; E702 for parameters and constants, only in the requested
+// scalars.
 #include "emit/text/emission_checks.hpp"
 
 #include "elgen/emitted_files.hpp"
@@ -25,7 +25,7 @@ TEST_CASE("usual values fit everywhere") {
   CHECK(range_diagnostics(subject).empty());
 }
 
-TEST_CASE("a value is judged in the scalars asked for") {
+TEST_CASE("a value must be in the range of the requested scalars") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter(subject.model, "tiny", ten_to(-50), "m");
   elgen::testing::read_parameter(subject, "tiny");
@@ -53,13 +53,13 @@ TEST_CASE("overflow, subnormals, constants") {
   CHECK(diagnostics[2].message == "`1e400`, a constant of the equations, overflows in double");
 }
 
-TEST_CASE("what no function reads is no run-time value") {
+TEST_CASE("unused parameters are not checked") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter(subject.model, "tiny", ten_to(-400), "m");
   CHECK(range_diagnostics(subject).empty());
 }
 
-TEST_CASE("a function's name is refused at its place in the scene, or nowhere") {
+TEST_CASE("a refused function name is reported at its position in the scene, if it has one") {
   Function function;
   function.name = "detail";
   Scene scene;

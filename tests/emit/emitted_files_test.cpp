@@ -1,4 +1,4 @@
-// emit: golden header and sidecar of a small model, and what must not change them.
+// emit: golden headers and sidecar of a small model, and influences that must not change them.
 // ELGEN_UPDATE=1 rewrites the golden files.
 #include "elgen/emitted_files.hpp"
 
@@ -26,7 +26,7 @@ EmittedFiles emitted(const Subject& subject) {
   return *files;
 }
 
-/// Groups digits and has a decimal comma.
+/// A locale with grouped digits and a decimal comma.
 class CommaDecimal final : public std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }
@@ -35,7 +35,7 @@ class CommaDecimal final : public std::numpunct<char> {
 
 }  // namespace
 
-TEST_CASE("headers and sidecar are the golden ones, byte for byte, and so is the header in C") {
+TEST_CASE("headers and sidecar equal the golden files, in C++ and in C") {
   Subject wide = cart_pole();
   wide.scene.numerics.inner = InnerScalar::double_double;
   std::map<std::string, std::string> files = emitted(wide).files;
@@ -50,7 +50,7 @@ TEST_CASE("headers and sidecar are the golden ones, byte for byte, and so is the
   }
 }
 
-TEST_CASE("the paths are known without deriving anything") {
+TEST_CASE("the paths are known before the derivation") {
   const EmittedFiles files = emitted(cart_pole());
   const std::vector<Artifact> wanted = artifacts_of(cart_pole().scene);
   CHECK(files.files.size() == wanted.size());
@@ -72,7 +72,7 @@ TEST_CASE("the folder of the model changes no byte") {
   CHECK(emitted(elsewhere).files == emitted(cart_pole()).files);
 }
 
-TEST_CASE("what a scene says changes the stamp and the namespace") {
+TEST_CASE("the scene changes the stamp and the namespace") {
   Subject subject = cart_pole();
   subject.scene.canonical = "fixed g = 9.81";
   subject.scene.emission.name_space = "plant";
@@ -81,8 +81,7 @@ TEST_CASE("what a scene says changes the stamp and the namespace") {
   CHECK(header.find("namespace plant {") != std::string::npos);
 }
 
-TEST_CASE(
-    "in each language every file bears our mark in its first bytes and the hash of its text") {
+TEST_CASE("in each language every file begins with our marker and the hash of its text") {
   for (const LanguageRow& row : language_table) {
     Subject subject = cart_pole();
     subject.scene.emission.language = row.id;
@@ -96,7 +95,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("names and numbers that do not fit are errors, and nothing is emitted") {
+TEST_CASE("invalid names and numbers are errors, and then nothing is emitted") {
   Subject subject = cart_pole();
   subject.program.functions[1].name = "constant";
   elgen::testing::add_parameter(subject.model, "tiny", cln::expt(cln::cl_RA(10), -400), "m");

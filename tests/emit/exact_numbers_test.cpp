@@ -1,5 +1,5 @@
-// exact_numbers: fractions by their digits, one entry for each number, names for numbers whose
-// double another one has.
+// exact_numbers: fractions from their digits, one entry for each number, and names for numbers that
+// share their nearest double.
 #include "emit/source/exact_numbers.hpp"
 
 #include "fixture.hpp"
@@ -21,7 +21,7 @@ ExactNumbers numbers_of(const std::string& constants, const cln::cl_R& m,
 
 }  // namespace
 
-TEST_CASE("fractions have the digits of integers, doubles no entry") {
+TEST_CASE("fractions are pairs of integers, and doubles need no entry") {
   const ExactNumbers exact = numbers_of(
       "  0 = parameter m\n  1 = constant 1380649/100000000000000000000000000000\n"
       "  2 = constant 30000000000000000000000000\n",
@@ -31,7 +31,9 @@ TEST_CASE("fractions have the digits of integers, doubles no entry") {
   CHECK(exact.named().empty());
 }
 
-TEST_CASE("of numbers with one double the double keeps the literal, others have names") {
+TEST_CASE(
+    "if two numbers have the same double, the exact one keeps the literal and the other has a "
+    "name") {
   const ExactNumbers exact = numbers_of(
       "  0 = parameter m\n  1 = constant -99999999999999999999/100000000000000000000\n"
       "  2 = constant 1/3\n",
@@ -47,7 +49,8 @@ TEST_CASE("of numbers with one double the double keeps the literal, others have 
   CHECK(exact.name_of(rational_constant(cln::cl_RA(1) / 3)).empty());
 }
 
-TEST_CASE("a value of a parameter whose double a constant has is told by the parameter's name") {
+TEST_CASE(
+    "a parameter value that shares its double with a constant is identified by the parameter") {
   const ExactNumbers exact =
       numbers_of("  0 = parameter m\n  1 = constant 1/3\n  2 = constant 2\n",
                  cln::cl_RA(cln::cl_I("33333333333333333333")) / elgen::testing::ten_to(20));
@@ -55,7 +58,7 @@ TEST_CASE("a value of a parameter whose double a constant has is told by the par
                                  "\"p.m\": (33333333333333333333, 100000000000000000000)"});
 }
 
-TEST_CASE("two forms of one number are one number") {
+TEST_CASE("two forms of one number have one entry") {
   const ExactNumbers exact = numbers_of(
       "  0 = parameter m\n  1 = constant 2/9*sin(1/2*pi)+2/3*cos(1/2*pi)\n"
       "  2 = constant 2/9\n",
@@ -63,7 +66,7 @@ TEST_CASE("two forms of one number are one number") {
   CHECK(exact.entries() == Texts{"0.2222222222222222: (2, 9)"});
 }
 
-TEST_CASE("of two literals that Python would compute with each other the second has a name") {
+TEST_CASE("if Python would fold two literals, the second has a name") {
   const std::string three = "  0 = parameter m\n  1 = constant 1\n  2 = constant 3\n";
   const ExactNumbers divided = numbers_of(three + "  3 = divide 1 2\n", 1);
   CHECK(divided.entries() == Texts{"\"_number_1\": (3, 1)"});

@@ -1,5 +1,4 @@
-// A cart and pole by hand: Model, Scene and a Program in text form, as the stages before would give
-// them.
+// A cart and pole built by hand: Model, Scene and a Program from text, as after the earlier stages.
 #pragma once
 
 #include <cln/rational.h>
@@ -33,7 +32,7 @@ inline void add_parameter(Model& model, const std::string& name, const cln::cl_R
   model.parameter_arrays.push_back(declared);
 }
 
-/// An array parameter, elements named "l[1]", ….
+/// Adds an array parameter with elements "l[1]", ….
 inline void add_parameter_array(Model& model, const std::string& name,
                                 const std::vector<cln::cl_R>& values) {
   ParameterArray declared;
@@ -52,7 +51,7 @@ inline void add_parameter_array(Model& model, const std::string& name,
 
 inline cln::cl_RA ten_to(int exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exponent)); }
 
-/// Lets the first function read a parameter, so that it is emitted.
+/// Makes the first function read a parameter, so that it is emitted.
 inline void read_parameter(Subject& subject, const std::string& leaf) {
   std::vector<std::string>& leaves = subject.program.leaves.parameters;
   const auto index = static_cast<std::uint32_t>(leaves.size());
@@ -62,7 +61,7 @@ inline void read_parameter(Subject& subject, const std::string& leaf) {
   subject.program.functions.front().names.emplace_back();
 }
 
-/// Lets the first function load a constant, so that it is emitted.
+/// Makes the first function load a constant, so that it is emitted.
 inline void load_constant(Subject& subject, const Constant& constant) {
   const std::uint32_t index = position_of(constant, subject.program.constants);
   subject.program.functions.front().instructions.push_back(

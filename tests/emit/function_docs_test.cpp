@@ -1,4 +1,4 @@
-// function_docs: the comment above a function, line for line.
+// function_docs: the exact text of the comment above a function.
 #include "emit/code/function_docs.hpp"
 
 #include "emit/code/statements.hpp"
@@ -55,7 +55,7 @@ TEST_CASE("a user's output is documented by the user") {
   CHECK(docs(subject, 2).front() == " Output `tip`: position of the tip. Scalar.");
 }
 
-TEST_CASE("rows that stand for no argument are named") {
+TEST_CASE("rows that are no argument of the function are named") {
   Subject subject = cart_pole();
   Point bob;
   bob.name = "bob";
@@ -65,7 +65,7 @@ TEST_CASE("rows that stand for no argument are named") {
   CHECK(docs(subject, 2).front().ends_with(" Scalar [kg], of bob.m."));
 }
 
-TEST_CASE("what needs an order says so") {
+TEST_CASE("a function that compares numbers documents it") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
@@ -73,7 +73,7 @@ TEST_CASE("what needs an order says so") {
   CHECK(docs(subject, 0).front().find("Needs an ordered Scalar.") != std::string::npos);
 }
 
-TEST_CASE("a step says its method, not what it computes") {
+TEST_CASE("a step documents its method") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x\nstep\nfunction advance = step 1\n  0 = coordinate x\n  1 = step\n"
@@ -85,7 +85,7 @@ TEST_CASE("a step says its method, not what it computes") {
             " symplectic.", "", "     v += h/2 a(q, t), q += h v, v += h/2 a(q, t + h)"});
 }
 
-TEST_CASE("a step of a model with constraints says that it drifts, or ends on them") {
+TEST_CASE("a step of a model with constraints documents drift or projection") {
   Subject subject = cart_pole();
   const auto said = [&](const std::string& kind) {
     subject.program = elgen::testing::read_program(
@@ -104,7 +104,7 @@ TEST_CASE("a step of a model with constraints says that it drifts, or ends on th
   CHECK_THAT(said(" projected"), !Catch::Contains("drifts"));
 }
 
-TEST_CASE("a step that is composed says its order, and over which parts it goes") {
+TEST_CASE("a composed step documents its order and its substeps") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x\nstep\nfunction step = step 1 order 4\n  0 = coordinate x\n  1 = step\n"
@@ -115,7 +115,7 @@ TEST_CASE("a step that is composed says its order, and over which parts it goes"
         "     in turn over 0.414491 h, 0.414491 h, -0.657963 h, 0.414491 h, 0.414491 h");
 }
 
-TEST_CASE("a step that iterates says how often, and what its residual is") {
+TEST_CASE("an iterating step documents the number of iterations and its residual") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x\nstep\nfunction step = step 2 5\n  0 = coordinate x\n  1 = step\n"
@@ -129,7 +129,7 @@ TEST_CASE("a step that iterates says how often, and what its residual is") {
                       subject.program.functions[0].fields[2]) == "Scalar [kg*m/s]");
 }
 
-TEST_CASE("long rows become indexed lines, long listings a pointer to the sidecar") {
+TEST_CASE("long rows become indexed lines, long lists refer to the sidecar") {
   Subject subject = cart_pole();
   FunctionEquations printed;
   const std::string wide = "some_long_name*another_long_name + a_third_long_name";
@@ -153,7 +153,7 @@ TEST_CASE("summary of a field") {
                       function.fields[0]) == "2 entries [m/s^2, 1/s^2]");
 }
 
-TEST_CASE("rows are separated by semicolons, equal units are one") {
+TEST_CASE("units of rows are separated by semicolons, and equal units are written once") {
   const Model model = cart_pole_model();
   CHECK(units_text(model, OutputKind::mass_matrix, {"", 2, 2, {}}) == "kg, kg*m; kg*m, kg*m^2");
   CHECK(units_text(model, OutputKind::forward_dynamics, {"relative_pivots", 2, 1, {}}) == "1");
@@ -161,7 +161,7 @@ TEST_CASE("rows are separated by semicolons, equal units are one") {
   CHECK(units_text(model, OutputKind::kinetic_energy, {"", 1, 1, {}}) == "J");
 }
 
-TEST_CASE("an unknown unit leaves the rest unsaid") {
+TEST_CASE("an unknown unit suppresses the list of units") {
   Model model = cart_pole_model();
   model.velocities[1].unit.reset();
   CHECK(units_text(model, OutputKind::mass_matrix, {"", 2, 2, {}}) == "");

@@ -1,4 +1,4 @@
-// function_formulas: instructions as they are executed.
+// function_formulas: instructions as formulas in their order of execution.
 #include "emit/code/function_formulas.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ class Plain final : public Vocabulary {
   const LeafNames& leaves_;
 };
 
-/// A function of a, b and c = 0, 1, 2, as executed.
+/// The formulas of a function of a, b and c (instructions 0, 1, 2).
 std::string executed(const std::string& operations, std::uint32_t last) {
   const Program program = testing::read_program(
       "parameters a b c\nfunction gravity\n  0 = parameter a\n  1 = parameter b\n"
@@ -41,7 +41,7 @@ std::string executed(const std::string& operations, std::uint32_t last) {
 
 }  // namespace
 
-TEST_CASE("products are executed in their order, and names stand for what has one") {
+TEST_CASE("products keep their order, and named values are written by name") {
   const Program program = testing::read_program(
       "parameters m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
       "  2 = multiply 1 1\n  3 = multiply 0 2\n  4 = cos 3\n  5 = constant 1/2\n"

@@ -1,4 +1,4 @@
-// Pages begin with title, equation of motion, variables and notes, and end with operations.
+// The beginning of pages: title, equation of motion, variables and notes. The end: operations.
 #include "emit/pages/introduction.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ bool has_line(const Lines& lines, const std::string& line) {
 
 }  // namespace
 
-TEST_CASE("rates are not named where no function knows of them") {
+TEST_CASE("rates are not declared if no function uses them") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
@@ -40,7 +40,7 @@ TEST_CASE("title, variables and fixed parameters") {
   CHECK(lines.back() == " Fixed: g = 9.81.");
 }
 
-TEST_CASE("what is left out is said, and nothing where nothing is") {
+TEST_CASE("omitted outputs are listed, if there are any") {
   Subject subject = cart_pole();
   const Lines without = introduction(subject.model, subject.scene, subject.program);
   subject.scene.left_out = {{LeftOutReason::kinked_force, {"linearization"}}};
@@ -73,7 +73,7 @@ TEST_CASE("the page ends with the operations of every function") {
   }
 }
 
-TEST_CASE("the page says what is left out") {
+TEST_CASE("the page lists omitted outputs") {
   Subject subject = cart_pole();
   subject.scene.left_out = {{LeftOutReason::too_many_entries, {"linearization"}}};
   const std::string page =

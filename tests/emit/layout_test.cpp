@@ -1,4 +1,4 @@
-// layout: where lines break, and what user text may not do to a comment.
+// layout: line breaks, and user text inside comments and literals.
 #include "emit/text/layout.hpp"
 
 #include <rapidcheck.h>
@@ -15,7 +15,7 @@ TEST_CASE("an expression breaks before its outermost operators") {
   CHECK(wrap_expression("f(aaaa, bbbb)", {10, "  "}) == Lines{"f(aaaa,", "  bbbb)"});
 }
 
-TEST_CASE("what cannot be broken stays whole") {
+TEST_CASE("an unbreakable text stays on one line") {
   CHECK(wrap_expression("a_long_name", {4, "  "}) == Lines{"a_long_name"});
   CHECK(wrap_expression("-a_long_name", {4, "  "}) == Lines{"-a_long_name"});
   CHECK(wrap_words("word", {2, ""}) == Lines{"word"});
@@ -23,7 +23,7 @@ TEST_CASE("what cannot be broken stays whole") {
 
 TEST_CASE("words") { CHECK(wrap_words("aa bb cc", {5, " "}) == Lines{"aa bb", " cc"}); }
 
-TEST_CASE("wrapping loses nothing") {
+TEST_CASE("wrapping keeps all words") {
   CHECK(rc::check("lines joined by spaces are the text", [] {
     const auto words = *rc::gen::container<std::vector<std::string>>(
         rc::gen::element<std::string>("a", "(b + c)", "d * e", "+ f", "g, h"));
@@ -37,7 +37,7 @@ TEST_CASE("wrapping loses nothing") {
   }));
 }
 
-TEST_CASE("user text cannot leave its comment") {
+TEST_CASE("user text cannot end its comment") {
   CHECK(comment_text("two\nlines\t here ") == "two lines here");
   CHECK(comment_text("continued \\") == "continued \\.");
   CHECK(comment_text("") == "");
@@ -46,12 +46,12 @@ TEST_CASE("user text cannot leave its comment") {
   CHECK(comment_text("a\u202eb\x01\xff") == "aU+202EbU+0001?");
 }
 
-TEST_CASE("user text cannot leave its literal") {
+TEST_CASE("user text cannot end its literal") {
   CHECK(string_literal("q[1]") == "\"q[1]\"");
   CHECK(string_literal("a\"b\\c") == "\"a\\\"b\\\\c\"");
 }
 
-TEST_CASE("documentation of members stands in one column") {
+TEST_CASE("documentation of members is aligned") {
   CHECK(documented_members({{"int a;", "one"}, {"double b;", "two"}}) ==
         Lines{"int a;     ///< one", "double b;  ///< two"});
   const std::string wide(80, 'x');
@@ -64,7 +64,7 @@ TEST_CASE("a short signature is one line") {
         "void f(const A&, const B& b) noexcept");
 }
 
-TEST_CASE("long signatures break between arguments, below the first one where there is room") {
+TEST_CASE("long signatures break between arguments, aligned below the first if possible") {
   const std::vector<std::string> arguments = {std::string(32, 'A'), std::string(32, 'B')};
   const std::string start = "[[nodiscard]] Forces<Scalar> gravity";
   CHECK(signature(start, arguments, " noexcept") == start + "(" + arguments[0] + ",\n" +

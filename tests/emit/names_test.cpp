@@ -1,4 +1,4 @@
-// Every name that emitted code keeps is refused where it would collide, and nowhere else.
+// Names reserved in emitted code are refused only where they would collide.
 #include "emit/cpp/cpp_names.hpp"
 #include "emit/text/emission_input.hpp"
 #include "fixture.hpp"
@@ -18,18 +18,18 @@ Diagnostics name_diagnostics(const Subject& subject) {
 
 TEST_CASE("a usual model has no colliding names") { CHECK(name_diagnostics(cart_pole()).empty()); }
 
-TEST_CASE("members of Parameters may not hide what their defaults need") {
+TEST_CASE("members of Parameters may not hide names that their defaults use") {
   for (const char* name : {"Scalar", "Parameters", "constant", "detail", "std"}) {
     Subject subject = cart_pole();
     subject.model.parameter_arrays[2].name = name;
     INFO(name);
     CHECK(name_diagnostics(subject).size() == 1);
-    subject.program.functions.clear();  // no member any more
+    subject.program.functions.clear();  // unused parameters are no members
     CHECK(name_diagnostics(subject).empty());
   }
 }
 
-TEST_CASE("functions may not have the name of anything else in the header") {
+TEST_CASE("functions may not have another name of the header") {
   for (const char* name :
        {"constant", "coordinate_count", "is_regular", "digits_left", "number_pi", "std"}) {
     Subject subject = cart_pole();
@@ -42,7 +42,7 @@ TEST_CASE("functions may not have the name of anything else in the header") {
   }
 }
 
-TEST_CASE("structs may not collide either") {
+TEST_CASE("structs may not have another name of the header") {
   Subject subject = cart_pole();
   subject.program.functions[4].name = "parameters";
   CHECK(name_diagnostics(subject).size() == 1);
@@ -50,7 +50,7 @@ TEST_CASE("structs may not collide either") {
   CHECK(name_diagnostics(subject).size() == 1);
 }
 
-TEST_CASE("what the C library declares names no namespace") {
+TEST_CASE("names declared by the C library cannot be namespaces") {
   const auto refused = [](const char* name) {
     Subject subject = cart_pole();
     subject.scene.emission.name_space = name;
@@ -72,7 +72,7 @@ TEST_CASE("what the C library declares names no namespace") {
   }
 }
 
-TEST_CASE("without parameters there is no struct of them, and no argument") {
+TEST_CASE("without parameters there is no struct and no argument for them") {
   Subject subject = in_c();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");

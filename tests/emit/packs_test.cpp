@@ -1,4 +1,4 @@
-// Programs of tests/emit/compiled/ around an emitted header, built by both compilers and run.
+// Builds and runs programs of tests/emit/compiled/ with emitted headers, by both compilers.
 #include <catch2/catch.hpp>
 #include <iostream>
 #include <sstream>
@@ -22,7 +22,7 @@ test::Outcome build(const std::string& compiler, const std::string& program,
                      workspace.path());
 }
 
-/// Builds and runs.
+/// Builds a program with each compiler and runs it.
 void expect_success(const std::string& program, const std::string& flags = "") {
   const std::string compiler = GENERATE("g++", "clang++");
   const test::Workspace workspace;
@@ -41,11 +41,11 @@ std::string thirty_two_bits(const std::string& compiler) {
 
 }  // namespace
 
-TEST_CASE("sines in line keep their digits, those of the library their bits") {
+TEST_CASE("in-line sines keep their digits, and library sines their bits") {
   expect_success("angles.cpp", GENERATE("", "-march=native"));
 }
 
-TEST_CASE("packs pass unmodified, every lane as the scalar") {
+TEST_CASE("packs pass through functions unmodified, every lane equal to the scalar") {
   expect_success("packs.cpp", "-Wno-psabi -Wno-ignored-attributes");
 }
 
@@ -58,20 +58,20 @@ TEST_CASE("a pack has to declare the type of its elements") {
   CHECK(test::mentions(built.errors, "using value_type = double;"));
 }
 
-TEST_CASE("batches give what the functions of one state give") {
+TEST_CASE("batches agree with the functions of one state") {
   expect_success("batch.cpp", GENERATE("", "-march=native", "-march=x86-64-v3"));
 }
 
-TEST_CASE("kernels of batches give what the functions of one state give") {
+TEST_CASE("kernels of batches agree with the functions of one state") {
   expect_success("kernel.cpp");
 }
 
-TEST_CASE("fast-math is refused by batches, or does not reach their angles") {
+TEST_CASE("fast-math is refused by batches or does not change their angles") {
   const std::string compiler = GENERATE("g++", "clang++");
   const std::string flags = GENERATE("-ffast-math", "-ffast-math -fno-finite-math-only",
                                      "-Ofast -fno-finite-math-only", "-funsafe-math-optimizations",
                                      "-fassociative-math -fno-signed-zeros -fno-trapping-math");
-  // clang has no macro for parts of fast-math; there angles are reduced as they are without.
+  // clang has no macro for parts of fast-math, but a pragma protects the reduction of angles.
   const bool is_refused = compiler == "g++" || flags == "-ffast-math";
   const test::Workspace workspace;
   const test::Outcome built =
@@ -85,7 +85,7 @@ TEST_CASE("fast-math is refused by batches, or does not reach their angles") {
   }
 }
 
-TEST_CASE("macros of other headers do no harm to batches") {
+TEST_CASE("macros of other headers do not break batches") {
   const std::string compiler = GENERATE("g++", "clang++");
   const test::Workspace workspace;
   const test::Outcome built = build(compiler, "macros.cpp", workspace, "-fsyntax-only");
@@ -109,13 +109,13 @@ TEST_CASE("excess precision is refused by batches") {
   for (const char* const method : {"-1", "1", "2"}) {
     CHECK(is_refused("-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + std::string(method)));
   }
-  // 16 is that of _Float16 alone.
+  // The value 16 only occurs with _Float16.
   for (const char* const method : {"0", "16"}) {
     CHECK_FALSE(is_refused("-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + std::string(method)));
   }
   if (!test::is_installed("a library of 32-bit x86", thirty_two_bits(compiler))) return;
   CHECK(is_refused("-m32 -mno-sse2"));
-  CHECK(is_refused("-m32 -msse -mno-sse2"));  // of clang++, __FLT_EVAL_METHOD__ is 0
+  CHECK(is_refused("-m32 -msse -mno-sse2"));  // clang++ defines __FLT_EVAL_METHOD__ as 0 here
   CHECK_FALSE(is_refused("-m32 -msse2 -mfpmath=sse"));
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("batches have the same bits on every machine") {
     const test::Outcome built = build(compiler, "bits.cpp", workspace);
     INFO(compiler << "\n" << built.errors);
     REQUIRE(built.status == 0);
-    CHECK_FALSE(test::mentions(built.errors, "note: "));  // of an ABI that changed
+    CHECK_FALSE(test::mentions(built.errors, "note: "));  // a changed ABI
     return test::shell(emulator + " ./program", workspace.path()).output;
   };
   const std::string here = bits("g++", "");
@@ -152,7 +152,7 @@ TEST_CASE("batches have the same bits on every machine") {
   }
 }
 
-TEST_CASE("parts of fast-math are refused by functions of C++ and of C") {
+TEST_CASE("parts of fast-math are refused by functions in C++ and in C") {
   const std::string header =
       GENERATE("-std=c++17 -x c++ cart_pole/cart_pole.hpp",
                "-std=c99 -x c panda7_gravity_compensation/panda7_gravity_compensation.h");
@@ -162,14 +162,14 @@ TEST_CASE("parts of fast-math are refused by functions of C++ and of C") {
   CHECK(test::shell(command + " -DELGEN_ALLOW_FAST_MATH", folder).status == 0);
 }
 
-TEST_CASE("a standard below C++17 is named") {
+TEST_CASE("a standard before C++17 is reported") {
   const test::Outcome compiled =
       test::shell("g++ -std=c++14 -fsyntax-only -x c++ cart_pole/cart_pole.hpp",
                   std::string(ELGEN_SOURCE_DIR) + "/generated");
   CHECK(test::mentions(compiled.errors, "these functions are C++17: compile with -std=c++17"));
 }
 
-TEST_CASE("device code calls the functions, and batches are kernels") {
+TEST_CASE("device code can call the functions, and batches are kernels") {
   const test::Workspace workspace;
   const std::string folders = " -I" + (std::string(ELGEN_SOURCE_DIR) + "/generated ") +
                               ELGEN_SOURCE_DIR + "/tests/emit/compiled/device.cu -o device";
@@ -180,7 +180,7 @@ TEST_CASE("device code calls the functions, and batches are kernels") {
   if (knows("nvcc --version")) {
     compiler = "nvcc -std=c++17 --expt-relaxed-constexpr -Xptxas -v -c";
   } else if (knows("clang++ --print-targets | grep -q nvptx64")) {
-    // Without NVIDIA's headers: the program declares the functions that it needs.
+    // Without NVIDIA's headers the program itself declares the functions that it needs.
     compiler =
         "clang++ -std=c++17 -O1 -x cuda -nocudainc -nocudalib --cuda-device-only "
         "--cuda-gpu-arch=sm_70 -Wall -Wextra -Wno-unknown-cuda-version -Werror -S";
@@ -197,12 +197,12 @@ TEST_CASE("device code calls the functions, and batches are kernels") {
                               test::mentions(line, " stack frame") ||
                               test::mentions(line, " registers");
     if (is_of_kernel) std::cout << line << '\n';
-    // The library's slow path for large angles would need one.
+    // The library's slow path for large angles would need a stack frame.
     if (test::mentions(line, " stack frame")) CHECK(test::mentions(line, " 0 bytes stack frame"));
   }
 }
 
-TEST_CASE("the macro before the functions is the user's to define") {
+TEST_CASE("users may define the macro ELGEN_FUNCTION") {
   const test::Workspace workspace;
   test::write_text(workspace.path() / "own.cpp",
                    "#define ELGEN_FUNCTION __attribute__((noinline))\n"

@@ -1,5 +1,5 @@
-// Scalars of emitted headers: right numbers in every kind that is promised, and a sentence for
-// those that have too few digits.
+// Scalars of emitted headers: correct numbers in every documented kind, and a message for types
+// with too few digits.
 #include <catch2/catch.hpp>
 
 #include "support/installed.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 const std::string programs = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/compiled/";
 
-/// A command that finds the header as the program does.
+/// A command that finds the header with the same include path.
 const std::string has_ceres =
     "echo '#include <ceres/jet.h>' | g++ -std=c++17 -isystem /usr/include/eigen3 -E -x c++ -";
 
@@ -26,7 +26,7 @@ struct Swing : test::Workspace {
 
 }  // namespace
 
-TEST_CASE("right numbers in every kind of scalar") {
+TEST_CASE("correct numbers in every kind of scalar") {
   const std::string compiler = GENERATE("g++", "clang++");
   const Swing swing;
   const test::Outcome built = swing.compiled(
@@ -44,7 +44,7 @@ TEST_CASE("right numbers in every kind of scalar") {
   }
 }
 
-TEST_CASE("nodes of expressions, which no branch takes, have the values of double") {
+TEST_CASE("expression nodes, which allow no branches, have the values of double") {
   const std::string compiler = GENERATE("g++", "clang++");
   const test::Workspace workspace;
   workspace.prepare("elgen generate -q -o . " ELGEN_SOURCE_DIR "/models/cart_pole.toml");
@@ -58,7 +58,7 @@ TEST_CASE("nodes of expressions, which no branch takes, have the values of doubl
   CHECK(found.status == 0);
 }
 
-TEST_CASE("numbers of numbers get the constants of their innermost ones") {
+TEST_CASE("nested scalars get the constants of their innermost type") {
   const std::string compiler = GENERATE("g++", "clang++");
   const Swing swing;
   const auto expect_compiled = [&](const std::string& includes, const std::string& scalar) {
@@ -90,7 +90,7 @@ TEST_CASE("half precision, fixed point and integers are refused") {
     CHECK(test::mentions(errors_with(scalar),
                          "half precision, fixed point and integers have too few digits"));
   }
-  // clang++ 14 has no _Float16 on this machine.
+  // clang++ 14 has no _Float16 on x86.
   if (compiler == "g++") {
     CHECK(test::mentions(errors_with("_Float16"), "half precision, fixed point and integers"));
   }

@@ -1,4 +1,4 @@
-// sidecar: the JSON is valid, has the keys in order, and says what the program does.
+// sidecar: valid JSON with keys in order that describes the program.
 #include <nlohmann/json.hpp>
 
 #include "emit/text/emission_input.hpp"
@@ -17,7 +17,7 @@ std::string text_of(const Subject& subject) {
 
 }  // namespace
 
-TEST_CASE("one key order") {
+TEST_CASE("the order of keys is fixed") {
   const Json json = Json::parse(text_of(cart_pole()));
   std::vector<std::string> keys;
   for (const auto& item : json.items()) keys.push_back(item.key());
@@ -25,7 +25,7 @@ TEST_CASE("one key order") {
                                          "inputs", "parameters", "outputs", "hash"});
 }
 
-TEST_CASE("what it was made from reads back") {
+TEST_CASE("sources and hashes are read back") {
   Subject subject = cart_pole();
   subject.scene.paths = {"../models/cart_pole.toml", "../models/scenes/balance.scene.toml"};
   const SourcePaths paths = stated_paths(text_of(subject));
@@ -46,7 +46,7 @@ TEST_CASE("outputs") {
   CHECK(outputs["forward_dynamics"]["fields"]["acceleration"]["shape"] == Json{2, 1});
   CHECK(outputs["forward_dynamics"]["arguments"] == Json{"p", "q", "v", "u"});
   CHECK(outputs["dynamics"].size() == 3);
-  CHECK(outputs["dynamics"]["fields"].begin().value().size() == 1);  // no entries
+  CHECK(outputs["dynamics"]["fields"].begin().value().size() == 1);  // a reference without entries
   CHECK(outputs["dynamics"]["arguments"] == Json{"p", "q", "v"});
   CHECK(outputs["dynamics"].contains("operations"));
 }
@@ -81,7 +81,7 @@ TEST_CASE("definitions are listed in order, before the entries that use them") {
         std::vector<std::string>{"arguments", "definitions", "shape", "entries", "operations"});
 }
 
-TEST_CASE("parameters: exact texts, arrays as one entry, unread ones left out") {
+TEST_CASE("parameters have exact texts, arrays are one entry, unused ones are omitted") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter_array(subject.model, "k", {cln::cl_RA(1) / 3, 2});
   elgen::testing::read_parameter(subject, "k[1]");
@@ -92,14 +92,14 @@ TEST_CASE("parameters: exact texts, arrays as one entry, unread ones left out") 
   CHECK(parameters[4] == Json{{"name", "k"}, {"size", 2}, {"value", {"1/3", "2"}}});
 }
 
-TEST_CASE("short lists stand on one line, lines end with LF") {
+TEST_CASE("short lists are on one line, and lines end with LF") {
   const std::string text = text_of(cart_pole());
   CHECK(text.find("      \"shape\": [2, 2],\n") != std::string::npos);
   CHECK(text.find('\r') == std::string::npos);
   CHECK(text.back() == '\n');
 }
 
-TEST_CASE("what is left out stands beside the outputs, each with its reason") {
+TEST_CASE("omitted outputs are listed, each with its reason") {
   Subject subject = cart_pole();
   subject.scene.left_out = {{LeftOutReason::too_many_entries, {"mass_matrix", "coriolis_matrix"}},
                             {LeftOutReason::kinked_force, {"linearization"}}};

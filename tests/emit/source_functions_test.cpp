@@ -1,4 +1,4 @@
-// Functions in interpreted languages: the name in the library, or the function of the module.
+// Spelling of functions in interpreted languages: a function of the library or of the module.
 #include <catch2/catch.hpp>
 
 #include "emit/source/source_dialect.hpp"
@@ -15,7 +15,7 @@ std::string name_in(const SourceSpelling& spelling, FunctionId function, std::st
 
 }  // namespace
 
-TEST_CASE("a library has a function by the name of C, or by the name of a row") {
+TEST_CASE("functions of a library are named as in C, or by a row of the table") {
   const SourceSpelling& python = source_spelling(LanguageId::python);
   CHECK(name_in(python, FunctionId::log1p, "log1p") == "log1p");
   CHECK(name_in(python, FunctionId::abs, "abs") == "fabs");
@@ -24,7 +24,7 @@ TEST_CASE("a library has a function by the name of C, or by the name of a row") 
   CHECK(library_name(python, "sqrt") == "sqrt");
 }
 
-TEST_CASE("a function that a library lacks has no name, or that of the module") {
+TEST_CASE("a function that the library lacks has no name, or a name in the module") {
   SourceSpelling older = javascript;
   older.functions = " exp expm log ";
   CHECK_FALSE(function_spelling(older, FunctionId::expm1, "expm1", {}).has_value());
@@ -35,7 +35,7 @@ TEST_CASE("a function that a library lacks has no name, or that of the module") 
   REQUIRE(written);
   CHECK(written->name == "less_one");
   CHECK(written->home == FunctionHome::module);
-  // A row wins against the library, whose function may mean something else.
+  // A row takes precedence over the library, whose function of this name may differ.
   CHECK(function_spelling(javascript, FunctionId::expm1, "expm1", rows)->name == "less_one");
 }
 

@@ -1,5 +1,5 @@
-// statements: what is computed under a name, what is written out, and what either is made of.
-// Sections: small bodies cut by hand, and laws over random ones.
+// statements: named values, expressions written in place, and their operands. Sections: small
+// bodies cut by hand, and laws over random bodies.
 #include "emit/code/statements.hpp"
 
 #include <rapidcheck.h>
@@ -20,7 +20,7 @@ Statement entry(std::uint32_t index, Numbers uses) {
   return Entry{0, 0, index, {std::move(uses), {}}};
 }
 
-/// Named instruction i uses some earlier ones, entries use any.
+/// Each assignment uses at most one earlier value, and entries use any values.
 std::vector<Statement> random_body() {
   std::vector<Statement> body;
   const auto count = *rc::gen::inRange<std::uint32_t>(0, 40);
@@ -55,7 +55,8 @@ TEST_CASE("a shared value is one statement, before its uses") {
   CHECK(operands_of(all[2]).written.empty());
 }
 
-TEST_CASE("a sine and a cosine of one angle are one statement, where the language has one call") {
+TEST_CASE(
+    "a sine and a cosine of one angle are one statement if the language has one call for both") {
   const Program program = elgen::testing::read_program(
       "coordinates x y\nfunction gravity\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = add 0 1\n  3 = sin 2\n  4 = cos 2\n  5 = sin 0\n  result 3 1 = 3 4 5\n");
@@ -65,7 +66,7 @@ TEST_CASE("a sine and a cosine of one angle are one statement, where the languag
   CHECK(named_by(joint[1]) == Numbers{3, 4});
   CHECK(std::holds_alternative<SineAndCosine>(joint[1]));
   CHECK(operands_of(joint[1]).uses == Numbers{2});
-  CHECK(operands_of(joint[1]).written.empty());  // the calls are not spelt out
+  CHECK(operands_of(joint[1]).written.empty());  // the calls are not written out
   CHECK(std::holds_alternative<Assign>(joint[2]));
   const std::vector<Statement> separate =
       statements(program.functions.front(), names, Pairing::separate);
@@ -74,7 +75,7 @@ TEST_CASE("a sine and a cosine of one angle are one statement, where the languag
   CHECK(std::holds_alternative<Assign>(separate[1]));
 }
 
-TEST_CASE("an entry stands behind the last statement it uses") {
+TEST_CASE("an entry follows the last statement that it uses") {
   const Sections cut = sections(
       {assign(0, {}), assign(1, {0}), assign(2, {1}), entry(0, {2}), entry(1, {0}), entry(2, {})},
       4);
@@ -84,12 +85,12 @@ TEST_CASE("an entry stands behind the last statement it uses") {
     return found != nullptr && found->index == index;
   };
   CHECK(is_entry(0, 0, 2));  // uses nothing
-  CHECK(is_entry(0, 2, 1));  // behind the first
-  CHECK(is_entry(1, 1, 0));  // behind the last
+  CHECK(is_entry(0, 2, 1));  // after the first statement
+  CHECK(is_entry(1, 1, 0));  // after the last statement
   CHECK(cut.crosses == std::vector<bool>{false, true, false});
 }
 
-TEST_CASE("the loop stands behind what is given to it, and names its first instruction") {
+TEST_CASE("a loop follows the statements for its inputs and names its first instruction") {
   Program program = elgen::testing::read_program(
       "coordinates x y\nfunction gravity\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = add 0 1\n  3 = multiply 2 0\n  4 = multiply 2 1\n  result 2 1 = 3 4\n");
@@ -106,16 +107,16 @@ TEST_CASE("the loop stands behind what is given to it, and names its first instr
   CHECK(std::get<Loop>(all[3]).first == 3);
   CHECK(named_by(all[3]) == Numbers{3});
   CHECK(operands_of(all[3]).uses == Numbers{2});
-  CHECK(operands_of(all[5]).uses == Numbers{3});  // of any column
+  CHECK(operands_of(all[5]).uses == Numbers{3});  // all columns
 }
 
-TEST_CASE("a sine and a cosine of one statement cross together") {
+TEST_CASE("a sine and cosine of one statement cross a cut together") {
   const Sections cut = sections({SineAndCosine{0, 1}, assign(2, {0}), assign(3, {1})}, 2);
   REQUIRE(cut.parts.size() == 2);
   CHECK(cut.crosses == std::vector<bool>{true, true, false, false});
 }
 
-TEST_CASE("parts are in order, full, and share exactly what crosses") {
+TEST_CASE("parts are in order and full, and share exactly the values that cross a cut") {
   CHECK(rc::check("laws of sections", [] {
     const std::vector<Statement> body = random_body();
     const std::size_t count = body.size() - 4;
@@ -129,7 +130,7 @@ TEST_CASE("parts are in order, full, and share exactly what crosses") {
       for (const Statement& statement : cut.parts[part]) {
         ++items;
         for (const std::uint32_t used : operands_of(statement).uses) {
-          RC_ASSERT(part_of[used] < cut.parts.size());  // computed before
+          RC_ASSERT(part_of[used] < cut.parts.size());  // computed before its use
           if (part_of[used] != part) crosses[used] = true;
         }
         for (const std::uint32_t at : named_by(statement)) part_of[at] = part;

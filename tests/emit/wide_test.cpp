@@ -1,5 +1,6 @@
-// Functions in a wider scalar, compiled: double-double against 64 digits by both compilers, however
-// they optimise and join products and sums; and flags that take it apart.
+// Functions in a wider scalar, compiled. Double-double is compared with 64 digits for both
+// compilers, several optimisation levels and contraction of products and sums; flags that would
+// break it are refused.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -43,7 +44,7 @@ struct Parts {
 
 Real exact(const Parts& x) { return Real(exact_value(x.high)) + Real(exact_value(x.low)); }
 
-/// One call: the function as wide.cpp counts it, and its arguments.
+/// A call: the number of the function in wide.cpp, and its arguments.
 struct Call {
   std::size_t function = 0;
   Parts x = {};
@@ -52,7 +53,7 @@ struct Call {
 
 class Arguments {
  public:
-  /// All magnitudes up to 1e5, near multiples of right angles and near 1 too.
+  /// All magnitudes up to 1e5, also near multiples of pi/2 and near 1.
   Parts next() {
     const double kind = uniform();
     double high = std::exp2(57 * uniform() - 40);
@@ -111,7 +112,7 @@ Real value_of(std::size_t function, const Real& x, const Real& y) {
   return function == functions + 3 ? x / y : sqrt(x);
 }
 
-/// max(|f|, |x f'|), by a difference.
+/// max(|f|, |x f'|), with f' by a difference quotient.
 Real size_of(const Call& call, const Real& value) {
   static const Real part(cln::expt(cln::cl_RA(10), -20));
   const Real x = exact(call.x);
@@ -120,7 +121,7 @@ Real size_of(const Call& call, const Real& value) {
   return slope > abs(value) ? slope : abs(value);
 }
 
-/// Values as wide.cpp prints them.
+/// Parses the values that wide.cpp prints.
 std::vector<Parts> values_in(const std::string& output) {
   std::vector<Parts> values;
   std::istringstream lines(output);
@@ -138,7 +139,7 @@ std::string name_of_call(std::size_t function) {
   return std::array<const char*, operations>{"+", "-", "*", "/", "sqrt"}[function - functions];
 }
 
-/// The calls whose value is further off than 1e-29 of max(|f|, |x f'|), and the smallest denormal.
+/// The calls whose error exceeds 1e-29 max(|f|, |x f'|) plus 2^-1070.
 std::string wrong(const std::vector<Call>& all, const std::vector<Parts>& values) {
   static const Real tolerance(cln::expt(cln::cl_RA(10), -29));
   static const Real denormal(exact_value(0x1p-1070));
@@ -159,7 +160,7 @@ std::string wrong(const std::vector<Call>& all, const std::vector<Parts>& values
 
 }  // namespace
 
-TEST_CASE("double-double has 29 digits however it is compiled") {
+TEST_CASE("double-double has 29 digits with every compiler and optimisation") {
   const std::string compiler = GENERATE("g++", "clang++");
   const std::string flags = GENERATE("-O0", "-O2", "-O3 -march=native");
   const std::string joining = GENERATE("", " -ffp-contract=fast", " -ffp-contract=off");
@@ -176,13 +177,13 @@ TEST_CASE("double-double has 29 digits however it is compiled") {
   }
   wide.write("arguments", lines.str());
   const test::Outcome run = wide.run("./program < arguments");
-  CHECK(run.status == 0);  // pairs and products of the caller
+  CHECK(run.status == 0);  // pairs of sines, and products of the caller
   const std::vector<Parts> values = values_in(run.output);
   REQUIRE(values.size() == all.size());
   CHECK(wrong(all, values).empty());
 }
 
-TEST_CASE("fast-math and its parts are refused by double-double without a way out") {
+TEST_CASE("fast-math and its parts are refused by double-double, without an override") {
   const Wide wide;
   const std::string flags =
       GENERATE("-ffast-math", "-Ofast", "-funsafe-math-optimizations",
@@ -196,11 +197,11 @@ TEST_CASE("fast-math and its parts are refused by double-double without a way ou
     return built.status != 0;
   };
   CHECK(is_refused("g++"));
-  // clang has no macro for parts of fast-math; there sums are split as they are without.
+  // clang has no macro for parts of fast-math, but a pragma protects the split sums.
   CHECK(is_refused("clang++") == (flags == "-ffast-math" || flags == "-Ofast"));
 }
 
-TEST_CASE("parts of fast-math that clang does not tell of change no digit of double-double") {
+TEST_CASE("parts of fast-math that clang does not report change no digit of double-double") {
   const Wide wide;
   const std::string flags = "-O3 -march=native -funsafe-math-optimizations -ffp-contract=fast";
   REQUIRE(wide.compiled("clang++", flags).status == 0);
@@ -223,7 +224,7 @@ TEST_CASE("excess precision is refused by double-double") {
   for (const char* const method : {"0", "16"}) CHECK_FALSE(is_refused(method));
 }
 
-TEST_CASE("arguments are widened, results rounded, in the scalar that the scene names") {
+TEST_CASE("arguments are widened and results rounded, in the scalar of the scene") {
   testing::Subject subject = testing::cart_pole();
   const auto text = [&subject](InnerScalar inner) {
     subject.scene.numerics.inner = inner;
@@ -241,7 +242,7 @@ TEST_CASE("arguments are widened, results rounded, in the scalar that the scene 
                  "          detail::rounded(values.relative_pivots)};\n"));
 }
 
-TEST_CASE("a step takes accelerations in float, and goes on in double") {
+TEST_CASE("a step computes accelerations in float and everything else in double") {
   const test::Workspace workspace;
   workspace.write("mixed.scene.toml", "format = 1\nmodel = \"" + std::string(ELGEN_SOURCE_DIR) +
                                           "/models/kepler_cartesian.toml\"\nname = \"mixed\"\n" +
@@ -306,7 +307,7 @@ int main() {
     CHECK(run.status == 0);
   }
   CHECK(workspace.run("elgen verify --samples 64 mixed.scene.toml").status == 0);
-  // Runs have outputs of their own.
+  // simulate uses its own outputs.
   CHECK(workspace.run("elgen simulate -q --time 1 mixed.scene.toml").status == 0);
 }
 

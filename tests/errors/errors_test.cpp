@@ -1,14 +1,14 @@
-// Every error code, as users meet it: tests/errors/*.txt run by the real binary and compared to the
-// letter. ELGEN_UPDATE=1 rewrites what they expect; the difference is then reviewed.
+// Every error code as users see it: the real binary runs tests/errors/*.txt, and its output must
+// match exactly. ELGEN_UPDATE=1 rewrites the expected output, whose changes are then reviewed.
 //
-// One case: input files, a command, and what the command must print.
+// A case has input files, a command, and the expected output.
 //
-//     --- model.toml            any other title is a file to write
+//     --- model.toml            any other title names a file to write
 //     format = 2
 //     --- command
 //     elgen generate model.toml
 //     --- exit 2
-//     --- stderr                an absent stderr or stdout means: empty
+//     --- stderr                stderr and stdout are empty if absent
 //     model.toml:1:10: error[E102]: …
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -34,7 +34,7 @@ struct Section {
 };
 
 struct CaseFile {
-  std::vector<Section> inputs = {};  ///< name and content
+  std::vector<Section> inputs = {};  ///< names and contents of files
   std::string command = {};
   Outcome expected = {};
 };
@@ -60,7 +60,7 @@ void append(std::string& text, const std::string& title, const std::string& body
   text += std::string(marker) + title + "\n" + body;
 }
 
-/// Throws std::invalid_argument where the text has no such form.
+/// Throws std::invalid_argument if the text has another form.
 CaseFile parse_case(std::string_view text) {
   CaseFile parsed;
   bool has_exit = false;
@@ -94,7 +94,7 @@ std::string to_text(const CaseFile& parsed) {
   return text;
 }
 
-/// Runs the command in a fresh folder that holds the inputs.
+/// Runs the command in a new folder with the input files.
 Outcome run_case(const CaseFile& parsed) {
   const Workspace workspace;
   for (const Section& input : parsed.inputs) {
@@ -105,7 +105,7 @@ Outcome run_case(const CaseFile& parsed) {
 
 const std::filesystem::path folder = std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/errors";
 
-/// Codes no command line can bring about, with the reason.
+/// Codes that no command can produce, with the reason.
 const std::map<std::string, std::string>& unreachable_codes() {
   static const std::map<std::string, std::string> reasons{
       {"E911", "a derivation that disagrees with the oracle: tests/verify breaks one by hand"},
@@ -127,7 +127,7 @@ std::vector<std::filesystem::path> case_paths() {
 /// "E201" of "E201_unknown_name.txt".
 std::string code_of(const std::filesystem::path& path) { return path.stem().string().substr(0, 4); }
 
-/// The title a code's file is named by: "unknown name" becomes "unknown_name".
+/// The file name of a code, from its title: "unknown name" becomes "unknown_name".
 std::string file_stem(const CodeRow& row) {
   std::string stem = std::string(row.name) + "_";
   for (const char letter : row.title) {
@@ -162,7 +162,7 @@ std::vector<BrokenModel> broken_models() {
 
 }  // namespace
 
-TEST_CASE("a case is read section by section and written back unchanged") {
+TEST_CASE("a case is parsed section by section and written back unchanged") {
   const std::string text =
       "--- model.toml\nformat = 1\n--- scenes/a.toml\nformat = 1\n--- command\nelgen x\n"
       "--- exit 2\n--- stdout\nout\n--- stderr\nerror\n  | ^\n";
@@ -183,7 +183,7 @@ TEST_CASE("a case without title, command or exit code is refused") {
   CHECK_THROWS_AS(parse_case("--- command\nelgen\n"), std::invalid_argument);
 }
 
-TEST_CASE("a case runs in a folder of its own, streams and status kept apart") {
+TEST_CASE("a case runs in its own folder, and stdout, stderr and exit code are separate") {
   CaseFile sample;
   sample.inputs = {{"in/put.txt", "text\n"}};
   sample.command = "cat in/put.txt; echo error >&2; ls; exit 7";
@@ -193,7 +193,7 @@ TEST_CASE("a case runs in a folder of its own, streams and status kept apart") {
   CHECK(outcome.errors == "error\n");
 }
 
-TEST_CASE("every error file gives exactly its text") {
+TEST_CASE("every error file matches the output exactly") {
   const bool update = std::getenv("ELGEN_UPDATE") != nullptr;
   for (const auto& path : case_paths()) {
     CaseFile sample = parse_case(read_text(path));
@@ -210,7 +210,7 @@ TEST_CASE("every error file gives exactly its text") {
   }
 }
 
-TEST_CASE("every error file shows the code it is named after") {
+TEST_CASE("every error file shows the code in its name") {
   for (const auto& path : case_paths()) {
     INFO(path.filename().string());
     const CodeRow* row = find_code(code_of(path));
@@ -222,7 +222,7 @@ TEST_CASE("every error file shows the code it is named after") {
   }
 }
 
-TEST_CASE("every code has a file, or a reason why no command can show it") {
+TEST_CASE("every code has an error file or a reason why no command can produce it") {
   std::set<std::string> shown;
   for (const auto& path : case_paths()) shown.insert(code_of(path));
   for (const CodeRow& row : code_table()) {
@@ -232,7 +232,7 @@ TEST_CASE("every code has a file, or a reason why no command can show it") {
   }
 }
 
-TEST_CASE("broken models are answered at the character where the mistake is") {
+TEST_CASE("errors in broken models point to the character of the mistake") {
   const std::vector<BrokenModel> models = broken_models();
   REQUIRE(models.size() >= 25);
   for (const BrokenModel& model : models) {

@@ -1,6 +1,6 @@
-// Failures and signals at every call of the system: they leave old files or new ones, nothing
-// between, nothing left over, a message and a documented exit code. ELGEN_FAULTS=all visits every
-// call, and every 97th request for memory; the tests of every day visit some.
+// Failures and signals at every system call: afterwards all files are old or all are new, there are
+// no other files, and there is a message and a documented exit code. ELGEN_FAULTS=all visits every
+// call, and every 97th allocation; the daily tests visit only some.
 #include <catch2/catch.hpp>
 #include <cerrno>
 #include <csignal>
@@ -34,13 +34,13 @@ V = "-k*cos(q)"
 const std::set<int> documented{0, 1, 2, 3, 4, 70, 130};
 constexpr int killed = 128 + SIGKILL;
 
-/// Every n-th call of the kind is visited.
+/// Only every n-th call of this kind is visited; this is n.
 long stride(const std::string& kind, long usual) {
   if (std::getenv("ELGEN_FAULTS") == nullptr) return usual;
   return kind == "memory" ? 97 : 1;
 }
 
-/// Files and folders below, those of the compiler's too.
+/// Files and folders below `folder`, including files of the compiler.
 Files contents(const std::filesystem::path& folder) {
   Files files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
@@ -53,10 +53,10 @@ Files contents(const std::filesystem::path& folder) {
 struct Fault {
   std::string kind;
   long number = 0;
-  int action = 0;  ///< an errno, or minus a signal
+  int action = 0;  ///< an errno if positive, a signal if negative
 };
 
-/// A command before and after whose success the folder is known.
+/// A command, and the contents of its folder before and after a successful run.
 class Scene {
  public:
   Scene(std::string preparation, std::string command)
@@ -74,7 +74,7 @@ class Scene {
 
   [[nodiscard]] long calls(const std::string& kind) const { return counts_.at(kind); }
 
-  /// Runs the command with the fault, and checks what there is afterwards.
+  /// Runs the command with the fault and checks the files, the exit code and the message.
   void visit(const Fault& fault) const {
     const Workspace workspace;
     prepare_in(workspace);
@@ -103,7 +103,8 @@ class Scene {
     workspace.prepare("mkdir tmp && " + preparation_);
   }
 
-  /// Nothing can be cleaned up then; what is there is whole, and the next run cleans up.
+  /// SIGKILL prevents any cleaning up. Every file is complete, old or new, and the next run cleans
+  /// up.
   void check_killed(const Workspace& workspace, const Files& found) const {
     for (const auto& [name, text] : before_) {
       CHECK(found.count(name) == 1);
@@ -121,7 +122,7 @@ class Scene {
   std::map<std::string, long> counts_;
 };
 
-/// Files of an older model are replaced, and some appear for the first time.
+/// Replaces files of an older model and writes some files for the first time.
 Scene generation() {
   return Scene(
       "sed 's/-k/-2*k/' rotor.toml > old.toml && elgen generate -q old.toml && rm old.toml"
@@ -143,7 +144,7 @@ void visit_all(const Scene& scene, const std::string& kind, int action, long usu
 
 }  // namespace
 
-TEST_CASE("a call of the system that fails leaves all files as they were, or all new") {
+TEST_CASE("if a system call fails, files are all unchanged or all new") {
   for (const Scene& scene : {generation(), import()}) {
     visit_all(scene, "open", EMFILE, 3);
     visit_all(scene, "write", ENOSPC, 1);
@@ -152,17 +153,17 @@ TEST_CASE("a call of the system that fails leaves all files as they were, or all
   }
 }
 
-TEST_CASE("memory that is refused once ends in order") {
+TEST_CASE("one failed allocation leads to an orderly exit") {
   visit_all(generation(), "memory", ENOMEM, 4999);
   visit_all(import(), "memory", ENOMEM, 4999);
 }
 
-TEST_CASE("a signal at any call leaves all files as they were, or all new") {
+TEST_CASE("after a signal at any call, files are all unchanged or all new") {
   const Scene scene = generation();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) visit_all(scene, "any", -signal, 4);
 }
 
-TEST_CASE("a compiler that cannot be started, or its folder made, leaves nothing behind") {
+TEST_CASE("if the compiler or its folder cannot be started or created, no files remain") {
   const Scene scene("true", "TMPDIR=$PWD/tmp elgen verify -q --samples 2 rotor.toml -o c.txt");
   visit_all(scene, "mkdir", ENOSPC, 1);
   visit_all(scene, "spawn", EAGAIN, 1);

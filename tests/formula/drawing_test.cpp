@@ -12,7 +12,7 @@ std::string drawn(const std::string& latex, Alphabet alphabet) {
 
 }  // namespace
 
-TEST_CASE("a formula of one line, in Unicode and in ASCII") {
+TEST_CASE("a formula on one line, in Unicode and in ASCII") {
   struct Row {
     std::string latex, unicode, ascii;
   };
@@ -55,14 +55,14 @@ TEST_CASE("brackets grow with the fraction inside them") {
         "  ⎛    a⎞²\nm ⎜1 + ─⎟\n  ⎝    b⎠\n");
 }
 
-TEST_CASE("a fraction is drawn in line where that is asked") {
+TEST_CASE("a fraction is drawn in line on request") {
   const Glyphs tree = read_latex("\\frac{\\partial \\tau}{\\partial q}");
   CHECK(text_of(drawing(tree, Alphabet::unicode, Fractions::in_line), "") == "∂τ/∂q\n");
   const Glyphs rate = read_latex("\\frac{d}{dt} x + \\frac{a}{m l}");
   CHECK(text_of(drawing(rate, Alphabet::unicode, Fractions::in_line), "") == "d/dt x + a/(m l)\n");
 }
 
-TEST_CASE("brackets that do not match are drawn as they stand") {
+TEST_CASE("unmatched brackets are drawn unchanged") {
   CHECK(drawn("a + (b", Alphabet::unicode) == "a + (b\n");
   CHECK(drawn("b) c", Alphabet::unicode) == "b) c\n");
 }
@@ -73,13 +73,13 @@ TEST_CASE("a matrix has square brackets") {
   CHECK(text_of(matrix_drawing(cells, 2, Alphabet::ascii), "") == "[ a   0 ]\n");
 }
 
-TEST_CASE("accents that combine take no column") {
+TEST_CASE("combining accents take no column") {
   CHECK(columns_of("θ̇₁") == 2);
   CHECK(columns_of("q̈") == 1);
   CHECK(columns_of("m l²") == 4);
 }
 
-TEST_CASE("blocks stand on one base line") {
+TEST_CASE("blocks are aligned on one baseline") {
   const Block half = stacked({{"1"}, 0}, {{"2"}, 0}, "-");
   const Block drawn = beside(half, {{" m"}, 0});
   CHECK(text_of(drawn, "") == "1\n- m\n2\n");
@@ -90,18 +90,18 @@ TEST_CASE("a fraction is as wide as its wider part") {
   CHECK(text_of(stacked({{"a + b"}, 0}, {{"c"}, 0}, "-"), "") == "a + b\n-----\n  c\n");
 }
 
-TEST_CASE("cells of a grid are centred, or stand at the left") {
+TEST_CASE("cells of a grid are centred or left-aligned") {
   const std::vector<Block> cells{{{"a + b"}, 0}, {{"c"}, 0}, {{"d"}, 0}, {{"e"}, 0}};
   CHECK(text_of(grid(cells, 2), "") == "a + b   c\n  d     e\n");
   CHECK(text_of(grid(cells, 2, Alignment::left), "") == "a + b   c\nd       e\n");
 }
 
-TEST_CASE("a blank line parts the rows of a grid where cells are tall") {
+TEST_CASE("rows of a grid with tall cells are separated by a blank line") {
   const Block half = stacked({{"1"}, 0}, {{"2"}, 0}, "-");
   CHECK(text_of(grid({half, {{"x"}, 0}}, 1), "") == "1\n-\n2\n\nx\n");
 }
 
-TEST_CASE("brackets are as high as what stands beside them") {
+TEST_CASE("brackets are as high as their neighbour") {
   CHECK(text_of(bracket_drawing("(", {{"x"}, 0}, Alphabet::ascii), "") == "(\n");
   CHECK(text_of(bracket_drawing("(", {{"x", "y", "z"}, 1}, Alphabet::ascii), "") == "/\n|\n\\\n");
 }

@@ -1,5 +1,5 @@
-// Formulas: brackets, LaTeX, numbers and words; and that whatever stands in whatever is printed so
-// that it has the value of the tree.
+// Formulas: brackets, LaTeX, numbers and words. Any nesting of operations must be printed so that
+// it has the value of the tree.
 #include "elgen/formula.hpp"
 
 #include <catch2/catch.hpp>
@@ -29,7 +29,7 @@ std::string latex_of(const Formula& formula) { return latex(glyphs_of(formula));
 
 Formula number(const char* text) { return number_formula(cln::cl_RA(text)); }
 
-/// A formula around x; y is what else stands in it.
+/// An operation around x; y is its other operand.
 struct Place {
   const char* name;
   Formula (*around)(const Formula& x, const Formula& y);
@@ -75,19 +75,19 @@ const std::vector<Place> places{
     {"sin x", [](const Formula& x, const Formula&) { return call_of(FunctionId::sin, {x}); }},
 };
 
-/// Every operation of a and b, and numbers.
+/// Every operation applied to a and b, and numbers.
 Formulas operations_and_numbers() {
   Formulas all{a, two, number("2/3"), number("-2"), number("-2/3"), digits_formula("2.5e-03")};
   for (const Place& place : places) all.push_back(place.around(a, b));
   return all;
 }
 
-/// Rounding is far below, and brackets elsewhere change the first digits.
+/// The tolerance is far above rounding errors; a missing bracket changes the first digits.
 bool is_near(const Value& x, const Value& y) {
   return std::abs(x - y) <= 1e-10 * std::max(1.0, std::abs(x));
 }
 
-/// The notations of a formula that are read as another, or not at all.
+/// The notations of a formula that have another value or cannot be parsed.
 Texts wrong_notations(const Formula& formula) {
   const Value value = value_of_tree(formula);
   const std::string text = text_of(formula);
@@ -109,7 +109,7 @@ Texts wrong_notations(const Formula& formula) {
 
 }  // namespace
 
-TEST_CASE("brackets stand only where precedence asks for them, in the model language") {
+TEST_CASE("brackets are printed only if precedence requires them, in the model language") {
   const Spelling& n = model_spelling;
   const FormulaText x{"a"};
   const FormulaText y{"b"};
@@ -123,7 +123,7 @@ TEST_CASE("brackets stand only where precedence asks for them, in the model lang
   CHECK(power(called("sin", {x}), {"2"}).text == "sin(a)^2");
 }
 
-TEST_CASE("trees are printed by the same rules, brackets around terms that are sums") {
+TEST_CASE("nested trees follow the same rules, with brackets around nested sums") {
   CHECK(text_of(sum_of({a, sum_of({b, negative(c)})})) == "a + (b - c)");
   CHECK(text_of(sum_of({sum_of({a, b}), c})) == "(a + b) + c");
   CHECK(text_of(product_of({sum_of({a, b}), power_of(c, two)})) == "(a + b)*c^2");
@@ -140,7 +140,7 @@ TEST_CASE("LaTeX stacks fractions and puts exponents on functions") {
   CHECK(latex_of(root_of(a)) == "\\sqrt{a}");
 }
 
-TEST_CASE("in LaTeX functions stand last, so that no factor is read as a part of an argument") {
+TEST_CASE("in LaTeX functions come last, so that no factor is read as part of an argument") {
   const Formula sine = call_of(FunctionId::sin, {a});
   CHECK(latex_of(product_of({sine, sum_of({b, c}), c})) == "(b + c) c \\sin a");
   CHECK(latex_of(product_of({two, sine, sine})) == "2 \\sin a \\sin a");
@@ -149,7 +149,7 @@ TEST_CASE("in LaTeX functions stand last, so that no factor is read as a part of
   CHECK(product(code_spelling, {called("sin", {{"a"}}), {"b"}}).text == "sin(a) * b");
 }
 
-TEST_CASE("log1p, expm1, hypot and Stumpff's functions are read as fields write them") {
+TEST_CASE("log1p, expm1, hypot and Stumpff functions are printed in mathematical notation") {
   const auto call = [](FunctionId function, Formulas arguments) {
     return call_of(function, std::move(arguments));
   };
@@ -165,7 +165,7 @@ TEST_CASE("log1p, expm1, hypot and Stumpff's functions are read as fields write 
   CHECK(text_of(call(FunctionId::stumpff, {a, two})) == "cosc(a)");
 }
 
-TEST_CASE("a sign stands free in front of a formula only") {
+TEST_CASE("only a leading sign has no brackets") {
   const Spelling& n = code_spelling;
   const FormulaText x{"a"};
   const FormulaText y{"b"};
@@ -218,7 +218,7 @@ TEST_CASE("relations, lists, words and signs") {
   CHECK(row_of({{}, prose("")}).is_empty());
 }
 
-TEST_CASE("lines are read as people read them") {
+TEST_CASE("lines are parsed as people read them") {
   for (const auto& [line, text] : std::vector<std::pair<const char*, const char*>>{
            {"c \\sin^{2} a b", "c*sin(a*b)^2"},
            {"\\sin(a + b) c", "sin(a + b)*c"},
@@ -236,7 +236,7 @@ TEST_CASE("lines are read as people read them") {
   }
 }
 
-TEST_CASE("an operation in another one, in text, LaTeX and ASCII, has the value of the tree") {
+TEST_CASE("a nested operation has the value of the tree in text, LaTeX and ASCII") {
   Texts wrong;
   for (const Formula& inner : operations_and_numbers()) {
     for (const Place& outer : places) {
@@ -248,7 +248,7 @@ TEST_CASE("an operation in another one, in text, LaTeX and ASCII, has the value 
   CHECK(wrong == Texts{});
 }
 
-TEST_CASE("an operation in two others has the value of the tree, too") {
+TEST_CASE("a doubly nested operation has the value of the tree, too") {
   Texts wrong;
   for (const Formula& inner : operations_and_numbers()) {
     for (const Place& middle : places) {

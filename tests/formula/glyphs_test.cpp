@@ -1,5 +1,5 @@
-// Glyphs: read from LaTeX and printed again, measured, broken into lines, translated to MathML;
-// sums and prose in them.
+// Glyphs: parsed from LaTeX and printed again, measured, broken into lines, translated to MathML;
+// sums and prose.
 #include "formula/glyphs.hpp"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ Texts lines_of(const std::string& text, double widest) {
   return lines;
 }
 
-/// Prose in quotes, formulas without.
+/// The pieces of a text; prose in quotes, formulas without.
 Texts pieces_in(const std::string& text) {
   Texts all;
   for (const auto& [is_prose, prose, formula] : pieces(read_latex(text))) {
@@ -29,7 +29,7 @@ Texts pieces_in(const std::string& text) {
   return all;
 }
 
-/// `<q>` of tables in LaTeX.
+/// Replaces `<q>` of the tables by bold LaTeX.
 std::string with_bold(std::string text) {
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) {
     const std::size_t end = text.find('>', at);
@@ -41,7 +41,7 @@ std::string with_bold(std::string text) {
   return text;
 }
 
-/// The LaTeX of all tables of outputs, leaves and functions.
+/// The LaTeX texts in the tables of outputs, leaves and functions.
 Texts latex_of_tables() {
   Texts all;
   for (const OutputRow& row : output_table()) {
@@ -61,13 +61,13 @@ Texts latex_of_tables() {
 
 }  // namespace
 
-TEST_CASE("the LaTeX of tables is printed as it is read") {
+TEST_CASE("the LaTeX of tables is printed unchanged") {
   const Texts all = latex_of_tables();
   CHECK(all.size() > 100);
   for (const std::string& text : all) CHECK(latex(read_latex(text)) == with_bold(text));
 }
 
-TEST_CASE("LaTeX is printed as it is read, scripts in braces") {
+TEST_CASE("LaTeX is printed unchanged, with scripts in braces") {
   for (const char* const text :
        {"{\\delta} q", "\\left[ x \\right]_{\\mathrm{locked}}", "\\left. {} + x \\right)^{-1/2}",
         "{x^{2}}^{3}", "\\ddot{\\mathrm{elbow}}_{2}'", "a \\text{, so } b, \\quad c",
@@ -81,7 +81,7 @@ TEST_CASE("LaTeX is printed as it is read, scripts in braces") {
   for (const auto& [typed, printed] : rows) CHECK(latex(read_latex(typed)) == printed);
 }
 
-TEST_CASE("a formula is read into its parts") {
+TEST_CASE("a formula is parsed into its parts") {
   const Glyphs tree = read_latex("\\frac{a}{b} - \\sin^{2} x");
   REQUIRE(tree.parts.size() == 4);
   CHECK(tree.parts[0].kind == GlyphKind::fraction);
@@ -91,31 +91,31 @@ TEST_CASE("a formula is read into its parts") {
   CHECK(tree.parts[3].kind == GlyphKind::letter);
 }
 
-TEST_CASE("width is that of what is printed, not of its commands") {
+TEST_CASE("the width counts the printed glyphs, not the commands") {
   CHECK(width(read_latex("\\theta")) < 2);
   CHECK(width(read_latex("\\frac{abc}{d}")) < width(read_latex("abc + d")));
   CHECK(width(read_latex("")) == 0);
 }
 
-TEST_CASE("what is unknown is a command, brackets need not match") {
+TEST_CASE("unknown names are commands, and brackets need not match") {
   CHECK(read_latex("\\unknown").parts.at(0) == Glyphs{GlyphKind::command, "unknown"});
   CHECK(read_latex("(a").parts.size() == 2);
 }
 
-TEST_CASE("a backslash before a letter of another script keeps the letter whole") {
+TEST_CASE("a backslash before a non-ASCII letter keeps the letter whole") {
   const Glyphs tree = read_latex("\\é + \\😀");
   REQUIRE(tree.parts.size() == 3);
   CHECK(tree.parts[0].text == "é");
   CHECK(tree.parts[2].text == "😀");
 }
 
-TEST_CASE("a group without an end, and nothing behind it") {
+TEST_CASE("unclosed groups and missing arguments are accepted") {
   CHECK(read_latex("\\frac{a").parts.at(0).parts.size() == 2);
   CHECK(read_latex("\\mathrm").parts.at(0).text.empty());
   CHECK(read_latex("a_{\\sqrt").parts.size() == 1);
 }
 
-TEST_CASE("depth costs no square of it, and no stack") {
+TEST_CASE("deep nesting takes linear time and no stack") {
   for (const std::string piece : {"\\frac ", "{", "\\sqrt", "x^"}) {
     std::string deep;
     for (int i = 0; i < 100'000; ++i) deep += piece;
@@ -125,7 +125,7 @@ TEST_CASE("depth costs no square of it, and no stack") {
 
 TEST_CASE("a short formula is one line") { CHECK(lines_of("a + b - c", 40) == Texts{"a + b - c"}); }
 
-TEST_CASE("a long one is broken before signs, at the outermost brackets") {
+TEST_CASE("a long formula is broken before signs at the outermost level") {
   const auto lines = lines_of("aaaaaaaa + bbbbbbbb (c + d) - eeeeeeee", 16);
   REQUIRE(lines.size() > 1);
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -133,7 +133,7 @@ TEST_CASE("a long one is broken before signs, at the outermost brackets") {
   }
 }
 
-TEST_CASE("tall brackets are completed on both sides of a break") {
+TEST_CASE("tall brackets are closed and reopened at a break") {
   const auto lines = lines_of("\\left( aaaaaaaaaaaa + bbbbbbbbbbbb \\right) c", 14);
   REQUIRE(lines.size() == 2);
   CHECK(lines[0].find("\\right.") != std::string::npos);
@@ -159,7 +159,7 @@ TEST_CASE("LaTeX becomes MathML") {
   }
 }
 
-TEST_CASE("a sum has a sign outside of brackets, or in front") {
+TEST_CASE("a sum has a sign outside brackets or in front") {
   for (const char* sum : {"a + b", "a - b", "-a", "\\frac{a + b}{c} \\mp d"})
     CHECK(is_sum(read_latex(sum)));
   for (const char* product : {"a", "a (b + c)", "\\frac{a + b}{c}", "\\left( a - b \\right) c"}) {
@@ -167,7 +167,7 @@ TEST_CASE("a sum has a sign outside of brackets, or in front") {
   }
 }
 
-TEST_CASE("prose and formulas in turn") {
+TEST_CASE("prose and formulas alternate") {
   CHECK(pieces_in("x = 1") == Texts{"x = 1"});
   CHECK(pieces_in("L \\text{ lacks } x \\text{, so } p_{x} \\text{ stays}") ==
         Texts{"L", "' lacks '", "x", "', so '", "p_{x}", "' stays'"});
@@ -177,13 +177,13 @@ TEST_CASE("prose and formulas in turn") {
   CHECK(pieces_in("").empty());
 }
 
-TEST_CASE("letters lose their bold, words become upright") {
+TEST_CASE("bold letters become plain, and words upright") {
   const auto bare = [](const char* text) { return latex(without_bold(read_latex(text))); };
   CHECK(bare("\\dot{\\mathbf{q}}_{\\boldsymbol{\\tau}}") == "\\dot{q}_{\\tau}");
   CHECK(bare("\\mathbf{bias}") == "\\mathrm{bias}");
 }
 
-TEST_CASE("Greek letters by their command") {
+TEST_CASE("Greek letters are found by their command") {
   CHECK(greek_letter("theta") == "θ");
   CHECK(greek_letter("cart").empty());
 }

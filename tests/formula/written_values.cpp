@@ -1,4 +1,4 @@
-// Three readers that share no code but the values of symbols.
+// Three evaluators of formulas that share only the values of symbols.
 #include "formula/written_values.hpp"
 
 #include <cln/real.h>
@@ -13,7 +13,7 @@
 namespace elgen::testing {
 namespace {
 
-/// Off the real axis, so that no two short expressions of them have one value.
+/// Complex numbers, so that different short expressions have different values.
 Value value_of_symbol(std::string_view name) {
   if (name == "a") return {1.3, 0.2};
   if (name == "b") return {0.7, -0.4};
@@ -25,7 +25,8 @@ Value value_of_symbol(std::string_view name) {
   throw std::invalid_argument(what + " at: " + std::string(where));
 }
 
-/// Negative numbers lie on one side of the cut: -0 i, or what rounding made of it, is 0 i.
+/// Rounding may give a negative real number the imaginary part -0 or a tiny one; this moves it to
+/// one side of the branch cut.
 Value on_branch(const Value& x) {
   const bool is_real = std::abs(x.imag()) <= 1e-14 * std::abs(x.real());
   return {x.real(), is_real ? 0.0 : x.imag()};
@@ -117,7 +118,7 @@ class LineReader {
     return rest_.starts_with('^') ? power_of(base, raised()) : base;
   }
 
-  /// {…}, (…), or one character.
+  /// An exponent: {…}, (…), or one character.
   Value raised() {
     rest_.remove_prefix(1);
     if (rest_.starts_with('{') || rest_.starts_with('(')) return primary();

@@ -1,5 +1,5 @@
-// Values of formulas of a, b and c: of the tree, of its text, and of how it is set. The symbols are
-// complex numbers, so that every root and every power has a value.
+// Values of formulas of a, b and c: of the tree, of its text, and of its typeset form. The symbols
+// are complex numbers, so that every root and every power has a value.
 #pragma once
 
 #include <complex>
@@ -12,14 +12,14 @@ namespace elgen::testing {
 
 using Value = std::complex<double>;
 
-/// Of numbers, symbols, signs, sums, products, quotients, powers, roots and sines.
+/// Accepts numbers, symbols, signs, sums, products, quotients, powers, roots and sines.
 [[nodiscard]] Value value_of_tree(const Formula& formula);
 
-/// By the parser of models. These two throw where a text is no formula.
+/// Parsed by the parser of models. This and the next function throw if the text is no formula.
 [[nodiscard]] Value value_of_text(const std::string& text);
 
-/// Of LaTeX, or of its drawing in ASCII on one line. Factors stand side by side; a function without
-/// brackets takes all factors behind it up to the next function, sign or dot.
+/// Parses LaTeX, or its ASCII drawing on one line. Adjacent factors are multiplied; a function
+/// without brackets applies to all factors up to the next function, sign or dot.
 [[nodiscard]] Value value_of_line(std::string_view line);
 
 }  // namespace elgen::testing

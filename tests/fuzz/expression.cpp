@@ -1,4 +1,5 @@
-// Expressions: what is read can be printed, and what is printed is read as the same.
+// Expressions: a parsed expression can be printed, and parsing the printed text gives the same
+// expression.
 #include "elgen/syntax.hpp"
 #include "fuzz.hpp"
 
@@ -11,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!expression) return 0;
   const std::string printed = dump(*expression);
   Limits printed_limits = limits;
-  printed_limits.expression_depth *= 3;  // every sign is in brackets
+  printed_limits.expression_depth *= 3;  // printing adds brackets around every operation
   const SourcePointer printed_source = make_source("printed", printed);
   const auto again = parse_expression(printed_source, printed_limits);
   fuzzing::require(again && dump(*again) == printed, "printed and read again: " + printed);

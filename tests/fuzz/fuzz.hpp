@@ -1,7 +1,7 @@
-// Helpers of the fuzz targets: an input as a source, and the properties of every answer to one.
+// Helpers of the fuzz targets: an input as a source, and the required properties of every result.
 //
-// A target is a function of bytes that must return: whatever a file holds, reading it ends in a
-// value or in errors that can be printed, never in a crash, undefined behaviour or a hang.
+// A target is a function of bytes that must return. Whatever a file contains, parsing ends with a
+// value or with errors that can be printed, never with a crash, undefined behaviour or a hang.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@
 
 namespace elgen::fuzzing {
 
-/// Stops the run: libFuzzer keeps the input.
+/// Aborts if `holds` is false, so that libFuzzer keeps the input.
 inline void require(bool holds, const std::string& what) {
   if (holds) return;
   fmt::print(stderr, "does not hold: {}\n", what);
@@ -29,7 +29,7 @@ inline SourcePointer source_of(const std::uint8_t* data, std::size_t size, std::
   return make_source(std::move(path), std::move(text));
 }
 
-/// So small that an input of a few kilobytes cannot keep a run busy for long.
+/// Limits so small that an input of a few kilobytes cannot take long.
 inline Limits small_limits() {
   Limits limits;
   limits.file_bytes = 1U << 14U;
@@ -38,7 +38,8 @@ inline Limits small_limits() {
   return limits;
 }
 
-/// A value or at least one error; every diagnostic lies inside its source and can be printed.
+/// Requires a value or at least one error. Every diagnostic must lie inside its source and be
+/// printable.
 template <class T>
 void require_answer(const Result<T>& result) {
   require(result || has_errors(result.diagnostics), "no value without an error");

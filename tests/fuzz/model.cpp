@@ -1,4 +1,4 @@
-// Model files: read, printed, checked.
+// Model files: parsed, printed, checked.
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 #include "fuzz.hpp"

@@ -1,4 +1,4 @@
-// Scene files, read and checked against one model that has an array, a rotation, frames and forces.
+// Scene files, parsed and checked with a model that has an array, a rotation, frames and forces.
 #include "elgen/scene.hpp"
 
 #include "elgen/syntax.hpp"

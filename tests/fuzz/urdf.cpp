@@ -1,4 +1,4 @@
-// URDF files: what is imported is a model file without mistakes.
+// URDF files: a successful import gives a model file without errors.
 #include "elgen/urdf.hpp"
 
 #include "elgen/scene.hpp"

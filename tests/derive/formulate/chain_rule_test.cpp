@@ -1,4 +1,5 @@
-// Forward, reverse and substitution against GiNaC's derivative of the fully written-out expression.
+// Tangents, gradients and substitutions through definitions, compared with GiNaC's derivatives of
+// the written-out expression.
 #include "derive/formulate/chain_rule.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,7 +11,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// x, y (coordinates), v, w (their rates), t, and a list f of definitions that share each other.
+/// Coordinates x and y, their rates v and w, time t, and definitions f.a to f.d that use each
+/// other.
 struct Fixture {
   Definitions definitions;
   GiNaC::realsymbol x{"x"}, y{"y"}, v{"v"}, w{"w"}, t{"t"};
@@ -34,7 +36,7 @@ struct Fixture {
 
 }  // namespace
 
-TEST_CASE("define gives one symbol to one value") {
+TEST_CASE("equal values share one definition") {
   Fixture f;
   CHECK(define(f.definitions, f.x * sin(f.y)).is_equal(f.a));
   CHECK(define(f.definitions, -f.x).is_equal(-f.x));
@@ -42,7 +44,7 @@ TEST_CASE("define gives one symbol to one value") {
   CHECK(f.definitions.list.size() == 4);
 }
 
-TEST_CASE("a definition knows what it uses and depends on") {
+TEST_CASE("a definition knows the definitions and kinds of leaves that it uses") {
   const Fixture f;
   CHECK(f.definitions.list[1].uses == std::vector<std::uint32_t>{0});
   CHECK(f.definitions.list[2].uses == std::vector<std::uint32_t>{0, 1});
@@ -60,7 +62,7 @@ TEST_CASE("a tangent is the derivative along its direction") {
   CHECK(f.agree(rate, expected));
 }
 
-TEST_CASE("a tangent along what an expression does not contain is zero") {
+TEST_CASE("a tangent along absent variables is zero") {
   Fixture f;
   Tangent along(f.definitions, {{f.w, 1}});
   CHECK(along(f.c).is_zero());
@@ -85,14 +87,14 @@ TEST_CASE("a gradient has every partial derivative") {
   CHECK(f.agree(slopes[3], whole.diff(f.w)));
 }
 
-TEST_CASE("a gradient skips terms of weight zero and variables that are absent") {
+TEST_CASE("a gradient skips terms of weight zero and absent variables") {
   Fixture f;
   const auto slopes = gradient(f.definitions, {{f.d, 0}, {f.a, 1}}, {f.x, f.w});
   CHECK(slopes[0].is_equal(sin(f.y)));
   CHECK(slopes[1].is_zero());
 }
 
-TEST_CASE("a substitution reaches every definition and keeps the old ones") {
+TEST_CASE("a substitution changes all definitions that it reaches and keeps the old ones") {
   Fixture f;
   Substitution still(f.definitions, {{f.t, 0}, {f.v, f.w}});
   const ex replaced = still(f.d);
@@ -102,7 +104,7 @@ TEST_CASE("a substitution reaches every definition and keeps the old ones") {
   CHECK(still(f.a).is_equal(f.a));
 }
 
-TEST_CASE("partials of a long sum come in elgen's order, each symbol once") {
+TEST_CASE("partials of a long sum are in the order of definition, one for each symbol") {
   Fixture f;
   const auto found = partials(f.definitions, f.b + f.x * f.y + f.x * f.v + 3,
                               Opcode::parameter | Opcode::coordinate | Opcode::velocity);

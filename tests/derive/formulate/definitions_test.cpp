@@ -1,4 +1,4 @@
-// The list of definitions: atoms, repetition, order of symbols, their text, and opaque functions.
+// The list of definitions: atoms, shared values, order of symbols, text, and opaque functions.
 #include <catch2/catch.hpp>
 
 #include "elgen/lagrangian.hpp"
@@ -6,7 +6,7 @@
 using namespace elgen;
 using GiNaC::ex;
 
-TEST_CASE("symbols come leaves first, as declared, then definitions") {
+TEST_CASE("symbols are ordered: leaves in order of declaration, then definitions") {
   Definitions definitions;
   const GiNaC::realsymbol z("z"), a("a");
   add_leaf(definitions, z, Opcode::parameter);
@@ -52,7 +52,7 @@ TEST_CASE("terms and factors are sorted, powers and functions bracketed") {
   CHECK(dump(definitions) == "d0 = b*sin(x)    ; p\n");
 }
 
-TEST_CASE("signs stand in one place, wherever GiNaC keeps them") {
+TEST_CASE("factored signs are printed in a canonical place, wherever GiNaC keeps them") {
   Definitions definitions;
   const GiNaC::realsymbol a("a"), b("b"), k("k");
   for (const GiNaC::ex& leaf : std::vector<GiNaC::ex>{a, b, k}) {
@@ -77,7 +77,7 @@ TEST_CASE("kinked functions are opaque") {
   CHECK_FALSE(GiNaC::ex(elgen_min(x, y)).is_equal(elgen_max(x, y)));
 }
 
-TEST_CASE("a derivative of one is elgen's own mistake, and loud") {
+TEST_CASE("the derivative of a kinked function throws logic_error") {
   const GiNaC::realsymbol x("x"), y("y");
   CHECK_THROWS_AS(GiNaC::ex(elgen_abs(x)).diff(x), std::logic_error);
   CHECK_THROWS_AS(GiNaC::ex(elgen_sign(x)).diff(x), std::logic_error);

@@ -1,4 +1,4 @@
-// Translation of single expressions: values are kept, sizes stay small.
+// Translation of expressions to GiNaC: equal values, small definitions.
 #include "derive/formulate/expressions.hpp"
 
 #include <algorithm>
@@ -13,8 +13,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// Written-out potential energy of a model of one coordinate x and one parameter k with the given
-/// V.
+/// The written-out potential energy V of a model with one coordinate x and one parameter k.
 ex translated(const std::string& text, Lagrangian& lagrangian) {
   const auto result = formulate(checked_model(model_text("one", R"toml(
 [[coordinate]]
@@ -50,7 +49,7 @@ TEST_CASE("every operation and function is translated") {
   CHECK(value("pi*x").is_equal(GiNaC::Pi * x()));
 }
 
-TEST_CASE("a long sum becomes a tree of small definitions of the same value") {
+TEST_CASE("a long sum becomes a tree of small definitions with the same value") {
   std::string text = "sin(x)";
   for (int i = 2; i < 200; ++i) text += " + sin(" + std::to_string(i) + "*x)/k";
   Lagrangian l;
@@ -63,7 +62,7 @@ TEST_CASE("a long sum becomes a tree of small definitions of the same value") {
   }
 }
 
-TEST_CASE("nested functions do not nest in one definition") {
+TEST_CASE("nested functions become separate definitions") {
   std::string text = "x";
   for (int i = 0; i < 60; ++i) text = "sin(" + text + ")";
   Lagrangian l;
@@ -73,7 +72,7 @@ TEST_CASE("nested functions do not nest in one definition") {
 
 namespace {
 
-/// The names that a reader is given, in the order of the definitions.
+/// The printable names of definitions, in order.
 std::vector<std::string> names_in(const Lagrangian& lagrangian) {
   std::vector<std::string> names;
   for (const Definition& definition : lagrangian.definitions.list) {
@@ -90,7 +89,7 @@ std::vector<std::string> names_in(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("definitions, prescribed motions and points come after what they need") {
+TEST_CASE("definitions, prescribed functions and points come after their operands") {
   CHECK(names_in(R"toml(
 [[coordinate]]
 name = "x"
@@ -112,7 +111,7 @@ mass = "m"
 )toml") == std::vector<std::string>{"phi", "early", "base_x", "tip_x", "late"});
 }
 
-TEST_CASE("frames come before what is placed in them, after their parents", "[frames]") {
+TEST_CASE("frames come after their parents and before their contents", "[frames]") {
   CHECK(names_in(R"toml(
 [[coordinate]]
 name = "q"
@@ -139,7 +138,7 @@ translate = ["2*m", "0", "m"]
 
 namespace {
 
-/// A point of a frame that turns; `more` are keys of the point, and other entries.
+/// A model with a point of a rotating frame; `more` has keys of the point and other entries.
 std::string arm(const std::string& more) {
   return R"toml(
 [[coordinate]]
@@ -159,7 +158,7 @@ at = ["m", "0", "0"]
 
 }  // namespace
 
-TEST_CASE("the entries of a frame that a force mentions are named for a reader", "[frames]") {
+TEST_CASE("rotation entries used by a force have printable names", "[frames]") {
   const auto is_named = [](const std::vector<std::string>& names, const std::string& name) {
     return std::count(names.begin(), names.end(), name) > 0;
   };
@@ -170,7 +169,7 @@ TEST_CASE("the entries of a frame that a force mentions are named for a reader",
   CHECK(is_named(names, "arm_R21"));
 }
 
-TEST_CASE("a point of a frame is defined where something mentions it", "[frames]") {
+TEST_CASE("a point of a frame is defined only if something refers to it", "[frames]") {
   const auto tips = [&](const std::string& rest) {
     const std::vector<std::string> names = names_in(arm(rest));
     return std::count_if(names.begin(), names.end(), [](const std::string& name) {
@@ -189,8 +188,8 @@ TEST_CASE("a point of a frame is defined where something mentions it", "[frames]
              "frame = \"hung\"\ncom = [\"0\", \"0\", \"m\"]\n") == 1);
 }
 
-TEST_CASE("expressions with shared parts are read once") {
-  // As a tree the rotation of fourteen slanted axes has 9^14 nodes.
+TEST_CASE("shared subexpressions are translated once") {
+  // Expanded to a tree the rotation about fourteen oblique axes has 9^14 nodes.
   std::string axes;
   for (int i = 0; i < 14; ++i) axes += R"toml([["1", "2", "2"], "q"], )toml";
   const Model model = checked_model(model_text("slanted", R"toml(
@@ -228,13 +227,13 @@ TEST_CASE("a long chain declared backwards is ordered without recursion") {
   CHECK(names.back() == "d4000");
 }
 
-TEST_CASE("derivatives of open functions are leaves up to the second") {
+TEST_CASE("derivatives of open functions up to order two are leaves") {
   const ex x = GiNaC::realsymbol("x");
   const ex y = GiNaC::realsymbol("y");
   const auto by = [](const ex& value, const ex& symbol) {
     return value.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
   };
-  const ex open = elgen_open(3, 2, 0, x, y, 0, 0);  // numbers 3 to 8
+  const ex open = elgen_open(3, 2, 0, x, y, 0, 0);  // numbers of leaves 3 to 8
   CHECK(open_leaf(open) == 3U);
   CHECK(open_leaf(by(open, x)) == 4U);
   CHECK(open_leaf(by(open, y)) == 5U);

@@ -1,4 +1,4 @@
-// Energies and forces of a model as terms over definitions, and the rates of unit quaternions.
+// Energies and forces of a model as terms over definitions, and rates of unit quaternions.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -16,7 +16,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// A plain coordinate, then a rotation.
+/// A scalar coordinate followed by a rotation.
 Model model() {
   Model result;
   append_coordinate(result, {.name = "x", .identifier = "x"});
@@ -49,7 +49,7 @@ TEST_CASE("points with a mass become point masses, with gravity") {
   CHECK(lagrangian->forces[1].is_zero());
 }
 
-TEST_CASE("bodies add 1/2 w.I w with products of inertia as tensor entries") {
+TEST_CASE("bodies add 1/2 w.I w, with products of inertia as off-diagonal entries") {
   const auto lagrangian = formulate(checked_model(gyroscope_text()).model);
   REQUIRE(lagrangian);
   CHECK(lagrangian->masses.empty());
@@ -85,7 +85,7 @@ TEST_CASE("an armature adds 1/2 J v^2, and forces keep their inputs") {
   CHECK(dependence(lagrangian->definitions, lagrangian->forces[1]).has_any(Opcode::input));
 }
 
-TEST_CASE("a mistake is found once, however many definitions stand on it") {
+TEST_CASE("an error is reported once, however many definitions depend on it") {
   std::string text =
       "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"dot(x)^2/2\"\n[define]\n"
       "d0 = \"1/(x + 1 - (x + 1))\"\n";
@@ -98,8 +98,8 @@ TEST_CASE("a mistake is found once, however many definitions stand on it") {
   CHECK(lagrangian.diagnostics.front().code == Code::E312);
 }
 
-TEST_CASE("a division by zero that only algebra shows is reported where it stands") {
-  // The span of the error points into the model's source.
+TEST_CASE("a division by zero found only by algebra is reported at its position") {
+  // `checked` must outlive the error, whose span points into the model's source.
   const CheckedModel checked = checked_model(model_text("nowhere", R"toml(
 [[coordinate]]
 name = "x"
@@ -116,7 +116,7 @@ V = "k/(x + 1 - (x + 1))"
   CHECK(covered_text(error.span) == "k/(x + 1 - (x + 1))");
 }
 
-TEST_CASE("a plain rate is its velocity, that of a quaternion a definition") {
+TEST_CASE("the rate of a scalar is its velocity, the rate of a quaternion a definition") {
   const Lagrangian lagrangian = formulated();
   const Symbols& s = lagrangian.symbols;
   REQUIRE(s.q_rates.size() == 5);

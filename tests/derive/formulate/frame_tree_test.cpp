@@ -1,4 +1,5 @@
-// Frames become steps, parents first, of those that carry something.
+// Frames become elementary transforms ("steps") in order from the root; frames without contents are
+// omitted.
 #include <catch2/catch.hpp>
 
 #include "derive/formulate/expressions.hpp"
@@ -41,7 +42,8 @@ std::string text(const Lagrangian& lagrangian, const GiNaC::ex& value) {
   return out.str();
 }
 
-/// "shift(l,0,0) turn(z,q)", with the index of the parent behind where it is not the step before.
+/// Steps such as "shift(l,0,0) turn(z,q)"; a number gives the parent if it is not the previous
+/// step.
 std::string steps(const Lagrangian& lagrangian) {
   std::string result;
   const std::vector<TreeStep>& list = lagrangian.tree.steps;
@@ -68,7 +70,7 @@ std::string steps_of(const std::string& entries) { return steps(with_frames(entr
 
 }  // namespace
 
-TEST_CASE("a frame is a shift, then its turns", "[frames]") {
+TEST_CASE("a frame is a translation followed by its rotations", "[frames]") {
   const Lagrangian lagrangian = with_frames(
       "[[frame]]\nname = \"f\"\nparent = \"world\"\ntranslate = [\"l\", \"s\", \"0\"]\n"
       "rotate = [[\"x\", \"1/3\"], [\"y\", \"q\"]]\n" +
@@ -81,7 +83,7 @@ TEST_CASE("a frame is a shift, then its turns", "[frames]") {
   CHECK(lagrangian.masses.empty());
 }
 
-TEST_CASE("steps that move nothing are left out", "[frames]") {
+TEST_CASE("identity steps are omitted", "[frames]") {
   const std::string frame = "[[frame]]\nname = \"f\"\nparent = \"world\"\n";
   CHECK(steps_of(frame + "translate = [\"0\", \"0\", \"0\"]\nrpy = [\"0\", \"q\", \"0\"]\n" +
                  body_in("f")) == "turn(0,1,0;q)");
@@ -90,14 +92,14 @@ TEST_CASE("steps that move nothing are left out", "[frames]") {
   CHECK_FALSE(fixed.tree.bodies[0].step);
 }
 
-TEST_CASE("a shift along the axis of the turn comes last", "[frames]") {
+TEST_CASE("a translation along the axis of a rotation comes after the rotation", "[frames]") {
   const std::string frame = "[[frame]]\nname = \"f\"\nparent = \"world\"\n";
   const std::string body = body_in("f");
   CHECK(steps_of(frame + "translate = [\"l\", \"2*l\", \"s\"]\nrotate = [[\"z\", \"q\"]]\n" +
                  body) == "shift(l,2*l,0) turn(0,0,1;q) shift(0,0,s)");
   CHECK(steps_of(frame + "translate = [\"0\", \"0\", \"s\"]\nrotate = [[\"z\", \"q\"]]\n" + body) ==
         "turn(0,0,1;q) shift(0,0,s)");
-  // x_parent = (x, z, -y): the y of the parent is the z of the frame.
+  // x_parent = (x, z, -y): the y axis of the parent is the z axis of the frame.
   CHECK(steps_of(frame +
                  "translate = [\"l\", \"s\", \"0\"]\nrotate = [[\"x\", \"-pi/2\"], [\"z\", "
                  "\"q\"]]\n" +
@@ -106,14 +108,14 @@ TEST_CASE("a shift along the axis of the turn comes last", "[frames]") {
                  "translate = [\"l\", \"s\", \"0\"]\nrotate = [[\"x\", \"pi/2\"], [\"z\", "
                  "\"q\"]]\n" +
                  body) == "shift(l,0,0) turn(1,0,0;1/2*Pi) turn(0,0,1;q) shift(0,0,-s)");
-  // Not through a turn that is no quarter.
+  // A translation does not pass a rotation by other than a quarter turn.
   CHECK(steps_of(frame +
                  "translate = [\"l\", \"s\", \"0\"]\nrotate = [[\"x\", \"1\"], [\"z\", "
                  "\"q\"]]\n" +
                  body) == "shift(l,s,0) turn(1,0,0;1) turn(0,0,1;q)");
 }
 
-TEST_CASE("frames that carry nothing are left out, with what hangs on them", "[frames]") {
+TEST_CASE("frames without contents are omitted, with their descendants", "[frames]") {
   const std::string frames =
       "[[frame]]\nname = \"f\"\nparent = \"world\"\nrotate = [[\"x\", \"q\"]]\n"
       "[[frame]]\nname = \"g\"\nparent = \"f\"\nrotate = [[\"y\", \"s\"]]\n";
@@ -132,14 +134,14 @@ TEST_CASE("frames that carry nothing are left out, with what hangs on them", "[f
         both);
 }
 
-TEST_CASE("parents come first whatever the order of declaration", "[frames]") {
+TEST_CASE("parents come first in any order of declaration", "[frames]") {
   CHECK(steps_of("[[frame]]\nname = \"f\"\nparent = \"g\"\nrotate = [[\"x\", \"q\"]]\n"
                  "[[frame]]\nname = \"h\"\nparent = \"g\"\nrotate = [[\"y\", \"q\"]]\n"
                  "[[frame]]\nname = \"g\"\nparent = \"world\"\nrotate = [[\"z\", \"s\"]]\n" +
                  body_in("f") + body_in("h")) == "turn(0,0,1;s) turn(1,0,0;q) turn(0,1,0;q)^0");
 }
 
-TEST_CASE("a point that slides in its frame has one step of its own", "[frames]") {
+TEST_CASE("a point that slides in its frame has its own step", "[frames]") {
   const std::string entries =
       "[[frame]]\nname = \"f\"\nparent = \"world\"\nrotate = [[\"x\", \"q\"]]\n"
       "[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"s\", \"l\", \"0\"]\n";
@@ -153,7 +155,7 @@ TEST_CASE("a point that slides in its frame has one step of its own", "[frames]"
   CHECK(steps(with_frames(entries + force)) == "turn(1,0,0;q) shift(s,l,0)");
 }
 
-TEST_CASE("loads and outputs know their steps and axes", "[frames]") {
+TEST_CASE("wrenches and outputs refer to their steps and axes", "[frames]") {
   const Lagrangian lagrangian = with_frames(
       "[[frame]]\nname = \"f\"\nparent = \"world\"\nrotate = [[\"x\", \"q\"]]\n"
       "[[frame]]\nname = \"g\"\nparent = \"f\"\nrotate = [[\"y\", \"s\"]]\n"

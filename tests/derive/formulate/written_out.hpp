@@ -1,5 +1,5 @@
-// Definitions written out into one expression, and equality of such expressions at exact points:
-// the obvious way that derivation avoids.
+// Substitutes all definitions into one expression and compares such expressions at exact points.
+// Derivation avoids this simple but expensive method.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace elgen::test {
 
-/// `value` with every definition replaced by what it stands for.
+/// `value` with every definition substituted.
 inline GiNaC::ex written_out(const Definitions& definitions, GiNaC::ex value) {
   GiNaC::exmap known;
   for (const Definition& definition : definitions.list) {
@@ -17,9 +17,9 @@ inline GiNaC::ex written_out(const Definitions& definitions, GiNaC::ex value) {
   return value.subs(known, GiNaC::subs_options::no_pattern);
 }
 
-/// Whether `difference` is zero at exact points, in 60-digit arithmetic. The points are small
-/// rationals, so values are of order 1 to 1e6, and 1e-45 is far above their rounding and far below
-/// any mistake.
+/// True if `difference` vanishes at exact points in 60-digit arithmetic. Points are small
+/// rationals, so values are between 1 and 1e6. The tolerance 1e-45 is far above rounding errors and
+/// far below the effect of any mistake.
 inline bool vanishes(const GiNaC::ex& difference, const std::vector<GiNaC::ex>& symbols) {
   GiNaC::Digits = 60;
   for (int sample = 0; sample < 3; ++sample) {

@@ -1,5 +1,4 @@
-// Equations of motion made by hand from GiNaC expressions, for tests of the import and what follows
-// it.
+// Builds equations of motion from GiNaC expressions, for tests of the import and of later passes.
 #pragma once
 
 #include <string>
@@ -10,7 +9,7 @@
 namespace elgen::testing {
 
 /// Leaves m, l (parameters), x, y (coordinates), u (input), t. `rotation` changes the order in
-/// which the symbols are created, and with it GiNaC's own order of terms.
+/// which symbols are created, and so GiNaC's order of terms.
 inline EquationsOfMotion leaves(std::size_t rotation = 0) {
   const std::vector<std::string> names = {"m", "l", "x", "y", "vx", "vy", "ax", "ay", "u", "t"};
   std::vector<GiNaC::ex> symbols(names.size());
@@ -33,7 +32,7 @@ inline EquationsOfMotion leaves(std::size_t rotation = 0) {
   return equations;
 }
 
-/// Appends a definition; `uses` are found by its symbols.
+/// Appends a definition; `uses` follow from its symbols.
 inline GiNaC::ex define_as(EquationsOfMotion& equations, const std::string& name,
                            const GiNaC::ex& value) {
   Definition definition;
@@ -47,7 +46,7 @@ inline GiNaC::ex define_as(EquationsOfMotion& equations, const std::string& name
   return definition.symbol;
 }
 
-/// One output of one row; the request that asks for it is returned.
+/// Appends an output with one row; returns its request.
 inline OutputRequest add_output(EquationsOfMotion& equations, OutputKind kind,
                                 const std::vector<GiNaC::ex>& entries) {
   OutputRequest request;

@@ -13,7 +13,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// A value of the imported graph, as its node's kind and sign.
+/// Imports a value; returns its node and sign.
 Ref imported(EquationsOfMotion& equations, const ex& value, Graph& graph) {
   equations.outputs.clear();
   testing::add_output(equations, OutputKind::bias, {value});
@@ -30,7 +30,7 @@ std::string failure(EquationsOfMotion& equations, const ex& value) {
   return result ? "" : result.diagnostics.at(0).message;
 }
 
-/// A random expression of bounded depth that is smooth and defined everywhere.
+/// A random expression of bounded depth, smooth and defined everywhere.
 rc::Gen<ex> expressions(const std::vector<ex>& leaves, int depth) {
   const auto leaf = rc::gen::elementOf(leaves);
   if (depth == 0) return leaf;
@@ -48,7 +48,7 @@ rc::Gen<ex> expressions(const std::vector<ex>& leaves, int depth) {
 
 }  // namespace
 
-TEST_CASE("GiNaC's functions, kinked ones included, have our names") {
+TEST_CASE("GiNaC's functions, including kinked ones, are mapped to ours") {
   EquationsOfMotion equations = testing::leaves();
   const ex x = equations.symbols.q[0];
   const ex y = equations.symbols.q[1];
@@ -75,13 +75,13 @@ TEST_CASE("GiNaC's functions, kinked ones included, have our names") {
               imported(equations, ex(elgen_stumpff(x, 4)), graph));
 }
 
-TEST_CASE("a rounded number is refused: it would lose what it stands for") {
+TEST_CASE("an inexact number is refused, because its exact value is lost") {
   EquationsOfMotion equations = testing::leaves();
   CHECK(failure(equations, equations.symbols.q[0] * GiNaC::numeric("-0.3")) ==
         "a rounded number reached the equations");
 }
 
-TEST_CASE("definitions are imported once, those that are needed") {
+TEST_CASE("only the needed definitions are imported, and only once") {
   EquationsOfMotion equations = testing::leaves();
   const ex sine = testing::define_as(equations, "sine", sin(equations.symbols.q[0]));
   testing::define_as(equations, "cosine", cos(equations.symbols.q[0]));
@@ -96,7 +96,7 @@ TEST_CASE("definitions are imported once, those that are needed") {
   CHECK_FALSE(has_cosine);
 }
 
-TEST_CASE("what cannot be imported is said") {
+TEST_CASE("expressions that cannot be imported are reported") {
   EquationsOfMotion equations = testing::leaves();
   const ex x = equations.symbols.q[0];
   CHECK(failure(equations, GiNaC::symbol("stranger")) ==
@@ -108,7 +108,7 @@ TEST_CASE("what cannot be imported is said") {
   CHECK(failure(equations, 1 / zero) == "a denominator is 0");
 }
 
-TEST_CASE("an open function is a leaf, whatever it is of") {
+TEST_CASE("an open function is a leaf, whatever its arguments") {
   EquationsOfMotion equations = testing::leaves();
   const ex x = equations.symbols.q[0];
   Graph graph;
@@ -146,7 +146,7 @@ TEST_CASE("a program has the value GiNaC gives") {
     for (std::size_t i = 0; i < 2; ++i) {
       const ex exact = copy.outputs[0].fields[0].entries[i].subs(point).evalf();
       const ex difference = GiNaC::abs(exact - GiNaC::numeric(cln::cl_N(values[i].value())));
-      // 60 digits, of which cancellation of terms up to 1e10 may take a few.
+      // Of 60 digits, cancellation of terms up to 1e10 may lose some.
       RC_ASSERT(GiNaC::ex_to<GiNaC::numeric>(difference.evalf()).to_double() < 1e-40);
     }
   }));

@@ -21,7 +21,7 @@ ModelLeaves named(const Symbols& s) {
 
 using Strings = std::vector<std::string>;
 
-/// As GiNaC reads them.
+/// Parses the texts by GiNaC.
 std::vector<ex> expressions(const Symbols& s, const Strings& texts) {
   const auto [m, l, x, y, vx, vy, ax, u, t] = named(s);
   GiNaC::parser reader({{"m", m}, {"l", l}, {"x", x}, {"y", y}, {"vx", vx}}, true);
@@ -64,7 +64,7 @@ const std::vector<LoweredRow> rows = {
 
 }  // namespace
 
-TEST_CASE("GiNaC expressions become canonical programs, whatever GiNaC's order") {
+TEST_CASE("GiNaC expressions become canonical programs, independent of GiNaC's order") {
   for (const LoweredRow& row : rows) {
     INFO(row.what);
     const Program program = lowered(row.entries);
@@ -77,9 +77,9 @@ TEST_CASE("GiNaC expressions become canonical programs, whatever GiNaC's order")
   }
 }
 
-TEST_CASE("what outputs share is computed once, up to sign") {
+TEST_CASE("common subexpressions of outputs are computed once, up to sign") {
   const Program program = lowered({"m*l*cos(x)", "-m*l*sin(x)", "x - y", "m*(y - x)"});
-  // m*l, times cos, times sin, x - y, times m
+  // Instructions: m*l, times cos, times sin, x - y, times m.
   CHECK(count_operations(program.functions[0]) == OperationCounts{.add = 1, .mul = 4, .sincos = 1});
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("definitions stay shared and keep their names") {
   CHECK(count_operations(function) == OperationCounts{.add = 1, .mul = 2, .div = 1, .sincos = 1});
 }
 
-TEST_CASE("dynamics holds what takes neither a nor u, from one computation") {
+TEST_CASE("dynamics computes all outputs without a and u together") {
   EquationsOfMotion equations = testing::leaves();
   const ModelLeaves s = named(equations.symbols);
   std::vector<OutputRequest> requests = {
@@ -134,7 +134,7 @@ TEST_CASE("limits and mistakes") {
   CHECK(underived.diagnostics.at(0).message == "`gravity` was not derived");
 }
 
-TEST_CASE("a denominator that is 0 in any way of writing it is a pivot where M is solved for") {
+TEST_CASE("a denominator that simplifies to 0 is reported, as a pivot if the output solves for M") {
   const auto message = [](const std::string& denominator, const std::vector<OutputKind>& kinds) {
     EquationsOfMotion equations = testing::leaves();
     const ex m = named(equations.symbols).m;
@@ -151,7 +151,7 @@ TEST_CASE("a denominator that is 0 in any way of writing it is a pivot where M i
     const Result<Program> program = lower(equations, requests, {});
     return program ? std::string() : program.diagnostics.at(0).message;
   };
-  // By the import, and by the angles.
+  // The first zero is found by the import, the second by angle sums.
   for (const char* zero :
        {"cos(x)^2 + sin(x)^2 - 1", "sin(3*x) - sin(x)*cos(2*x) - cos(x)*sin(2*x)"}) {
     CHECK(message(zero, {OutputKind::mass_matrix}).empty());
@@ -165,7 +165,7 @@ TEST_CASE("a denominator that is 0 in any way of writing it is a pivot where M i
   }
 }
 
-TEST_CASE("a chain of 5000 definitions is lowered without recursion on it") {
+TEST_CASE("a chain of 5000 definitions is lowered without deep recursion") {
   EquationsOfMotion equations = testing::leaves();
   const ModelLeaves s = named(equations.symbols);
   ex position = s.x;

@@ -1,4 +1,4 @@
-// Forward dynamics is lowered by the route that costs least.
+// Forward dynamics is lowered by the cheapest route.
 #include <catch2/catch.hpp>
 
 #include "derive/framed.hpp"
@@ -18,7 +18,7 @@ struct Routes {
 
   [[nodiscard]] Function lowered() const { return lowered(equations); }
 
-  /// By elimination of M alone.
+  /// Lowered by elimination of M only.
   [[nodiscard]] Function eliminated() const {
     EquationsOfMotion usual = equations;
     usual.other_routes.clear();
@@ -40,14 +40,16 @@ std::size_t cost_of(const Function& function) { return cost(count_operations(fun
 
 }  // namespace
 
-TEST_CASE("few velocities have one route, and are eliminated from the first", "[frames]") {
+TEST_CASE("with few velocities there is one route, which eliminates from the first velocity",
+          "[frames]") {
   CHECK_FALSE(Framed(links_text(9)).lagrangian.eliminates_last_first);
   CHECK(Framed(links_text(10)).lagrangian.eliminates_last_first);
   CHECK(Routes(links_text(9)).equations.other_routes.empty());
   CHECK(Routes(two_turns_text()).equations.other_routes.empty());
 }
 
-TEST_CASE("a chain of twenty turns is solved by articulated bodies, which is shorter", "[frames]") {
+TEST_CASE("a chain of twenty revolute joints is solved by articulated bodies, which cost less",
+          "[frames]") {
   const Routes routes(links_text(20));
   REQUIRE(routes.equations.outputs.size() == 1);
   REQUIRE(routes.equations.other_routes.size() == 1);
@@ -55,8 +57,8 @@ TEST_CASE("a chain of twenty turns is solved by articulated bodies, which is sho
   CHECK(10 * chosen < 9 * cost_of(routes.eliminated()));
 }
 
-TEST_CASE("where M is shorter it is eliminated", "[frames]") {
-  // Ten wheels on one carriage do not know of each other.
+TEST_CASE("M is eliminated if this costs less", "[frames]") {
+  // Ten wheels on one carriage are not coupled with each other.
   std::string text;
   std::string names = "x";
   for (int i = 1; i <= 10; ++i) {
@@ -75,7 +77,7 @@ TEST_CASE("where M is shorter it is eliminated", "[frames]") {
   CHECK(cost_of(routes.lowered()) <= cost_of(routes.eliminated()));
 }
 
-TEST_CASE("without pivots M_ii is not computed, and accelerations stand alone", "[frames]") {
+TEST_CASE("without pivots M_ii is not computed, and accelerations are the only field", "[frames]") {
   const Routes usual(links_text(20));
   Framed system(links_text(20));
   OutputRequest request = usual.request;
@@ -87,7 +89,7 @@ TEST_CASE("without pivots M_ii is not computed, and accelerations stand alone", 
   REQUIRE(alone.fields.size() == 1);
   CHECK(alone.fields.front().name.empty());
   CHECK(alone.fields.front().entries.size() == 20);
-  // Composite inertias take more than a twentieth of it.
+  // Composite inertias cost more than a twentieth of the function.
   CHECK(20 * cost_of(alone) < 19 * cost_of(usual.lowered()));
 }
 

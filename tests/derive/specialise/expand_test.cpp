@@ -1,4 +1,4 @@
-// Energies and forces of an expanded Lagrangian, as polynomials; Taylor coefficients through
+// Energies and forces of an expanded Lagrangian as polynomials, and Taylor coefficients through
 // definitions.
 #include "derive/specialise/expand.hpp"
 
@@ -56,7 +56,7 @@ on = "x"
 value = "u*cos(x)"
 )toml");
 
-/// Leaves x, y and definitions over them.
+/// Leaves x, y, p and definitions over them.
 struct Leaves {
   Definitions definitions;
   ex x = GiNaC::realsymbol("x");
@@ -77,7 +77,7 @@ struct Leaves {
 
 }  // namespace
 
-TEST_CASE("forces on coordinates that are not small are kept to one order more") {
+TEST_CASE("forces on coordinates that are not small are expanded to one order more") {
   const std::string cart = model_text("cart", R"toml(
 [[coordinate]]
 name = "x"
@@ -105,12 +105,12 @@ value = ["u*cos(th)", "0"]
   const Symbols& s = e.lagrangian.symbols;
   const ex& th = s.q[1];
   const ex& u = s.u[0];
-  // u (sin + cos) to the third order, u (sin + cos^2) to the second.
+  // Force on x: u (sin + cos) to order 3; force on th: u (sin + cos^2) to order 2.
   CHECK((force(e, 0) - u * (1 + th - th * th / 2 - th * th * th / 6)).expand().is_zero());
   CHECK((force(e, 1) - u * (1 + th - th * th)).expand().is_zero());
 }
 
-TEST_CASE("energies are kept to one order more than the equations") {
+TEST_CASE("energies are expanded to one order more than the equations") {
   const Expanded e = energies(spring, "order = 1\nabout = { x = 0 }");
   const Symbols& s = e.lagrangian.symbols;
   const ex& x = s.q[0];
@@ -128,10 +128,10 @@ TEST_CASE("energies are kept to one order more than the equations") {
   CHECK(force(third, 0).is_equal((t.u[0] * (1 - y * y / 2)).expand()));
 }
 
-TEST_CASE("inputs near a value count with the coordinates") {
+TEST_CASE("inputs near a value count as small, like coordinates") {
   const Expanded e = energies(spring, "order = 1\nabout = { x = \"pi/3\", u = 2 }");
   const Symbols& s = e.lagrangian.symbols;
-  // u cos(x) near x = pi/3, u = 2: 1 + (u - 2)/2 - sqrt(3) (x - pi/3)
+  // u cos(x) near x = pi/3, u = 2: 1 + (u - 2)/2 - sqrt(3) (x - pi/3).
   const ex deviation = s.q[0] - GiNaC::Pi / 3;
   const ex expected = 1 + (s.u[0] - 2) / 2 - sqrt(ex(3)) * deviation;
   CHECK((force(e, 0) - expected).expand().is_zero());
@@ -158,7 +158,7 @@ TEST_CASE("point masses, weights and forces at points become terms") {
   CHECK((e.potential - m * g * l * (1 - s.q[1] * s.q[1] / 2)).expand().is_zero());
 }
 
-TEST_CASE("what frames carry is expanded in the world") {
+TEST_CASE("contents of frames are expanded in the world") {
   const std::string arm = model_text("arm", R"toml(
 [[coordinate]]
 name = "q"
@@ -205,7 +205,7 @@ value = ["F", "0", "0"]
   const ex kinetic = (5 * m * l * l + s.parameters[2]) * s.v[0] * s.v[0] / 2;
   CHECK((e.kinetic - kinetic).expand().is_zero());
   CHECK((e.potential + 3 * m * s.parameters[3] * l * (1 - q * q / 2)).expand().is_zero());
-  // u - 2 l F cos(q), where F counts as well
+  // u - 2 l F cos(q), with F small as well.
   CHECK((force(e, 0) - s.u[0] + 2 * l * s.u[1]).expand().is_zero());
 }
 
@@ -218,7 +218,7 @@ TEST_CASE("an expansion is the Taylor polynomial about the point") {
   CHECK(l.expanded(h, {{l.x, about}}, 4).is_equal(expected));
 }
 
-TEST_CASE("orders of all small leaves count jointly, through products and quotients") {
+TEST_CASE("the order counts all small leaves together, through products and quotients") {
   Leaves l;
   const ex a = define(l.definitions, exp(l.x) * l.y);
   const ex b = define(l.definitions, l.p + l.x);
@@ -230,7 +230,7 @@ TEST_CASE("orders of all small leaves count jointly, through products and quotie
   CHECK((l.expanded(value, small, 3) - third).expand().is_zero());
 }
 
-TEST_CASE("what is not small stays as it is") {
+TEST_CASE("other leaves are not expanded") {
   Leaves l;
   const ex h = define(l.definitions, sin(l.x) * pow(l.y, 2));
   CHECK(l.expanded(h, {{l.y, 0}}, 1).is_zero());
@@ -238,7 +238,7 @@ TEST_CASE("what is not small stays as it is") {
   CHECK(l.expanded(sin(l.p), {{l.x, 0}}, 1).is_equal(sin(l.p)));
 }
 
-TEST_CASE("a value without derivatives at the point is refused") {
+TEST_CASE("a value that is not differentiable at the point is refused") {
   Leaves l;
   const ex root = define(l.definitions, sqrt(l.x) + l.p);
   CHECK_THROWS_AS(l.expanded(root, {{l.x, 0}}, 1), GiNaC::pole_error);

@@ -1,5 +1,5 @@
-// Fixed parameters become numbers, what they make zero is gone, and locked variables leave every
-// part of a Lagrangian.
+// Fixed parameters become numbers, terms with zeros vanish, and locked variables disappear from all
+// parts of a Lagrangian.
 #include "elgen/specialise.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,7 +25,7 @@ Lagrangian specialised(const std::string& text, const std::vector<std::string>& 
   return *specialise(*formulate(checked.model), checked);
 }
 
-/// Definitions, masses, energies and forces.
+/// Prints definitions, masses, energies and forces.
 std::string text_of(const Lagrangian& lagrangian) {
   const auto print = [&](const GiNaC::ex& value) {
     return expression_text(lagrangian.definitions, value);
@@ -67,7 +67,7 @@ Lagrangian locked(const std::string& text, const std::string& scene) {
 
 }  // namespace
 
-TEST_CASE("nothing fixed changes nothing") {
+TEST_CASE("without fixed parameters nothing changes") {
   CHECK(text_of(specialised(cart_pole_text(), {})) ==
         text_of(*formulate(checked_model(cart_pole_text()).model)));
 }
@@ -105,7 +105,7 @@ TEST_CASE("every part of a Lagrangian is specialised") {
   CHECK(depends.has_any(Opcode::coordinate));
 }
 
-TEST_CASE("values that leave nothing to compute are refused, naming the parameter") {
+TEST_CASE("fixed values with undefined results are refused, naming the parameter") {
   CHECK(refused("j = 1\nk = 1\n", "x^2/k", {"j", "k=0"}) ==
         "E312 k: `k` at its fixed value makes a denominator 0, whatever the state is");
   CHECK(refused("j = 1\nk = 1\n", "x^2*log(k)", {"j", "k=0"}) ==
@@ -116,7 +116,7 @@ TEST_CASE("values that leave nothing to compute are refused, naming the paramete
         "E312 j: `j`, `k` at their fixed values make a denominator 0, whatever the state is");
 }
 
-TEST_CASE("the coordinate, its velocity and its force are gone") {
+TEST_CASE("a locked coordinate disappears with its velocity and force") {
   const Lagrangian l = locked(cart_pole_text(), "[lock]\nx = { value = \"2*t\" }\n");
   REQUIRE(l.symbols.q.size() == 1);
   CHECK(l.symbols.v.size() == 1);
@@ -128,7 +128,7 @@ TEST_CASE("the coordinate, its velocity and its force are gone") {
   CHECK_FALSE(l.holding.has_value());
 }
 
-TEST_CASE("positions are those at the function of time") {
+TEST_CASE("positions are evaluated at the locked function of time") {
   const Lagrangian l = locked(cart_pole_text(), "[lock]\nx = { value = \"2*t\" }\n");
   const GiNaC::ex& x = l.masses[1].position[0];
   const Definition& bob = l.definitions.list[l.definitions.places.at(x).index];
@@ -136,7 +136,7 @@ TEST_CASE("positions are those at the function of time") {
   CHECK(bob.depends.has_any(Opcode::coordinate));
 }
 
-TEST_CASE("a wanted reaction keeps the whole Lagrangian") {
+TEST_CASE("for a requested reaction the whole Lagrangian is kept") {
   const Lagrangian l = locked(cart_pole_text(), "[lock]\ntheta = { value = 0, reaction = true }\n");
   REQUIRE(l.holding.has_value());
   CHECK(l.holding->velocities == std::vector<std::uint32_t>{1});
@@ -145,7 +145,7 @@ TEST_CASE("a wanted reaction keeps the whole Lagrangian") {
   CHECK(l.holding->values.at(l.holding->whole->symbols.v[1]).is_zero());
 }
 
-TEST_CASE("parameters fixed and coordinates locked in one scene") {
+TEST_CASE("a scene may fix parameters and lock coordinates") {
   const Lagrangian l = locked(cart_pole_text(),
                               "[parameters]\nfixed = { l = \"1/3\" }\n"
                               "[lock]\ntheta = { value = \"l*t\" }\n");
@@ -157,13 +157,13 @@ TEST_CASE("parameters fixed and coordinates locked in one scene") {
   CHECK(depends.has_any(Opcode::time));
 }
 
-TEST_CASE("a leaf is replaced through definitions, and equal values share one") {
+TEST_CASE("a leaf is replaced through definitions, and equal values share a definition") {
   WholeLagrangian lagrangian = *formulate(checked_model(cart_pole_text()).model);
   const std::vector<Definition> old = lagrangian.definitions.list;
   replace(lagrangian, {{lagrangian.symbols.q[1], 0}});
-  // The bob stands above the cart: its x is the cart's.
+  // With theta = 0 the bob is above the cart, so its x is the cart's.
   CHECK(lagrangian.masses[1].position[0].is_equal(lagrangian.masses[0].position[0]));
-  // The old definitions stay, unreached.
+  // The old definitions remain, although nothing refers to them.
   REQUIRE(lagrangian.definitions.list.size() >= old.size());
   for (std::size_t i = 0; i < old.size(); ++i) {
     CHECK(lagrangian.definitions.list[i].symbol.is_equal(old[i].symbol));

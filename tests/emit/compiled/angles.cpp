@@ -1,6 +1,6 @@
-// detail::SineCosine: in double and float sines in line are off by 1.5 and 0.9 ulp, by 0.5 beside
-// multiples of pi/2, and the library's beyond the domain; other scalars, and all where arithmetic
-// is reordered, have the bits of std::sin and std::cos.
+// detail::SineCosine. In-line sines have errors up to 1.5 ulp in double and 0.9 ulp in float, 0.5
+// ulp near multiples of pi/2, and equal the library's beyond the domain. Other scalars, and all
+// scalars if arithmetic is reordered, have the bits of std::sin and std::cos.
 #include <cstdio>
 #include <limits>
 #include <random>
@@ -11,7 +11,7 @@ namespace {
 
 namespace code = two_link_arm::detail;
 
-// By pointers that the compiler cannot look through, so that it does not fuse the two calls itself.
+// Calls through volatile pointers, so that the compiler cannot fuse sine and cosine.
 template <class Scalar>
 struct Separate {
   Scalar (*volatile sine)(Scalar) = std::sin;
@@ -24,7 +24,7 @@ bool is_same(Scalar x, Scalar y) {
          (!(x < y) && !(x > y) && std::signbit(x) == std::signbit(y));
 }
 
-/// Up to which angles are in line.
+/// The largest angle computed in line; -1 if none is.
 template <class Scalar>
 constexpr double domain = -1;
 template <>
@@ -57,7 +57,7 @@ int differences(const char* type) {
   return count;
 }
 
-/// In units of the last place of a truth in more digits.
+/// The error in ulp of a reference value with more digits.
 template <class Scalar>
 double error(Scalar value, long double truth) {
   const int last = std::ilogb(truth) + 1 - std::numeric_limits<Scalar>::digits;
@@ -74,8 +74,8 @@ double worst_error(Scalar angle) {
   return std::max(error(sine, std::sin(exact)), error(cosine, std::cos(exact)));
 }
 
-/// At angles of all magnitudes; beside multiples of pi/4. x86 and aarch64 have 64 or 113 bits in
-/// long double: truths are off by 2^-11 ulp of double.
+/// Errors at angles of all magnitudes, and near multiples of pi/4. long double has 64 bits on x86
+/// and 113 on aarch64, so the error of the references is at most 2^-11 ulp of double.
 template <class Scalar>
 int errors(const char* type, double least_exponent, double most_anywhere) {
   std::mt19937 random(2);  // NOLINT: the same angles in every run

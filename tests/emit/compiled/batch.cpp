@@ -1,4 +1,4 @@
-// Batches against the functions of one state: any count, and how far both scalars are off.
+// Batches of any size compared with functions of one state, and the errors in both scalars.
 #include <cstdio>
 #include <limits>
 #include <vector>
@@ -26,7 +26,8 @@ std::array<Exact, 7> state(const std::vector<T>& numbers, std::size_t count, std
   return result;
 }
 
-/// The worst error of torques relative to the largest; 1 where what is behind them was written to.
+/// The largest error of the torques relative to the largest torque; 1 if a batch writes beyond its
+/// array.
 template <class T>
 double worst_error(std::size_t count) {
   const std::vector<T> q = numbers<T>(7 * count, 0);
@@ -67,7 +68,7 @@ bool is_outside(T angle) {
   return std::isnan(sin(x).native[0]) && std::isnan(cos(x).native[0]);
 }
 
-/// Functions of several parts keep the sine and the cosine of an angle as two numbers.
+/// True if std::tie works: functions in parts keep sine and cosine as two numbers.
 template <class T>
 bool is_tied() {
   const arm::batch::Pack<T> x(T(0.5));

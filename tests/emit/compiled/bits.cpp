@@ -1,5 +1,5 @@
-// Prints two numbers that every bit of batches changes, for machines to be compared. The library's
-// functions, which have other bits elsewhere, are not called.
+// Prints two hashes over all bits of batches, to compare machines. Functions of the library are not
+// called, because their bits depend on the machine.
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
@@ -11,7 +11,7 @@ namespace {
 
 namespace arm = panda7_rollouts;
 
-/// A whole number of 24 bits at most, as large as a float holds.
+/// A random integer of 24 bits, which a float holds exactly.
 std::uint32_t drawn(std::uint64_t& state) {
   state = state * 6364136223846793005U + 1442695040888963407U;
   return static_cast<std::uint32_t>(state >> 40);
@@ -24,7 +24,7 @@ std::vector<T> numbers(std::size_t size, std::uint64_t seed, T largest) {
   return result;
 }
 
-/// FNV-1a over the bits as a number, so that the order of bytes does not matter.
+/// FNV-1a over the bits as a number, so that the hash does not depend on the byte order.
 template <class T, class Bits>
 void add(T value, std::uint64_t& hash) {
   Bits bits;

@@ -1,5 +1,6 @@
-// Kernels that call emitted functions in both precisions: a small model, one with quaternions, one
-// whose functions have parts; and those of batches. clang++ without NVIDIA's headers gets what those would declare.
+// Kernels that call emitted functions in both precisions: of a small model, of a model with
+// quaternions, and of a model with functions in parts; also the kernels of batches. Without
+// NVIDIA's headers the program itself declares the variables and functions that clang++ needs.
 #if defined(__clang__)
 #define __CUDACC__
 #define __host__ __attribute__((host))

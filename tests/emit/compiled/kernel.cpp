@@ -1,5 +1,5 @@
-// Kernels of batches as plain functions: all threads of a grid, one after another, for fewer and
-// for more states than threads. Every state has the values of the function of one state.
+// Kernels of batches compiled as plain functions. All threads of a grid run in turn, with more and
+// with fewer states than threads. Every state must have the values of the function of one state.
 #include <cstdio>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// The wrapper that makes a vector of the compilers g++ and clang++ a Scalar of emitted code.
+// A wrapper that makes a g++ or clang++ vector a Scalar of emitted code.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The header of batches behind macros that <windows.h> defines.
+// The header of batches, included after macros that <windows.h> defines.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,6 @@
-// Packs of numbers pass through emitted functions unmodified: every lane is what the scalar gives,
-// but for sines, which packs have of their own or from the library and scalars in line.
+// Packs of numbers pass through emitted functions unmodified: every lane has the scalar's value.
+// Sines are an exception: scalars compute them in line, packs by their own functions or the
+// library's.
 #include <cstdio>
 #include <experimental/simd>
 
@@ -22,7 +23,8 @@ auto torques(const std::array<Scalar, 2>& q) {
   return two_link_arm::inverse_dynamics<Scalar>(p, q, v, a);
 }
 
-/// Lanes that are further than `tolerance` from the scalar, relative to the larger torque.
+/// The number of lanes that differ from the scalar by more than `tolerance` relative to the larger
+/// torque.
 template <class Pack, class Element>
 int differences(const char* type, std::size_t lanes, Element tolerance) {
   std::array<Pack, 2> q;

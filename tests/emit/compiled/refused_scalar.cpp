@@ -1,4 +1,4 @@
-// A scalar that is refused: SCALAR.
+// Instantiates a function with SCALAR, a type that must be refused.
 #include <Eigen/Core>
 #include <complex>
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 #include "swing_fixed/swing_fixed.hpp"
 
-/// Fixed point of 16 binary places, which says nothing of itself.
+/// Fixed point with 16 fractional bits, without std::numeric_limits.
 struct Fixed {
   std::int32_t raw = 0;
 
@@ -14,7 +14,7 @@ struct Fixed {
   Fixed(double x) : raw(static_cast<std::int32_t>(x * 65536)) {}
 };
 
-/// The same in a pair, and in a type that says what it is.
+/// A pair of fixed-point numbers, and a type with std::numeric_limits.
 struct FixedPair {
   using value_type = Fixed;
   Fixed x, y;

@@ -1,5 +1,5 @@
-// One set of equations in every kind of scalar, each with right numbers: `scalars TYPE`. Those with
-// digits are compared with 50 of them, derivatives with the Jacobian that was emitted.
+// `scalars TYPE`: evaluates one system in a kind of scalar and checks the numbers. Numeric types
+// are compared with 50 digits, derivatives with the emitted Jacobian.
 #include <Eigen/Core>
 #include <array>
 #include <boost/math/differentiation/autodiff.hpp>
@@ -16,8 +16,8 @@
 #include <ceres/jet.h>
 #endif
 
-// No library of C++17 has functions of __float128: libquadmath has, and they are declared before
-// the header is included.
+// C++17 has no functions of __float128. libquadmath has, and the declarations must precede the
+// header.
 extern "C" {
 __float128 sinq(__float128) noexcept;
 __float128 cosq(__float128) noexcept;
@@ -43,7 +43,7 @@ using Pair = std::array<Scalar, 2>;
 constexpr Pair<double> place{0.375, 0.8125};
 constexpr Pair<double> rates{0.5, -1.25};
 
-/// Both accelerations and the energy.
+/// Both accelerations and the potential energy.
 template <class Scalar>
 std::array<Scalar, 3> values(const Pair<Scalar>& q, const Pair<Scalar>& v) {
   const emitted::Parameters<Scalar> p{};
@@ -64,7 +64,7 @@ void expect(bool is_right, const char* what, double value) {
   std::printf("%s: %.17g\n", what, value);
 }
 
-/// All digits of a number, as three numbers of double at most.
+/// All digits of a number, as a sum of at most three doubles.
 template <class Number>
 Reference exact(Number x) {
   Reference sum = 0;
@@ -87,7 +87,7 @@ void check_digits(double tolerance) {
   }
 }
 
-/// 50 digits are those of double as far as these go.
+/// Checks that the reference with 50 digits agrees with double.
 void check_reference() {
   const auto in_double = values<double>();
   const auto reference = values<Reference>();
@@ -127,7 +127,7 @@ struct Dual {
   }
 };
 
-/// The same, which a number has to be turned into by name and is not assigned to.
+/// Like Dual, but converted from a number only explicitly, and not assignable from it.
 struct Strict {
   using Scalar = double;
   Dual dual;
@@ -199,7 +199,7 @@ void check_jet() {
 #endif
 }
 
-/// The second order: elements beyond that of the slope.
+/// Uses order 2, so that an fvar has elements beyond the first derivative.
 void check_fvar() {
   using Fvar = boost::math::differentiation::autodiff_fvar<double, 2>;
   check_slopes<Fvar>(
@@ -217,7 +217,7 @@ void check_autodiff() {
                          [](const AutoDiff& x) { return Dual(x.value(), x.derivatives()[0]); });
 }
 
-/// An interval holds the numbers of double, and little else.
+/// An interval must contain the double value and be narrow.
 void check_interval() {
   namespace policy = boost::numeric::interval_lib;
   using Interval = boost::numeric::interval<

@@ -1,6 +1,6 @@
-// Equations of a scalar that is a node of an expression, with what casadi::SXElem has and lacks:
-// made of a double, compared to expressions, neither true nor false, described by
-// std::numeric_limits as having no digits. The expressions have the values of double.
+// Uses a node of an expression as scalar, with the properties of casadi::SXElem: made from a
+// double, compared to an expression, not convertible to bool, without digits in
+// std::numeric_limits. The expressions must have the values of double.
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -60,7 +60,7 @@ inline Symbol sin(const Symbol& x) {
 inline Symbol cos(const Symbol& x) {
   return made([](double number) { return std::cos(number); }, x);
 }
-// Comparisons are expressions, which no branch takes.
+// Comparisons return expressions, so that no branch can depend on them.
 inline Symbol operator<(const Symbol& x, const Symbol& y) {
   return made(std::less<double>(), x, y);
 }

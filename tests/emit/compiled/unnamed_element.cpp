@@ -1,4 +1,4 @@
-// A pack that does not say what its elements are: numbers would be computed where they are used.
+// A pack without a declared element type; constants could be computed in the wrong type.
 #include "lanes.hpp"
 #include "two_link_arm/two_link_arm.hpp"
 

@@ -1,6 +1,5 @@
 // Double-double: reads lines `function x.high x.low y.high y.low` and prints the high and the low
-// part of each value. Functions are numbered as in functions.def, + - * / and sqrt come behind
-// them.
+// part of each value. Functions are numbered as in functions.def, followed by + - * / and sqrt.
 #include <cstdio>
 
 #include "functions_code/functions_code_wide.hpp"
@@ -33,13 +32,14 @@ Number value(int function, const Number& x, const Number& y) {
   return sqrt(x);
 }
 
-/// Both at once have the values of one by one.
+/// True if SineCosine has the values of sin and cos.
 bool has_sines_of_pairs(const Number& x) {
   const auto both = code::detail::SineCosine<Number>::of(x);
   return both.sine == sin(x) && both.cosine == cos(x);
 }
 
-/// A product of the caller's is an argument as it was rounded, whatever a compiler sees of it.
+/// True if a product computed by the caller counts as rounded, even if the compiler can see its
+/// factors.
 bool takes_products_as_rounded(double x, double y) {
   const code::Parameters<double> p{};
   const volatile double product = x * y;

@@ -1,11 +1,11 @@
-// A library to be preloaded: one call of the system fails, or a signal comes before it.
+// A library for LD_PRELOAD: one system call fails, or a signal arrives before it.
 //
 //     ELGEN_FAULT="KIND NUMBER ACTION"    write 3 28: the third write fails with errno 28
-//                                         any 7 -9: signal 9 comes before the seventh call
-//     ELGEN_FAULT_COUNTS=FILE             how many calls of each kind there were
+//                                         any 7 -9: signal 9 arrives before the seventh call
+//     ELGEN_FAULT_COUNTS=FILE             write the number of calls of each kind to FILE
 //
-// Kinds are open, write, rename, mkdir, spawn, memory, and any, which is each of these but memory.
-// Calls are counted from main on: before, it is the loader and the runtime that call.
+// Kinds are open, write, rename, mkdir, spawn, memory, and any; `any` counts all kinds except
+// memory. Counting starts at main, because the loader and the runtime make calls before.
 #include <dlfcn.h>
 #include <spawn.h>
 #include <sys/stat.h>
@@ -59,7 +59,7 @@ void write_counts() {
   std::fclose(file);
 }
 
-/// Whether this is the call; a signal is sent from here, and the call goes on where it waits.
+/// True if this call must fail. A signal is raised here; the call itself then succeeds.
 bool is_due(Kind kind) {
   if (++counts[kind] != fault_number || kind != fault_kind) return false;
   if (fault_action > 0) {
@@ -86,7 +86,7 @@ Main* real_main = nullptr;
 
 int counted_main(int count, char** words, char** environment) {
   read_fault();
-  ::unsetenv("LD_PRELOAD");  // programs it starts are not its affair
+  ::unsetenv("LD_PRELOAD");  // child processes run without this library
   std::atexit(write_counts);
   is_armed = true;
   return real_main(count, words, environment);

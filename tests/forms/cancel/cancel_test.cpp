@@ -1,4 +1,4 @@
-// Zeros become exact, and those that nobody proved are remembered.
+// Vanishing expressions become exact zeros, and zeros without a proof are recorded.
 #include "elgen/cancel.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,8 +17,8 @@ Program velocity_force_program(const std::string& instructions) {
 
 }  // namespace
 
-TEST_CASE("a sum that cancels becomes 0, by proof") {
-  // m (l + x) - (m l + m x), and the same times the rate plus m
+TEST_CASE("a sum that cancels becomes 0 by proof") {
+  // m (l + x) - (m l + m x), and the same times the rate plus m.
   const Program program = cancel(velocity_force_program(
       "  0 = parameter m\n  1 = parameter l\n  2 = coordinate x\n  3 = add 1 2\n"
       "  4 = multiply 0 3\n  5 = multiply 0 1\n  6 = multiply 0 2\n  7 = add 5 6\n"
@@ -26,13 +26,13 @@ TEST_CASE("a sum that cancels becomes 0, by proof") {
       "  result 2 1 = 8 11\n"));
   const Function& function = program.functions[0];
   CHECK(check_invariants(program).empty());
-  CHECK(function.instructions.size() == 2);  // 0 and m
+  CHECK(function.instructions.size() == 2);  // the constant 0 and m
   CHECK(function.instructions[function.fields[0].entries[1]].opcode == Opcode::parameter);
   CHECK(function.sampled_zeros.empty());
 }
 
-TEST_CASE("where no proof exists, the entries that rest on the zero are named") {
-  // (e^(x/5))^5 - e^x: closed forms know the twelfth parts of an exponent alone.
+TEST_CASE("without a proof the entries that depend on the zero are recorded") {
+  // (e^(x/5))^5 - e^x: closed forms only know exponents that are multiples of 1/12.
   const Program program = cancel(velocity_force_program(
       "  0 = coordinate x\n  1 = constant 1/5\n  2 = multiply 0 1\n  3 = exp 2\n"
       "  4 = multiply 3 3\n  5 = multiply 4 4\n  6 = multiply 5 3\n  7 = exp 0\n"
@@ -43,7 +43,7 @@ TEST_CASE("where no proof exists, the entries that rest on the zero are named") 
   CHECK(function.sampled_zeros == std::vector<std::uint32_t>{1, 2});
 }
 
-TEST_CASE("a function without zeros stays as it is, with its names") {
+TEST_CASE("a function without zeros is unchanged, with its names") {
   const Program program = velocity_force_program(
       "  0 = parameter m\n  1 = coordinate x\n  2 = sin 1\n"
       "  3 = multiply 0 2\n  result 2 1 = 3 0\n");

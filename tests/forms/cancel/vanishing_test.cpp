@@ -1,4 +1,4 @@
-// Entries that vanish, and entries that only seem to.
+// Entries that vanish, and entries that only seem to vanish.
 #include "forms/cancel/vanishing.hpp"
 
 #include <catch2/catch.hpp>
@@ -16,19 +16,19 @@ Program gravity_program(const std::string& instructions) {
   return testing::read_program(text);
 }
 
-/// At the first point.
+/// Instructions that vanish at the first point.
 Places places(const std::string& instructions) {
   const Program program = gravity_program(instructions);
   return vanishing(program, program.functions[0]);
 }
 
-/// At all the others.
+/// True for each entry that vanishes at all other points.
 std::vector<bool> elsewhere(const std::string& instructions) {
   const Program program = gravity_program(instructions);
   return vanishing_elsewhere(program, program.functions[0]);
 }
 
-/// 4 = (x + y)(x - y) - (x^2 - y^2) by two roads
+/// 4 = (x + y)(x - y), 8 = (x + y)(x - y) - (x^2 - y^2)
 const std::string difference_of_squares =
     "  0 = coordinate x\n  1 = coordinate y\n  2 = add 0 1\n  3 = subtract 0 1\n"
     "  4 = multiply 2 3\n  5 = multiply 0 0\n  6 = multiply 1 1\n  7 = subtract 5 6\n"
@@ -36,27 +36,27 @@ const std::string difference_of_squares =
 
 }  // namespace
 
-TEST_CASE("what cancels on paper vanishes, and so does what it multiplies") {
+TEST_CASE("an expression that cancels algebraically vanishes, and so do its products") {
   CHECK(places(difference_of_squares + "  9 = multiply 8 0\n  10 = add 9 1\n  result 1 1 = 10\n") ==
         Places{8, 9});
   CHECK(elsewhere(difference_of_squares + "  result 2 1 = 8 7\n") ==
         std::vector<bool>{true, false});
 }
 
-TEST_CASE("what is merely small does not") {
+TEST_CASE("a small value does not vanish") {
   CHECK(places("  0 = coordinate x\n  1 = constant 1/1000000000000000000000000000000\n"
                "  2 = multiply 0 1\n  3 = multiply 2 2\n  4 = multiply 3 3\n  result 1 1 = 4\n")
             .empty());
 }
 
-TEST_CASE("a bound that products have raised makes no zero") {
+TEST_CASE("an error bound raised by products is no zero") {
   // (((x + 1e15) - 1e15)^2)^2
   CHECK(places("  0 = coordinate x\n  1 = constant 1000000000000000\n  2 = add 0 1\n"
                "  3 = subtract 2 1\n  4 = multiply 3 3\n  5 = multiply 4 4\n  result 1 1 = 5\n")
             .empty());
 }
 
-TEST_CASE("a difference that 64 digits hide is not taken for zero") {
+TEST_CASE("a difference hidden by 64 digits is not zero") {
   const std::string zeros(70, '0');
   // 1 - tanh(1000 x)^2 and (1 + 1e-70 x) - 1
   CHECK(places("  0 = coordinate x\n  1 = constant 1000\n  2 = multiply 1 0\n  3 = tanh 2\n"
@@ -68,7 +68,7 @@ TEST_CASE("a difference that 64 digits hide is not taken for zero") {
             .empty());
 }
 
-TEST_CASE("an angle that uses up the digits hides what its functions are") {
+TEST_CASE("functions of an angle that exhausts the digits do not vanish") {
   const std::string zeros(100, '0');
   CHECK(places("  0 = coordinate x\n  1 = constant 1" + zeros +
                "\n  2 = multiply 1 0\n  3 = tan 2\n  4 = sin 2\n  5 = add 3 4\n"
@@ -76,7 +76,7 @@ TEST_CASE("an angle that uses up the digits hides what its functions are") {
             .empty());
 }
 
-TEST_CASE("a function with a kink may be zero in a region and is not zero") {
+TEST_CASE("a kinked function that is zero in a region does not vanish") {
   // max(x - 5, 0), and |x| - x
   CHECK(places("  0 = coordinate x\n  1 = constant 5\n  2 = subtract 0 1\n  3 = constant 0\n"
                "  4 = max 2 3\n  result 1 1 = 4\n")
@@ -84,7 +84,7 @@ TEST_CASE("a function with a kink may be zero in a region and is not zero") {
   CHECK(places("  0 = coordinate x\n  1 = abs 0\n  2 = subtract 1 0\n  result 1 1 = 2\n").empty());
 }
 
-TEST_CASE("a root may have the other sign elsewhere, and so may an angle") {
+TEST_CASE("a square root or an inverse function may have another branch elsewhere") {
   // x + sqrt(x^2) and sqrt(x^2) - x; asin(sin(x)) - x
   CHECK(elsewhere("  0 = coordinate x\n  1 = multiply 0 0\n  2 = square_root 1\n  3 = add 0 2\n"
                   "  4 = subtract 2 0\n  result 1 2 = 3 4\n") == std::vector<bool>{false, false});
@@ -92,20 +92,20 @@ TEST_CASE("a root may have the other sign elsewhere, and so may an angle") {
                   "  result 1 1 = 3\n") == std::vector<bool>{false});
 }
 
-TEST_CASE("the other sign of a root may lie beyond all points") {
+TEST_CASE("another branch may lie beyond all sampled points") {
   // sqrt((x - 2)^2) + x - 2, which is 0 for x < 2
   CHECK(elsewhere("  0 = coordinate x\n  1 = constant 2\n  2 = subtract 0 1\n  3 = multiply 2 2\n"
                   "  4 = square_root 3\n  5 = add 4 2\n  result 1 1 = 5\n") ==
         std::vector<bool>{false});
 }
 
-TEST_CASE("the logarithm of what is positive is analytic") {
+TEST_CASE("the logarithm of a positive function is analytic") {
   // log(exp(x)) - x
   CHECK(elsewhere("  0 = coordinate x\n  1 = exp 0\n  2 = log 1\n  3 = subtract 2 0\n"
                   "  result 1 1 = 3\n") == std::vector<bool>{true});
 }
 
-TEST_CASE("what goes into something undefined is left alone") {
+TEST_CASE("a zero used by an undefined operation is not replaced") {
   CHECK(places(difference_of_squares + "  9 = divide 0 8\n  result 1 2 = 9 8\n").empty());
   CHECK(elsewhere(difference_of_squares + "  9 = divide 0 8\n  result 1 2 = 9 8\n") ==
         std::vector<bool>{false, false});

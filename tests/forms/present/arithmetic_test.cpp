@@ -22,7 +22,7 @@ struct Leaves {
 
 }  // namespace
 
-TEST_CASE("what one division puts below, the next takes away") {
+TEST_CASE("a factor in the denominator cancels with an equal factor") {
   Leaves l;
   Arithmetic& a = l.arithmetic;
   const Value sum = a.add(l.x, l.y);
@@ -35,7 +35,7 @@ TEST_CASE("what one division puts below, the next takes away") {
   CHECK(l.equal(product, l.x));
 }
 
-TEST_CASE("a factor is found again up to a monomial") {
+TEST_CASE("factors of denominators are identified up to a monomial") {
   Leaves l;
   Arithmetic& a = l.arithmetic;
   const Value sum = a.add(l.x, l.y);
@@ -44,7 +44,7 @@ TEST_CASE("a factor is found again up to a monomial") {
   CHECK(l.algebra.factors.size() == 1);
 }
 
-TEST_CASE("division by zero, and an exhausted budget, give nothing") {
+TEST_CASE("division by zero and an exhausted budget give no value") {
   Leaves l;
   CHECK_FALSE(l.arithmetic.divide(l.x, Fraction{}));
   std::size_t little = 3;
@@ -54,7 +54,7 @@ TEST_CASE("division by zero, and an exhausted budget, give nothing") {
   CHECK_FALSE(poor.add(poor.multiply(sum, sum), l.x));
 }
 
-TEST_CASE("atoms are found again") {
+TEST_CASE("equal atoms are identified") {
   Leaves l;
   CHECK(l.equal(l.arithmetic.leaf(Opcode::coordinate, 0), l.x));
   CHECK(l.algebra.atoms.size() == 2);

@@ -1,4 +1,4 @@
-// Functions of closed forms; model_expression_test has the identities.
+// Functions of closed forms; identities are tested in model_expression_test.
 #include <catch2/catch.hpp>
 
 #include "forms/present/arithmetic.hpp"
@@ -39,7 +39,7 @@ TEST_CASE("roots of numbers are roots of primes") {
   CHECK_FALSE(s.arithmetic.square_root(fraction_of(cln::cl_RA(-1))));
 }
 
-TEST_CASE("calls of numbers that have rational values are these") {
+TEST_CASE("calls with rational values become numbers") {
   Space s;
   const Value zero = fraction_of(cln::cl_RA(0));
   const auto series = [&](int k) {
@@ -54,7 +54,7 @@ TEST_CASE("calls of numbers that have rational values are these") {
   CHECK(s.atoms(AtomKind::call) == 1);
 }
 
-TEST_CASE("Stumpff's functions are atoms, or their quotients where the algebra has these") {
+TEST_CASE("Stumpff functions are atoms, or quotients if the algebra has quotients") {
   for (const bool has_quotients : {false, true}) {
     Space s{.algebra = {.has_quotients = has_quotients}};
     const auto series = [&](int k) {
@@ -70,7 +70,7 @@ TEST_CASE("Stumpff's functions are atoms, or their quotients where the algebra h
   }
 }
 
-TEST_CASE("exponentials are atoms, or powers of few where the algebra has these") {
+TEST_CASE("exponentials are atoms, or powers of a few atoms if the algebra has exponentials") {
   for (const bool has_exponentials : {false, true}) {
     Space s{.algebra = {.has_exponentials = has_exponentials}};
     Arithmetic& a = s.arithmetic;
@@ -105,7 +105,7 @@ TEST_CASE("exponentials are atoms, or powers of few where the algebra has these"
   }
 }
 
-TEST_CASE("constants are taken apart by their form") {
+TEST_CASE("constants are split by their form") {
   Space s;
   const ConstantForm pi{.kind = ConstantKind::pi, .parts = {}};
   const ConstantForm half = rational_form(cln::cl_RA(1) / 2);
@@ -127,7 +127,7 @@ TEST_CASE("constants are taken apart by their form") {
   CHECK(rational_value(product->numerator) == cln::cl_RA(6));
 }
 
-TEST_CASE("odd and even functions have one atom for both signs") {
+TEST_CASE("odd and even functions have one atom for both signs of the argument") {
   Space s;
   const Value minus = s.arithmetic.negate(s.x);
   (void)s.arithmetic.call(FunctionId::tanh, s.x, {});

@@ -1,4 +1,4 @@
-// Pairs of expressions that are one function, and pairs that are not.
+// Pairs of expressions that are equal, and pairs that are not.
 #include <catch2/catch.hpp>
 
 #include "elgen/closed_forms.hpp"
@@ -75,7 +75,7 @@ TEST_CASE("identities are proved") {
   }
 }
 
-TEST_CASE("what differs is never proved equal") {
+TEST_CASE("different expressions are never proved equal") {
   const std::vector<Pair> differences{
       {"sin(x)", "cos(x)"},
       {"sin(x)^2 - cos(x)^2", "1"},
@@ -106,7 +106,7 @@ TEST_CASE("fixed parameters are numbers") {
   CHECK(proved_equal(forms, *left, *right));
 }
 
-TEST_CASE("a form beyond the budget is given up, not approximated") {
+TEST_CASE("a form beyond the budget is abandoned, not approximated") {
   const Model model = model_of({"(1 + x + y + a + b)^60", "1"}).model;
   ClosedForms forms;
   CHECK_FALSE(closed_form(forms, model, {}, model.outputs[0].values[0]));

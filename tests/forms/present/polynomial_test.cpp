@@ -21,7 +21,7 @@ bool equal(const Polynomial& a, const Polynomial& b) { return minus(a, b).empty(
 
 }  // namespace
 
-TEST_CASE("the order of monomials is that of a group") {
+TEST_CASE("the order of monomials is compatible with multiplication, also by negative powers") {
   const MonomialLess less;
   const std::vector<Monomial> ascending{{{0, -1}}, {{0, -1}, {1, 2}}, {{1, -3}}, {},
                                         {{1, 1}},  {{0, 1}, {1, -1}}, {{0, 1}},  {{0, 2}}};
@@ -35,7 +35,7 @@ TEST_CASE("the order of monomials is that of a group") {
   }
 }
 
-TEST_CASE("terms that cancel leave nothing") {
+TEST_CASE("terms that cancel are removed") {
   CHECK(minus(x, x).empty());
   CHECK(constant(0).empty());
   CHECK(product(x, term({{0, -1}}, 1)).begin()->first.empty());
@@ -51,7 +51,7 @@ TEST_CASE("a product divided by a factor is the other factor") {
   CHECK(work < 1000);
 }
 
-TEST_CASE("what does not divide has no quotient, and ends") {
+TEST_CASE("division without a quotient ends") {
   std::size_t work = 100'000;
   CHECK_FALSE(quotient(sum(product(x, x), one), sum(x, one), work));
   CHECK_FALSE(quotient(sum(x, one), sum(y, one), work));
@@ -59,7 +59,7 @@ TEST_CASE("what does not divide has no quotient, and ends") {
   CHECK(work > 99'000);
 }
 
-TEST_CASE("division stops where the budget is used up") {
+TEST_CASE("division stops when the budget is exhausted") {
   std::size_t work = 3;
   const Polynomial a = sum(x, y);
   CHECK_FALSE(quotient(product(product(a, a), a), a, work));
@@ -73,13 +73,13 @@ TEST_CASE("coefficients are complex") {
   CHECK(inverse.imaginary == cln::cl_RA(-4) / 25);
 }
 
-TEST_CASE("rational numbers are told from everything else") {
+TEST_CASE("rational_value recognises constants") {
   CHECK(rational_value(constant(7)) == cln::cl_RA(7));
   CHECK(rational_value({}) == cln::cl_RA(0));
   CHECK_FALSE(rational_value(x));
 }
 
-TEST_CASE("monomials of many factors are equal, copied and ordered like those of few") {
+TEST_CASE("monomials with many factors are compared, copied and ordered like short ones") {
   Monomial long_one;
   for (AtomId atom = 0; atom < 20; ++atom) long_one.push_back({atom, 2});
   const Monomial copy = long_one;
@@ -95,7 +95,7 @@ TEST_CASE("monomials of many factors are equal, copied and ordered like those of
   CHECK(few == Monomial{{0, 2}, {1, 2}, {2, 2}});
 }
 
-TEST_CASE("terms ascend in whatever order they are added") {
+TEST_CASE("terms are sorted, in whatever order they are added") {
   Polynomial all;
   for (int i = 0; i < 60; ++i) add_term(all, {{0, (i * 37) % 61 - 30}, {1, 1}}, {1 + i, 0});
   CHECK(all.size() == 60);
@@ -107,7 +107,7 @@ TEST_CASE("terms ascend in whatever order they are added") {
   CHECK(all.find({{2, 1}}) == all.end());
 }
 
-TEST_CASE("products and quotients are those of one term at a time") {
+TEST_CASE("products and quotients equal those computed term by term") {
   const Polynomial a = sum(sum(product(x, x), term({{1, -1}, {2, 1}}, -3)), term({{3, 2}}, 2));
   Polynomial b = constant(5);
   for (std::int32_t i = 1; i < 12; ++i) {

@@ -1,4 +1,4 @@
-// A program run on canonical sums, and the zeros that these prove.
+// A program evaluated on canonical sums, and the zeros that they prove.
 #include <catch2/catch.hpp>
 
 #include "elgen/closed_forms.hpp"
@@ -48,7 +48,7 @@ TEST_CASE("every operation of a program") {
   CHECK(entry->numerator.size() == 2);
 }
 
-TEST_CASE("what costs more than its budget is given up") {
+TEST_CASE("a form that exceeds its budget is abandoned") {
   const Program program =
       testing::read_program(leaves +
                             "function bias\n  0 = coordinate x\n  1 = coordinate y\n  2 = add 0 1\n"
@@ -62,13 +62,13 @@ TEST_CASE("the empty sum is 0, another sum of leaves, sines and cosines is not")
   CHECK(proved(circle) == Proofs{ZeroProof::zero, ZeroProof::not_zero});
 }
 
-TEST_CASE("x + 1e-50 x is not x, though no number of 64 digits would tell") {
+TEST_CASE("x + 1e-50 x is not x, although 64 digits cannot distinguish them") {
   CHECK(proved("  2 = constant 1/1" + std::string(50, '0') +
                "\n  3 = multiply 2 1\n  4 = add 3 1\n  5 = subtract 4 1\n  result 1 1 = 5\n") ==
         Proofs{ZeroProof::not_zero});
 }
 
-TEST_CASE("atoms that may depend on each other prove nothing") {
+TEST_CASE("possibly dependent atoms prove nothing") {
   // sqrt(x^2) - x and 2 cos(x/24)^2 - 1 - cos(x/12)
   CHECK(proved("  2 = multiply 1 1\n  3 = square_root 2\n  4 = subtract 3 1\n  result 1 1 = 4\n") ==
         Proofs{ZeroProof::open});
@@ -76,13 +76,13 @@ TEST_CASE("atoms that may depend on each other prove nothing") {
                "  6 = add 5 5\n  7 = constant 1/12\n  8 = multiply 7 1\n  9 = cos 8\n"
                "  10 = constant 1\n  11 = add 10 9\n  12 = subtract 6 11\n  result 1 1 = 12\n") ==
         Proofs{ZeroProof::open});
-  // x/(x + m): sin(2 y) - 2 sin(y) cos(y)
+  // sin(2 y) - 2 sin(y) cos(y) for y = x/(x + m)
   CHECK(proved("  2 = add 0 1\n  3 = divide 1 2\n  4 = add 3 3\n  5 = sin 4\n  6 = sin 3\n"
                "  7 = cos 3\n  8 = multiply 6 7\n  9 = add 8 8\n  10 = subtract 5 9\n"
                "  result 1 1 = 10\n") == Proofs{ZeroProof::open});
 }
 
-TEST_CASE("exp(x + m) is proved to be exp(x)*exp(m), closed forms keep them as they are") {
+TEST_CASE("exp(x + m) is proved equal to exp(x)*exp(m), and closed forms keep both") {
   const std::string code =
       "  2 = add 0 1\n  3 = exp 2\n  4 = exp 0\n  5 = exp 1\n  6 = multiply 4 5\n"
       "  7 = subtract 3 6\n  8 = subtract 3 5\n  9 = expm1 2\n  10 = subtract 9 6\n"
@@ -97,7 +97,7 @@ TEST_CASE("exp(x + m) is proved to be exp(x)*exp(m), closed forms keep them as t
   CHECK(entry->numerator.size() == 2);
 }
 
-TEST_CASE("a form that is given up proves nothing") {
+TEST_CASE("an abandoned form proves nothing") {
   CHECK(proved(circle, {.products_per_function = 1, .products = 1, .terms = 1}) ==
         Proofs{ZeroProof::open, ZeroProof::open});
 }

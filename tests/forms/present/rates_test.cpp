@@ -1,4 +1,4 @@
-// Rates along the motion.
+// Rates of closed forms along the motion.
 #include <catch2/catch.hpp>
 
 #include "elgen/closed_forms.hpp"
@@ -10,14 +10,14 @@ using namespace elgen::test;
 
 namespace {
 
-/// Whether the rate along the motion is proved to be 0.
+/// True if the rate along the motion is proved to be 0.
 bool is_steady(ClosedForms& forms, const Fraction& x, const Fraction& acceleration,
                const OpenTerms& open_values = {}) {
   const auto rate = free_rate(forms, x, {acceleration}, {}, open_values);
   return rate && rate->numerator.empty();
 }
 
-/// Whether `quantity` is conserved where the acceleration of x is `acceleration`.
+/// True if `quantity` is conserved with this acceleration of x.
 bool is_conserved(const std::string& quantity, const std::string& acceleration) {
   const Model model = checked_model(model_text("line", R"toml([[coordinate]]
 name = "x"
@@ -53,12 +53,12 @@ TEST_CASE("energies of motions on a line") {
   CHECK(is_conserved("1/2*dot(x)^2 + sqrt(1 + x^2)", "-x/sqrt(1 + x^2)"));
 }
 
-TEST_CASE("the rate of time is 1, inputs are off") {
+TEST_CASE("the rate of time is 1, and inputs are zero") {
   CHECK(is_conserved("x - t*dot(x)", "0"));
   CHECK(is_conserved("dot(x) - k*t", "k + u"));
 }
 
-TEST_CASE("functions that are not taken apart have the rates of their table") {
+TEST_CASE("functions that stay atoms have the derivatives of their table") {
   CHECK(is_conserved("dot(x)*exp(-x)", "dot(x)^2"));
   CHECK_FALSE(is_conserved("dot(x)*exp(-x)", "2*dot(x)^2"));
   CHECK(is_conserved("1/2*dot(x)^2 + k*log(1 + x^2)", "-2*k*x/(1 + x^2)"));
@@ -69,7 +69,7 @@ TEST_CASE("functions that are not taken apart have the rates of their table") {
   CHECK(is_conserved("1/2*dot(x)^2 + atan2(k, x)", "k/(x^2 + k^2)"));
 }
 
-TEST_CASE("functions with kinks have a rate only where they stand still") {
+TEST_CASE("functions with kinks have a rate only if their arguments are constant") {
   ClosedForms forms;
   Arithmetic arithmetic(forms.algebra);
   const Value moving = arithmetic.leaf(Opcode::coordinate, 0);
@@ -80,7 +80,7 @@ TEST_CASE("functions with kinks have a rate only where they stand still") {
   CHECK(stays(arithmetic.call(FunctionId::abs, standing, {})));
 }
 
-TEST_CASE("open functions change as the chain rule says, whatever they are") {
+TEST_CASE("open functions have rates by the chain rule, with any arguments") {
   const Model model = checked_model(model_text("line", R"toml([[coordinate]]
 name = "x"
 [[function]]

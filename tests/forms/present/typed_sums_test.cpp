@@ -1,4 +1,4 @@
-// The sums of a program that may stay whole, and closed forms with them.
+// The sums of a program that may stay whole, and closed forms with these sums as atoms.
 #include <catch2/catch.hpp>
 
 #include "elgen/closed_forms.hpp"
@@ -8,7 +8,7 @@ using namespace elgen;
 
 namespace {
 
-/// sqrt((x - m)^2 + y), then x - m alone and (x + m) + (x - m).
+/// Entries: sqrt((x - m)^2 + y)/(x + m), x - m, and (x + m) + (x - m).
 Program distance() {
   return testing::read_program(
       "parameters m\ncoordinates x y\nfunction gravity\n"
@@ -31,12 +31,12 @@ std::size_t terms_of(const ClosedForms& forms, std::size_t entry) {
 
 }  // namespace
 
-TEST_CASE("typed sums: bases of powers, and arguments of roots and quotients") {
+TEST_CASE("typed sums are bases of powers, and arguments of roots and quotients") {
   CHECK(typed_sums(distance()).functions.size() == 3);
   CHECK(typed_sums(angle()).functions.empty());
 }
 
-TEST_CASE("whole sums are atoms wherever they stand, but where a sum of them is shorter without") {
+TEST_CASE("typed sums are atoms, except in sums that are shorter without these atoms") {
   const Program program = distance();
   const ClosedForms whole = present(program, typed_sums(program));
   CHECK(terms_of(whole, 0) == 1);

@@ -1,4 +1,4 @@
-// The table of differences that cancel: every row is an identity, and fires on its own text.
+// The table of cancelling differences: every row is an identity and matches its own text.
 #include "forms/write/digit_rows.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,15 +14,15 @@ using namespace elgen;
 
 namespace {
 
-/// Random letters inside (-most, most).
+/// Random values of the letters in (-most, most).
 Arguments<Real> letters(Random& random, const Real& most) {
   Arguments<Real> point;
   for (int k = 0; k < 5; ++k) point.q.push_back(Real(random.rational()) * most);
   return point;
 }
 
-/// Wherever the first has a value, at letters of both signs, small and smaller; says how often it
-/// had.
+/// Checks that both are equal wherever the first has a value, at letters of both signs and several
+/// magnitudes; returns the number of comparisons.
 int equal_values(const Expressions& from, const Expressions& to) {
   int compared = 0;
   Random random(7);
@@ -40,7 +40,7 @@ int equal_values(const Expressions& from, const Expressions& to) {
   return compared;
 }
 
-/// Where a letter is each of five numbers.
+/// The value in double at five values of the letters.
 double in_double(const Expressions& expressions, const std::vector<double>& letters) {
   Arguments<double> point;
   point.q = letters;
@@ -48,7 +48,8 @@ double in_double(const Expressions& expressions, const std::vector<double>& lett
   return evaluate(program, program.functions[0], point).at(0);
 }
 
-/// With letters that the condition takes: sums with a number in them.
+/// The text of a row with letters that satisfy its condition, for example sums that contain a
+/// number.
 std::string text_for(const DigitRow& row) {
   const std::string text(row.from);
   if (row.condition == RowCondition::anchored) {
@@ -72,7 +73,7 @@ TEST_CASE("both sides of every row are equal in 100 digits") {
   }
 }
 
-TEST_CASE("every row fires on its own text, and where a factor is common to its terms") {
+TEST_CASE("every row matches its own text, also with a common factor in its terms") {
   for (const DigitRow& row : digit_rows()) {
     for (const bool is_scaled : {false, true}) {
       INFO(row.from << (is_scaled ? ", times d e^2" : ""));
@@ -91,7 +92,7 @@ TEST_CASE("every row fires on its own text, and where a factor is common to its 
   }
 }
 
-TEST_CASE("rows keep their digits near 0 in double") {
+TEST_CASE("rewritten differences keep their digits near 0 in double") {
   struct NearZero {
     const char* text;
     const char* reference;
@@ -112,7 +113,8 @@ TEST_CASE("rows keep their digits near 0 in double") {
   CHECK(in_double(*after, point) == Approx(in_double(reference, point)).epsilon(1e-14));
 }
 
-TEST_CASE("exponentials less their first terms keep their digits far from 0 on both sides") {
+TEST_CASE(
+    "exponentials minus their first terms keep their digits at large arguments of both signs") {
   const char* const text = GENERATE("exp(a) - 1 - a", "expm1(a) - a", "sinh(a) - a",
                                     "cosh(a) - 1 - a^2/2", "a*cosh(a) - sinh(a)");
   INFO(text);

@@ -1,4 +1,4 @@
-// Differences of nearly equal values, written so that nothing cancels.
+// Differences of nearly equal values, rewritten without cancellation.
 #include "forms/write/kept_digits.hpp"
 
 #include <catch2/catch.hpp>
@@ -22,7 +22,7 @@ std::string kept(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("each difference that may cancel, and what is written in its place") {
+TEST_CASE("each cancelling difference has its rewriting") {
   struct KeptRow {
     const char* before;
     const char* after;
@@ -53,7 +53,7 @@ TEST_CASE("each difference that may cancel, and what is written in its place") {
   CHECK(kept(row.before) == row.after);
 }
 
-TEST_CASE("every rewriting has the value of what it replaces") {
+TEST_CASE("every rewriting has the value of the original") {
   Random random(1);
   for (const char* text : {"sqrt(4 + b^2) - 2",
                            "c*exp(a) - c",
@@ -126,7 +126,7 @@ TEST_CASE("every rewriting has the value of what it replaces") {
   }
 }
 
-TEST_CASE("a sum with a repeated factor is written as a product") {
+TEST_CASE("a sum with a repeated factor becomes a product") {
   struct FactorRow {
     const char* before;
     const char* after;
@@ -154,7 +154,7 @@ TEST_CASE("a product with a repeated factor has the value of the sum") {
   }
 }
 
-TEST_CASE("sums that have nothing in common stay") {
+TEST_CASE("sums without common factors stay") {
   for (const char* text :
        {"sqrt(a^2 + b^2) - c", "sqrt(a^2 + b^2) + sqrt(a^2 + b^2)", "a + b", "log(2 + a)",
         "exp(a) - 2", "sqrt(a^2) + a", "sqrt(a^2 + b^2) - a", "sqrt(1 + a^2)*sqrt(1 + b^2) - 1",
@@ -165,7 +165,7 @@ TEST_CASE("sums that have nothing in common stay") {
   }
 }
 
-TEST_CASE("calls of one argument are made of those that keep digits") {
+TEST_CASE("functions of one argument are computed from functions that keep digits") {
   const auto fewer = [](const std::string& text) {
     const auto better = with_fewer_calls(testing::expressions_of({text}));
     return better ? testing::texts_of(*better).at(0) : "none";

@@ -1,4 +1,4 @@
-// Expressions and how they are written for a reader; which of two rewritings may replace the other.
+// Readable forms of expressions, and the comparison of rewritings by precision.
 #include <catch2/catch.hpp>
 
 #include "choose/chosen.hpp"
@@ -24,13 +24,13 @@ std::string written(const std::string& expression) {
 const std::vector<std::string> names{"a", "b", "c", "d", "e"};
 const LeafNames leaves{{{}, {}, names, names, {}, {}, names, {}, {}, "t"}, false};
 
-/// Graphs of their own: the two ways are not joined into one, as those of a model text would be.
+/// Uses two separate graphs, so that equal parts of the two expressions are not shared.
 bool is_precise(const char* rewriting, const char* reference, Leaves kind) {
   return is_as_precise(testing::expressions_of({rewriting}), testing::expressions_of({reference}),
                        mixed_points(leaves), kind);
 }
 
-/// Functions of which a closed form is emitted that is less precise than the one that judges it.
+/// Functions whose emitted closed form is less precise than the reference form.
 std::vector<std::string> imprecise(const std::string& text) {
   const Program program = chosen(text).choice.program;
   const Points points = mixed_points(program.leaves);
@@ -43,7 +43,8 @@ std::vector<std::string> imprecise(const std::string& text) {
     for (std::size_t e = 0; e < entries.size(); ++e) {
       const Expressions emitted = from_program(program, function, {entries_of(function)[e]});
       const Expressions judge = from_program(program, readable, {entries[e]});
-      // B counts the rounding of what sums of angles are made of: either is no more than it says.
+      // The bound for rounded leaves includes the rounding of angles in sums; satisfying one of the
+      // two suffices.
       const bool is_precise = is_as_precise(emitted, judge, points, Leaves::exact) ||
                               is_as_precise(emitted, judge, points, Leaves::rounded);
       if (!is_precise) result.push_back(function.name + " " + std::to_string(e));
@@ -79,15 +80,15 @@ TEST_CASE("the shortest form is written") {
   }
 }
 
-TEST_CASE("what is shorter as it was derived is written so only where no digits are lost") {
+TEST_CASE("a shorter derived form is written only if it loses no digits") {
   CHECK(written("(x + a)^3 - x^3") == "a*(3*x*(a + x) + a^2)");
   CHECK(written("(a - sqrt(x^2 + y^2))^2") == "(a - sqrt(x^2 + y^2))^2");
-  // Both have as few digits as the angle has.
+  // Both forms are only as precise as the angle.
   CHECK(written("cos(x + pi/6)") == "cos(1/6*pi + x)");
 }
 
-TEST_CASE("no entry of any output holds both squares") {
-  // The spherical pendulum: l^2 (theta'^2 + sin(theta)^2 phi'^2) out of three components.
+TEST_CASE("no entry of any output contains both squares") {
+  // The spherical pendulum: l^2 (theta'^2 + sin(theta)^2 phi'^2) from three Cartesian components.
   const Chosen c = chosen(model_text("spherical", R"toml(
 [[coordinate]]
 name = "theta"
@@ -108,7 +109,7 @@ mass = "m"
                                  "2*m*l^2*sin(theta)*cos(theta)*dot(theta)*dot(phi)"});
 }
 
-TEST_CASE("terms that cancel are seen, other countings of the same roundings are admitted") {
+TEST_CASE("cancelling terms are detected, and other orders of equal roundings are accepted") {
   const char* const plain = "b + a*d";
   const char* const cancelling = "b + 2*a*(c + 1/2*d) - 2*a*c";
   CHECK_FALSE(is_precise(cancelling, plain, Leaves::exact));
@@ -122,14 +123,14 @@ TEST_CASE("terms that cancel are seen, other countings of the same roundings are
   CHECK(is_precise("2*sin(c)*cos(c)", "sin(2*c)", Leaves::exact));
 }
 
-TEST_CASE("a sum of angles has as many digits as its angles, and no more") {
+TEST_CASE("a sum of angles is less precise only if the angles are exact") {
   const char* const shifted = "cos(c + 1)";
   const char* const apart = "cos(c)*cos(1) - sin(c)*sin(1)";
   CHECK_FALSE(is_precise(shifted, apart, Leaves::exact));
   CHECK(is_precise(shifted, apart, Leaves::rounded));
 }
 
-TEST_CASE("a difference of angles is rounded where the angles themselves are not") {
+TEST_CASE("a difference of angles is less precise only if the angles are exact") {
   const char* const whole = "a + cos(c - d)";
   const char* const apart = "a + cos(c)*cos(d) + sin(c)*sin(d)";
   CHECK_FALSE(is_precise(whole, apart, Leaves::exact));
@@ -137,17 +138,17 @@ TEST_CASE("a difference of angles is rounded where the angles themselves are not
   CHECK(is_precise(whole, whole, Leaves::exact));
 }
 
-TEST_CASE("nothing is admitted where nothing has a value") {
+TEST_CASE("without any value no rewriting is accepted") {
   CHECK_FALSE(is_precise("sqrt(-(1 + c^2))", "sqrt(-(1 + c^2))", Leaves::exact));
 }
 
-TEST_CASE("the code of a closed form is as precise as what judges it") {
+TEST_CASE("the code of a closed form is as precise as the reference form") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     CHECK(imprecise(text) == std::vector<std::string>());
   }
-  // The shortest way to write its second velocity force is as it was derived, where c cos(y) x' y'
-  // cancels: elsewhere the constant angle 1 + sqrt(2) is joined with y.
+  // The shortest form of the second velocity force is the derived one, in which c cos(y) x' y'
+  // cancels; in the other forms the constant angle 1 + sqrt(2) is added to y.
   CHECK(imprecise(model_text("phase", R"toml(
 [[coordinate]]
 name = "x"

@@ -63,7 +63,7 @@ TEST_CASE("a high multiple of an angle is not expanded") {
   CHECK(shortest->size() == 2);
 }
 
-TEST_CASE("the shortest rewriting is taken") {
+TEST_CASE("the shortest rewriting is chosen") {
   const ClosedForms forms = forms_of("sin(a)^2");
   const Fraction& form = *forms.functions[0].fields[0].entries[0];
   const auto shortest = shortest_terms(forms.algebra, form.numerator, 100);
@@ -75,7 +75,7 @@ TEST_CASE("the shortest rewriting is taken") {
   }
 }
 
-TEST_CASE("circular atoms are the angle of a monomial, the others its powers") {
+TEST_CASE("circular atoms form the angle of a monomial, other atoms its powers") {
   Algebra algebra;
   algebra.atoms = {{.kind = AtomKind::leaf}, {.kind = AtomKind::circular}};
   const auto [powers, angle] = split(algebra, {{0, 2}, {1, -6}});
@@ -83,7 +83,7 @@ TEST_CASE("circular atoms are the angle of a monomial, the others its powers") {
   CHECK(angle == Monomial{{1, -6}});
 }
 
-TEST_CASE("a direction has no common divisor, and its first part is positive") {
+TEST_CASE("a direction has no common divisor, and its first component is positive") {
   CHECK(common_divisor({{1, -6}, {2, 4}}) == 2);
   CHECK(common_divisor({}) == 0);
   CHECK(direction({{1, -6}, {2, 4}}) == Monomial{{1, 3}, {2, -2}});

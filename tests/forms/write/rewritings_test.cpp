@@ -1,4 +1,4 @@
-// Rewritings of a closed form, some of which keep their digits.
+// Rewritings of a closed form; some of them keep digits.
 #include "forms/write/rewritings.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::vector<std::string> texts(const std::vector<Collected>& rewritings) {
 
 }  // namespace
 
-TEST_CASE("people write no half angles, code does where they keep digits") {
+TEST_CASE("readable forms have no half angles, precise forms do if they keep digits") {
   const ClosedForms forms = present(testing::program_of(testing::Texts{"a - a*cos(b)"}));
   const Fraction& entry = *forms.functions[0].fields[0].entries[0];
   const auto read = texts(rewritings_of(forms.algebra, entry).collected);
@@ -32,7 +32,7 @@ TEST_CASE("people write no half angles, code does where they keep digits") {
   CHECK(std::ranges::count(precise, "2*a*sin(1/2*b)^2") == static_cast<long>(precise.size()));
 }
 
-TEST_CASE("lengths count signs and calls") {
+TEST_CASE("the length of an expression counts signs and calls") {
   const Expressions sum = testing::expressions_of({"a + b"});
   CHECK(written_length(sum) == 1);
   CHECK(derived_rewriting(sum).length == 1);
@@ -47,16 +47,16 @@ TEST_CASE("sums of sines and cosines in homogeneous terms") {
       {"1 - cos(e)", "2*sin(1/2*e)^2"},
       {"1 + cos(e)", "2*cos(1/2*e)^2"},
       {"a + (b - a)*cos(e)^2", "a*sin(e)^2 + b*cos(e)^2"},
-      // Terms without an angle stay beside the others.
+      // Terms without an angle stay separate.
       {"a + b - b*cos(e)^2", "a + b*sin(e)^2"},
-      // A constant of several angles is not divided among them.
+      // A constant is not split between several angles.
       {"1 - cos(d) - cos(e)", "1 - cos(d) - cos(e)"},
-      // Two sines or cosines of as much are one product.
+      // Two sines or two cosines with equal factors become a product.
       {"sin(d) + sin(e)", "2*sin(1/2*(d + e))*cos(1/2*(d - e))"},
       {"sin(d) - sin(e)", "2*sin(1/2*(d - e))*cos(1/2*(d + e))"},
       {"cos(d) + cos(e)", "2*cos(1/2*(d + e))*cos(1/2*(d - e))"},
       {"cos(d) - cos(e)", "-2*sin(1/2*(d + e))*sin(1/2*(d - e))"},
-      // High multiples are not written out.
+      // High multiples of an angle are not expanded.
       {"cos(40*e) + 1 - cos(e)", "none"},
   }));
   INFO(row.sum);

@@ -1,7 +1,7 @@
-// Runs elgen on mutated models, scenes and robots: elgen_mutations [RUNS [FIRST [PROCESSES]]], by
-// default 1000 from 0 in as many processes as there are cores; also by $ELGEN_RUNS,
-// $ELGEN_FIRST_RUN, $ELGEN_PROCESSES. $ELGEN_ROBOTS names a folder with more robots. Failures
-// are printed, and kept with their commands in mutation_findings/RUN/. Exit status 1 where a run
+// elgen_mutations [RUNS [FIRST [PROCESSES]]]: runs elgen on mutated models, scenes and robots; by
+// default 1000 runs from 0, with one process for each core. $ELGEN_RUNS, $ELGEN_FIRST_RUN and
+// $ELGEN_PROCESSES set the same numbers; $ELGEN_ROBOTS names a folder with more robots. Failures
+// are printed and saved with their commands in mutation_findings/RUN/. The exit code is 1 if a run
 // failed.
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,7 +20,7 @@ namespace {
 using namespace elgen::fuzz;
 
 constexpr std::size_t random_models = 60;
-/// Compiling takes longer than everything else.
+/// Headers are compiled rarely, because compiling takes longer than everything else.
 constexpr std::uint64_t runs_per_compiled_header = 20;
 
 std::uint64_t number_from(int argc, char** argv, int index, const char* variable,
@@ -68,7 +68,7 @@ void print(std::uint64_t process, const Counts& counts) {
   std::fflush(stdout);
 }
 
-/// Runs that leave this remainder; whether nothing was found.
+/// Tries the runs with this remainder modulo the number of processes; false if one failed.
 bool work_on(const Task& task, std::uint64_t remainder) {
   Corpus corpus(random_models);
   if (const char* const robots = std::getenv("ELGEN_ROBOTS")) corpus.add_robots(robots);

@@ -1,4 +1,4 @@
-// The fuzzer of the command line, for a few runs, and that it notices what it looks for.
+// A few runs of the fuzzer of the command line, and tests that it detects each kind of failure.
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ namespace elgen::fuzz {
 
 namespace {
 
-/// A trial whose command is a shell script in place of elgen.
+/// A trial with a shell script in place of elgen.
 std::string fault_of_script(const std::string& script) {
   const Trial trial{{"m.toml", {{"m.toml", "x"}}}, {"/bin/sh", "-c", script}};
   return tried(trial, false).fault;
@@ -19,7 +19,7 @@ std::string fault_of_script(const std::string& script) {
 
 }  // namespace
 
-TEST_CASE("mutated inputs are refused in order, or work") {
+TEST_CASE("mutated inputs are refused in order or work") {
   const Corpus corpus(10);
   std::size_t worked = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
@@ -29,10 +29,11 @@ TEST_CASE("mutated inputs are refused in order, or work") {
     CHECK(verdict.fault == "");
     worked += verdict.worked ? 1 : 0;
   }
-  CHECK(worked > 15);  // mutations that are all refused by the reader try nothing else
+  CHECK(worked >
+        15);  // otherwise the parser refuses most mutations, and later stages are not tested
 }
 
-TEST_CASE("a seed gives one mutation, and it changes the text") {
+TEST_CASE("a seed gives one mutation, which changes the text") {
   const std::string text = "[parameters]\na = 1.5\n[energy]\nV = \"a*x^2 + sin(x)\"\n";
   std::size_t changed = 0;
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
@@ -45,7 +46,7 @@ TEST_CASE("a seed gives one mutation, and it changes the text") {
   CHECK(changed > 80);
 }
 
-TEST_CASE("what ends badly is noticed") {
+TEST_CASE("crashes, hangs and undocumented results are detected") {
   CHECK(fault_of_script("exit 0") == "");
   CHECK(fault_of_script("echo no >&2; exit 2") == "");
   CHECK(fault_of_script("exit 2") == "no word of why");

@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::string_literals;
 
-/// Words of files of either kind, and text that these files must not hold.
+/// Words of models, scenes and robots, and text that must not occur in these files.
 const std::array words{"coordinate"s,
                        "parameters"s,
                        "frame"s,
@@ -136,7 +136,7 @@ void replace(std::string& text, const Token& token, const std::string& by) {
   text.replace(token.begin, token.size, by);
 }
 
-/// A token of one of the kinds; of size 0 where there is none.
+/// A token of one of these kinds; of size 0 if there is none.
 Token any_token(const std::string& text, Draw& draw, const std::vector<Token::Kind>& kinds) {
   std::vector<Token> found;
   for (const Token& token : tokens_of(text)) {
@@ -145,7 +145,7 @@ Token any_token(const std::string& text, Draw& draw, const std::vector<Token::Ki
   return found.empty() ? Token{} : draw.one_of(found);
 }
 
-/// A name, number or sign of an expression; of size 0 where there is none.
+/// A name, number or sign of an expression; of size 0 if there is none.
 Token part_of_expression(const std::string& text, Draw& draw) {
   std::vector<Token> found;
   for (const Token& token : tokens_of(text)) {
@@ -179,7 +179,8 @@ void rename(std::string& text, Draw& draw) {
   replace(text, any_token(text, draw, {Token::Kind::name}), word);
 }
 
-/// A name or number of one expression in the place of one of another, or a sign for a sign.
+/// Replaces a name or number of an expression by one of another expression, or a sign by another
+/// sign.
 void change_expression(std::string& text, Draw& draw) {
   static const std::string signs = "+-*/^";
   const Token at = part_of_expression(text, draw);
@@ -257,7 +258,8 @@ std::vector<Token> tokens_of(const std::string& text) {
 }
 
 std::string mutated(std::string text, Draw& draw) {
-  // Small slips are the most common, and get furthest.
+  // Edits of expressions and numbers are repeated in the list, because they get past the parser
+  // most often.
   static constexpr std::array mutations{
       change_byte,      insert_byte,       remove_bytes,      swap_token,        rename,
       put_word,         put_number,        put_number,        put_number,        move_lines,

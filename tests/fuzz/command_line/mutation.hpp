@@ -1,4 +1,4 @@
-// Mutations: what slips, editors and other programs do to a text file.
+// Mutations of text files, as made by typing errors, editors and other programs.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ class Draw {
  public:
   explicit Draw(std::uint64_t seed) : engine_(seed) {}
 
-  /// 0 … count - 1; count is positive.
+  /// A random number from 0 to count - 1; `count` is positive.
   std::size_t below(std::size_t count) { return engine_() % count; }
   template <class Items>
   const auto& one_of(const Items& items) {
@@ -23,19 +23,20 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-/// A piece of text: a name, a number, blanks, or one other character.
+/// A token of text: a name, a number, blanks, or one other character.
 struct Token {
   std::size_t begin = 0;
   std::size_t size = 0;
   enum class Kind { name, number, blank, other } kind = Kind::other;
-  bool is_quoted = false;  ///< stands between double quotes of one line, as expressions do
+  bool is_quoted = false;  ///< inside double quotes on one line, as expressions are
 };
 
 [[nodiscard]] std::vector<Token> tokens_of(const std::string& text);
 
-/// One to four of: a byte changed, put in or taken out; a token replaced by another of the text, or
-/// by one of the language; a number replaced by an extreme one; lines taken out, repeated or
-/// exchanged; the text cut off. The same draws give the same text in every build.
+/// Applies one to four edits. An edit changes, inserts or removes a byte; replaces a token by
+/// another token of the text or a word of the language; replaces a number by an extreme one;
+/// removes, repeats or exchanges lines; or truncates the text. The same draws give the same text in
+/// every build.
 [[nodiscard]] std::string mutated(std::string text, Draw& draw);
 
 }  // namespace elgen::fuzz

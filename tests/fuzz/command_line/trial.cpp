@@ -1,4 +1,4 @@
-// Trial: commands run under limits of processor time and memory, by words, without a shell between.
+// Trial: runs commands under limits of processor time and memory, without a shell.
 #include "fuzz/command_line/trial.hpp"
 
 #include <fcntl.h>
@@ -24,8 +24,8 @@ namespace elgen::fuzz {
 namespace {
 
 struct Ended {
-  int status = 0;           ///< the exit code, where it ended by itself
-  int signal = 0;           ///< that ended it, or 0
+  int status = 0;           ///< the exit code, if the process ended by itself
+  int signal = 0;           ///< the signal that ended the process, or 0
   std::string output = {};  ///< standard output
   std::string errors = {};  ///< standard error
 };
@@ -63,7 +63,7 @@ void redirect(const std::filesystem::path& path, int flags, int descriptor) {
   _exit(not_started);
 }
 
-/// Runs words[0] in `folder`, without standard input. Throws where it cannot be started.
+/// Runs words[0] in `folder`, without standard input. Throws if it cannot be started.
 Ended run(const std::vector<std::string>& words, const std::filesystem::path& folder,
           const ProcessLimits& limits) {
   const test::Workspace captured;
@@ -84,7 +84,8 @@ Ended run(const std::vector<std::string>& words, const std::filesystem::path& fo
 
 namespace fs = std::filesystem;
 
-/// Well above what is asked of elgen itself, so that whoever stops it stops it late.
+/// Well above the limits given to elgen, so that this limit only ends an elgen that ignores its
+/// own.
 constexpr ProcessLimits around{.seconds = 40, .memory_mib = 3000};
 constexpr const char* seconds_limit = "seconds=10";
 constexpr const char* memory_limit = "memory_mib=1000";
@@ -104,7 +105,7 @@ std::vector<fs::path> sorted_files(const fs::path& folder, const std::string& en
   return files;
 }
 
-/// A scene of the project says `model = "../NAME.toml"`; here both lie side by side.
+/// A scene of the project has `model = "../NAME.toml"`; here the model is in the scene's folder.
 Input scene_input(const fs::path& scene, const fs::path& models) {
   std::string text = test::read_text(scene);
   static const std::regex reference("\"\\.\\./([a-z0-9_]+\\.toml)\"");
@@ -162,8 +163,8 @@ std::string line_with(const std::string& text, const std::string& part) {
   return text.substr(begin, text.find('\n', at) - begin);
 }
 
-/// A check of ours, not a closed form of the file, does not hold. The M of a mutated model may well
-/// be indefinite.
+/// A failed check other than [[expect]], which is a fault of elgen; empty if none. The definiteness
+/// of M is exempt, because the M of a mutated model may be indefinite.
 std::string false_alarm(const std::string& certificate) {
   const auto parsed = nlohmann::json::parse(certificate, nullptr, false);
   if (!parsed.is_object() || !parsed.contains("checks")) return {};
@@ -191,7 +192,8 @@ std::string fault_of_ending(const Ended& ended) {
   return false_alarm(ended.output);
 }
 
-/// A command that failed leaves its inputs alone; one that did not, writes where it was told to.
+/// A path that was written unexpectedly; a failed command may write nothing, a successful one only
+/// its output.
 std::string leftover(const Trial& trial, const fs::path& folder, bool succeeded) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string path = entry.path().lexically_relative(folder).string();

@@ -1,4 +1,4 @@
-// Trial: one command of elgen on one mutated input, and what must be true of how it ended.
+// Trial: one command of elgen on one mutated input, and the requirements on its result.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,18 @@
 
 namespace elgen::fuzz {
 
-/// Files by name; the last one in the order of `inputs` is given to the command.
+/// Files by name; the command gets the file `name`.
 struct Input {
-  std::string name = {};                          ///< of the file that the command is given
-  std::map<std::string, std::string> files = {};  ///< files to lie beside it, itself included
+  std::string name = {};                          ///< the file given to the command
+  std::map<std::string, std::string> files = {};  ///< all files of the folder, with `name`
 };
 
-/// Every model, scene and robot of the folder, below tests/ and models/, and random models.
+/// All models, scenes and robots below tests/ and models/, and random models.
 class Corpus {
  public:
   explicit Corpus(std::size_t random_models);
 
-  /// Robots in a folder, beside those of the tests.
+  /// Adds the robots of a folder.
   void add_robots(const std::filesystem::path& folder);
 
   [[nodiscard]] const std::vector<Input>& inputs() const { return inputs_; }
@@ -30,24 +30,24 @@ class Corpus {
 };
 
 struct Trial {
-  Input input = {};  ///< with one file mutated
+  Input input = {};  ///< one file is mutated
   std::vector<std::string> command = {};
 };
 
-/// The same trial for a seed and a corpus in every run.
+/// Deterministic for a seed and a corpus.
 [[nodiscard]] Trial drawn(const Corpus& corpus, std::uint64_t seed);
 
 struct Verdict {
-  bool worked = false;  ///< the command did what it was told, and said 0
-  /// Empty, or what is wrong: a signal, an exit code that is not documented or says that elgen made
-  /// a mistake, a self-check that failed, a check beside [[expect]] that does not hold, a file left
-  /// behind, or (`compiles`) a header that a compiler warns about.
+  bool worked = false;  ///< the exit code was 0
+  /// Empty, or the fault: a signal; an exit code that is undocumented or reports an internal error;
+  /// a failed self-check; a failed check other than [[expect]]; an unexpected file; or (`compiles`)
+  /// a header with compiler warnings.
   std::string fault = {};
 };
 
 [[nodiscard]] Verdict tried(const Trial& trial, bool compiles);
 
-/// Files and command, so that the trial can be typed again.
+/// Writes the files and the command, so that the trial can be repeated by hand.
 void save(const Trial& trial, const std::string& fault, const std::filesystem::path& folder);
 
 }  // namespace elgen::fuzz
