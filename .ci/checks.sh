@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Counts checks and says what they cost; .ci/run sources this file.
+# Counts checks and reports their costs; sourced by .ci/run.
 #
-#   check NAME COMMAND…    counts the command, which passes or fails
-#   count_tests COMMAND…   counts the tests of ctest, which the command runs and logs in $tests_log
-#   conclude               prints what took longest, what failed, and `N passed, N failed`; 1 if any failed
+#   check NAME COMMAND…    runs the command and counts it as passed or failed
+#   count_tests COMMAND…   runs a ctest command that logs to $tests_log, and counts its tests
+#   conclude               prints the longest checks, the failures, and `N passed, N failed`; returns 1 if any failed
 
-# CI stops after so many seconds.
+# The time limit of CI.
 allowed_seconds=5400
 
 passed=0
@@ -21,14 +21,14 @@ fail() {
   failures+=("$1")
 }
 
-# Sets `processor_seconds` to the user and system time of all commands that have ended. A command substitution would be
-# another shell, whose `times` does not count them: hence the file.
+# Sets `processor_seconds` to the user and system time of all finished commands. `times` writes to a file, because in
+# a command substitution it would report the times of the subshell.
 measure_processor() {
   times >"$scratch/times"
   processor_seconds=$(awk -F '[ms ]+' 'NR == 2 { printf "%d", 60 * $1 + $2 + 60 * $3 + $4 }' "$scratch/times")
 }
 
-# measured NAME COMMAND…: runs it, and prints what it cost and what is left.
+# measured NAME COMMAND…: runs the command and prints its wall time, its processor time and the remaining time.
 measured() {
   local name=$1 start=$SECONDS status=0 before seconds
   shift
@@ -53,7 +53,7 @@ check() {
   fi
 }
 
-# A command that ends without tests is a failure.
+# A command that ends without a summary of tests counts as a failure.
 count_tests() {
   measured tests "$@"
   local summary
@@ -67,7 +67,7 @@ count_tests() {
   fi
 }
 
-# ctest tells the seconds of a test, not those of processors.
+# ctest reports only the wall time of a test.
 longest() {
   printf '\nlongest checks (s, s of processors) and tests (s):\n'
   sort -rn "$scratch/costs" | head -n 10 | awk -F '\t' '{ printf "%8d %8d  %s\n", $1, $2, $3 }'
@@ -75,7 +75,7 @@ longest() {
     sort -rn | head -n 10 | awk -F '\t' '{ printf "%8d %8s  %s\n", $1, "", $2 }'
 }
 
-# What failed stands last: a log that is cut off still names it.
+# Failures are printed last, so that a truncated log still lists them.
 conclude() {
   longest
   [ "$failed" -eq 0 ] || printf '\nfailed: %s' "${failures[@]}"

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: 0BSD
 # elgen_generate(TARGET name INPUTS model-or-scene... [CHECK_AGAINST folder])
 #
-# Makes an interface library, `name`, of the code that elgen writes for models and scenes; its users write
-# `#include "cart_pole/cart_pole.hpp"`. After an edit of a model only sources that include changed code are compiled.
-# The code stands in the build tree only. CHECK_AGAINST adds a test, `name.generated`, which fails where the code that is
+# Creates an interface library, `name`, with the code that elgen generates from models and scenes. Sources include it
+# as `#include "cart_pole/cart_pole.hpp"`. After an edit of a model, only sources that include changed code are
+# recompiled. The code is in the build tree only. CHECK_AGAINST adds a test `name.generated`, which fails if the code
 # committed in `folder` is not current.
 #
-# Paths are relative to the folder of the caller. ELGEN_EXECUTABLE is the path of another elgen than the package's.
+# Paths are relative to the current source folder. ELGEN_EXECUTABLE is the path of an elgen to use instead of the
+# package's.
 
 function(elgen_generate)
   cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;CHECK_AGAINST" "INPUTS")
@@ -15,7 +16,7 @@ function(elgen_generate)
     add_library(${arg_TARGET} INTERFACE)
   endif()
   _elgen_find_program(program version)
-  # Nobody keeps files there, not even in a project that is built inside its sources.
+  # No other files are kept in this folder, not even in an in-source build.
   set(directory "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/elgen/${arg_TARGET}")
   _elgen_check_links(CMakeFiles elgen "${arg_TARGET}")
   set(inputs)
@@ -41,7 +42,7 @@ function(elgen_generate)
     list(APPEND folders "${folder}")
     list(APPEND all_files ${listed_files})
   endforeach()
-  # Sources that include a name or a file that is gone then fail to compile.
+  # Stale files are removed, so that sources that include them fail to compile.
   string(REPLACE "${directory}/" "" current "${all_files};${stamps}")
   _elgen_remove_stale("${directory}" ${current})
 
@@ -73,7 +74,7 @@ function(_elgen_check_arguments target inputs unknown without_value)
   elseif(inputs STREQUAL "")
     message(FATAL_ERROR "elgen_generate: INPUTS is missing; ${usage}")
   endif()
-  # The target has a folder of this name, which has to be one folder and nobody else's.
+  # The target's name is the name of a folder, so it must be one path component and used by no other target.
   if(NOT target MATCHES "^[A-Za-z0-9_.+-]+$" OR target MATCHES "^[.]+$")
     message(FATAL_ERROR "elgen_generate: `${target}` is not a name for a target: it takes letters, digits, `_`, `.`, `+`, `-`")
   endif()
@@ -88,7 +89,8 @@ function(_elgen_check_arguments target inputs unknown without_value)
   endif()
 endfunction()
 
-# Stops where one of the nested folders, from that of the build on, is a symbolic link: its files are somebody else's.
+# Stops if one of the nested folders below the build folder is a symbolic link, since its files may belong to another
+# project.
 function(_elgen_check_links)
   set(path "${CMAKE_CURRENT_BINARY_DIR}")
   foreach(folder IN LISTS ARGN)
@@ -99,8 +101,8 @@ function(_elgen_check_links)
   endforeach()
 endfunction()
 
-# Sets `result` to the program and `result_version` to its version. A path instead of the imported target: an emulator,
-# in which commands of targets run when a project is compiled for another machine, is of no use to the elgen of this one.
+# Sets `result` to the path of the program and `result_version` to its version. A path instead of the imported target,
+# because in a cross build CMake runs targets in an emulator, but this elgen runs on the host.
 function(_elgen_find_program result result_version)
   if(ELGEN_EXECUTABLE)
     set(program "${ELGEN_EXECUTABLE}")
@@ -118,8 +120,9 @@ function(_elgen_find_program result result_version)
   set(${result_version} "${version}" PARENT_SCOPE)
 endfunction()
 
-# Sets PREFIX_name, PREFIX_files and PREFIX_sources as elgen lists them for an input. Where the input has an error, the
-# last listing is used and PREFIX_has_error is set: the build reports the error. Without a listing CMake reports it.
+# Sets PREFIX_name, PREFIX_files and PREFIX_sources to elgen's listing for an input. If the input has an error, the
+# last listing is used and PREFIX_has_error is set, so that the build reports the error. Without an earlier listing
+# CMake reports it.
 function(_elgen_list prefix program directory input)
   if(NOT EXISTS "${input}")
     message(FATAL_ERROR "elgen_generate: there is no ${input}")
@@ -147,7 +150,7 @@ function(_elgen_list prefix program directory input)
   endforeach()
 endfunction()
 
-# Sets `result` to an array of the listing, or to a member of the objects in it.
+# Sets `result` to an array of the listing, or to one member of each of its objects.
 function(_elgen_get_paths result program json array)
   string(JSON count ERROR_VARIABLE error LENGTH "${json}" systems 0 ${array})
   if(error)
@@ -162,8 +165,9 @@ function(_elgen_get_paths result program json array)
   set(${result} "${paths}" PARENT_SCOPE)
 endfunction()
 
-# Has CMake run again after an edit of the files that follow. Ninja would run it without end for one that is dated in the
-# future, and it forgets no such date: the rules of each build then touch the file in `result`, for CMake to run once in the next.
+# Makes CMake run again after an edit of the given files. For a file dated in the future Ninja would rerun CMake
+# endlessly, and it remembers such a date. So the rules of each build touch the file in `result`, and CMake runs once
+# in the next build.
 function(_elgen_watch result)
   set(now "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/elgen.now")
   file(TOUCH "${now}")
@@ -179,18 +183,18 @@ function(_elgen_watch result)
   endforeach()
 endfunction()
 
-# The command that writes the files listed by the caller. Its stamp is touched whatever was written, so that Make and
-# Ninja know when elgen ran; a file that stays as it was keeps its time, and nothing is compiled. As byproducts the files
-# are known to Ninja, which looks at them again before it compiles. Make looks at their folder, whose date says that one was
-# removed; the stamp, once it is there, is touched again to be no older than the folder. --force: INPUTS may
-# name another model of that name now.
+# Adds the command that writes the listed files. It always touches its stamp, so that Make and Ninja know when elgen
+# ran. An unchanged file keeps its time, so nothing is recompiled. As byproducts the files are known to Ninja, which
+# checks them before compiling. Make depends on the folder instead, whose date changes if a file is removed; the stamp
+# is touched twice, so that it is not older than the folder. --force, because INPUTS may now have another model of the
+# same name.
 function(_elgen_add_command program version directory input)
   set(folder "${directory}/${listed_name}")
   set(stamp "${folder}/elgen.stamp")
   if(listed_has_error)
-    set(listed_sources "${input}") # The model that a scene names may be missing.
+    set(listed_sources "${input}")  # The model of the scene may be missing.
   endif()
-  # A file may be replaced by an older one: packages keep the times of their build. Without the stamp elgen runs anyway.
+  # A source may be replaced by an older file, because packages keep build times. Without its stamp elgen runs anyway.
   set(seen "${version}${listed_has_error}")
   foreach(source IN LISTS listed_sources)
     file(MD5 "${source}" hash)
@@ -207,7 +211,7 @@ function(_elgen_add_command program version directory input)
     list(APPEND listed_sources "${folder}")
   endif()
   if(listed_touched)
-    # Nothing makes this file, so its rule is followed always.
+    # This file never exists, so its rule always runs.
     add_custom_command(OUTPUT "${folder}/always" COMMAND "${CMAKE_COMMAND}" -E touch "${listed_touched}" VERBATIM
                        COMMENT "Asking for CMake in the next build")
     set_property(SOURCE "${folder}/always" PROPERTY SYMBOLIC TRUE)
@@ -223,8 +227,8 @@ function(_elgen_add_command program version directory input)
     VERBATIM)
 endfunction()
 
-# Writes the files listed by the caller at once: CMake takes no rules for files in a folder with a `#` in its path. It runs
-# again after an edit, and where one of them is missing.
+# Writes the listed files immediately, because CMake supports no rules for files in a folder with `#` in its path.
+# CMake runs again after an edit or if one of the files is missing.
 function(_elgen_generate_now program directory input)
   message(STATUS "Generating ${listed_name}")
   execute_process(COMMAND "${program}" generate -q --force -o "${directory}" "${input}" RESULT_VARIABLE status ERROR_VARIABLE errors)
@@ -235,8 +239,8 @@ function(_elgen_generate_now program directory input)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${listed_files})
 endfunction()
 
-# Removes the code of names and outputs that are gone: files with elgen's mark in folders of names, but for the paths that
-# follow, which begin there as those found do. A file whose name has a `;` would be found as two others.
+# Removes code of old names and outputs: files with elgen's marker that are not among the given relative paths.
+# file(GLOB) would split a file name with `;` into two, so only names of letters, digits, `_` and `.` are considered.
 function(_elgen_remove_stale directory)
   string(REGEX REPLACE "([][*?])" "[\\1]" pattern "${directory}")
   file(GLOB paths LIST_DIRECTORIES FALSE RELATIVE "${directory}" "${pattern}/*/*")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# elgen_embed_templates(TARGET FOLDER): every file below FOLDER becomes a string of TARGET, found at run time by
+# elgen_embed_templates(TARGET FOLDER): embeds every template below FOLDER in TARGET as a string. Access:
 # `std::string_view elgen::embedded_template(std::string_view path)` (include/elgen/templates.hpp).
 function(elgen_embed_templates target folder)
   file(GLOB_RECURSE paths CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/${folder}

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# `cmake --install`: the program, its pages for shells and man, the schemas of its files, the package for CMake, the
-# models, examples and recipes. `cpack -G DEB`: the same as a package of this system.
+# `cmake --install`: the program, its completions and manual, the schemas, the CMake package, the models, examples and
+# recipes. `cpack -G DEB`: the same as a Debian package.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 install(TARGETS elgen)
 set(share ${CMAKE_INSTALL_DATADIR})
 
-# The program that was built prints its pages; two installations at once would print them to the same files. Zsh of
-# Debian looks for the pages of packages in another folder.
+# The installed program prints these files at install time; the lock keeps two installations from writing them at
+# once. For packages Debian's zsh reads completions from another folder.
 install(CODE "
   file(LOCK \"${CMAKE_CURRENT_BINARY_DIR}/pages.lock\" GUARD PROCESS)
   set(zsh site-functions)
@@ -32,7 +32,7 @@ install(FILES tests/urdf/robots/gripper.urdf DESTINATION ${share}/elgen/examples
 install(FILES .pre-commit-hooks.yaml DESTINATION ${share}/elgen/recipes)
 install(FILES packaging/copyright DESTINATION ${share}/doc/elgen)
 
-# The package does the same on every machine: one for 64 bits serves a project for 32.
+# ARCH_INDEPENDENT: the package works on every architecture, so a 64-bit elgen serves a 32-bit project.
 set(package ${share}/cmake/elgen)
 configure_package_config_file(cmake/elgenConfig.cmake.in elgenConfig.cmake INSTALL_DESTINATION ${package}
                               PATH_VARS CMAKE_INSTALL_BINDIR NO_CHECK_REQUIRED_COMPONENTS_MACRO)
@@ -50,7 +50,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION math)
-# `verify`, `simulate` and `tradeoff` compile; `diff --against` asks git.
+# `verify`, `simulate` and `tradeoff` call a compiler; `diff --against` calls git.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, git")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)

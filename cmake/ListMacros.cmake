@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # cmake -DCXX=... -DOUTPUT=FILE -P ListMacros.cmake
 #
-# Asks the preprocessor which macros the headers of the C and C++ libraries define, and of Eigen, in every standard
-# that emitted code may be compiled as, and writes those that could be names of a model to OUTPUT. Names that begin
-# with an underscore, hold two in a row, or begin like a whole family (reserved_names.cpp lists them) are left out.
+# Lists the macros of the C and C++ libraries and of Eigen, for every standard of emitted code, and writes those that
+# could be names of a model to OUTPUT. Omitted are names that begin with an underscore, contain two in a row, or have
+# a reserved prefix (listed in reserved_names.cpp).
 set(c_headers assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg
     stdbool stddef stdint stdio stdlib stdnoreturn string time uchar wchar wctype)
 set(cpp_headers bits/stdc++.h Eigen/Core)
@@ -18,7 +18,7 @@ foreach(header IN LISTS cpp_headers)
 endforeach()
 
 set(names)
-# add_macros(LANGUAGE STANDARD TEXT): what the preprocessor knows at the end of TEXT.
+# add_macros(LANGUAGE STANDARD TEXT): adds the macros that are defined after TEXT.
 function(add_macros language standard text)
   file(WRITE ${OUTPUT}.input "${text}")
   execute_process(COMMAND ${CXX} -x ${language} -std=${standard} -isystem /usr/include/eigen3 -E -dM ${OUTPUT}.input

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# elgen_name_commit(TARGET): compiles into TARGET which commit of git is checked out. After a commit CMake runs again;
-# sources without a history, or a machine without git, give none.
+# elgen_name_commit(TARGET): compiles the hash of the current git commit into TARGET. CMake runs again after a commit.
+# Without git or a repository the hash is empty.
 function(elgen_name_commit target)
   set(ELGEN_COMMIT)
   if(EXISTS ${PROJECT_SOURCE_DIR}/.git)
