@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: 0BSD
-// Moves an arm of unknown masses and inertias along a path, and learns them (Slotine, Li,
-// International Journal of Robotics Research 6(3), 1987). With e = q - q_r, r = v_r - L e, s = v -
-// r:
+// Moves an arm with unknown masses and inertias along a path and learns the parameters (Slotine,
+// Li, International Journal of Robotics Research 6(3), 1987). With e = q - q_r,
+// r = v_r - L e, s = v - r:
 //     tau = Y_r(q, v, r, dr/dt) pi - K s,   dpi/dt = -G Y_r^T s
-// makes 1/2 s.M s + 1/2 (pi - true).G^-1 (pi - true) fall by s.K s, as dM/dt - 2 C is skew.
+// The function 1/2 s.M s + 1/2 (pi - true).G^-1 (pi - true) decreases at the rate s.K s, because
+// dM/dt - 2 C is skew-symmetric.
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ struct Motion {
   Vector2d x, v, a;
 };
 
-/// A path of several frequencies, which tells all parameters apart.
+/// A path with several frequencies, so that all parameters can be identified.
 Motion reference(double t) {
   Motion wanted{Vector2d::Zero(), Vector2d::Zero(), Vector2d::Zero()};
   const double rates[2][2] = {{1.1, 2.9}, {1.7, 4.3}};
@@ -55,8 +56,7 @@ int main() {
     wanted = reference(sample * h);
     const double error = (wanted.x - q).cwiseAbs().maxCoeff();
     double& largest = sample <= 5000 ? at_first : at_last;
-    if (sample <= 5000 || sample > 55000)
-      largest = std::max(error, largest);  // in this order for NaN
+    if (sample <= 5000 || sample > 55000) largest = std::max(error, largest);  // max(NaN, x) is NaN
   }
   const double wrong = ((parameters - truth).cwiseQuotient(truth)).cwiseAbs().maxCoeff();
   std::printf("off by at most %.1e rad in the first 5 s, by %.1e rad in the last\n", at_first,

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: 0BSD
-// Swings a hanging pole up and balances it, by a controller that samples at 1 kHz.
-// It swings up by energy control (Astrom, Furuta, Swinging up a pendulum by energy control, 2000):
-// with
+// Swings up a hanging pole and balances it, with a controller that samples at 1 kHz. The swing-up
+// uses energy control (Astrom, Furuta, Swinging up a pendulum by energy control, 2000). With
 //     E = 1/2 m l^2 dtheta^2 + m g l (cos(theta) - 1),   dE/dt = -m l cos(theta) dtheta ddx,
-// an acceleration ddx of the cart with the sign of E cos(theta) dtheta brings E to 0, that of the
-// pole at rest upright. Near there u = -K x of the linear equations takes over (lqr.hpp).
+// a cart acceleration ddx with the sign of E cos(theta) dtheta drives E to 0, the energy at rest
+// upright. Near the upright position the linear feedback u = -K x takes over (lqr.hpp).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,13 +20,13 @@ struct State {
   double angle() const { return std::remainder(q[1], 2 * pi); }
 };
 
-/// The force that swings the pole up. A spring and a damper keep the cart near the middle.
+/// The force that swings the pole up. A virtual spring and damper keep the cart near the middle.
 double swing_up(const plant::Parameters<double>& p, const State& s) {
   const double energy = p.l * s.v[1] * s.v[1] / (2 * p.g) + std::cos(s.q[1]) - 1;  // E/(m g l)
   const double direction = s.v[1] * std::cos(s.q[1]) < 0 ? -1 : 1;
   const double wanted =
       direction * std::clamp(5 * energy, -0.7, 0.7) * p.g - 8 * s.q[0] - 2 * s.v[0];
-  // The acceleration of the cart is free + (pushed - free) u.
+  // Forward dynamics is affine in u: the acceleration of the cart is free + (pushed - free) u.
   const double free = plant::eigen::forward_dynamics(p, s.q, s.v, Force(0.0)).acceleration[0];
   const double pushed = plant::eigen::forward_dynamics(p, s.q, s.v, Force(1.0)).acceleration[0];
   return (wanted - free) / (pushed - free);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: 0BSD
-// An extended Kalman filter finds the whole state of an arm from an encoder at its first joint and
-// a gyro on its second link:
+// An extended Kalman filter estimates the state of an arm from an encoder at the first joint and a
+// gyro on the second link:
 //     x = Phi(x, u),              P = A P A^T + Q           step, step_derivatives
 //     K = P H^T (H P H^T + R)^-1, x += K (z - y(x))         sensors, sensors_derivatives
-// The second angle has no sensor: gravity and inertia tell it.
+// The second angle has no sensor, but gravity and inertia make it observable.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,10 @@ Vector4d moved(const Vector4d& x, const Vector2d& u, double h) {
 
 int main() {
   const double h = 2e-3;
-  const Vector2d noise(1e-3, 1e-2);  // rad, rad/s: standard deviations
+  const Vector2d noise(1e-3, 1e-2);  // standard deviations in rad and rad/s
   const Eigen::Matrix2d r = noise.cwiseAbs2().asDiagonal();
   const Matrix4d q = Vector4d(1e-12, 1e-12, 1e-9, 1e-9).asDiagonal();
-  std::mt19937 engine;  // the same numbers on every machine
+  std::mt19937 engine;  // default seed: the same numbers on every machine
   const auto unit = [&engine] { return std::sqrt(3.0) * (engine() / 2147483648.0 - 1); };
 
   Vector4d truth(-1.2, 0.7, 0, 0);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: 0BSD
 #pragma once
 
-/// The torque of the motor [N m] for angles q [rad] and rates v [rad/s] of the pendulum and the
-/// wheel.
+/// The motor torque [N m] for angles q [rad] and rates v [rad/s] of the pendulum and the wheel.
 float motor_torque(const float q[2], const float v[2]);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: 0BSD
-// Balances a reaction wheel pendulum for five seconds at 1 kHz, from 0.05 rad to below 2e-3 rad.
-// The law is in controller.c. The pendulum is simulated here, too: `plant_step` stands where a
-// board reads its encoders.
+// Balances a reaction wheel pendulum at 1 kHz for five seconds, from 0.05 rad to below 2e-3 rad.
+// The control law is in controller.c. The pendulum is simulated here: on a real board reading the
+// encoders replaces `plant_step`.
 #include "board.h"
 #include "controller.h"
 #include "reaction_wheel_pendulum_firmware/reaction_wheel_pendulum_firmware.h"
 
 enum { STEPS = 5000 };
 
-// With `-icount shift=5` QEMU lets 2^5 ns pass for every instruction, and a tick of the timer's
-// 25 MHz is 40 ns: t ticks are t 40/32 instructions. Reading the timer once is among them.
+// With `-icount shift=5` QEMU advances time by 2^5 ns per instruction, and a tick of the 25 MHz
+// timer is 40 ns. So t ticks are t 40/32 instructions, including one reading of the timer.
 static uint32_t instructions_a_step(uint32_t ticks) { return ticks * 5 / 4 / STEPS; }
 
 static uint32_t millionths(float number) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: 0BSD
-"""Finds the base parameters of an arm from torques with noise, by least squares (Gautier, Khalil, IEEE Trans.
-Robotics and Automation 6(3), 1990): of tau = Y(q, v, a) pi + rest only the columns that are kept are independent."""
+"""Estimates the base parameters of an arm from noisy torques by least squares (Gautier, Khalil, IEEE Trans. Robotics
+and Automation 6(3), 1990). In tau = Y(q, v, a) pi + rest only the columns of the base parameters are independent."""
 import json
 import sys
 
@@ -9,11 +9,11 @@ import numpy as np
 import panda7_identify as arm
 
 STATES = 200
-NOISE = 0.05  # N*m, standard deviation of a torque
+NOISE = 0.05  # N*m, standard deviation of the torque noise
 
 
 def samples(random):
-    """Random states inside the ranges of the model, and what they cost in torque."""
+    """Random states inside the ranges of the model: the rows of Y and the noisy torques minus the rest."""
     p = arm.Parameters()
     for _ in range(STATES):
         q, v = (random.uniform(*np.transpose(ranges)) for ranges in (arm.coordinate_ranges, arm.rate_ranges))
@@ -25,7 +25,7 @@ def samples(random):
 
 
 def base_matrix(base):
-    """beta = B pi."""
+    """The matrix B of beta = B pi: base parameters as combinations of all parameters."""
     matrix = np.zeros((len(base), len(arm.regressor_names)))
     for row, combination in zip(matrix, base):
         for name, factor in combination["parameters"].items():

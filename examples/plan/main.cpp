@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: 0BSD
-// Plans how a force swings the pole up in 2 s with the least integral of u^2, by the collocation of
-// Hermite and Simpson: on each interval of length h, with a point m in its middle and f = dx/dt,
+// Plans a force that swings the pole up in 2 s with the minimal integral of u^2, by Hermite-Simpson
+// collocation. On each interval of length h with midpoint m and f = dx/dt:
 //   x_j - x_i = h/6 (f_i + 4 f_m + f_j),   x_m = (x_i + x_j)/2 + h/8 (f_i - f_j).
-// (Kelly, An introduction to trajectory optimization, SIAM Review 59, 2017, section 4.) elgen gives
-// Ipopt df/dx and df/du; `plan --check` lets it compare them with differences first.
+// (Kelly, An introduction to trajectory optimization, SIAM Review 59, 2017, section 4.) Ipopt gets
+// df/dx and df/du from elgen's code; `plan --check` first compares them with differences.
 #include <IpIpoptApplication.hpp>
 #include <IpSolveStatistics.hpp>
 #include <cstdio>
@@ -16,7 +16,7 @@ using Eigen::Map, Eigen::Matrix, Eigen::Matrix4d, Ipopt::SmartPtr, plant::unboun
 constexpr int intervals = 100, points = 2 * intervals + 1, blocks = 6 * intervals;
 constexpr double h = 2.0 / intervals;
 using State = Matrix<double, 4, 1>;                // x, theta and their rates
-using Plan = Matrix<double, 5, points>;            // a state and the force in each column
+using Plan = Matrix<double, 5, points>;            // column: state and force at a point
 using Defects = Matrix<double, 4, 2 * intervals>;  // (x_i x_m x_j) S + (f_i f_m f_j) R
 const Matrix<double, 3, 2> S{{-1, -0.5}, {0, 1}, {1, -0.5}};
 const Matrix<double, 3, 2> R{{-h / 6, -h / 8}, {-4 * h / 6, 0}, {-h / 6, h / 8}};
@@ -70,7 +70,7 @@ struct SwingUp : Ipopt::TNLP {
     return true;
   }
   bool eval_jac_g(int, const double* z, bool, int, int, int* rows, int* columns, double* J) final {
-    for (int block = 0; block < blocks; ++block) {  // a column of defects by one of its points
+    for (int block = 0; block < blocks; ++block) {  // derivatives of a defect column at one point
       const int defect = block / 3, rule = defect % 2, k = block % 3, point = defect - rule + k;
       for (int i = 0; J == nullptr && i < 20; ++i) {
         *rows++ = 4 * defect + i % 4, *columns++ = 5 * point + i / 4;

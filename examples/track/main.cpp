@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: 0BSD
-// Moves the tip of an arm around a circle by computed torque, at 1 kHz (Siciliano, Sciavicco,
-// Villani, Oriolo, Robotics, 2009, section 8.5.2): the torques
+// Moves the tip of an arm along a circle by computed torque control at 1 kHz (Siciliano, Sciavicco,
+// Villani, Oriolo, Robotics, 2009, section 8.5.2). With an exact model the torques
 //     tau = M(q) (a_r + kd (v_r - v) + kp (q_r - q)) + bias(q, v)
-// make the error e = q_r - q of the right model obey e'' + kd e' + kp e = 0.
+// give the error e = q_r - q the dynamics e'' + kd e' + kp e = 0.
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ struct Motion {
   Vector2d x, v, a;
 };
 
-/// The joint angles, rates and accelerations that move the tip as told, with the elbow below.
+/// Joint angles, rates and accelerations for a motion of the tip, with the elbow below.
 Motion inverse_kinematics(const arm::Parameters<double>& p, const Motion& tip) {
   const double l2 = 2 * p.c2;
   const double cosine = (tip.x.squaredNorm() - p.l1 * p.l1 - l2 * l2) / (2 * p.l1 * l2);
@@ -33,7 +33,8 @@ Motion inverse_kinematics(const arm::Parameters<double>& p, const Motion& tip) {
   return joints;
 }
 
-/// Where the tip is to be: on a circle of 0.2 m about (1.02, 0.2) m, once in two seconds.
+/// The desired motion of the tip: a circle of radius 0.2 m about (1.02, 0.2) m, once in two
+/// seconds.
 Motion reference(const arm::Parameters<double>& p, double t) {
   const double w = 3.141592653589793, radius = 0.2;
   const Vector2d out(radius * std::cos(w * t), radius * std::sin(w * t));
@@ -41,8 +42,8 @@ Motion reference(const arm::Parameters<double>& p, double t) {
       p, {Vector2d(1.02, 0.2) + out, w * Vector2d(-out[1], out[0]), -w * w * out});
 }
 
-/// The largest error of a joint in three rounds of an arm that starts on the circle, under a
-/// controller that takes it for `model`.
+/// The largest joint error during three rounds. The arm `real` starts on the circle, and the
+/// controller assumes the parameters `model`.
 double largest_error(const arm::Parameters<double>& model, const arm::Parameters<double>& real) {
   const double h = 1e-3, kp = 400, kd = 40;
   double largest = 0;
@@ -55,7 +56,7 @@ double largest_error(const arm::Parameters<double>& model, const arm::Parameters
     q = next.coordinates;
     v = next.rates;
     wanted = reference(model, sample * h);
-    largest = std::max((wanted.x - q).cwiseAbs().maxCoeff(), largest);  // in this order for NaN
+    largest = std::max((wanted.x - q).cwiseAbs().maxCoeff(), largest);  // max(NaN, x) is NaN
   }
   return largest;
 }
