@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: 0BSD
-# Equations as symbols of SymPy: the poles about the upright state, and M for a paper.
+# Prints equations in SymPy symbols: characteristic polynomial about the upright state, and M in LaTeX.
 import sympy
 
 import cart_pole
@@ -12,4 +12,4 @@ p = code.Parameters(M, m, l, g)
 upright = sympy.Matrix(code.linearization(p, [0, 0], [0, 0], [0]).A)
 print(sympy.factor((s * sympy.eye(4) - upright).det()))
 print(sympy.latex(sympy.Matrix(code.mass_matrix(p, [0, theta]))))
-print(code.Parameters())  # the model's values, exact
+print(code.Parameters())  # exact values of the model file

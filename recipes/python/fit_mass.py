@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: 0BSD
-# The mass of a bob from 200 measured accelerations, by the gradients of torch.
+# Finds the mass of a bob from 200 measured accelerations with gradients of torch.
 import random
 
 import torch
@@ -11,17 +11,17 @@ chance = random.Random(1)
 
 
 def measurement(mass):
-    """A state, a force, and the accelerations that a sensor with noise tells."""
+    """A random state and force, with accelerations as a noisy sensor measures them."""
     state = ([0.0, chance.uniform(-3, 3)], [chance.gauss(0, 1), chance.gauss(0, 3)], [chance.uniform(-20, 20)])
     a = cart_pole.forward_dynamics(cart_pole.Parameters(m=mass), *state).acceleration
     return (*state, [x + chance.gauss(0, 0.05) for x in a])
 
 
 measurements = [measurement(mass=0.23) for _ in range(200)]
-# States lie in the last axis.
+# The last axis numbers the states.
 q, v, u, measured = (torch.tensor(each, dtype=torch.float64).T for each in zip(*measurements))
 
-logarithm = torch.tensor(0.1, dtype=torch.float64).log().requires_grad_()  # masses are positive
+logarithm = torch.tensor(0.1, dtype=torch.float64).log().requires_grad_()  # keeps the mass positive
 optimizer = torch.optim.LBFGS([logarithm], max_iter=50, line_search_fn="strong_wolfe")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: 0BSD
-# Of every check the row of the seed at which it is worst, with the number of seeds and the states of all of them.
+# For each check: the row of the seed with the worst result, plus the number of seeds and of all states.
 map({model, scene, seed} + .checks[])
 | group_by([.model, .scene, .check, .subject])
 | map(max_by([.verdict == "fails", .loss // 0])

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: 0BSD
-# The certificate of one seed, the number of the task, by all cores of the task.
+# Writes the certificate of one seed, on all cores of the task. The seed is the number of the task.
 #
 #     sbatch --array=1-50 slurm.sh SAMPLES INPUT
 #SBATCH --job-name=elgen
