@@ -1,5 +1,5 @@
-// generated/README.md is the list of what is committed there, made of the models, the scenes and
-// the sidecars. ELGEN_UPDATE=1 writes it; the difference is then reviewed.
+// generated/README.md lists the committed code. The list is computed from the models, the scenes
+// and the sidecars. ELGEN_UPDATE=1 writes the page; review the difference.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,11 +21,11 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view introduction = R"(# Generated code of all models and scenes
 
-Each folder has what `elgen generate` writes: a header, a page with the equations, and the same as JSON. A test compares the
-files with what is derived today. [models/README.md](../models/README.md) explains the model files,
-[templates/README.md](../templates/README.md) the headers.
+`elgen generate` writes each folder: a header, a page with the equations, and the equations as JSON. A test compares the
+files with the output of the current elgen. [models/README.md](../models/README.md) explains the model files, and
+[templates/README.md](../templates/README.md) explains the headers.
 
-`tests/pages` makes this list of the models; `ELGEN_UPDATE=1 build/release/tests/test_pages` writes it.
+`tests/pages` checks this list; `ELGEN_UPDATE=1 build/release/tests/test_pages` writes it.
 
 )";
 
@@ -55,7 +55,7 @@ std::string text_of(const Syntax& syntax, const std::string& entry, const std::s
   throw std::runtime_error("no [" + entry + "]");
 }
 
-/// "x [m]; theta, phi [rad]": neighbours of one unit share it.
+/// "x [m]; theta, phi [rad]": neighbours with the same unit share it.
 std::string coordinates_of(const std::string& name) {
   const auto json =
       nlohmann::json::parse(read_text(source / "generated" / name / (name + ".equations.json")));
@@ -71,21 +71,27 @@ std::string coordinates_of(const std::string& name) {
   return text + (last.empty() ? "" : " [" + last + "]");
 }
 
-/// "[header](a/a.hpp), [Eigen](a/a_eigen.hpp), [page](a/a.md)"
-std::string files_links(const std::string& name) {
+/// Endings of file names, and the words that link to these files.
+using Endings = std::vector<std::pair<std::string_view, std::string_view>>;
+
+const Endings code_endings{{".hpp", "C++"}, {".h", "C"}};
+const Endings variant_endings{{"_eigen.hpp", "Eigen"}, {"_batch.hpp", "batch"}};
+const Endings page_endings{{".md", "page"}};
+const Endings sidecar_endings{{".equations.json", "JSON"}};
+
+/// "[Eigen](a/a_eigen.hpp), [batch](a/a_batch.hpp)": the files that exist.
+std::string file_links(const std::string& name, const Endings& endings) {
   std::string links;
-  for (const auto& [ending, word] :
-       {std::pair(".hpp", "C++"), std::pair("_eigen.hpp", "Eigen"),
-        std::pair("_batch.hpp", "batch"), std::pair(".h", "C"), std::pair(".md", "page"),
-        std::pair(".equations.json", "JSON")}) {
-    const std::string path = name + "/" + name + ending;
+  for (const auto& [ending, word] : endings) {
+    const std::string path = fmt::format("{0}/{0}{1}", name, ending);
     if (!fs::exists(source / "generated" / path)) continue;
     links += fmt::format("{}[{}]({})", links.empty() ? "" : ", ", word, path);
   }
   return links;
 }
 
-/// The picture in the comment that opens a model: from its first line set in to its last.
+/// The picture in the first comment of a model: the indented lines and the blank lines between
+/// them.
 std::string sketch_of(const std::string& text) {
   std::string sketch;
   std::string gap;
@@ -103,25 +109,32 @@ std::string sketch_of(const std::string& text) {
 }
 
 std::string model_rows() {
-  std::string rows = "## Models\n\n| model | | coordinates | files |\n|---|---|---|---|\n";
+  std::string rows =
+      "## Models\n\n| model | title | coordinates | code | page | JSON |\n"
+      "|---|---|---|---|---|---|\n";
   for (const fs::path& path : files_of(source / "models", ".toml")) {
     const std::string name = path.stem();
     const Result<FileSyntax> model = parse_model(read_source(path), Limits{});
-    rows += fmt::format("| [{0}](../models/{0}.toml) | {1} ([sketch](#{0})) | {2} | {3} |\n", name,
-                        text_of(*model, "model", "title"), coordinates_of(name), files_links(name));
+    rows += fmt::format(
+        "| [{0}](../models/{0}.toml) | {1} ([sketch](#{0})) | {2} | {3} | {4} | {5} |\n", name,
+        text_of(*model, "model", "title"), coordinates_of(name), file_links(name, code_endings),
+        file_links(name, page_endings), file_links(name, sidecar_endings));
   }
   return rows;
 }
 
 std::string scene_rows() {
-  std::string rows = "\n## Scenes\n\n| scene | | coordinates | files |\n|---|---|---|---|\n";
+  std::string rows =
+      "\n## Scenes\n\n| scene | purpose | coordinates | code | Eigen, batch | page | JSON |\n"
+      "|---|---|---|---|---|---|---|\n";
   for (const fs::path& path : files_of(source / "models/scenes", ".scene.toml")) {
     const Result<FileSyntax> scene = parse_scene(read_source(path), Limits{});
     const std::string name =
         fs::path(text_of(*scene, "", "model")).stem().string() + "_" + text_of(*scene, "", "name");
-    rows += fmt::format("| [{}](../models/scenes/{}) | {} | {} | {} |\n", name,
+    rows += fmt::format("| [{}](../models/scenes/{}) | {} | {} | {} | {} | {} | {} |\n", name,
                         path.filename().string(), text_of(*scene, "", "doc"), coordinates_of(name),
-                        files_links(name));
+                        file_links(name, code_endings), file_links(name, variant_endings),
+                        file_links(name, page_endings), file_links(name, sidecar_endings));
   }
   return rows;
 }
@@ -137,7 +150,7 @@ std::string sketches() {
 
 }  // namespace
 
-TEST_CASE("the sketch is what is set in of the first comment") {
+TEST_CASE("the sketch is the indented part of the first comment") {
   CHECK(sketch_of("# A cart.\n#\n#     o-->  x\n#\n#     |\n#\n# Both wheels turn.\n#   x\n") ==
         "   o-->  x\n\n   |\n");
 }
