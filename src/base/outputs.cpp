@@ -92,7 +92,7 @@ constexpr OutputRow drift{
                          R"(\frac{\partial <b>}{\partial <q>} N \right)^{\top} \right) <v> + )"
                          R"(\frac{\partial <b>}{\partial t} + [<omega>]_{\times} <b> - )"
                          R"(N^{\top} \frac{\partial T_{0}}{\partial <q>})"},
-    .doc = "Forces of explicit time and of terms linear in the rates.",
+    .doc = "Forces from explicit time and from terms of L that are linear in the rates.",
     .needs = {N::quadratic}};
 
 constexpr OutputRow dissipation{.symbol = {"dD/dv", R"(\frac{\partial D}{\partial <v>})"},
@@ -114,7 +114,7 @@ constexpr OutputRow bias{
     .fields = force,
     .equation = {"bias = C v + drift + g + dD/dv - Q",
                  R"(<bias> = C <v> + <drift> + <g> + \frac{\partial D}{\partial <v>} - <Q>)"},
-    .doc = "Everything in the equation of motion that needs neither a nor u."};
+    .doc = "All terms of the equation of motion without a and u."};
 
 constexpr OutputRow inverse_dynamics{.symbol = {"tau", "<tau>"},
                                      .takes = Opcode::velocity | Opcode::acceleration,
@@ -127,17 +127,17 @@ constexpr OutputRow reaction{
     .symbol = {"r", "<r>"},
     .takes = Opcode::velocity | Opcode::acceleration | Opcode::input,
     .fields = held,
-    .equation = {"r = (d/dt dL/dv - dL/dq + dD/dv - Q - B u) of what is locked",
+    .equation = {"r = (d/dt dL/dv - dL/dq + dD/dv - Q - B u) of the locked coordinates",
                  R"(<r> = \left[ \frac{d}{dt} \frac{\partial L}{\partial <v>} - )"
                  R"(\frac{\partial L}{\partial <q>} + \frac{\partial D}{\partial <v>} - <Q> - )"
                  R"(B <u> \right]_{\mathrm{locked}})"},
     .turning_equation =
-        {"r = (d/dt dL/dv + [w]x dL/dv - N^T dL/dq + dD/dv - Q - B u) of what is locked",
+        {"r = (d/dt dL/dv + [w]x dL/dv - N^T dL/dq + dD/dv - Q - B u) of the locked coordinates",
          R"(<r> = \left[ \frac{d}{dt} \frac{\partial L}{\partial <v>} + )"
          R"([<omega>]_{\times} \frac{\partial L}{\partial <v>} - )"
          R"(N^{\top} \frac{\partial L}{\partial <q>} + \frac{\partial D}{\partial <v>} - <Q> - )"
          R"(B <u> \right]_{\mathrm{locked}})"},
-    .doc = "Generalized force, beside the inputs, that holds the locked coordinates.",
+    .doc = "Generalized force that holds the locked coordinates, in addition to the inputs.",
     .needs = {N::held}};
 
 constexpr std::array impulse{FieldRow{"", E::velocities, E::one, U::energy, forces}};
@@ -159,7 +159,7 @@ constexpr OutputRow position_gradient{
          R"(N^{\top} \frac{\partial L}{\partial <q>} = \frac{d<p>}{dt} + [<omega>]_{\times} <p> + )"
          R"(\frac{\partial D}{\partial <v>} - <Q> - B <u>)"},
     .constrained_equation = {"dL/dq", R"(\frac{\partial L}{\partial <q>})"},
-    .doc = "Gradient of the Lagrangian by the coordinates."};
+    .doc = "Gradient of the Lagrangian with respect to the coordinates."};
 
 // Energies.
 
@@ -184,7 +184,7 @@ constexpr OutputRow total_energy{
     .takes = Opcode::velocity,
     .fields = energy,
     .equation = {"T + V0 + V1.v", R"(T + V = T + V_{0} + <V>_{1}^{\top} <v>)"},
-    .doc = "Kinetic and potential energy.",
+    .doc = "Sum of kinetic and potential energy.",
     .needs = {N::quadratic, N::energies},
     .is_energy = true};
 
@@ -213,7 +213,7 @@ constexpr OutputRow linearization{
     .fields = of_states,
     .equation = {"d(dx)/dt = A dx + B du, x = (q, v)",
                  R"(\delta\dot{<x>} = A \delta<x> + B \delta<u>)"},
-    .doc = "Linear equations of motion about the state and inputs given.",
+    .doc = "Equations of motion, linearized about the given state and inputs.",
     .solves = true,
     .differentiates = true};
 
@@ -257,7 +257,7 @@ constexpr OutputRow input_force_derivatives{
     .fields = of_input_force,
     .equation = {"d(B u)/dq", ""},
     .turning_equation = {"d(B u)/dq N", R"(\frac{\partial (B <u>)}{\partial <q>} N)"},
-    .doc = "Derivatives of the forces of inputs by the coordinates.",
+    .doc = "Derivatives of the input forces with respect to the coordinates.",
     .needs = {N::inputs},
     .differentiates = true,
     .by_name = true};
@@ -282,7 +282,7 @@ constexpr OutputRow coordinate_rates{
     .takes = Opcode::velocity,
     .fields = rate_of_coordinate,
     .equation = {"dq/dt = N(q) v", R"(\dot{<q>} = N(<q>) <v>)"},
-    .doc = "Rates of the coordinates: of a rotation 1/2 q w, w in the axes of the body.",
+    .doc = "Rates of the coordinates; for a rotation 1/2 q w, with w in the axes of the body.",
     .needs = {N::rotations}};
 
 constexpr std::array coordinate{
@@ -301,7 +301,7 @@ constexpr OutputRow cyclic_rates{
     .equation = {"M_cc v_c = p - dL/dv_c at v_c = 0",
                  R"(M_{cc} <v>_{c} = <p> - )"
                  R"(\left[ \frac{\partial L}{\partial <v>_{c}} \right]_{<v>_{c} = <0>})"},
-    .doc = "Rates of the cyclic coordinates that were taken out, at their momenta.",
+    .doc = "Rates of the eliminated cyclic coordinates, from their momenta.",
     .needs = {N::cyclic}};
 
 #include "base/regressor_rows.def"
@@ -310,7 +310,7 @@ constexpr OutputRow cyclic_rates{
 constexpr OutputRow dynamics{
     .symbol = {"dynamics", R"(\mathrm{dynamics})"},
     .takes = Opcode::velocity,
-    .doc = "Every chosen output that takes neither a nor u, computed at once.",
+    .doc = "All chosen outputs without the arguments a and u, computed at once.",
     .repeats = true};
 
 constexpr std::array next_state{
@@ -325,8 +325,8 @@ constexpr std::array next_state{
 constexpr OutputRow step{.symbol = {"(q, v)(t + h)", R"((<q>, <v>)(t + h))"},
                          .takes = Opcode::velocity | Opcode::input | Opcode::step,
                          .fields = next_state,
-                         .equation = {"(q, v)(t + h), u stays", ""},
-                         .doc = "One step of length h with inputs that stay:",
+                         .equation = {"(q, v)(t + h) at constant u", ""},
+                         .doc = "One step of length h at constant inputs:",
                          .options = {O::method, O::order, O::iterations, O::projected},
                          .steps = true};
 
@@ -335,7 +335,7 @@ constexpr OutputRow step_derivatives{
     .takes = Opcode::velocity | Opcode::input | Opcode::step,
     .fields = of_states,
     .equation = {"dx(t + h) = A dx + B du, x = (q, v)", ""},
-    .doc = "Derivatives of one step of length h with inputs that stay:",
+    .doc = "Derivatives of one step of length h at constant inputs:",
     .needs = {N::no_constraints, N::few_velocities},
     .options = {O::method, O::order, O::iterations},
     .differentiates = true,

@@ -166,7 +166,8 @@ std::string doc_with_independent(const Model& model, const Function& function) {
   }
   const std::string_view doc = output_row(function.kind).doc;
   if (names.empty()) return fmt::format("{}.", doc);
-  return fmt::format("{}, from those of {} alone.", doc, fmt::join(names, ", "));
+  return fmt::format("{}, from the rates and accelerations of {} alone.", doc,
+                     fmt::join(names, ", "));
 }
 
 std::string sentence(const std::string& text) {
@@ -178,7 +179,7 @@ std::string sentence(const std::string& text) {
 std::string drift_of_step(const Model& model, const StepSpec& step) {
   if (model.constraints.empty()) return {};
   return step.projects
-             ? " One step of Newton back to the constraints follows, that of `projected`."
+             ? " One Newton step back to the constraints follows, as by `projected`."
              : " Called in a loop it drifts off the constraints: call `projected` after every "
                "step, or write `step = { projected = true }`.";
 }

@@ -49,11 +49,11 @@ std::string left_out_text(const LeftOut& left_out) {
   const std::string names = fmt::format("{}", fmt::join(left_out.outputs, ", "));
   if (left_out.reason == LeftOutReason::too_many_entries) {
     return fmt::format(
-        "Left out, with more than {} entries: {}. A scene or --outputs that names an output gets "
-        "it.",
+        "Left out, with more than {} entries: {}. To emit one, name it in a scene or with "
+        "--outputs.",
         entries_in_full, names);
   }
-  return fmt::format("Left out, as forces with abs, sign, min or max have no derivatives: {}.",
+  return fmt::format("Left out, because forces with abs, sign, min or max have no derivatives: {}.",
                      names);
 }
 
@@ -84,22 +84,22 @@ Lines small_coordinates(const Model& model) {
 
 }  // namespace
 
-/// "Expanded about x = 0, theta = 0, u = 0: right to order 1 in the deviations from there, the
-/// rates and the accelerations together."; "" without an approximation.
+/// "Expanded about x = 0, theta = 0, u = 0: correct to order 1 in the deviations, the rates and the
+/// accelerations together."; "" without an approximation.
 std::string expansion_text(const Model& model) {
   if (!model.approximation) return {};
   const Approximation& approximation = *model.approximation;
   const std::string about = fmt::format("Expanded about {}: ", fmt::join(point(model), ", "));
   if (approximation.small_inputs) {
     return about + fmt::format(
-                       "right to order {} in the deviations from there, the rates and the "
-                       "accelerations together.",
+                       "correct to order {} in the deviations, the rates and the accelerations "
+                       "together.",
                        approximation.order);
   }
   return about + fmt::format(
-                     "right in the equations of {} to order {} (in others to order {}) in "
-                     "the deviations from there, their rates and their accelerations "
-                     "together; exact in all else.",
+                     "correct to order {1} in the equations of {0}, and to order {2} in other "
+                     "equations. The order counts the deviations, their rates and their "
+                     "accelerations together. All other variables are exact.",
                      fmt::join(small_coordinates(model), ", "), approximation.order,
                      approximation.order + 1);
 }
@@ -112,7 +112,7 @@ std::vector<std::string> scene_notes(const Model& model, const Scene& scene) {
   };
   add("Fixed", fixed_parameters(model, scene));
   add("Locked", locked_coordinates(model));
-  add("Taken out, with its momentum held", cyclic_coordinates(model));
+  add("Eliminated, at constant momentum", cyclic_coordinates(model));
   if (model.approximation) notes.push_back(expansion_text(model));
   for (const LeftOut& left_out : scene.left_out) notes.push_back(left_out_text(left_out));
   return notes;

@@ -68,10 +68,10 @@ TEST_CASE("every file lists its omitted outputs") {
                     "    3 | name = \"row\"\n"
                     "      |         ^~~ a scene or `--outputs` that names an output gets it\n"));
   const std::string stem = "generated/row/row";
-  CHECK(mentions(workspace.read(stem + ".hpp"),
-                 "\n// Left out, with more than 4096 entries: linearization. A scene or --outputs "
-                 "that names an output\n// "
-                 "gets it.\n"));
+  CHECK(mentions(
+      workspace.read(stem + ".hpp"),
+      "\n// Left out, with more than 4096 entries: linearization. To emit one, name it in a "
+      "scene or with\n// --outputs.\n"));
   CHECK(mentions(workspace.read(stem + ".md"),
                  "\nLeft out, with more than 4096 entries: linearization. "));
   CHECK(mentions(workspace.read(stem + ".equations.json"),
@@ -85,7 +85,7 @@ TEST_CASE("headers in C list omitted outputs, and a scene without [outputs] omit
   const Outcome outcome = run_on("generate --stdout c.scene.toml", masses(1, friction), workspace);
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.errors, "[E619]"));
-  CHECK(mentions(outcome.output, "Left out, as forces with abs, sign, min or max have no"));
+  CHECK(mentions(outcome.output, "Left out, because forces with abs, sign, min or max have no"));
 }
 
 TEST_CASE("a scene gets the large outputs that it names") {

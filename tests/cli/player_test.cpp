@@ -106,8 +106,7 @@ V = "-1/sqrt(x^2 + y^2)"
   };
   for (const std::string method : {"rk4", "verlet"}) {
     const std::string options = "--method " + method + " --step 0.01";
-    CHECK(
-        mentions(state_after("5", options), " % of its scale: a shorter step shows what is true"));
+    CHECK(mentions(state_after("5", options), " % of its scale: use a shorter step"));
     const std::string kept = state_after("0.5", options);
     CHECK(mentions(kept, ">t = 0.5, x = "));
     CHECK_FALSE(mentions(kept, "E - E0"));

@@ -60,7 +60,7 @@ TEST_CASE("the scalars have polynomials of the requested accuracy") {
   CHECK(mentions(text, "  static constexpr float cosine_4 = 0.040"));
   CHECK(mentions(text, "using Table = Trigonometry<T>;"));
   CHECK_FALSE(mentions(text, "Trigonometry<double>"));
-  CHECK(mentions(text, "off by at most 0.001 for angles up to 1000,"));
+  CHECK(mentions(text, "off by at most 0.001 for angles up to 1000;"));
 }
 
 TEST_CASE("a function that compares numbers processes one state at a time") {
@@ -70,7 +70,7 @@ TEST_CASE("a function that compares numbers processes one state at a time") {
       "  3 = atan2 0 2\n  result 2 1 = 1 3\n");
   const std::string text = batch_text(subject);
   CHECK(mentions(text, "  using Scalar = T;\n"));
-  CHECK(mentions(text, "// gravity compares numbers and takes one state after another.\n"));
+  CHECK(mentions(text, "// gravity compares numbers, so that it computes one state at a time.\n"));
   CHECK(mentions(text, "Pack<T, N> exp("));
   CHECK(mentions(text, "Pack<T, N> atan2("));
 }

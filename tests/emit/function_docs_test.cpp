@@ -42,7 +42,7 @@ TEST_CASE("fields have headings") {
 
 TEST_CASE("dynamics refers to its outputs") {
   CHECK(docs(cart_pole(), 5) ==
-        Lines{" Every chosen output that takes neither a nor u, computed at once."});
+        Lines{" All chosen outputs without the arguments a and u, computed at once."});
 }
 
 TEST_CASE("a user's output is documented by the user") {
@@ -80,9 +80,10 @@ TEST_CASE("a step documents its method") {
       "  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n");
   CHECK(
       docs(subject, 0) ==
-      Lines{" One step of length h with inputs that stay: Verlet's method (kick, drift, kick), of "
-            "order 2 and",
-            " symplectic.", "", "     v += h/2 a(q, t), q += h v, v += h/2 a(q, t + h)"});
+      Lines{
+          " One step of length h at constant inputs: Verlet's method (kick, drift, kick), which is",
+          " symplectic and of order 2.", "",
+          "     v += h/2 a(q, t), q += h v, v += h/2 a(q, t + h)"});
 }
 
 TEST_CASE("a step of a model with constraints documents drift or projection") {
@@ -110,9 +111,10 @@ TEST_CASE("a composed step documents its order and its substeps") {
       "coordinates x\nstep\nfunction step = step 1 order 4\n  0 = coordinate x\n  1 = step\n"
       "  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n");
   const Lines lines = docs(subject, 0);
-  CHECK_THAT(lines[0] + lines[1], Catch::Contains("drift, kick), of order 4 and"));
+  CHECK_THAT(lines[0] + lines[1],
+             Catch::Contains("drift, kick), which is symplectic and of order 4."));
   CHECK(lines.back() ==
-        "     in turn over 0.414491 h, 0.414491 h, -0.657963 h, 0.414491 h, 0.414491 h");
+        "     in sequence over 0.414491 h, 0.414491 h, -0.657963 h, 0.414491 h, 0.414491 h");
 }
 
 TEST_CASE("an iterating step documents the number of iterations and its residual") {
@@ -122,7 +124,7 @@ TEST_CASE("an iterating step documents the number of iterations and its residual
       "  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n  result residual 1 1 = 1\n");
   const Lines lines = docs(subject, 0);
   REQUIRE(lines.size() > 4);
-  CHECK_THAT(lines[1] + lines[2], Catch::Contains("The residual is what the iterations leave"));
+  CHECK_THAT(lines[1] + lines[2], Catch::Contains("`residual` is the error of the momentum"));
   CHECK_THAT(lines.end()[-2],
              Catch::StartsWith("     5 times: M w = p + h/2 (dL/dq + F) - b, all at ("));
   CHECK(field_summary({subject.model, subject.program, subject.program.functions[0], {}, "", {}},

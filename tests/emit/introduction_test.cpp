@@ -48,7 +48,7 @@ TEST_CASE("omitted outputs are listed, if there are any") {
   REQUIRE(lines.size() == without.size() + 2);
   CHECK(lines[without.size()].empty());
   CHECK(lines.back() ==
-        " Left out, as forces with abs, sign, min or max have no derivatives: linearization.");
+        " Left out, because forces with abs, sign, min or max have no derivatives: linearization.");
 }
 
 TEST_CASE("one row per function, columns aligned") {
@@ -78,6 +78,6 @@ TEST_CASE("the page lists omitted outputs") {
   subject.scene.left_out = {{LeftOutReason::too_many_entries, {"linearization"}}};
   const std::string page =
       markdown(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
-  CHECK(page.find("\n\nLeft out, with more than 4096 entries: linearization. A scene or --outputs "
-                  "that names an output gets it.\n\n") != std::string::npos);
+  CHECK(page.find("\n\nLeft out, with more than 4096 entries: linearization. To emit one, name it "
+                  "in a scene or with --outputs.\n\n") != std::string::npos);
 }

@@ -192,8 +192,7 @@ TEST_CASE("fast-math and its parts are refused by double-double, without an over
     const test::Outcome built =
         wide.compiled(compiler, flags + " -DELGEN_ALLOW_FAST_MATH -fsyntax-only");
     INFO(compiler << " " << flags << "\n" << built.errors);
-    CHECK((built.status != 0) ==
-          mentions(built.errors, "fast-math takes apart how sums are split"));
+    CHECK((built.status != 0) == mentions(built.errors, "fast-math breaks the splitting of sums"));
     return built.status != 0;
   };
   CHECK(is_refused("g++"));
@@ -217,7 +216,8 @@ TEST_CASE("excess precision is refused by double-double") {
     const test::Outcome built = wide.compiled(
         GENERATE("g++", "clang++"), "-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + method +
                                         " -Wno-builtin-macro-redefined -fsyntax-only");
-    CHECK((built.status != 0) == mentions(built.errors, "excess precision undoes how sums"));
+    CHECK((built.status != 0) ==
+          mentions(built.errors, "excess precision breaks the splitting of sums"));
     return built.status != 0;
   };
   for (const char* const method : {"-1", "1", "2"}) CHECK(is_refused(method));

@@ -208,9 +208,9 @@ TEST_CASE("what a model leaves out, and whether it can be had") {
                     {LeftOutReason::kinked_force, {"forward_dynamics_derivatives"}}};
   CHECK(scene_notes(Model{}, scene) ==
         std::vector<std::string>{
-            "Left out, with more than 4096 entries: mass_matrix, linearization. A scene or "
-            "--outputs that names an output gets it.",
-            "Left out, as forces with abs, sign, min or max have no derivatives: "
+            "Left out, with more than 4096 entries: mass_matrix, linearization. To emit "
+            "one, name it in a scene or with --outputs.",
+            "Left out, because forces with abs, sign, min or max have no derivatives: "
             "forward_dynamics_derivatives."});
 }
 
@@ -230,11 +230,11 @@ TEST_CASE("the point and the order are named, inputs where they are small") {
       approximated(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }");
   CHECK(scene_notes(all.model, all.scene) == std::vector<std::string>{expansion_text(all.model)});
   CHECK(expansion_text(all.model) ==
-        "Expanded about x = 0, theta = pi/2, u = 0: right to order 1 in the deviations from "
-        "there, the rates and the accelerations together.");
+        "Expanded about x = 0, theta = pi/2, u = 0: correct to order 1 in the deviations, the "
+        "rates and the accelerations together.");
   const CheckedModel some = approximated(cart_pole_text(), "order = 2\nabout = { theta = 0 }");
   CHECK(expansion_text(some.model) ==
-        "Expanded about theta = 0: right in the equations of theta to order 2 (in others to order "
-        "3) in the deviations from there, their rates and their accelerations together; exact in "
-        "all else.");
+        "Expanded about theta = 0: correct to order 2 in the equations of theta, and to order 3 in "
+        "other equations. The order counts the deviations, their rates and their accelerations "
+        "together. All other variables are exact.");
 }

@@ -176,7 +176,7 @@ class HeldReader {
     ParameterArray& array = model_.parameter_arrays.back();
     if (momentum.unit) array.unit_text = to_string(*momentum.unit);
     if (!coordinate.latex.empty()) array.latex = "p_{" + coordinate.latex + "}";
-    array.doc = "momentum of " + coordinate.name + ", which stays";
+    array.doc = "constant momentum of " + coordinate.name;
   }
 
   void refuse(const Span& span, const std::string& message) {

@@ -150,8 +150,8 @@ Lines step_lines(const StepSpec& step, const Model& model) {
     parts.push_back(fmt::format("{:.6g} h", cln::double_approx(part)));
   }
   const char* const residual =
-      step.iterations > 0 ? "; the residual is that of the longest part" : "";
-  append(lines, wrapped(fmt::format("in turn over {}{}", fmt::join(parts, ", "), residual)));
+      step.iterations > 0 ? "; `residual` belongs to the longest of them" : "";
+  append(lines, wrapped(fmt::format("in sequence over {}{}", fmt::join(parts, ", "), residual)));
   return lines;
 }
 

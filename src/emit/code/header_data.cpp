@@ -24,7 +24,7 @@ TemplateData struct_data(const FunctionText& text, const Dialect& dialect) {
   }
   return TemplateRow{
       {"name", dialect.struct_name(text.function)},
-      {"doc", fmt::format("The results of {}.", text.function.name)},
+      {"doc", fmt::format("Result type of {}.", text.function.name)},
       {"members", lines_data(documented_members(members, dialect.rules().comments))}};
 }
 
@@ -175,7 +175,7 @@ bool has_unbounded(const DeclaredArray& array) {
 }
 
 std::string left_out_note(const Function& function) {
-  return fmt::format(" {} is left out: it has more than {} entries.", function.name,
+  return fmt::format(" {} is omitted: it has more than {} entries.", function.name,
                      largest_returned);
 }
 

@@ -35,7 +35,7 @@ void set_regular(TemplateData& data, const EmissionInput& input);
 /// `unbounded`.
 [[nodiscard]] bool has_unbounded(const DeclaredArray& array);
 
-/// " step is left out: it has more than 4096 entries."
+/// " step is omitted: it has more than 4096 entries."
 [[nodiscard]] std::string left_out_note(const Function& function);
 
 /// Notes, wrapped as lines of a comment.

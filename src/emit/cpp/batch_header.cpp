@@ -28,16 +28,16 @@ Texts notes(const EmissionInput& input) {
     const double error =
         cln::double_approx(sine_error(input.scene.numerics, SinesOf::packs, scalar));
     lines.push_back(
-        fmt::format(" In {}, sines and cosines are off by at most {:.3g} for angles up to {:g}, "
-                    "beyond which they are NaN.",
+        fmt::format(" In {}, sines and cosines are off by at most {:.3g} for angles up to {:g}; "
+                    "for larger angles they are NaN.",
                     name_of(scalar), error, angle_reduction(scalar).domain));
   }
   for (const Function& function : input.program.functions) {
     if (!is_returned(function)) {
       lines.push_back(left_out_note(function));
     } else if (needs_order(function)) {
-      lines.push_back(
-          fmt::format(" {} compares numbers and takes one state after another.", function.name));
+      lines.push_back(fmt::format(" {} compares numbers, so that it computes one state at a time.",
+                                  function.name));
     }
   }
   return wrapped_notes(lines);

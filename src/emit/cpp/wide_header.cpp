@@ -102,7 +102,7 @@ std::string wide_header(const EmissionInput& input) {
   TemplateData data = stamp_data(input);
   data.set("header", input.scene.base_name + ".hpp");
   const bool is_mixed = inner.kind == InnerScalar::single_precision;
-  data.set("inner", is_mixed ? "double, their accelerations in float" : std::string(inner.name));
+  data.set("inner", is_mixed ? "double, the accelerations in float" : std::string(inner.name));
   data.set("type", std::string(inner.type));
   data.set("notes", lines_data(notes_of_wide(input)));
   data.set("double_double", section_if(inner.kind == InnerScalar::double_double));

@@ -56,7 +56,7 @@ std::vector<std::string> operation_table(const Program& program) {
         fmt::format("{:<{}}  {}", function.name, width, fmt::join(function.rewritten, " ")));
   }
   if (rewritten.empty()) return lines;
-  lines.emplace_back("entries that are computed otherwise than shown, to keep digits");
+  lines.emplace_back("entries with another formula than shown, which keeps digits");
   lines.insert(lines.end(), rewritten.begin(), rewritten.end());
   return lines;
 }
