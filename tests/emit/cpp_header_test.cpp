@@ -42,6 +42,39 @@ TEST_CASE("helpers are emitted only if used") {
   CHECK_FALSE(mentions(with_kinks, "number_"));
 }
 
+TEST_CASE("the contents list the sections of the header in their order") {
+  Subject subject = cart_pole();
+  const std::string text = cpp_text(subject);
+  CHECK(mentions(
+      text,
+      "//   constant                 numbers in any Scalar\n"
+      "//   namespace detail         sines and cosines\n"
+      "//   number_...               constants of the equations\n"
+      "//   Parameters               with the values of the model file\n"
+      "//   functions                in the order of the table below\n"
+      "//   is_regular, digits_left  tests of the pivots of forward_dynamics\n//\n//   function "));
+  const std::size_t contents = text.find("// Contents");
+  std::size_t before = text.find("\n#define ELGEN_FUNCTION");
+  CHECK(contents < before);
+  for (const char* const section :
+       {"coordinate_count =", "using Coordinates =", "namespace detail {",
+        " constant(double value)", "struct SineCosine", "Scalar number_1_3()", "struct Parameters",
+        " mass_matrix(", " is_regular(", " digits_left("}) {
+    INFO(section);
+    const std::size_t at = text.find(section, before);
+    CHECK(at != std::string::npos);
+    before = at;
+  }
+  subject.program = elgen::testing::read_program(
+      "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
+      "  result 2 1 = 1 1\n");
+  CHECK(mentions(cpp_text(subject),
+                 "//   constant                 numbers in any Scalar\n"
+                 "//   namespace detail         sign, min and max\n"
+                 "//   Parameters               with the values of the model file\n"
+                 "//   functions                in the order of the table below\n//\n"));
+}
+
 TEST_CASE("sine and cosine are in line for float and double, in any order of scalars") {
   Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(

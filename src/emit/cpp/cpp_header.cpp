@@ -79,6 +79,12 @@ bool has_filled_array(const Model& model, const std::vector<ParameterArray>& arr
                      [&](const ParameterArray& array) { return is_filled(model, array); });
 }
 
+bool has_long_constants(const Program& program) {
+  return std::ranges::any_of(executed_constants(program), [](const Constant& constant) {
+    return !is_short_constant(constant.value);
+  });
+}
+
 /// Functions that return the constants that are too long for an equation, in program order.
 TemplateData numbers(const Program& program) {
   TemplateData list(TemplateData::type::list);
@@ -146,6 +152,7 @@ std::string cpp_header(const EmissionInput& input) {
   TemplateData data = header_data(input, *cpp_dialect(input.model, input.program));
   data.set("declared", rows_data(declared_arrays(input.model, input.program), declared));
   data.set("filled", section_if(has_filled_array(input.model, parameters)));
+  data.set("has_numbers", section_if(has_long_constants(input.program)));
   data.set("numbers", numbers(input.program));
   data.set("sine_cosine", section_if(calls_sines(input.program), sines_in_line(input)));
   data.set("memory", section_if(calls_sines(input.program) || has_loops(input.program)));
