@@ -314,7 +314,8 @@ std::vector<std::string> constraint_lines(const Model& model) {
 
 PageSection constraint_section(const Model& model) {
   PageSection section{.title = prose("Constraints")};
-  section.doc = "Equations that the motion obeys; their multipliers act as A^T lambda.";
+  section.doc =
+      "Equations that hold along the motion; the multipliers act as the force A^T lambda.";
   section.definition = constraint_equation(model);
   const bool are_stabilised = std::ranges::any_of(model.constraints, has_gains);
   Formulas& heads = section.table.heads;

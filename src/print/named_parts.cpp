@@ -232,29 +232,38 @@ std::vector<PageSection> named_parts(const Model& model) {
   const bool has_weights = model.gravity && !model.energies.V;
   PageSection opening{.title = prose("Named parts")};
   opening.doc =
-      "Formulas that are too long stand by their definition; elgen show --as text has all.";
-  PageSection frames{.doc = "Frame i stands in frame p (0: the world): pose H, axes R, origin o."};
+      "Formulas too long for this page are given by their definition; elgen show --as text prints "
+      "them in full.";
+  PageSection frames{.doc =
+                         "Frame i in its parent frame p (0: the world): pose H, axes R, origin o."};
   frames.table = writer.frames();
   PageSection bodies{
       .doc = "Body b in the axes of frame i: mass, centre, inertia (xx, yy, zz; xy, xz, yz)."};
   bodies.table = writer.bodies();
   PageSection motions = part_section(
-      model, "Motion of frame i in its own axes, rates less gravity; s is its spin in p.",
+      model,
+      "Motion of frame i in its own axes, accelerations less gravity; s is its angular velocity "
+      "relative to p.",
       motion_rows);
   Formula weight = has_weights ? negative(writer.vector(*model.gravity)) : number_formula(0);
   motions.equations.push_back({typed_formula("\\gamma_{0}"), 1, 1, {std::move(weight)}});
   PageSection results = part_section(
-      model, "By the velocities k and l: motion V of frame i, its own part S, then M.", twist_rows);
+      model,
+      "Derivatives with respect to the velocities k and l: twist V of frame i, its part S relative "
+      "to p, then M.",
+      twist_rows);
   const std::vector<PageEquation> last = part_results(model, writer, has_weights);
   results.equations.insert(results.equations.end(), last.begin(), last.end());
-  return {
-      opening,
-      frames,
-      bodies,
-      motions,
-      part_section(model, "Force and moment on what i carries: bodies b, frames j.", force_rows),
-      part_section(model, "Composite mass, first moment and inertia of the same.", inertia_rows),
-      results};
+  return {opening,
+          frames,
+          bodies,
+          motions,
+          part_section(model, "Force and moment on frame i with its bodies b and child frames j.",
+                       force_rows),
+          part_section(
+              model, "Mass, first moment and inertia of frame i with its bodies and child frames.",
+              inertia_rows),
+          results};
 }
 
 }  // namespace elgen

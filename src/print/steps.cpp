@@ -36,8 +36,9 @@ class Outline {
     std::size_t function = 0;
     if (!steps_.masses.empty()) {
       add_motions(function, "Positions",
-                  "Where the masses are, in the coordinates." + positions_left_out(), false);
-      add_motions(function + 1, "Velocities", "Their rates, by the chain rule.", true);
+                  "Positions of the masses as functions of the coordinates." + positions_left_out(),
+                  false);
+      add_motions(function + 1, "Velocities", "Their time derivatives, by the chain rule.", true);
       function += 2;
     }
     const std::size_t constraints = function;
@@ -130,8 +131,8 @@ class Outline {
 
   [[nodiscard]] std::string positions_left_out() const {
     if (steps_.left_out.empty()) return {};
-    return fmt::format(" Positions left out, as the energies have them {}: {}.",
-                       model_.approximation ? "expanded" : "by the motion of frames",
+    return fmt::format(" Omitted, because the energies use {}: {}.",
+                       model_.approximation ? "their expansions" : "the motion of the frames",
                        fmt::join(steps_.left_out, ", "));
   }
 
@@ -149,10 +150,11 @@ class Outline {
 
   void add_energies(std::size_t function) {
     const bool is_whole = has_whole_lagrangian(model_);
-    const char* doc = has_routhian(model_)
-                          ? "Routh's function, with the momenta of cyclic coordinates."
-                      : is_whole ? "The Lagrangian as given."
-                                 : "Kinetic and potential energy, L = T - V.";
+    const char* doc =
+        has_routhian(model_)
+            ? "Routh's function, which contains the momenta of the cyclic coordinates."
+        : is_whole ? "The Lagrangian as given."
+                   : "Kinetic and potential energy, L = T - V.";
     PageSection& section = add_section(prose(std::string(energies_title)), doc);
     if (steps_.masses.empty()) section.doc += positions_left_out();
     const std::string_view names = is_whole ? "L" : "TVL";
@@ -179,7 +181,7 @@ class Outline {
     }
     if (sum.size() > 1) {
       section.lines.push_back(
-          row_of({sum_of(std::move(sum)), prose("in the place of"), typed_formula("L"),
+          row_of({sum_of(std::move(sum)), prose("instead of"), typed_formula("L"),
                   prose("gives the same"), typed_formula(model_, "A^{\\top} <lambda>")}));
     }
     if (has_velocities) add_line(of_velocities);
@@ -246,7 +248,7 @@ class Outline {
     }
     if (!long_rows.empty()) {
       section.doc = fmt::format(
-          "Rows left out, as too long to be read at once: {}. elgen show --what steps has each in "
+          "Omitted rows, too long to read in one piece: {}. elgen show --what steps prints each in "
           "parts.",
           fmt::join(long_rows, ", "));
     }
@@ -268,7 +270,7 @@ class Outline {
                                      const Formula& q) const {
     const bool is_free =
         is_zero(function, BookLine::force) && is_zero(function, BookLine::dissipation);
-    const char* condition = is_free ? "" : " wherever no force and no dissipation act on it";
+    const char* condition = is_free ? "" : " if no force and no dissipation act on it";
     Glyphs momentum = read_latex("p");
     add_script(momentum, 1, glyphs_of(q));
     return row_of({typed_formula("L"), prose("does not contain"), q, prose(", so"),

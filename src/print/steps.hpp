@@ -12,8 +12,8 @@ namespace elgen {
 inline constexpr std::string_view action_doc =
     "Hamilton's principle: the motion between two fixed ends makes S stationary.";
 inline constexpr std::string_view turning_variation =
-    " Of an angular velocity delta q is a turn about the axes of the body, and d/dt is the rate "
-    "seen from the world.";
+    " For an angular velocity, delta q is a rotation about the axes of the body, and d/dt is the "
+    "rate in the world frame.";
 
 /// S, its variation, the integration by parts, and the boundary terms.
 inline constexpr std::array<std::string_view, 4> variation_lines{
@@ -46,24 +46,23 @@ inline constexpr std::string_view constrained_work =
     R"(\text{ is the virtual work of forces and constraints (d'Alembert)})";
 inline constexpr std::string_view constraint_forces = R"( + A^{\top} <lambda>)";
 inline constexpr std::string_view constraints_doc =
-    "Each has an unknown multiplier; A = df/dq of positions, dphi/dv of velocities.";
+    "Each constraint has an unknown multiplier; A = df/dq for positions, dphi/dv for velocities.";
 inline constexpr std::string_view of_velocities =
-    R"(\text{nothing is added to } L \text{ for velocities: } {\delta} <q> \cdot A^{\top} )"
+    R"(\text{constraints on velocities add nothing to } L \text{: } {\delta} <q> \cdot A^{\top} )"
     R"(<lambda> \text{ is virtual work (d'Alembert)})";
 
 inline constexpr std::string_view turning_doc =
-    "An angular velocity: d/dt is the rate seen from the world, with [w]x dL/dw, and the slope of "
-    "L "
-    "is along a turn about the axis of the body.";
+    "For an angular velocity, d/dt is the rate in the world frame and adds [w]x dL/dw; L is "
+    "differentiated along a rotation about the axis of the body.";
 
 inline constexpr const char* energy_of_free = "dE/dt = -dL/dt at fixed q and v.";
 inline constexpr const char* energy_of_driven =
-    "dE/dt = v (Q - dD/dv) - dL/dt, the last at fixed q and v.";
+    "dE/dt = v (Q - dD/dv) - dL/dt, with dL/dt at fixed q and v.";
 inline constexpr const char* energy_of_constrained =
-    "dE/dt = v (Q - dD/dv + A^T lambda) - dL/dt, the last at fixed q and v.";
+    "dE/dt = v (Q - dD/dv + A^T lambda) - dL/dt, with dL/dt at fixed q and v.";
 inline constexpr const char* conserved_unless_driven =
-    "is conserved wherever no force and no dissipation work";
+    "is conserved if forces and dissipation do no work";
 inline constexpr const char* conserved_unless_constrained =
-    "is conserved wherever no force, no dissipation and no constraint works";
+    "is conserved if forces, dissipation and constraints do no work";
 
 }  // namespace elgen

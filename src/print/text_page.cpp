@@ -171,9 +171,9 @@ std::string cost_page(const std::vector<FormCosts>& costs) {
       {"function", "form", "add", "mul", "div", "sqrt", "sincos", "other", "cost", "digits", ""}};
   const auto add = [&](const FormCosts& of, Form form, const OperationCounts& n,
                        const std::optional<double>& loss) {
-    std::string mark = form != of.chosen ? "" : of.is_asked_for ? "asked for" : "emitted";
+    std::string mark = form != of.chosen ? "" : of.is_asked_for ? "requested" : "emitted";
     if (form == Form::closed && of.inaccurate) {
-      mark += fmt::format("{}harms entry {}", mark.empty() ? "" : ", ", *of.inaccurate);
+      mark += fmt::format("{}inaccurate in entry {}", mark.empty() ? "" : ", ", *of.inaccurate);
     }
     std::vector<std::string>& row = rows.emplace_back();
     row = {of.function, std::string(name_of(form))};

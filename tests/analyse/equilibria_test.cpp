@@ -34,8 +34,8 @@ TEST_CASE("the double pendulum has four equilibria, for all values of its parame
   π    0    unstable: 5.03436 1/s
   π    π    unstable: 8.14991 1/s, 3.61108 1/s
 
-  exact for all values of the parameters; stability at the parameters' values; θ₁ and θ₂ modulo 2 π
-  these are all at the parameters' values (proved)
+  exact for all values of the parameters; stability computed at the parameters' values; θ₁ and θ₂ modulo 2 π
+  the list is complete at the parameters' values (proved)
 )");
 }
 
@@ -50,8 +50,8 @@ TEST_CASE("the bead leaves the bottom of a fast hoop") {
   π                               -m R (g + R Ω²)     unstable: 10.6325 1/s
   ±arccos(g/(R Ω²)) = ±0.697569   m (R² Ω⁴ - g²)/Ω²   stable: V₀ - T₀ has a strict minimum
 
-  the last two exist where |g| <= R Ω²; stability at the parameters' values; θ modulo 2 π
-  these are all at the parameters' values (proved)
+  the last two exist if |g| <= R Ω²; stability computed at the parameters' values; θ modulo 2 π
+  the list is complete at the parameters' values (proved)
 )");
 }
 
@@ -65,8 +65,8 @@ TEST_CASE("the bead stays at the bottom of a slow hoop and of a hoop at the crit
   0   m R (g - 4 R)    stable: V₀ - T₀ has a strict minimum
   π   -m R (g + 4 R)   unstable: 7.28354 1/s
 
-  exact for all values of the parameters; stability at the parameters' values; θ modulo 2 π
-  these are all at the parameters' values (proved)
+  exact for all values of the parameters; stability computed at the parameters' values; θ modulo 2 π
+  the list is complete at the parameters' values (proved)
 )");
   const Analysed critical = analysed(model_file("rotating_hoop"), {.fixed = {"Omega=7", "g=9.8"}});
   REQUIRE(critical.equilibria.points.size() == 2);
@@ -101,13 +101,13 @@ V = "(a + b)*(1 + sin(x))^2"
 TEST_CASE("the page of a system without equilibria gives the reason and the cyclic coordinates") {
   CHECK(page("kepler_polar") == R"(Kepler problem in polar coordinates: equilibria (v = 0)
 
-  none: g = (μ m/r², 0) is not 0 for r in [0.3, 3] at the parameters' values (proved)
-  φ is cyclic: with its momentum held (scene: [routh] phi = true) there may be steady motions
+  no equilibrium: g = (μ m/r², 0) is not 0 for r in [0.3, 3] at the parameters' values (proved)
+  φ is cyclic: a scene with [routh] phi = true holds its momentum and may have steady motions
 )");
   CHECK(page("heavy_top") == R"(Heavy symmetric top: equilibria (v = 0)
 
-  none: g = (0, -m g h sin θ, 0) is not 0 for θ in [0.1, 3.04159] at the parameters' values (proved)
-  φ and ψ are cyclic: with their momenta held (scene: [routh]) there may be steady motions
+  no equilibrium: g = (0, -m g h sin θ, 0) is not 0 for θ in [0.1, 3.04159] at the parameters' values (proved)
+  φ and ψ are cyclic: a scene with [routh] holds their momenta and may have steady motions
 )");
 }
 
@@ -133,7 +133,7 @@ V = "m*g*z"
     return text_of(equilibria_page(found.checked, found.equilibria));
   };
   CHECK(shown(fall).ends_with(
-      "  x is cyclic: with its momentum held (scene: [routh] x = true) there may be steady motions"
+      "  x is cyclic: a scene with [routh] x = true holds its momentum and may have steady motions"
       "\n"));
   // V depends on z; x is damped, driven or forced.
   for (const char* const acting :
@@ -153,8 +153,8 @@ TEST_CASE("coordinates that balance at exact angles have closed forms") {
   ℓ₀ - m g/k = 0.4365   π   unstable: 4.7407 1/s
   ℓ₀ + m g/k = 0.7635   0   stable: V₀ has a strict minimum
 
-  exact for all values of the parameters; stability at the parameters' values; r in [0.2, 2]; θ modulo 2 π
-  these are all at the parameters' values (proved)
+  exact for all values of the parameters; stability computed at the parameters' values; r in [0.2, 2]; θ modulo 2 π
+  the list is complete at the parameters' values (proved)
 )");
 }
 
@@ -205,8 +205,9 @@ mass = "m"
   const std::string text = text_of(equilibria_page(found.checked, found.equilibria));
   INFO(text);
   CHECK(text.find("beta in [-1, 1]; alpha and beta modulo 2*pi\n"
-                  "  the chart breaks at beta = +-1/2*pi\n"
-                  "  these are all at the parameters' values (proved)\n") != std::string::npos);
+                  "  the chart is singular at beta = +-1/2*pi\n"
+                  "  the list is complete at the parameters' values (proved)\n") !=
+        std::string::npos);
   // Polar coordinates are singular at r = 0. An angle with range [2, 4] has its equilibrium at pi,
   // not at 0.
   const std::string polar =
@@ -215,8 +216,9 @@ mass = "m"
   const Analysed middle = analysed(polar);
   CHECK(middle.equilibria.points.empty());
   CHECK(text_of(equilibria_page(middle.checked, middle.equilibria))
-            .find("none where M is regular for r in [-1, 1] at the parameters' values (proved)\n"
-                  "  the chart breaks at r = 0\n") != std::string::npos);
+            .find("no equilibrium with a regular M for r in [-1, 1] at the parameters' values "
+                  "(proved)\n"
+                  "  the chart is singular at r = 0\n") != std::string::npos);
   const Analysed half = analysed(potential_model(coordinate("x", "[2, 4]"), "cos(x)"));
   REQUIRE(half.equilibria.points.size() == 1);
   CHECK(half.equilibria.points[0].stability.kind == Stability::minimum);
@@ -246,8 +248,9 @@ TEST_CASE("a coordinate that cancels only at the values of the parameters is any
     CHECK(found.equilibria.points[0].coordinates[0].is_any);
     CHECK_FALSE(found.equilibria.points[0].is_exact);
     CHECK(text_of(equilibria_page(found.checked, found.equilibria))
-              .find("  any and stability at the parameters' values\n"
-                    "  these are all at the parameters' values (proved)\n") != std::string::npos);
+              .find("  \"any\" and stability computed at the parameters' values\n"
+                    "  the list is complete at the parameters' values (proved)\n") !=
+          std::string::npos);
   }
 }
 
@@ -259,8 +262,8 @@ TEST_CASE("an equilibrium is exact if the equations are 0 for all values of the 
   REQUIRE(found.equilibria.points.size() == 1);
   CHECK(found.equilibria.points[0].is_exact);
   CHECK(text_of(equilibria_page(found.checked, found.equilibria))
-            .find("exact for all values of the parameters; stability at the parameters' values") !=
-        std::string::npos);
+            .find("exact for all values of the parameters; stability computed at the parameters' "
+                  "values") != std::string::npos);
   // x = 0 is exact in both cases; at c > h there are also x = +-sqrt(c^2 - h^2).
   CHECK(analysed(spring, {.fixed = {"c=1.5"}}).equilibria.points.size() == 3);
   // x = 0 is an equilibrium only if a = b.
@@ -332,7 +335,7 @@ on = "l"
     const std::string text = text_of(equilibria_page(found.checked, found.equilibria));
     INFO(text);
     CHECK(text.find("undecided near ") != std::string::npos);
-    CHECK(text.find("none was found") == std::string::npos);
+    CHECK(text.find("no equilibrium was found") == std::string::npos);
   }
   const Analysed held = analysed(load, {.laws = {"F=-196.2"}, .boxes = 5000});
   const UndecidedBox& box = held.equilibria.undecided.front();
@@ -347,8 +350,8 @@ TEST_CASE("no completeness is claimed if the limit of boxes ends the search") {
   CHECK(found.equilibria.completeness == Completeness::searched);
   CHECK(found.equilibria.boxes == 5);
   CHECK(text_of(equilibria_page(found.checked, found.equilibria))
-            .find("; the limit boxes=5 ended the search: --limit boxes=N with a larger N finds "
-                  "more") != std::string::npos);
+            .find("; the limit boxes=5 ended the search: raise it with --limit boxes=N") !=
+        std::string::npos);
 }
 
 TEST_CASE("the default limit of enclosures follows from the limit of seconds") {

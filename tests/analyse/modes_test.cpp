@@ -128,7 +128,7 @@ TEST_CASE("the cart-pole is controllable in the upright position") {
   CHECK(about.poles[2] == 0.0);
   CHECK(about.poles[3] == 0.0);
   CHECK(about.controllable == 4);
-  CHECK(page(upright).find("linear equations at x = 0, θ = 0, u = 0 (unstable)\n") !=
+  CHECK(page(upright).find("linearised equations at x = 0, θ = 0, u = 0 (unstable)\n") !=
         std::string::npos);
   CHECK(page(upright).find("inputs        u: controllable (rank 4 of 4)") != std::string::npos);
 }

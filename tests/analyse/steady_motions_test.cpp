@@ -56,7 +56,7 @@ TEST_CASE("circular Kepler orbit: r = p^2/(m^2 mu), and nearby orbits close") {
   INFO(text);
   CHECK(text.starts_with("Kepler problem in polar coordinates, p_φ = 0.6 N m s: normal modes at"));
   CHECK(holds(text, "0.334898"));
-  CHECK(holds(text, "= 0.578704 rad/s, of the same period: orbits close\n"));
+  CHECK(holds(text, "= 0.578704 rad/s, with the period of the mode: the orbits close\n"));
 }
 
 TEST_CASE("a heavy top precesses steadily") {
@@ -96,7 +96,7 @@ T = "1/2*(A + B*cos(beta)^2)*dot(alpha)^2 + 1/2*B*dot(beta)^2 + 1/2*C*(dot(gamma
     const std::string text = steady_page(steady_products_of(gimbal, "gamma = \"0.8\"\n", at));
     return text.substr(0, text.find('\n'));
   };
-  CHECK(holds(heading("beta=pi/2"), "linear equations at α = 0, β = ½ π ("));
-  CHECK(holds(heading("beta=0.5"), "linear equations at α = 0, β = 0.5 ("));
-  CHECK(holds(heading("alpha=-0.25,beta=pi"), "linear equations at α = -0.25, β = π ("));
+  CHECK(holds(heading("beta=pi/2"), "linearised equations at α = 0, β = ½ π ("));
+  CHECK(holds(heading("beta=0.5"), "linearised equations at α = 0, β = 0.5 ("));
+  CHECK(holds(heading("alpha=-0.25,beta=pi"), "linearised equations at α = -0.25, β = π ("));
 }

@@ -226,7 +226,7 @@ L = "m*dot(x)^2/2 + a*sqrt(x)*dot(x)"
 TEST_CASE("pages list the generators, the claim and the method") {
   CHECK(
       page_frame("cart_pole") ==
-      R"(Cart and pole with a force on the cart: symmetries of L, dq = A q + b + c t, dt constant: 3
+      R"(Cart and pole with a force on the cart: symmetries of L with dq = A q + b + c t, dt constant: 3
 
   x: dx = 1
 
@@ -234,25 +234,25 @@ TEST_CASE("pages list the generators, the claim and the method") {
 
   time: dt = 1
 
-  conserved where d/dt is 0: proved; these are all of this form (9 unknowns, exactly)
+  conserved if d/dt is 0: proved; these are all symmetries of this form (9 unknown coefficients, exact)
 
 [[expect]]
   conserved = [
 )");
   CHECK(page_frame("unequal_at_special_values") ==
-        R"(Unequal at special values: symmetries of L, dq = A q + b + c t, dt constant: 1
+        R"(Unequal at special values: symmetries of L with dq = A q + b + c t, dt constant: 1
 
   time   E
 
-  conserved: proved; these are all of this form (9 unknowns, exactly); at the values of the parameters there are 2 (sampled at 8 states in 160 digits)
+  conserved: proved; these are all symmetries of this form (9 unknown coefficients, exact); at the parameters' values there are 2 (sampled at 8 states in 160 digits)
 
 [[expect]]
   conserved = [
 )");
   CHECK(page_frame("shaken_lift") ==
-        R"(Shaken lift: symmetries of L, dq = A q + b + c t, dt constant: 0
+        R"(Shaken lift: symmetries of L with dq = A q + b + c t, dt constant: 0
 
-  there are none of this form (4 unknowns, exactly)
+  there are no symmetries of this form (4 unknown coefficients, exact)
 )");
 }
 
@@ -262,28 +262,30 @@ TEST_CASE("without closed forms the page says that states were sampled") {
   INFO(page);
   CHECK(mentions(page, "  q1: dq1 = 1\n  p(q1)\n  d/dt = tau1\n"));
   CHECK(mentions(page,
-                 "\n  conserved where d/dt is 0: sampled at 13 states in 160 digits; these are all "
-                 "of this form (64 unknowns, sampled)\n"));
+                 "\n  conserved if d/dt is 0: sampled at 13 states in 160 digits; these are all "
+                 "symmetries of this form (64 unknown coefficients, sampled)\n"));
   CHECK(mentions(page, "\n[[expect]]\n  conserved = [\"p(q1)\", \"E\"]\n"));
   // Closed forms do not know the relations of e^(gamma t), so the symmetries are sampled.
   CHECK(mentions(FoundSymmetries(symmetric_model("growing_mass")).page(),
-                 "\n  conserved: proved; these are all of this form (4 unknowns, sampled)\n"));
+                 "\n  conserved: proved; these are all symmetries of this form (4 unknown "
+                 "coefficients, sampled)\n"));
 }
 
 TEST_CASE("rotations of bodies about axes of the world and of the body") {
   const std::string page = page_frame("free_body_aac");
-  CHECK(
-      mentions(page, ": symmetries of L, dq = A q + b + c t, turns R^T s + b, dt constant: 12\n"));
-  for (const char* const row :
-       {"\n  turn: attitude turned by R^T (1, 0, 0)\n",
-        "\n  turn: attitude turned by R^T (0, 1, 0)\n",
-        "\n  turn: attitude turned by R^T (0, 0, 1)\n", "\n  turn: attitude turned by (0, 0, 1)\n",
-        "\n  rotation: dx = -y, dy = x\n", "\n  time: dt = 1\n"}) {
+  CHECK(mentions(
+      page,
+      ": symmetries of L with dq = A q + b + c t, rotations by R^T s + b, dt constant: 12\n"));
+  for (const char* const row : {"\n  turn: attitude rotated by R^T (1, 0, 0)\n",
+                                "\n  turn: attitude rotated by R^T (0, 1, 0)\n",
+                                "\n  turn: attitude rotated by R^T (0, 0, 1)\n",
+                                "\n  turn: attitude rotated by (0, 0, 1)\n",
+                                "\n  rotation: dx = -y, dy = x\n", "\n  time: dt = 1\n"}) {
     INFO(row);
     CHECK(count(page, row) == 1);
   }
   const FoundSymmetries sphere(symmetric_model("free_body_aaa"));
-  CHECK(mentions(sphere.page(), "\n  turn: attitude turned by (1, 0, 0)\n  I = p(attitude[1])\n"));
+  CHECK(mentions(sphere.page(), "\n  turn: attitude rotated by (1, 0, 0)\n  I = p(attitude[1])\n"));
   CHECK(count(sphere.page(), "\n  turn: ") == 6);
 }
 
@@ -375,7 +377,7 @@ TEST_CASE("relations that closed forms do not know are found by samples") {
     const FoundSymmetries of(found(potential));
     INFO(of.page());
     CHECK(of.all().size() == count);
-    CHECK(mentions(of.page(), "of this form (9 unknowns, sampled)"));
+    CHECK(mentions(of.page(), "of this form (9 unknown coefficients, sampled)"));
   }
   // A term of 1e-50 is more than a rounding error.
   const FoundSymmetries tiny(found("k*(x^2 + y^2) + 1e-50*x^4"));

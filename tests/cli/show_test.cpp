@@ -96,7 +96,7 @@ TEST_CASE("cyclic coordinates are named, with the condition for conservation") {
   CHECK(mentions(free, "  L does not contain phi, so p_phi = dL/d(dot(phi)) is conserved\n"));
   const std::string driven = show(model("cart_pole") + " --what steps").output;
   CHECK(mentions(driven, "L does not contain x, so p_x = "));
-  CHECK(mentions(driven, "conserved wherever no force and no dissipation act on it"));
+  CHECK(mentions(driven, "conserved if no force and no dissipation act on it"));
   const std::string moving = show(model("rotating_hoop") + " --what lagrangian").output;
   CHECK(mentions(moving, "  L = "));
   CHECK_FALSE(mentions(moving, "Equation of"));
@@ -145,7 +145,7 @@ TEST_CASE("symmetries are shown in every notation, of models and of scenes") {
   const Outcome steady = show(std::string(ELGEN_SOURCE_DIR) +
                               "/models/scenes/kepler_polar_routh.scene.toml -q --what symmetries");
   CHECK(steady.status == 0);
-  CHECK(mentions(steady.output, ": symmetries of L, dq = A q + b + c t, dt constant: 1\n"));
+  CHECK(mentions(steady.output, ": symmetries of L with dq = A q + b + c t, dt constant: 1\n"));
 }
 
 TEST_CASE("unknown words of show are refused at their position") {

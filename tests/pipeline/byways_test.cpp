@@ -160,20 +160,19 @@ mass = "M"
   const std::string text = steps_of(governor);
   INFO(text);
   CHECK(says(text,
-             "\n  Where the masses are, in the coordinates. Positions left out, as the energies "
-             "have them by the motion of frames: left, right.\n  sleeve = "));
+             "\n  Positions of the masses as functions of the coordinates. Omitted, because the "
+             "energies use the motion of the frames: left, right.\n  sleeve = "));
   const std::string alone = governor.substr(0, governor.rfind("[[point]]"));
-  CHECK(says(steps_of(alone),
-             "L = T - V. Positions left out, as the energies have them by the motion of frames: "
-             "left, right.\n"));
+  CHECK(says(
+      steps_of(alone),
+      "L = T - V. Omitted, because the energies use the motion of the frames: left, right.\n"));
 }
 
 TEST_CASE("a derivation says which rows are too long for its equations of motion") {
   const std::string text = steps_of(model_file("body_on_springs"));
-  CHECK(says(text, "\n  Rows left out, as too long to be read at once: roll, pitch. "));
+  CHECK(says(text, "\n  Omitted rows, too long to read in one piece: roll, pitch. "));
   CHECK(says(text,
-             "L = T - V. Positions left out, as the energies have them by the motion of "
-             "frames: block.\n"));
+             "L = T - V. Omitted, because the energies use the motion of the frames: block.\n"));
   CHECK_FALSE(says(text, " + 0 = 0"));
 }
 

@@ -96,19 +96,19 @@ Energies
 TEST_CASE("what L does not contain has a line of Noether's, in symbols on a page") {
   const Derivation d(cart_pole_text());
   CHECK(has(d.text(),
-            "  L does not contain x, so p_x = dL/d(dot(x)) is conserved wherever no force and no "
+            "  L does not contain x, so p_x = dL/d(dot(x)) is conserved if no force and no "
             "dissipation act on it\n"));
   const Page page = d.page();
   CHECK(latex_of(page.sections[4].lines) ==
         std::vector<std::string>{
             "L \\text{ does not contain } x \\text{, so } p_{x} = \\frac{\\partial L}{\\partial "
-            "\\dot{x}} \\text{ is conserved wherever no force and no dissipation act on it}"});
+            "\\dot{x}} \\text{ is conserved if no force and no dissipation act on it}"});
   CHECK(page.sections[5].lines.empty());
   const std::string screen = screen_page(page, {120, Alphabet::unicode});
   CHECK(has(screen, "  S = ∫ L dt\n"));
   CHECK(has(screen, "  δS = ∫ (∂L/∂q - d/dt ∂L/∂q̇) ⋅ δq dt + [∂L/∂q̇ ⋅ δq] by parts\n"));
-  CHECK(has(screen, "  L does not contain x, so pₓ = ∂L/∂ẋ is conserved wherever"));
-  CHECK(has(screen, "  L does not contain t, so E is conserved wherever no force"));
+  CHECK(has(screen, "  L does not contain x, so pₓ = ∂L/∂ẋ is conserved if"));
+  CHECK(has(screen, "  L does not contain t, so E is conserved if forces"));
 }
 
 TEST_CASE("a multiplier joins L, and acts where the slope of its equation is") {
@@ -117,11 +117,11 @@ TEST_CASE("a multiplier joins L, and acts where the slope of its equation is") {
   INFO(text);
   CHECK(has(text, "so d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda\n"));
   CHECK(has(text, "\nConstraints\n"));
-  CHECK(has(text, "  L + lambda_rod*f_rod in the place of L gives the same A^T lambda\n"));
+  CHECK(has(text, "  L + lambda_rod*f_rod instead of L gives the same A^T lambda\n"));
   CHECK(has(text, "  f_rod = 1/2*(x^2 + y^2) - 1/2*l^2\n"));
   CHECK(has(text, "  Q_x + (A^T lambda)_x = lambda_rod*x\n  m*dot(dot(x)) = lambda_rod*x\n"));
   CHECK_FALSE(has(text, "p_x = dL/d(dot(x)) is conserved"));
-  CHECK(has(text, "E is conserved wherever no force, no dissipation and no constraint works\n"));
+  CHECK(has(text, "E is conserved if forces, dissipation and constraints do no work\n"));
   CHECK(has(text,
             "\nEquations of motion\n"
             "  m*dot(dot(x)) = lambda_rod*x\n"
@@ -134,8 +134,9 @@ TEST_CASE("constraints on velocities do virtual work, and leave L as it is") {
   const Derivation d(disc_text());
   const std::string text = d.text();
   INFO(text);
-  CHECK(has(text, "  nothing is added to L for velocities: delta q * A^T lambda is virtual work"));
-  CHECK_FALSE(has(text, "in the place of L"));
+  CHECK(has(text,
+            "  constraints on velocities add nothing to L: delta q * A^T lambda is virtual work"));
+  CHECK_FALSE(has(text, "instead of L"));
   CHECK(has(text, "  phi_roll_2 = dot(y) - R*dot(phi)*sin(psi)\n"));
   CHECK(has(text, "L does not contain psi, so p_psi = dL/d(dot(psi)) is conserved\n"));
   CHECK_FALSE(has(text, "L does not contain phi, so"));

@@ -88,7 +88,7 @@ class FormulaReader {
     const LinearMotions* motions = nullptr;
     for (std::string line; std::getline(lines, line);) {
       const bool is_title = line.find("normal modes at ") != std::string::npos ||
-                            line.find("linear equations at ") != std::string::npos;
+                            line.find("linearised equations at ") != std::string::npos;
       if (!is_title && motions != nullptr) read_motion_line(line, *motions);
       if (!is_title) continue;
       motions = &all.at(next);

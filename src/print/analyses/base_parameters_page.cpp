@@ -63,7 +63,7 @@ Formula combination(const BaseParameter& base, const Formulas& symbols) {
 }
 
 std::string claim_of(const BaseParameters& found) {
-  return fmt::format("rank {} of {}: {}, at {} random states and the values of the geometry",
+  return fmt::format("rank {} of {}: {}, at {} random states with the file's geometry",
                      found.base.size(), found.parameters.size(),
                      found.is_exact ? "exact over a field of 2^521 - 1 elements" : "in 160 digits",
                      found.states);
@@ -93,7 +93,7 @@ Page base_parameters_page(const CheckedModel& checked, const BaseParameters& fou
   }
   if (!unseen.empty()) {
     page.sections.push_back(
-        {.title = prose("Without effect"), .lines = {list_of(std::move(unseen))}});
+        {.title = prose("Parameters without effect"), .lines = {list_of(std::move(unseen))}});
   }
   page.sections.push_back({.doc = claim_of(found)});
   return page;

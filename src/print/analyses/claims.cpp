@@ -106,7 +106,7 @@ std::optional<Fraction> only_sinusoid(ClosedForms& forms, const Equilibria& equi
   return only;
 }
 
-/// "the last two exist where |g| <= R*Omega^2"
+/// "the last two exist if |g| <= R*Omega^2"
 Formula existence(PageForms& known, const Equilibria& equilibria) {
   const std::size_t count = count_with_sinusoids(equilibria);
   const bool are_last = std::ranges::is_partitioned(equilibria.points, std::not_fn(has_sinusoid));
@@ -116,14 +116,14 @@ Formula existence(PageForms& known, const Equilibria& equilibria) {
                                            : fmt::format("the last {} exist", words(count));
   const std::optional<Fraction> sinusoid = only_sinusoid(known.forms, equilibria);
   const std::optional<Formula> condition = sinusoid ? condition_of(known, *sinusoid) : std::nullopt;
-  return row_of({prose(subject + " where"),
+  return row_of({prose(subject + " if"),
                  condition ? *condition : prose("the arguments of acos and asin are in [-1, 1]")});
 }
 
-/// "numbers and stability at the parameters' values"
+/// "numbers and stability computed at the parameters' values"
 Formula special_to_values(Formulas special) {
   special.push_back(prose("stability"));
-  return row_of({enumeration(std::move(special)), prose("at the parameters' values")});
+  return row_of({enumeration(std::move(special)), prose("computed at the parameters' values")});
 }
 
 /// The searched ranges, and the coordinates without a range: "r in [0.3, 3]; theta modulo 2*pi".
@@ -140,7 +140,8 @@ void add_search(Formulas& clauses, const PageForms& known, const Equilibria& equ
                               product_of({number_formula(2), pi_formula()})}));
   }
   if (!starts.empty()) {
-    clauses.push_back(row_of({enumeration(std::move(starts)), prose("from the start alone")}));
+    clauses.push_back(
+        row_of({enumeration(std::move(starts)), prose("searched only from the start")}));
   }
 }
 
@@ -148,8 +149,8 @@ void add_search(Formulas& clauses, const PageForms& known, const Equilibria& equ
 std::string limit_text(const Equilibria& equilibria) {
   const std::string& limit = equilibria.limit;
   if (limit.empty()) return {};
-  return fmt::format("; the limit {} ended the search: --limit {}=N with a larger N finds more",
-                     limit, limit.substr(0, limit.find('=')));
+  return fmt::format("; the limit {} ended the search: raise it with --limit {}=N", limit,
+                     limit.substr(0, limit.find('=')));
 }
 
 }  // namespace
@@ -159,7 +160,7 @@ Formula scope_of(PageForms& known, const Equilibria& equilibria) {
   if (has_inexact(equilibria, [](const CoordinateAtRest& x) { return !x.is_any && !x.form; })) {
     special.push_back(prose("numbers"));
   }
-  if (has_inexact(equilibria, &CoordinateAtRest::is_any)) special.push_back(prose("any"));
+  if (has_inexact(equilibria, &CoordinateAtRest::is_any)) special.push_back(prose("\"any\""));
   Formulas clauses;
   if (count_with_sinusoids(equilibria) > 0) {
     clauses.push_back(existence(known, equilibria));
@@ -180,15 +181,16 @@ Formula claim_of(const Model& model, const Equilibria& equilibria) {
   const std::string places = undecided_places(model, equilibria);
   switch (equilibria.completeness) {
     case Completeness::proved:
-      return prose("these are all at the parameters' values (proved)");
+      return prose("the list is complete at the parameters' values (proved)");
     case Completeness::searched:
       if (equilibria.points.empty() && !places.empty()) break;
       return prose(fmt::format(
-          "found from {} start{}, there may be more{}{}{}",
+          "found from {} start{}; there may be more{}{}{}",
           std::max<std::uint64_t>(equilibria.starts, 1), equilibria.starts > 1 ? "s" : "",
-          places.empty() ? "" : ": undecided near ", places, limit_text(equilibria)));
+          places.empty() ? "" : "; undecided near ", places, limit_text(equilibria)));
     case Completeness::undecided:
-      if (places.empty()) return prose("undecided: 60 digits do not tell bias - B u from 0");
+      if (places.empty())
+        return prose("undecided: bias - B u is 0 in 60 digits, not proved to be 0");
       break;
   }
   return prose("undecided near " + places + limit_text(equilibria));

@@ -42,7 +42,7 @@ Formula cell_of(PageForms& known, const CoordinateAtRest& at, bool is_pair) {
                   with_sign(six_digits(is_pair ? cln::abs(at.value) : at.value)));
 }
 
-/// "the chart breaks at beta = +-pi/2"
+/// "the chart is singular at beta = +-pi/2"
 void add_breaks(Formulas& lines, PageForms& known, const std::vector<ChartBreak>& breaks) {
   Formulas places;
   for (const ChartBreak& here : breaks) {
@@ -55,7 +55,7 @@ void add_breaks(Formulas& lines, PageForms& known, const std::vector<ChartBreak>
     places.push_back(relation(known.symbols.q[here.coordinate], cell_of(known, here.at, is_pair)));
   }
   if (places.empty()) return;
-  lines.push_back(row_of({prose("the chart breaks at"), enumeration(std::move(places))}));
+  lines.push_back(row_of({prose("the chart is singular at"), enumeration(std::move(places))}));
 }
 
 // A page without points:
@@ -99,10 +99,10 @@ void add_cyclic(Formulas& lines, const CheckedModel& checked, const PageForms& k
   }
   if (symbols.empty()) return;
   const std::string one = fmt::format(
-      "is cyclic: with its momentum held (scene: [routh] {} = true) there may be steady motions",
+      "is cyclic: a scene with [routh] {} = true holds its momentum and may have steady motions",
       name);
   const char* const many =
-      "are cyclic: with their momenta held (scene: [routh]) there may be steady motions";
+      "are cyclic: a scene with [routh] holds their momenta and may have steady motions";
   Formula claim = prose(symbols.size() == 1 ? one : many);
   lines.push_back(row_of({enumeration(std::move(symbols)), std::move(claim)}));
 }
@@ -112,15 +112,15 @@ Formulas lines_of_none(const CheckedModel& checked, PageForms& known,
   Formulas lines;
   const Formula proved = proved_domain(known, equilibria);
   if (equilibria.completeness != Completeness::proved) {
-    if (equilibria.undecided.empty()) lines.push_back(prose("none was found"));
+    if (equilibria.undecided.empty()) lines.push_back(prose("no equilibrium was found"));
     add_breaks(lines, known, equilibria.breaks);
     lines.push_back(claim_of(known.model, equilibria));
     return lines;
   }
   if (equilibria.breaks.empty()) {
-    lines.push_back(row_of({prose("none:"), residual(known), prose("is not 0"), proved}));
+    lines.push_back(row_of({prose("no equilibrium:"), residual(known), prose("is not 0"), proved}));
   } else {
-    lines.push_back(row_of({prose("none where M is regular"), proved}));
+    lines.push_back(row_of({prose("no equilibrium with a regular M"), proved}));
     add_breaks(lines, known, equilibria.breaks);
   }
   add_cyclic(lines, checked, known);
@@ -163,7 +163,7 @@ Formula verdict_of(PageForms& known, const Equilibria& equilibria, const RestPoi
     case Stability::degenerate_minimum:
       return row_of(
           {prose(degenerate + "stable:"), leading_term(known, equilibria, point),
-           prose(fmt::format("has a strict minimum, of order {}", verdict.leading->order))});
+           prose(fmt::format("has a strict minimum of order {}", verdict.leading->order))});
     case Stability::decaying:
       return prose(degenerate + "stable: all poles have negative real parts");
     case Stability::unstable: {
@@ -174,7 +174,7 @@ Formula verdict_of(PageForms& known, const Equilibria& equilibria, const RestPoi
       return prose("unstable: " + rates);
     }
     case Stability::open:
-      return prose(degenerate + "not decided by the linear part");
+      return prose(degenerate + "not decided by the linearisation");
   }
   return {};
 }

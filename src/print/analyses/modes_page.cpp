@@ -19,7 +19,7 @@ namespace {
 
 const char* verdict(Stability kind) {
   if (is_stable(kind)) return "(stable)";
-  return kind == Stability::unstable ? "(unstable)" : "(not decided by the linear part)";
+  return kind == Stability::unstable ? "(unstable)" : "(not decided by the linearisation)";
 }
 
 /// "pi", "l + m*g/k = 0.7", "+-0.697569"
@@ -212,9 +212,9 @@ void add_modes(Page& page, const PageForms& known, const std::vector<NormalMode>
   page.sections.push_back({.table = std::move(table)});
   if (equal.empty()) return;
   page.sections.push_back(
-      {.lines = {prose(fmt::format(
-           "the shapes of modes {} of one frequency span a space: any of their sums is one",
-           fmt::join(equal, ", ")))}});
+      {.lines = {prose(fmt::format("modes {} have equal frequencies: any linear combination of "
+                                   "their shapes is a mode shape",
+                                   fmt::join(equal, ", ")))}});
 }
 
 /// True if a single mode and a single cyclic rate agree in 64 digits.
@@ -242,8 +242,9 @@ void add_steady_motion(Page& page, const Model& model, const LinearMotions& moti
   const bool turns = is_angle(whole.coordinates[model.variant.cyclic[0].coordinate]);
   const bool closes = turns && have_one_period(motions.modes, *rates);
   page.sections.push_back(
-      {.lines = {row_of({prose("steady motion:"), list_of(std::move(values)),
-                         prose(closes ? ", of the same period: orbits close" : "")})}});
+      {.lines = {
+           row_of({prose("steady motion:"), list_of(std::move(values)),
+                   prose(closes ? ", with the period of the mode: the orbits close" : "")})}});
 }
 
 bool is_free(const Model& model, const LinearMotions& motions) {
@@ -272,7 +273,7 @@ Page modes_page(const CheckedModel& checked, const Modes& modes) {
     const bool is_pair =
         i + 1 < all.size() && is_mirrored(known.forms, all[i].point, all[i + 1].point);
     const char* const subject =
-        is_free(checked.model, all[i]) ? "normal modes at" : "linear equations at";
+        is_free(checked.model, all[i]) ? "normal modes at" : "linearised equations at";
     Formula title =
         row_of({titled(checked, subject), place(known, modes.inputs, all[i].point, is_pair)});
     if (page.sections.empty()) {

@@ -19,15 +19,15 @@ namespace elgen {
 namespace {
 
 Formula read_or_words(const PageForms& known, const Value& form) {
-  return known.read(form).value_or(typed_formula("\\text{a long form}"));
+  return known.read(form).value_or(typed_formula("\\text{a long expression}"));
 }
 
 Formula subject_of(const CheckedModel& checked, const Symmetries& symmetries) {
-  return row_of({titled(checked, "symmetries of L,"),
+  return row_of({titled(checked, "symmetries of L with"),
                  symbol("dq = A q + b + c t", "{\\delta} q = A q + b + c t"),
                  checked.model.rotations.empty()
                      ? Formula{}
-                     : row_of({prose(", turns"), symbol("R^T s + b", "R^{\\top} s + b")}),
+                     : row_of({prose(", rotations by"), symbol("R^T s + b", "R^{\\top} s + b")}),
                  prose(","), symbol("dt", "{\\delta} t"),
                  prose(fmt::format("constant: {}", symmetries.all.size()))});
 }
@@ -64,14 +64,14 @@ Formula triple(const PageForms& known, const Symmetry& symmetry, std::size_t fir
   return tuple_of(std::move(parts));
 }
 
-/// "attitude turned by R^T (0, 0, 1)"
+/// "attitude rotated by R^T (0, 0, 1)"
 void add_turn(Formulas& changes, const PageForms& known, const Symmetry& symmetry,
               std::size_t rotation) {
   const GeneratorClass all(known.model);
   Formula world = triple(known, symmetry, all.world_turn(rotation, 0));
   Formula body = triple(known, symmetry, all.body_turn(rotation, 0));
   if (world.is_empty() && body.is_empty()) return;
-  Formulas parts{prose(known.model.rotations[rotation].name + " turned by")};
+  Formulas parts{prose(known.model.rotations[rotation].name + " rotated by")};
   if (!world.is_empty()) {
     parts.push_back(symbol("R^T", "R^{\\top}"));
     parts.push_back(std::move(world));
@@ -142,8 +142,8 @@ bool turns(const Model& model, const Symmetry& symmetry) {
 }
 
 Formula note_on(const Symmetry& symmetry, bool loses_energy) {
-  if (symmetry.is_rounded) return prose("(six digits, at these values of the parameters)");
-  if (symmetry.is_special) return prose("(at these values of the parameters)");
+  if (symmetry.is_rounded) return prose("(to six digits, only at these values of the parameters)");
+  if (symmetry.is_special) return prose("(only at these values of the parameters)");
   if (symmetry.kind != SymmetryKind::time || !loses_energy) return {};
   return symbol("(T + V is not conserved)", "(T + V \\text{ is not conserved})");
 }
@@ -258,37 +258,37 @@ std::string verdict(const Model& model, const Symmetries& symmetries) {
   if (symmetries.all.empty()) return {};
   const bool are_proved = std::ranges::all_of(symmetries.all, &Symmetry::is_proved);
   const bool is_free = std::ranges::all_of(symmetries.all, is_nothing, &Symmetry::rate);
-  return fmt::format("{}: {}; ", is_free ? "conserved" : "conserved where d/dt is 0",
+  return fmt::format("{}: {}; ", is_free ? "conserved" : "conserved if d/dt is 0",
                      are_proved ? "proved"
                      : symmetries.is_exact
                          ? fmt::format("dL = d{}/dt is proved", name_of_total(model))
                          : sampled(symmetries));
 }
 
-/// "conserved: proved; these are all of this form (9 unknowns, exactly)"
+/// "conserved: proved; these are all symmetries of this form (9 unknown coefficients, exact)"
 std::string claim_of(const Model& model, const Symmetries& symmetries) {
   const std::size_t count = symmetries.all.size();
   if (!symmetries.is_exact && symmetries.states == 0) {
-    return "not decided: no state within the ranges has a value";
+    return "not decided: no sampled state within the ranges has a value";
   }
-  const std::string unknowns = fmt::format("{} unknowns", symmetries.unknowns);
-  const std::string subject = count == 0 ? "there are none" : "these are all";
+  const std::string unknowns = fmt::format("{} unknown coefficients", symmetries.unknowns);
+  const std::string subject = count == 0 ? "there are no symmetries" : "these are all symmetries";
   const bool is_generic = symmetries.sampled_elsewhere == count &&
                           std::ranges::none_of(symmetries.all, &Symmetry::is_special);
   const bool agrees = symmetries.states > 0 && symmetries.sampled == count;
   std::string line = verdict(model, symmetries);
   if (symmetries.is_complete) {
-    line += fmt::format("{} of this form ({}, exactly)", subject, unknowns);
+    line += fmt::format("{} of this form ({}, exact)", subject, unknowns);
   } else if (is_generic) {
     line += fmt::format("{} of this form ({}, sampled)", subject, unknowns);
   } else if (agrees) {
-    line += fmt::format("{} of this form at the values of the parameters ({}, sampled)", subject,
-                        unknowns);
+    line +=
+        fmt::format("{} of this form at the parameters' values ({}, sampled)", subject, unknowns);
   } else {
-    line += fmt::format("these are at least those of this form ({})", unknowns);
+    line += fmt::format("there may be more symmetries of this form ({})", unknowns);
   }
   if (symmetries.states == 0 || agrees) return line;
-  return line + fmt::format("; at the values of the parameters there {} {} ({})",
+  return line + fmt::format("; at the parameters' values there {} {} ({})",
                             symmetries.sampled == 1 ? "is" : "are", symmetries.sampled,
                             sampled(symmetries));
 }
