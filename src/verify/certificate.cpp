@@ -28,9 +28,9 @@ using Rows = std::vector<const CertificateRow*>;
 using OutputRows = std::pair<std::string, Rows>;
 
 constexpr std::array<std::string_view, 4> verdict_words{"holds", "FAILS", "skipped", "noted"};
-constexpr std::array<std::string_view, 5> obstacle_words{
-    "overflow", "outside the domain", "singular", "where the oracle cannot say",
-    "that no step of Newton puts on the constraints"};
+constexpr std::array<std::string_view, 5> obstacle_words{"overflow", "outside the domain",
+                                                         "singular", "undecided by the oracle",
+                                                         "not projected onto the constraints"};
 
 constexpr std::array<std::string_view, 4> verdict_names{"holds", "fails", "skipped", "noted"};
 constexpr std::array<std::string_view, 5> obstacle_names{"overflow", "undefined", "singular",
@@ -146,7 +146,7 @@ std::string summary(const Rows& rows) {
   if (skipped > 0) text += fmt::format(", {} inside the ranges skipped", skipped);
   if (loss) text += ", " + lost_text(std::log10(*loss));
   if (rests_on(rows, Evidence::proof)) text += ", some proved";
-  if (rests_on(rows, Evidence::zeros)) text += ", rests on zeros that are not proved";
+  if (rests_on(rows, Evidence::zeros)) text += ", relies on unproved zeros";
   return text;
 }
 

@@ -105,12 +105,12 @@ std::size_t differing(const Function& function, const std::vector<Scalar>& given
 std::string tolerance_of(const CompiledHeader& compiled, double most) {
   if (most > 0) {
     return fmt::format(
-        "{0} u of the largest entry, or {0} times the running error: the interpreter computes "
-        "functions of the library by code of its own",
+        "{0} u of the largest entry, or {0} times the running error: the interpreter has its own "
+        "code for the functions of the library",
         most);
   }
-  return compiled.in_packs ? "exact: same operations, same order, no contraction, the polynomials "
-                             "that were asked for"
+  return compiled.in_packs ? "exact: same operations, same order, no contraction, the requested "
+                             "polynomials"
                            : "exact: same operations, same order, no contraction, one libm";
 }
 
@@ -194,7 +194,7 @@ CertificateRow sine_row(const Subject& subject, const CompiledHeader& compiled) 
   row.tolerance = fmt::format("{:.2g}: {}", most,
                               subject.scene.numerics.trigonometry_error
                                   ? "the `max_error` of `trigonometry`"
-                                  : "the epsilon of the scalar, unless a scene says "
+                                  : "the epsilon of the scalar, unless a scene sets "
                                     "`trigonometry`");
   row.verdict = worst <= most ? Verdict::holds : Verdict::fails;
   return row;
@@ -228,8 +228,8 @@ CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
   row.samples = arguments;
   row.worst = fmt::format("{:.1f} u", worst);
   row.where = fmt::format("x = {:.17g}", at);
-  row.tolerance = fmt::format(
-      "{} u, half the epsilon: the error that the table of functions states", helper.roundings);
+  row.tolerance = fmt::format("{} u, u half the epsilon: the bound in the table of functions",
+                              helper.roundings);
   row.verdict = worst <= helper.roundings ? Verdict::holds : Verdict::fails;
   return row;
 }
@@ -324,10 +324,10 @@ CertificateRow check_declared(const std::vector<DeclaredNumber>& numbers) {
   row.worst = fmt::format("{} of {} numbers differ", wrong, numbers.size());
   if (wrong > 0) {
     const DeclaredNumber& first = *std::ranges::find_if(numbers, differs);
-    row.where = fmt::format("{} is {:.17g}, the model says {:.17g}", first.name, first.declared,
+    row.where = fmt::format("{} is {:.17g}, in the model {:.17g}", first.name, first.declared,
                             first.of_model);
   }
-  row.tolerance = "exact: the nearest numbers of the scalar";
+  row.tolerance = "exact: the model's numbers rounded to the scalar";
   row.verdict = wrong == 0 ? Verdict::holds : Verdict::fails;
   return row;
 }

@@ -206,8 +206,8 @@ std::string receipt(const SelfCheck& result) {
   }
   if (result.sampled_zeros == 0) return text;
   const bool is_one = result.sampled_zeros == 1;
-  return text + fmt::format("; {} entr{} on zeros found at {} points, not proved",
-                            result.sampled_zeros, is_one ? "y rests" : "ies rest", zero_points);
+  return text + fmt::format("; {} entr{} on zeros sampled at {} points, not proved",
+                            result.sampled_zeros, is_one ? "y relies" : "ies rely", zero_points);
 }
 
 }  // namespace elgen

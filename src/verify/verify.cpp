@@ -90,7 +90,7 @@ CertificateRow one_sided(const std::string& kinks, std::size_t states) {
   row.output = row.subject = "forces";
   row.formula = "the sign of x in abs(x), sign(x), and of x - y in min(x, y), max(x, y)";
   row.samples = states;
-  row.worst = "not seen on both sides: " + kinks;
+  row.worst = "sampled on one side only: " + kinks;
   row.tolerance = fmt::format("both signs in {} draws", most_draws_for_kinks);
   row.verdict = Verdict::noted;
   return row;
@@ -144,12 +144,14 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
     CertificateRow row;
     row.check = "zeros that are not proved";
     row.output = row.subject = function.name;
-    row.formula = "|x| <= 1e-40 E in 60 digits, of what is taken for 0";
+    row.formula = "|x| <= 1e-40 E in 60 digits for every x replaced by 0";
     row.evidence = Evidence::zeros;
     row.samples = zero_points;
     row.worst = fmt::format("in entr{} {}", function.sampled_zeros.size() == 1 ? "y" : "ies",
                             numbers(function.sampled_zeros));
-    row.tolerance = "20 digits above rounding: no proof, but a value that is not 0 would not do it";
+    row.tolerance =
+        "20 digits above rounding error: no proof, but a value other than 0 would hardly stay "
+        "below";
     rows.push_back(std::move(row));
   }
   return rows;

@@ -136,7 +136,7 @@ TEST_CASE("a wrong count of numbers, NaN and invalid numbers are reported") {
   INFO(in_c.output);
   CHECK(in_c.status == 1);
   CHECK(mentions(in_c.output, "forward_dynamics.acceleration[theta] is nan, the oracle says "));
-  CHECK(mentions(in_c.output, "found      at rest already\n"));
+  CHECK(mentions(in_c.output, "found      wrong even at rest\n"));
   CHECK(mentions(folder.judge(replaced(script, "return [a, ", "return [math.nan, "), as).output,
                  "forward_dynamics.acceleration[x] is nan, the oracle says "));
   CHECK(mentions(folder.judge("print('ready')\n", as).output,

@@ -34,7 +34,7 @@ TEST_CASE("a wrong sign is located by the situation in which it matters") {
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.output, "FAILS    my_fd as forward_dynamics  forward_dynamics."));
   CHECK(mentions(outcome.output, ", the oracle says "));
-  CHECK(mentions(outcome.output, "found      only when moving: agrees at rest\n"));
+  CHECK(mentions(outcome.output, "found      wrong only when moving; agrees at rest\n"));
   CHECK(mentions(outcome.output, "worst at   q = ("));
   CHECK_FALSE(mentions(outcome.output, another));
   CHECK(mentions(outcome.errors, "error[E717]: `my_fd as forward_dynamics`: "));
@@ -46,7 +46,7 @@ TEST_CASE("half a turn and a reversed direction of an angle are recognised") {
       folder.judge_changed("theta = q[1]", "theta = q[1] + 3.14159265358979324");
   INFO(half_turn.output);
   CHECK(half_turn.status == 1);
-  CHECK(mentions(half_turn.output, "found      at rest already\n"));
+  CHECK(mentions(half_turn.output, "found      wrong even at rest\n"));
   CHECK(mentions(half_turn.output, another + "its `theta` is `theta + pi`\n"));
   // The angle is measured in the opposite direction: a' = -a, w' = -w.
   const Outcome mirrored = folder.judge_c(replaced(replaced(cart, "theta = q[1]", "theta = -q[1]"),
@@ -67,7 +67,7 @@ TEST_CASE("a reversed input matters only with inputs") {
   const Outcome outcome = folder.judge_changed("force = u[0]", "force = -u[0]");
   INFO(outcome.output);
   CHECK(outcome.status == 1);
-  CHECK(mentions(outcome.output, "found      only with inputs: agrees without\n"));
+  CHECK(mentions(outcome.output, "found      wrong only with inputs; agrees without them\n"));
   CHECK(mentions(outcome.output, another + "its `u` is `-u`\n"));
 }
 
@@ -96,9 +96,9 @@ T = "1/2*m*l^2*(2*dot(a)^2 + 2*cos(a - b)*dot(a)*dot(b) + dot(b)^2)"
   };
   CHECK(mentions(judged("  c = i * math.cos(q[1])\n"
                         "  print([[3 * i + 2 * c, i + c], [i + c, i]])\n"),
-                 another + "each of its angles is ours less the one before\n"));
+                 another + "each of its angles is relative to the previous angle\n"));
   CHECK(mentions(judged("  c = i * math.cos(q[0] - q[1])\n  print([[i, c], [c, 2 * i]])\n"),
-                 another + "the order of its coordinates is `b`, `a`\n"));
+                 another + "its order of coordinates is `b`, `a`\n"));
   const std::string wrong = judged("  c = i * math.cos(q[0] - q[1])\n  print([i, c, 2 * c, i])\n");
   CHECK(mentions(wrong, "mass_matrix[a, a] is "));
   CHECK_FALSE(mentions(wrong, another));
@@ -126,7 +126,8 @@ V = "-1/2*m*g*l*cos(theta)"
       "--function forward_dynamics", "rod.toml");
   INFO(outcome.output << outcome.errors);
   CHECK(outcome.status == 1);
-  CHECK(mentions(outcome.output, "found      is 0.666667 times the oracle's at all states\n"));
+  CHECK(
+      mentions(outcome.output, "found      is 0.666667 times the oracle's value at all states\n"));
 }
 
 TEST_CASE("a parameter replaced by a number is named") {
@@ -134,8 +135,9 @@ TEST_CASE("a parameter replaced by a number is named") {
   const Outcome outcome = folder.judge_changed("g = p[3]", "g = 9.81");
   INFO(outcome.output);
   CHECK(outcome.status == 1);
-  CHECK(mentions(outcome.output,
-                 "found      only where parameters are varied: agrees at those of the file\n"));
+  CHECK(mentions(
+      outcome.output,
+      "found      wrong only if parameters are varied; agrees at the parameters of the file\n"));
   CHECK(mentions(outcome.output, "found      ignores `g`\n"));
 }
 
@@ -144,7 +146,7 @@ TEST_CASE("single precision agrees to the digits of float, and passes with a tol
   const Outcome outcome = folder.judge_changed("typedef double real", "typedef float real");
   INFO(outcome.output);
   CHECK(outcome.status == 1);
-  CHECK(mentions(outcome.output, ", the digits of float\n"));
+  CHECK(mentions(outcome.output, ", the precision of float\n"));
   CHECK(folder
             .run("elgen verify -q --tolerance 1e-4 --foreign ./mine.so --function "
                  "forward_dynamics=my_fd " +
@@ -199,7 +201,7 @@ TEST_CASE("certificates of foreign code are JSON, and annotations name the model
   CHECK(json.at("fails") == 1);
   const auto& row = json.at("checks").at(0);
   CHECK(row.at("check") == "foreign code vs oracle");
-  CHECK(row.at("findings").at(0) == "only with inputs: agrees without");
+  CHECK(row.at("findings").at(0) == "wrong only with inputs; agrees without them");
   CHECK(nlohmann::json::parse(outcome.errors).at("code") == "E717");
   CHECK(folder.read("c.json") == outcome.output);
   const Outcome annotated =
@@ -253,7 +255,7 @@ for line in sys.stdin:
   CHECK(mentions(folder.judge(gym, cart_pole, "cart.toml").output, "1 check holds, 0 fail"));
   const Outcome point_mass = folder.judge(gym, cart_pole);
   CHECK(point_mass.status == 1);
-  CHECK(mentions(point_mass.output, "found      at rest already\n"));
+  CHECK(mentions(point_mass.output, "found      wrong even at rest\n"));
   CHECK_FALSE(mentions(point_mass.output, another));
   CHECK(mentions(folder.judge(gym, pendulum, "upright.toml").output, "1 check holds, 0 fail"));
   CHECK(mentions(folder.judge(gym, pendulum, "hanging.toml").output,

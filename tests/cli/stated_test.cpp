@@ -35,7 +35,7 @@ const std::vector<StudentEquations> students{
     {"simple_pendulum", "equations = \"dot(m*l^2*dot(theta)) = -m*g*l*sin(theta)\"\n", {}},
     {"simple_pendulum",
      "equations = \"l*dot(dot(theta)) = g*sin(theta)\"\n",
-     {"row theta of the equations of motion", "the term g*sin(theta) has the other sign"}},
+     {"row theta of the equations of motion", "the term g*sin(theta) has the opposite sign"}},
     {"cart_pole", "equations = [" + cart_row + ", " + pole_row + "]\n", {}},
     {"cart_pole",
      "equations = [\"dot(dot(x)) = (u + m*sin(theta)*(l*dot(theta)^2 - g*cos(theta)))"
@@ -49,7 +49,7 @@ const std::vector<StudentEquations> students{
     {"cart_pole",
      "equations = [" + cart_row +
          ", \"l*dot(dot(theta)) + cos(theta)*dot(dot(x)) = g*cos(theta)\"]\n",
-     {"row theta", "g*cos(theta) stands in the place of -g*sin(theta)"}},
+     {"row theta", "g*cos(theta) is written instead of -g*sin(theta)"}},
     {"rotating_hoop",
      "equations = \"R*dot(dot(theta)) = (R*Omega^2*cos(theta) - g)*sin(theta)\"\n",
      {}},
@@ -79,7 +79,7 @@ TEST_CASE("verify: an equation solved for an acceleration is compared with the a
   INFO(judged.errors);
   CHECK(judged.status == 1);
   CHECK(mentions(judged.errors, "compared with the accelerations of the motion: the term "));
-  CHECK(mentions(judged.errors, "has the other sign"));
+  CHECK(mentions(judged.errors, "has the opposite sign"));
 }
 
 /// Two pulleys and three masses. The second equation is an acceleration with 4*M*m2 in its
@@ -122,7 +122,7 @@ TEST_CASE("verify: numerators and denominators of stated accelerations are compa
   CHECK(mentions(below.errors, "has 1/2 of its factor"));
   const Outcome above = verified_masses("2*m1*(m2 + M)*g/(m1*M + m1*m2 + 4*M*m2)");
   INFO(above.errors);
-  CHECK(mentions(above.errors, "has the other sign"));
+  CHECK(mentions(above.errors, "has the opposite sign"));
   CHECK_FALSE(mentions(above.errors, "denominator"));
   // Numerator and denominator both differ: no term is named.
   const Outcome both = verified_masses("m1*(3*m2 - M)*g/(m1*M + m1*m2 + 2*M*m2)");
@@ -157,12 +157,12 @@ TEST_CASE("verify: a square of an equation determines no acceleration") {
   const Outcome other_sign = judged("dot(dot(theta)) = g/l*sin(theta)");
   INFO(other_sign.errors);
   CHECK(other_sign.status == 1);
-  CHECK(mentions(other_sign.errors, "has the other sign"));
+  CHECK(mentions(other_sign.errors, "has the opposite sign"));
   CHECK_FALSE(mentions(other_sign.errors, "E540"));
 }
 
 TEST_CASE("verify: an equation that holds only for the values of the file is reported") {
-  const std::string told = "it holds for the values of the parameters in the file";
+  const std::string told = "it holds for the parameter values of the file";
   const auto ball = [](const std::string& share) {
     return verified("rolling_ball", "equations = [\"dot(dot(x)) = " + share +
                                         "*g*sin(alpha)\", \"dot(dot(y)) = 0\", "
@@ -187,7 +187,7 @@ TEST_CASE("verify: the term that keeps a sum from being conserved is named") {
   INFO(sign.errors);
   CHECK(sign.status == 1);
   CHECK(mentions(sign.errors, "compared with a conserved quantity: the term "));
-  CHECK(mentions(sign.errors, "has the other sign"));
+  CHECK(mentions(sign.errors, "has the opposite sign"));
   CHECK_FALSE(mentions(judged(kinetic + "+ m*R^2*theta^2*Omega^2").errors, "conserved quantity"));
 }
 
@@ -262,7 +262,7 @@ TEST_CASE("verify: numbers at a state are computed with more digits if terms can
   const Outcome untold = verified_at("\"1e400\"", "gravity = [0]\n");
   INFO(untold.output);
   CHECK(mentions(untold.output, "skipped"));
-  CHECK(mentions(untold.output, "1 where the oracle cannot say"));
+  CHECK(mentions(untold.output, "1 undecided by the oracle"));
 }
 
 TEST_CASE("verify: a function that vanishes at pi is exactly 0 there") {

@@ -64,7 +64,7 @@ TEST_CASE("states at which the oracle is undecided with all its digits are count
   const Outcome outcome = workspace.run("elgen verify --quick -v tiny.toml");
   INFO(outcome.output + outcome.errors);
   CHECK(outcome.status == 0);
-  CHECK(mentions(outcome.output, " where the oracle cannot say"));
+  CHECK(mentions(outcome.output, " undecided by the oracle"));
 }
 
 TEST_CASE("generate and verify report ranges in which values overflow") {

@@ -232,7 +232,7 @@ TEST_CASE("another rounding holds, an error beyond what rounding explains fails 
   const CertificateRow row = row_with<double>(wrong, ordinary);
   CHECK(row.verdict == Verdict::fails);
   CHECK(row.worst.find("bias (double): entry 1 is ") == 0);
-  CHECK(row.worst.find(" u E apart") != std::string::npos);
+  CHECK(row.worst.find(" u E") != std::string::npos);
   CHECK(row.where.find("q = (") == 0);
 }
 
@@ -259,7 +259,7 @@ TEST_CASE("code in a wider scalar is off by one rounding of exact values") {
   const CertificateRow wrong = wide_row(next, false);
   CHECK(wrong.verdict == Verdict::fails);
   CHECK(wrong.worst.find("bias (double): entry 1 is ") == 0);
-  CHECK(wrong.worst.find(" of what is allowed apart") != std::string::npos);
+  CHECK(wrong.worst.find(" of the tolerance") != std::string::npos);
 }
 
 TEST_CASE("the square of what cancels to 0 may round to the square of its error") {
@@ -306,5 +306,5 @@ TEST_CASE("a program that rounds badly holds, and its lost digits are told") {
 TEST_CASE("without a state nothing is said") {
   const CertificateRow row = row_with<double>([](double x) { return x; }, {0, 1, false});
   CHECK(row.verdict == Verdict::skipped);
-  CHECK(row.worst == "no state to compare at");
+  CHECK(row.worst == "no state to compare");
 }

@@ -54,7 +54,7 @@ TEST_CASE("there is a line per output, what fails is printed in full, what is sk
   CHECK(to_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
 
   holds    [[expect]] gravity  1 check, proved
-  holds    mass_matrix         3 checks, at 276 states, at most 0.4 digits lost, rests on zeros that are not proved
+  holds    mass_matrix         3 checks, at 276 states, at most 0.4 digits lost, relies on unproved zeros
            skipped: mass matrix positive definite, mass_matrix
            because    32 singular
   FAILS    bias                1 of 1 check

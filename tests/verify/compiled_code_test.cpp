@@ -107,7 +107,7 @@ TEST_CASE("numbers that are declared otherwise than the model says are named") {
   const CertificateRow failing = check_declared({right, {"l (double)", 0.5, 2}});
   CHECK(failing.verdict == Verdict::fails);
   CHECK(failing.worst == "1 of 2 numbers differ");
-  CHECK(failing.where == "l (double) is 0.5, the model says 2");
+  CHECK(failing.where == "l (double) is 0.5, in the model 2");
 }
 
 TEST_CASE("batches are compared with the polynomials of their sines and cosines") {

@@ -195,7 +195,7 @@ TEST_CASE("both sides of a kink are looked at, and one that was not seen is name
   builder.model.coordinates[0].range = Interval{-1, 1};
   const auto report = report_of(expecting(builder, "applied_force", 1, {"0", "0"}));
   CHECK(report.diagnostics.empty());
-  CHECK(report.rows.front().tolerance.find("; not seen on both sides: `") != std::string::npos);
+  CHECK(report.rows.front().tolerance.find("; sampled on one side only: `") != std::string::npos);
 }
 
 TEST_CASE("what is written in another form is proved, what is wrong is not") {
@@ -263,19 +263,20 @@ TEST_CASE("without closed forms, and where an entry rests on a sampled zero, not
 TEST_CASE("a wrong closed form is answered by the terms that differ") {
   for (const auto& [expect, words] :
        {std::pair{"gravity = [\"-m*g*l*sin(theta)\"]\n",
-                  "the term m*g*l*sin(theta) has the other sign"},
+                  "the term m*g*l*sin(theta) has the opposite sign"},
         std::pair{"gravity = [\"m*g*l*sin(theta)/2\"]\n",
                   "the term m*g*l*sin(theta) has 1/2 of its factor"},
         std::pair{"gravity = [\"3*m*g*l*sin(theta)\"]\n",
                   "the term m*g*l*sin(theta) has 3 times its factor"},
         std::pair{"gravity = [\"m*g*l*cos(theta)\"]\n",
-                  "m*g*l*cos(theta) stands in the place of m*g*l*sin(theta)"},
-        std::pair{"gravity = [\"m*g*l*sin(theta) + m*g*l^2\"]\n", "the term m*g*l^2 is too much"},
+                  "m*g*l*cos(theta) is written instead of m*g*l*sin(theta)"},
+        std::pair{"gravity = [\"m*g*l*sin(theta) + m*g*l^2\"]\n",
+                  "the term m*g*l^2 is superfluous"},
         std::pair{"gravity = [\"0\"]\n", "the term m*g*l*sin(theta) is missing"},
         std::pair{"gravity = [\"m*g*l*sin(theta)\"]\n", ""},
         std::pair{"gravity = [\"2*g*l*sin(theta)\"]\n",
-                  "2*g*l*sin(theta) stands in the place of m*g*l*sin(theta); it holds for the "
-                  "values of the parameters in the file"},
+                  "2*g*l*sin(theta) is written instead of m*g*l*sin(theta); it holds for the "
+                  "parameter values of the file"},
         std::pair{"conserved = [\"theta\"]\n", ""}}) {
     INFO(expect);
     CHECK(DerivedPendulum(expect).hint() == words);
@@ -291,10 +292,10 @@ TEST_CASE("a wrong equation is answered by the terms that differ from a multiple
   const std::string row = "compared with row theta of the equations of motion";
   for (const auto& [equation, words] :
        {std::pair{"m*l^2*dot(dot(theta)) = m*g*l*sin(theta)",
-                  row + ": the term m*g*l*sin(theta) has the other sign"},
+                  row + ": the term m*g*l*sin(theta) has the opposite sign"},
         std::pair{"m*l^2*dot(dot(theta)) = 0", row + ": the term m*g*l*sin(theta) is missing"},
         std::pair{"m*dot(dot(theta)) + m*g*l*sin(theta) = 0",
-                  std::string("m*g*l*sin(theta) stands in the place of ")},
+                  std::string("m*g*l*sin(theta) is written instead of ")},
         std::pair{"-l*dot(dot(theta)) = g*sin(theta)", std::string()}}) {
     INFO(equation);
     const std::string expect = std::string("equations = [\"") + equation + "\"]\n";

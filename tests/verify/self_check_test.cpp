@@ -101,7 +101,7 @@ TEST_CASE("an entry that is undefined where the oracle has a value is a mistake"
         std::tuple{"forward_dynamics", "31 = divide 30 28", "31 = divide 30 17",
                    "an acceleration is undefined"},
         std::tuple{"dynamics", "21 = multiply 15 3", "21 = divide 15 17",
-                   " in the function of its name"}}) {
+                   " in the function of the same name"}}) {
     INFO(function);
     const SelfCheck result = check(mutated(function, from, to));
     CHECK(result.failure.find(what) != std::string::npos);
@@ -148,8 +148,9 @@ TEST_CASE("the receipt and the certificate tell of zeros that nobody proved") {
   CHECK(check(cart_pole_system()).sampled_zeros == 0);
   const System system = with_sampled_zeros();
   const std::string text = receipt(check(system));
-  CHECK(text.find("; 2 entries rest on zeros found at 64 points, not proved") != std::string::npos);
-  CHECK(receipt({2, 1.0, "", 1}).find("; 1 entry rests on zeros") != std::string::npos);
+  CHECK(text.find("; 2 entries rely on zeros sampled at 64 points, not proved") !=
+        std::string::npos);
+  CHECK(receipt({2, 1.0, "", 1}).find("; 1 entry relies on zeros") != std::string::npos);
   std::vector<CertificateRow> rows =
       verify(system.model, system.scene, system.program, {}, {1, true, 1}).certificate.rows;
   std::erase_if(rows, [](const CertificateRow& row) { return row.evidence != Evidence::zeros; });

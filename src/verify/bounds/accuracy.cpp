@@ -77,9 +77,9 @@ CertificateRow row_of(const FieldRecord& record, std::string_view scalar,
   for (const auto& [obstacle, states] : record.skipped) row.skipped.push_back({obstacle, states});
   row.skipped_inside = record.skipped_inside;
   row.tolerance =
-      "50 digits of E + |x*|, E the running error of x; NaN and infinity fail where exact "
-      "arithmetic stays below max/16 and E is known";
-  row.worst = record.compared == 0 ? "no state to compare at"
+      "1e-50 (E + |x*|), E the running error of x; NaN and infinity fail if exact arithmetic "
+      "stays below max/16 and E is known";
+  row.worst = record.compared == 0 ? "no state to compare"
                                    : fmt::format("equal; median {:.2g} {}", median(record.errors),
                                                  record.place.is_remainder() ? "u E" : "ulp");
   if (record.compared == 0) row.verdict = Verdict::skipped;
@@ -103,21 +103,20 @@ struct CodeCheck {
 /// Code built as users do, with optimisation, the machine's own instructions and contraction, which
 /// rounds differently.
 CodeCheck users_check() {
-  return {
-      "as users compile", "|x_users - x| / (u E); x_users of -O3 -march=native, contraction on",
-      "u E", most_of_users,
-      fmt::format("{} u E + N eta, E the running error: each of both rounds once where E counts "
-                  "a rounding",
-                  most_of_users)};
+  return {"as users compile", "|x_users - x| / (u E); x_users of -O3 -march=native, contraction on",
+          "u E", most_of_users,
+          fmt::format("{} u E + N eta, E the running error: both programs round once for each "
+                      "rounding in E",
+                      most_of_users)};
 }
 
 CodeCheck wide_check(InnerScalar inner) {
   const InnerRow& row = inner_row(inner);
   return {fmt::format("in {}", row.name),
           "|x_wide - x*| / (u |x*| + 16 u' E); x_wide of -O3 -march=native, contraction on",
-          "of what is allowed", most_of_wide,
-          fmt::format("{}, and N eta: x* rounded to double, before that roundings of u' = {:.2g} "
-                      "where E, the running error, counts one",
+          "of the tolerance", most_of_wide,
+          fmt::format("{}, and N eta: x* is rounded to double; before that, each rounding in the "
+                      "running error E has u' = {:.2g}",
                       most_of_wide, row.roundoff)};
 }
 
@@ -158,12 +157,12 @@ CertificateRow CodeRecord::row(const Subject& subject, std::string_view scalar) 
   row.samples = states_.size();
   row.tolerance = check_.tolerance;
   if (row.samples == 0) {
-    row.worst = "no state to compare at";
+    row.worst = "no state to compare";
     return row;
   }
   const std::string figure = fmt::format("{:.2g} {}", errors_.worst(), check_.unit);
   row.worst = row.verdict != Verdict::holds
-                  ? fmt::format("{}: {}, {} apart", worst_, mistake_, figure)
+                  ? fmt::format("{}: {}, differs by {}", worst_, mistake_, figure)
                   : fmt::format("{} outputs within {}; most in {}", fields_.size(), figure, worst_);
   return row;
 }
@@ -212,9 +211,9 @@ CertificateRow LostDigits::row(ScalarKind scalar) const {
   CertificateRow row;
   row.check = "digits lost";
   row.formula =
-      "log10 of |x - x*| / (u R), R = |x*| + K, K = sum |z dx/dz| over inputs and parameters: what "
-      "their own rounding costs; solutions of M x = b in the norm |D^1/2 x|, D = diag M; in "
-      "brackets of |x - x*| / (u max |x*|) of a field; at most all digits";
+      "log10 of |x - x*| / (u R), R = |x*| + K; K = sum |z dx/dz| over inputs and parameters z is "
+      "the effect of their rounding; solutions of M x = b in the norm |D^1/2 x|, D = diag M; in "
+      "brackets: log10 of |x - x*| / (u max |x*|) of the field; at most all digits";
   row.samples = states_.size();
   row.loss = std::min(of_entry_.figure, std::pow(10.0, all));
   row.loss_of_field = std::min(of_field_.figure, std::pow(10.0, all));
@@ -228,8 +227,9 @@ CertificateRow LostDigits::row(ScalarKind scalar) const {
         fmt::format("; R is 0 {}", untold_ == 1 ? "once" : fmt::format("{} times", untold_));
   row.where = told.where;
   row.tolerance = fmt::format(
-      "a figure; noted beyond {:.1f} of the {} digits of the scalar, of the largest entry of a "
-      "field; near zeros of typed sums of R, too",
+      "never fails; noted if the largest entry of a field loses more than {:.1f} of the {} digits "
+      "of "
+      "the scalar; near zeros of typed sums the smaller of both losses counts",
       all / 2.0, all);
   row.verdict = is_grave ? Verdict::noted : Verdict::holds;
   return row;

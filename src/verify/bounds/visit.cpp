@@ -144,7 +144,7 @@ Mismatch Visit<Scalar>::differing_from(const FieldPlace& place, const Function& 
 template <class Scalar>
 Mismatch Visit<Scalar>::differing_projection(const FieldPlace& place, Sampler& draw) {
   const Function* const same = repeated(subject_.program, place);
-  if (same != nullptr) return differing_from(place, *same, 0, "the function of its name");
+  if (same != nullptr) return differing_from(place, *same, 0, "the function of the same name");
   // An undefined entry is compared with the oracle only. Outside of the domain its closed form may
   // have a value although the solution has none.
   bool is_defined = true;

@@ -93,7 +93,7 @@ std::vector<std::vector<Convention>> choices(const Model& model) {
 /// Each angle relative to the one before, if ours are absolute; and the reverse.
 void add_relative_angles(const Model& model, std::vector<Convention>& all) {
   Convention relative = identity(model);
-  relative.name = "each of its angles is ours less the one before";
+  relative.name = "each of its angles is relative to the previous angle";
   std::vector<std::size_t> angles;
   for (std::size_t i = 0; i < relative.S.size; ++i) {
     if (!is_angle(model.coordinates[i])) continue;
@@ -104,7 +104,7 @@ void add_relative_angles(const Model& model, std::vector<Convention>& all) {
   if (angles.size() < 2) return;
   all.push_back(relative);
   std::swap(relative.S, relative.inverse);
-  relative.name = "each of its angles is the sum of ours up to it";
+  relative.name = "each of its angles is absolute, the sum of our angles up to it";
   all.push_back(relative);
 }
 
@@ -115,7 +115,7 @@ void add_orders(const Model& model, std::vector<Convention>& all) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   while (std::ranges::next_permutation(order).found) {
     Convention permuted = same;
-    permuted.name = "the order of its coordinates is";
+    permuted.name = "its order of coordinates is";
     for (std::size_t i = 0; i < order.size(); ++i) {
       for (std::size_t j = 0; j < order.size(); ++j) permuted.S.at(i, j) = same.S.at(order[i], j);
       permuted.name += fmt::format("{} `{}`", i == 0 ? "" : ",", model.coordinates[order[i]].name);

@@ -91,7 +91,7 @@ class ForeignJudge {
     if (row_.verdict != Verdict::fails) return row_;
     find(when());
     if (tally_.worst() <= digits_of_float) {
-      find(fmt::format("agrees at all states to {:.0e}, the digits of float", tally_.worst()));
+      find(fmt::format("agrees at all states to {:.0e}, the precision of float", tally_.worst()));
     } else {
       find(ignored(*answers, called, changed));
       find(factor());
@@ -107,7 +107,7 @@ class ForeignJudge {
 
   CertificateRow unmet_row() {
     row_.verdict = Verdict::skipped;
-    row_.worst = "no step of Newton puts any state on the constraints";
+    row_.worst = "no state was projected onto the constraints";
     row_.skipped = {{Obstacle::unmet, states_.unmet}};
     return row_;
   }
@@ -257,7 +257,7 @@ void ForeignJudge::compare(const ForeignAnswers& answers) {
   tally_.tell(row_, subject_, options_.tolerance);
   if (states_.unmet > 0) row_.skipped.push_back({Obstacle::unmet, states_.unmet});
   if (samples_.empty()) {
-    row_.worst = "the oracle has no value at any of the states";
+    row_.worst = "the oracle has no value at any state";
   } else if (row_.verdict == Verdict::holds) {
     const std::string where = counted(samples_.size(), "state");
     row_.worst = fmt::format("agrees at {} to {:.1g}", where, tally_.worst());
@@ -271,13 +271,13 @@ std::string ForeignJudge::when() const {
   const std::string_view drive = drive_of(output_);
   const bool moves = is_wrong(Situation::moving);
   const bool drives = is_wrong(Situation::driven);
-  if (is_wrong(Situation::rest)) return "at rest already";
+  if (is_wrong(Situation::rest)) return "wrong even at rest";
   if (!std::ranges::all_of(wrong_, &std::optional<bool>::has_value)) return {};
-  if (moves && drives) return fmt::format("when moving, and with {}; agrees at rest", drive);
-  if (moves) return "only when moving: agrees at rest";
-  if (drives) return fmt::format("only with {}: agrees without", drive);
-  if (is_wrong(Situation::whole)) return fmt::format("only when moving with {}", drive);
-  return "only where parameters are varied: agrees at those of the file";
+  if (moves && drives) return fmt::format("wrong when moving, and with {}; agrees at rest", drive);
+  if (moves) return "wrong only when moving; agrees at rest";
+  if (drives) return fmt::format("wrong only with {}; agrees without them", drive);
+  if (is_wrong(Situation::whole)) return fmt::format("wrong only when moving with {}", drive);
+  return "wrong only if parameters are varied; agrees at the parameters of the file";
 }
 
 /// Names the parameters that the code ignores. `changed`: parameters that differ from the first
@@ -313,7 +313,7 @@ std::string ForeignJudge::factor() const {
     return OracleValues(std::move(values));
   };
   if (cln::zerop(quotient) || !agrees(scaled)) return {};
-  return fmt::format("is {:.6g} times the oracle's at all states",
+  return fmt::format("is {:.6g} times the oracle's value at all states",
                      ScalarTraits<double>::from_real(quotient));
 }
 

@@ -40,7 +40,7 @@ std::string without_sign(const std::string& text) {
 }
 
 std::string times_text(const cln::cl_RA& times) {
-  if (times == -1) return "has the other sign";
+  if (times == -1) return "has the opposite sign";
   const bool is_part = cln::abs(times) < 1;
   return fmt::format("has {} {} its factor", number_text(times), is_part ? "of" : "times");
 }
@@ -146,11 +146,11 @@ std::string text_of(const Model& model, const Algebra& algebra, const DifferingT
   const std::string missing = read(terms.missing);
   const std::string surplus = read(terms.surplus);
   if (!missing.empty() && !surplus.empty()) {
-    words.push_back(fmt::format("{} stands in the place of {}", surplus, missing));
+    words.push_back(fmt::format("{} is written instead of {}", surplus, missing));
   } else if (!missing.empty()) {
     words.push_back(fmt::format("the term {} is missing", without_sign(missing)));
   } else if (!surplus.empty()) {
-    words.push_back(fmt::format("the term {} is too much", without_sign(surplus)));
+    words.push_back(fmt::format("the term {} is superfluous", without_sign(surplus)));
   }
   const std::string_view place = terms.of_denominator ? "in the denominator " : "";
   return is_read ? fmt::format("{}{}", place, fmt::join(words, ", ")) : "";

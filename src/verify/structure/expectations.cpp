@@ -26,7 +26,7 @@ constexpr std::size_t point_count = 64;
 /// The oracle has 60 digits; fifteen may cancel in each form.
 constexpr double tolerance = 1e-45;
 constexpr const char* sampled_reason = "1e-45 of the largest entry: sampled, no proof";
-constexpr const char* proof = "proved: both are one canonical sum";
+constexpr const char* proof = "proved: both have the same canonical sum";
 constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
 constexpr const char* proof_of_equation = "proved: along the motion it is the empty canonical sum";
 /// Equations contain accelerations everywhere or nowhere, except at kinks, so few states suffice.
@@ -267,7 +267,7 @@ std::string hint_of(const ExpectedEntry& entry, Proofs& proofs,
   std::string hint = difference_text(entry, proofs);
   if (!holds_at_values(entry, points)) return hint;
   if (!hint.empty()) hint += "; ";
-  return hint + "it holds for the values of the parameters in the file";
+  return hint + "it holds for the parameter values of the file";
 }
 
 /// The points at which entries are sampled, and the sides of kinks that no point lies on.
@@ -298,7 +298,7 @@ void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proo
   if (row.verdict == Verdict::holds) row.where.clear();
   // The author expects a value: without a value, the expectation fails.
   if (tally.samples() == 0) row.verdict = Verdict::fails;
-  if (!sampled.unseen.empty()) row.tolerance += "; not seen on both sides: " + sampled.unseen;
+  if (!sampled.unseen.empty()) row.tolerance += "; sampled on one side only: " + sampled.unseen;
   if (!wrong.empty()) {
     std::string hint = hint_of(entry, proofs, sampled.points);
     if (!hint.empty()) row.worst += "; " + hint;

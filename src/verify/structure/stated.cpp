@@ -278,7 +278,7 @@ void check_rank(ExpectationReport& report, const Expectation& equations, const S
   row.formula = "rank of d(left - right)/da and A = number of velocities";
   row.samples = motions.size();
   row.worst = "full rank";
-  row.tolerance = "pivots above 1e-50 of their rows, in 60 digits";
+  row.tolerance = "pivots above 1e-50 of the largest entry of their row, in 60 digits";
   const std::size_t n = subject.model.velocities.size();
   for (const State& motion : motions) {
     const std::vector<cl_R> slopes = slopes_of(subject.model, equations, motion);

@@ -162,8 +162,8 @@ CertificateRow symmetry_row(const Subject& subject, const Function& function,
     tally.add(asymmetry(m, state.v.size()), state);
   }
   CertificateRow row = row_of(function, "mass matrix symmetric", "M_ij = M_ji in double");
-  row.worst = fmt::format("{:g} apart", tally.worst());
-  row.tolerance = "exact: both entries are one value";
+  row.worst = fmt::format("largest difference {:g}", tally.worst());
+  row.tolerance = "exact: both entries are the same value";
   tally.tell(row, subject, 0);
   return row;
 }
@@ -195,7 +195,8 @@ CertificateRow definiteness_row(const Function& function, std::vector<ExactValue
       row_of(function, "mass matrix positive definite", "D_i/M_ii > 0, M = L D L^T");
   row.worst = tally.samples() == 0 ? "no regular state"
                                    : fmt::format("smallest pivot {:.2g}", -tally.worst());
-  row.tolerance = fmt::format("> {:g}; smaller ones are singular charts, skipped", singular_pivot);
+  row.tolerance = fmt::format(
+      "> {:g}; charts with smaller pivots count as singular and are skipped", singular_pivot);
   tally.tell(row, points.front().subject(), -singular_pivot, Obstacle::singular);
   return row;
 }

@@ -58,7 +58,7 @@ TEST_CASE("states of vectors are on the constraints, but where values tell how f
   CHECK_FALSE(mentions(to_json(*Vectors(block, {.samples = 1}).table), "off_constraints"));
 }
 
-TEST_CASE("states of vectors that no step of Newton puts on the constraints are counted") {
+TEST_CASE("states of vectors not projected onto the constraints are counted") {
   const std::string wall = model_text("wall", R"toml(
 [[coordinate]]
 name = "x"
