@@ -30,7 +30,7 @@ std::string verdict_text(const EntryChange& entry) {
     case EntryVerdict::added:
       return "is new";
     case EntryVerdict::removed:
-      return "is gone";
+      return "is removed";
     default:
       return "identical";
   }
@@ -50,14 +50,15 @@ std::string text_of(const KeyChange& change) {
   const std::string key = change.is_order ? "order" : text_of(change.path);
   if (!key.empty()) place += (place.empty() ? "" : " ") + key;
   if (change.before.empty()) return fmt::format("{} is new: {}", place, shortened(change.after));
-  if (change.after.empty()) return fmt::format("{} is gone: {}", place, shortened(change.before));
+  if (change.after.empty())
+    return fmt::format("{} is removed: {}", place, shortened(change.before));
   return fmt::format("{}: {} -> {}", place, shortened(change.before), shortened(change.after));
 }
 
 std::string meaning(Impact impact, bool is_told_apart) {
   std::string words(impact_row(impact).doc);
   if (is_told_apart || impact >= Impact::different) return words;
-  return fmt::format("{}, as far as {} points tell (see --strict)", words, zero_points);
+  return fmt::format("{}, compared at {} points only (see --strict)", words, zero_points);
 }
 
 std::string label_of(const DiffReport& report, const SystemChange& system) {
@@ -106,7 +107,7 @@ std::string VerdictCounts::text() const {
     result += proved == rewritten ? " (proved)" : fmt::format(" ({} proved)", proved);
   }
   if (undecided > 0) {
-    result += fmt::format(", {} not told apart at {} points", undecided, zero_points);
+    result += fmt::format(", {} undecided at {} points", undecided, zero_points);
   }
   if (replaced > 0) result += fmt::format(", {} replaced", replaced);
   if (added > 0) result += fmt::format(", {} added", added);
@@ -129,7 +130,7 @@ std::string witness_text(const EntryChange& entry) {
   if (!entry.witness) return {};
   const auto& [at, before, after] = *entry.witness;
   const std::string share =
-      entry.share > 0 ? fmt::format(", {:.2g} of the largest", entry.share) : std::string();
+      entry.share > 0 ? fmt::format(", {:.2g} of the largest entry", entry.share) : std::string();
   return fmt::format("{}{:.3g} -> {:.3g}{}{}", at.empty() ? "" : "at " + at + ": ", before, after,
                      with_unit(entry), share);
 }
@@ -144,7 +145,7 @@ std::string text_of(const EntryChange& entry) {
     text += " differs";
   }
   if (!entry.difference.empty()) text += fmt::format(", difference {}", entry.difference);
-  if (!entry.is_told_apart) text += fmt::format(", not told apart at {} points", zero_points);
+  if (!entry.is_told_apart) text += fmt::format(", undecided at {} points", zero_points);
   return text;
 }
 

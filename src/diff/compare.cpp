@@ -146,7 +146,7 @@ ParameterValues new_parameters(const Version& before, const Version& after,
   return values;
 }
 
-/// "at mt = 0 all entries are the old ones (proved)"; "" if they are not.
+/// "at mt = 0 all entries equal the old entries (proved)"; "" if they are not.
 std::string extension(const Version& before, const Version& after, const CompareOptions& options) {
   const ParameterValues values = new_parameters(before, after, options.renames);
   if (values.empty()) return {};
@@ -163,7 +163,7 @@ std::string extension(const Version& before, const Version& after, const Compare
   }
   std::string names;
   for (const auto& [name, value] : values) names += fmt::format("{} = ", name);
-  return fmt::format("at {}0 all entries are the old ones ({})", names,
+  return fmt::format("at {}0 all entries equal the old entries ({})", names,
                      is_proved ? "proved" : "at 64 random points");
 }
 

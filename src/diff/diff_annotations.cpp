@@ -41,7 +41,7 @@ std::vector<WorkflowCommand> failures(const DiffReport& report) {
     if (system.impact == Impact::breaks) commands.push_back(broken_system(report, system));
   }
   for (const std::string& path : report.removed) {
-    commands.push_back({"error", {}, "elgen diff: breaks", path + " is gone"});
+    commands.push_back({"error", {}, "elgen diff: breaks", path + " is removed"});
   }
   for (const UnreadableSystem& system : report.unreadable) {
     commands.push_back({"error", system.error.span, "elgen diff: unreadable", text_of(system)});

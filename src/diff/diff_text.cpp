@@ -103,13 +103,13 @@ std::string parts_text(const SystemChange& system) {
   return fmt::format("{}{}{} identical", changed, changed.empty() ? "" : ";  ", identical);
 }
 
-/// "[[expect]] is not changed with it: 1 entry no longer holds (bias[2])"
+/// "[[expect]] was not updated: 1 entry no longer holds (bias[2])"
 std::string expectations_text(const SystemChange& system) {
   std::vector<std::string> some = system.broken_expectations;
   if (some.empty()) return {};
   const std::size_t count = some.size();
   some.resize(std::min(count, most_named));
-  return fmt::format("[[expect]] is not changed with it: {} no longer {} ({}{})",
+  return fmt::format("[[expect]] was not updated: {} no longer {} ({}{})",
                      count == 1 ? "1 entry" : fmt::format("{} entries", count),
                      count == 1 ? "holds" : "hold", fmt::join(some, ", "),
                      some.size() == count ? "" : ", ...");
@@ -169,7 +169,7 @@ class Summary {
     const bool is_told_apart = std::ranges::all_of(report_.systems, &SystemChange::is_told_apart);
     if (has_verdict(report_)) {
       lines_.push_back({std::string(impact_row(impact).word),
-                        (report_.unreadable.empty() ? "" : "of what can be read: ") +
+                        (report_.unreadable.empty() ? "" : "of the readable systems: ") +
                             meaning(impact, is_told_apart)});
     }
     return std::move(lines_);
@@ -226,7 +226,7 @@ class Summary {
     const SystemChange* const system = most_changed(report_);
     const EntryChange* const entry = system == nullptr ? nullptr : example(*system);
     if (entry == nullptr) return;
-    Section section(lines_, "for one");
+    Section section(lines_, "example");
     section.add(text_of(*entry), name(*system));
     section.add(witness_text(*entry), name(*system));
   }

@@ -79,7 +79,8 @@ struct Changes {
   }
 
   void add_silent(const std::string& text) {
-    all.push_back({Impact::breaks, text + "; callers compile and mean something else", true});
+    all.push_back(
+        {Impact::breaks, text + "; callers still compile but with another meaning", true});
   }
 };
 
@@ -94,7 +95,7 @@ void compare_units(Changes& changes, const std::string& what, const Names& olds,
     if (old == nullptr || old->unit == now.unit) continue;
     // rad is 1, so N*m*s/rad and N*m*s are the same unit.
     const bool is_same = old->meant && now.meant && *old->meant == *now.meant;
-    const std::string text = fmt::format("the unit of {} {} is {} where it was {}", what,
+    const std::string text = fmt::format("the unit of {} {} is {} (was {})", what,
                                          in_backticks(now.name), unit(now), unit(*old));
     if (is_same) {
       changes.add(Impact::values, text);
@@ -108,11 +109,11 @@ void compare_units(Changes& changes, const std::string& what, const Names& olds,
 void compare_lists(Changes& changes, const std::string& what, const Names& olds,
                    const Names& news) {
   if (olds.size() != news.size()) {
-    changes.add(Impact::breaks, "{} where there were {}: {} -> {}", counted(news.size(), what),
-                olds.size(), listed(olds), listed(news));
+    changes.add(Impact::breaks, "{} (was {}): {} -> {}", counted(news.size(), what), olds.size(),
+                listed(olds), listed(news));
   } else if (listed(olds) != listed(news)) {
-    changes.add_silent(fmt::format("{}s are other ones, or in another order: {} -> {}", what,
-                                   listed(olds), listed(news)));
+    changes.add_silent(
+        fmt::format("the {}s or their order changed: {} -> {}", what, listed(olds), listed(news)));
   }
   compare_units(changes, what, olds, news);
 }
@@ -130,11 +131,11 @@ void compare_values(Changes& changes, const Model& before, const Model& after,
     });
     if (old == before.parameters.end()) continue;
     if (old->value != now.value) {
-      changes.add(Impact::values, "the value of {} is {} where it was {}", in_backticks(now.name),
+      changes.add(Impact::values, "the value of {} is {} (was {})", in_backticks(now.name),
                   exact_text(now.value), exact_text(old->value));
     }
     if (old->assumption != now.assumption) {
-      changes.add(Impact::values, "{} is assumed to be {} where it was {}", in_backticks(now.name),
+      changes.add(Impact::values, "{} is assumed to be {} (was {})", in_backticks(now.name),
                   assumed(now), assumed(*old));
     }
   }
@@ -146,11 +147,11 @@ void compare_names(Changes& changes, const Version& before, const Version& after
       emitted_parameters(before.checked.model, before.program);
   for (const auto& [from, to] : renames) {
     const bool is_member = std::ranges::count(old_arrays, from, &ParameterArray::name) > 0;
-    changes.add(is_member ? Impact::breaks : Impact::values, "{} is called {} now",
+    changes.add(is_member ? Impact::breaks : Impact::values, "{} is now called {}",
                 in_backticks(from), in_backticks(to));
   }
   if (before.checked.scene.base_name != after.checked.scene.base_name) {
-    changes.add(Impact::breaks, "files are called {} now, which were {}",
+    changes.add(Impact::breaks, "files are called {} (were {})",
                 in_backticks(after.checked.scene.base_name),
                 in_backticks(before.checked.scene.base_name));
   }
@@ -161,9 +162,9 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
   for (const KnownName& old : olds) {
     const KnownName* const now = find(news, old.name);
     if (now == nullptr) {
-      changes.add(Impact::breaks, "there is no parameter {} any more", in_backticks(old.name));
+      changes.add(Impact::breaks, "parameter {} is removed", in_backticks(old.name));
     } else if (now->size != old.size) {
-      changes.add(Impact::breaks, "parameter {} has {} where it had {}", in_backticks(old.name),
+      changes.add(Impact::breaks, "parameter {} has {} (had {})", in_backticks(old.name),
                   counted(now->size, "element"), old.size);
     }
   }
@@ -172,7 +173,7 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
   Names stayed = olds;
   std::erase_if(stayed, [&news](const KnownName& old) { return find(news, old.name) == nullptr; });
   if (listed(kept) != listed(stayed)) {
-    changes.add_silent(fmt::format("members of Parameters are in another order: {} -> {}",
+    changes.add_silent(fmt::format("the members of Parameters changed their order: {} -> {}",
                                    listed(stayed), listed(kept)));
   } else if (kept.size() < news.size()) {
     Names added = news;
@@ -185,8 +186,7 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
     if (are_last || kept.size() < olds.size()) {
       changes.add(Impact::extended, "Parameters has new members: " + listed(added));
     } else {
-      changes.add_silent("Parameters has new members, not all of them behind the others: " +
-                         listed(added));
+      changes.add_silent("Parameters has new members, not all at the end: " + listed(added));
     }
   }
   compare_units(changes, "parameter", olds, news);
@@ -195,18 +195,18 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
 void compare_steps(Changes& changes, const std::string& name, const StepSpec& old,
                    const StepSpec& now) {
   if (old.method != now.method) {
-    changes.add(Impact::different, "the method of {} is {} where it was {}", in_backticks(name),
+    changes.add(Impact::different, "the method of {} is {} (was {})", in_backticks(name),
                 step_row(now.method).name, step_row(old.method).name);
   } else if (old.composed_order != now.composed_order) {
-    changes.add(Impact::different, "{} is of order {} where it was of order {}", in_backticks(name),
+    changes.add(Impact::different, "{} is of order {} (was {})", in_backticks(name),
                 step_order(now), step_order(old));
   } else if (old.iterations != now.iterations) {
-    changes.add(Impact::different, "{} has {} where it had {}", in_backticks(name),
+    changes.add(Impact::different, "{} has {} (had {})", in_backticks(name),
                 counted(now.iterations, "iteration"), old.iterations);
   } else if (old.projects != now.projects) {
     changes.add(Impact::different, "{} {}", in_backticks(name),
-                now.projects ? "ends on the constraints where it drifted off them"
-                             : "drifts off the constraints where it ended on them");
+                now.projects ? "ends on the constraints (drifted off before)"
+                             : "drifts off the constraints (ended on them before)");
   }
 }
 
@@ -214,20 +214,20 @@ void compare_outputs(Changes& changes, const Scene& before, const Scene& after) 
   for (const OutputRequest& old : before.outputs) {
     const OutputRequest* const now = find_request(after, old.name);
     if (now == nullptr) {
-      changes.add(Impact::breaks, "there is no function {} any more", in_backticks(old.name));
+      changes.add(Impact::breaks, "function {} is removed", in_backticks(old.name));
     } else if (now->kind != old.kind) {
-      changes.add_silent(fmt::format("the function {} is another output", in_backticks(old.name)));
+      changes.add_silent(fmt::format("function {} is a different output", in_backticks(old.name)));
     } else if (now->without_pivots != old.without_pivots) {
-      changes.add(
-          Impact::breaks, "{} {}", in_backticks(now->name),
-          now->without_pivots ? "gives no relative pivots any more" : "gives relative pivots, too");
+      changes.add(Impact::breaks, "{} {}", in_backticks(now->name),
+                  now->without_pivots ? "no longer returns relative pivots"
+                                      : "now returns relative pivots");
     } else if (now->step) {
       compare_steps(changes, now->name, *old.step, *now->step);
     }
   }
   for (const OutputRequest& now : after.outputs) {
     if (find_request(before, now.name) != nullptr) continue;
-    changes.add(Impact::extended, "there is a new function {}", in_backticks(now.name));
+    changes.add(Impact::extended, "function {} is new", in_backticks(now.name));
   }
 }
 
@@ -256,7 +256,7 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
     const bool is_told =
         output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
     if (!is_in_both || !is_told || has_shape_of(*old, now)) continue;
-    changes.add(Impact::breaks, "{} is {} where it was {}", in_backticks(now.name), shape(now),
+    changes.add(Impact::breaks, "{} is {} (was {})", in_backticks(now.name), shape(now),
                 shape(*old));
   }
 }
@@ -273,7 +273,7 @@ struct UnlistedLines {
     for (std::string& name : olds) name = renamed(name, renames);
     const std::vector<std::string> news = unlisted_names(after.checked.model, extent);
     if (olds == news) return;
-    changes.add_silent(fmt::format("the {} are {} where they were {}", lines, fmt::join(news, ", "),
+    changes.add_silent(fmt::format("the {} are {} (were {})", lines, fmt::join(news, ", "),
                                    fmt::join(olds, ", ")));
   }
 };
@@ -295,8 +295,8 @@ void compare_rows(Changes& changes, const Version& before, const Version& after,
 
 void compare_header(Changes& changes, const char* suffix, bool was_there, bool is_there) {
   if (was_there == is_there) return;
-  changes.add(is_there ? Impact::extended : Impact::breaks, "there is {} header NAME{}.hpp",
-              is_there ? "a new" : "no longer a", suffix);
+  changes.add(is_there ? Impact::extended : Impact::breaks, "header NAME{}.hpp is {}", suffix,
+              is_there ? "new" : "removed");
 }
 
 void compare_target(Changes& changes, const Scene& before, const Scene& after) {
@@ -304,12 +304,12 @@ void compare_target(Changes& changes, const Scene& before, const Scene& after) {
   const Emission& now = after.emission;
   if (old.language != now.language) changes.add(Impact::breaks, "the language of the code differs");
   if (name_space(before) != name_space(after) && before.base_name == after.base_name) {
-    changes.add(Impact::breaks, "the namespace is {} where it was {}",
-                in_backticks(name_space(after)), in_backticks(name_space(before)));
+    changes.add(Impact::breaks, "the namespace is {} (was {})", in_backticks(name_space(after)),
+                in_backticks(name_space(before)));
   }
   if (old.storage != now.storage) {
-    changes.add_silent(fmt::format("matrices are stored {} where they were {}",
-                                   name_of(now.storage), name_of(old.storage)));
+    changes.add_silent(fmt::format("matrices are stored {} (were {})", name_of(now.storage),
+                                   name_of(old.storage)));
   }
   compare_header(changes, "_eigen", old.eigen, now.eigen);
   compare_header(changes, "_batch", old.batch, now.batch);
@@ -319,24 +319,24 @@ void compare_target(Changes& changes, const Scene& before, const Scene& after) {
   const bool is_wide = inner != InnerScalar::same;
   compare_header(changes, "_wide", was_wide, is_wide);
   if (was_wide && is_wide && old_inner != inner) {
-    changes.add(Impact::values, "NAME_wide.hpp computes in {} where it did in {}",
-                inner_row(inner).name, inner_row(old_inner).name);
+    changes.add(Impact::values, "NAME_wide.hpp computes in {} (was {})", inner_row(inner).name,
+                inner_row(old_inner).name);
   }
   if (before.numerics.trigonometry_error != after.numerics.trigonometry_error) {
-    changes.add(Impact::values, "the error that batches allow sines and cosines differs");
+    changes.add(Impact::values, "the allowed error of sines and cosines in batches differs");
   }
   if (before.numerics.has_library_sines != after.numerics.has_library_sines) {
-    changes.add(Impact::values, "sines and cosines of numbers are {} where they were {}",
-                after.numerics.has_library_sines ? "the library's" : "in line",
-                before.numerics.has_library_sines ? "the library's" : "in line");
+    changes.add(Impact::values, "sines and cosines outside batches are {} (were {})",
+                after.numerics.has_library_sines ? "from the library" : "in line",
+                before.numerics.has_library_sines ? "from the library" : "in line");
   }
   if (before.numerics.max_error != after.numerics.max_error) {
-    changes.add(Impact::values, "the error that the scene promises of its outputs differs");
+    changes.add(Impact::values, "the error bound that the scene promises for its outputs differs");
   }
   if (before.numerics.scalars != after.numerics.scalars) {
     const bool is_in_types = language_row(now.language).scalars == LanguageScalars::one;
     changes.add(is_in_types ? Impact::breaks : Impact::values,
-                "the scalars that code is for differ");
+                "the scalar types of the code differ");
   }
 }
 
@@ -361,7 +361,7 @@ std::vector<InterfaceChange> interface_changes(const Version& before, const Vers
   compare_values(changes, old, now, renames);
   if (old.uses_time != now.uses_time) {
     changes.add(Impact::breaks,
-                now.uses_time ? "every function takes t now" : "no function takes t any more");
+                now.uses_time ? "every function now takes t" : "no function takes t any longer");
   }
   compare_outputs(changes, before.checked.scene, after.checked.scene);
   compare_shapes(changes, before.program, after.program);

@@ -74,7 +74,7 @@ TEST_CASE("a removed model breaks, a moved model does not") {
   CHECK(gone.status == 1);
   CHECK(mentions(gone.output, "added        new/scenes/pendulum.toml\n"));
   CHECK(mentions(gone.output, "removed      simple_pendulum.toml\n"));
-  CHECK(mentions(gone.output, "breaks       the code of callers breaks\n"));
+  CHECK(mentions(gone.output, "breaks       calling code breaks\n"));
 }
 
 TEST_CASE("a file of a revision that was moved or removed is reported if named") {
@@ -136,7 +136,7 @@ TEST_CASE("an unreadable model does not stop the report of the others, in every 
   CHECK(mentions(text.errors, "error[E101]"));
   const Outcome markdown = folders.diff("--format markdown --allow breaks old new");
   CHECK(markdown.status == 2);
-  CHECK(starts_with(markdown.output, "### elgen diff: different (of what can be read: "));
+  CHECK(starts_with(markdown.output, "### elgen diff: different (of the readable systems: "));
   CHECK(mentions(markdown.output, "<details><summary>Entries of cart_pole</summary>"));
   const Outcome json = folders.diff("--format json old new");
   CHECK(json.status == 2);

@@ -100,7 +100,7 @@ TEST_CASE("a new term with its own parameter extends") {
   const SystemChange system =
       compared(spring(), edited(spring("1/2*k*x^2 + c*x^4"), "k = 3", "k = 3\nc = 0"));
   CHECK(system.impact == Impact::extended);
-  CHECK(system.extension == "at c = 0 all entries are the old ones (proved)");
+  CHECK(system.extension == "at c = 0 all entries equal the old entries (proved)");
 }
 
 TEST_CASE("a new parameter that changes existing terms does not extend") {

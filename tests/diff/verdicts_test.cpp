@@ -100,7 +100,7 @@ vector = ["0", "-g"]
                "[gravity]");
     const SystemChange found = compared(before, after);
     CHECK(word(found.impact) == "extended");
-    CHECK(found.extension == "at mt = 0 all entries are the old ones (proved)");
+    CHECK(found.extension == "at mt = 0 all entries equal the old entries (proved)");
     const std::string wrong = edited(after, "mass = \"m\"", "mass = \"1.000000000001*m\"");
     CHECK(word(compared(before, wrong).impact) == "different");
   }
