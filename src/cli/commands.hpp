@@ -71,7 +71,7 @@ struct FileOption {
 /// -o and --force
 inline void add_output(CLI::App& command, FileOption& output, const std::string& doc) {
   command.add_option("-o,--output", output.file, doc)->type_name("FILE");
-  command.add_flag("--force", output.force, "overwrite FILE");
+  command.add_flag("--force", output.force, "overwrite FILE if it exists");
 }
 
 /// The E703 and E708 of write_output(), to be checked before a long computation.
@@ -91,7 +91,7 @@ inline Result<std::vector<std::string>> write_output(const GlobalOptions& global
 /// --fix and --size
 inline void add_specialisation(CLI::App& command, SceneOptions& options) {
   add_sources(command, "--fix", "NAME[=VALUE]", options.fixed,
-              "make a parameter a number: NAME, NAME=VALUE or all");
+              "replace a parameter by a number: NAME, NAME=VALUE or all");
   add_sources(command, "--size", "NAME=N", options.sizes, "override a size of the model");
 }
 
@@ -103,7 +103,8 @@ inline void add_language(CLI::App& command, std::optional<LanguageId>& language)
     language = std::ranges::find(language_table, name, &LanguageRow::name)->id;
   };
   command
-      .add_option_function<std::string>("--language", set, "of the code, whatever the scene says")
+      .add_option_function<std::string>("--language", set,
+                                        "language of the code; overrides the scene")
       ->check(CLI::IsMember(names))
       ->type_name("LANGUAGE");
 }

@@ -119,29 +119,28 @@ void add_diff(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("diff", "compare the equations of two versions");
   const auto options = std::make_shared<DiffOptions>();
   command->add_option("inputs", options->inputs,
-                      "OLD NEW: models, scenes, folders of them, or - (stdin)");
-  command
-      ->add_option("--against", options->revision,
-                   "compare files and folders with this revision of git")
+                      "OLD NEW: models, scenes, folders with them, or - (stdin)");
+  command->add_option("--against", options->revision, "compare the inputs with this git revision")
       ->type_name("REV");
   command
       ->add_option("--allow", options->allowed,
-                   "worst change that exits with 0: equal, values, extended, different or breaks")
+                   "worst change with exit code 0: equal, values, extended, different or breaks")
       ->type_name("CHANGE")
       ->check(CLI::IsMember({"equal", "values", "extended", "different", "breaks"}));
-  command->add_option("--rename", options->renames, "a name that was given to the same thing")
+  command->add_option("--rename", options->renames, "OLD has the name NEW in the new version")
       ->type_name("OLD=NEW")
       ->allow_extra_args(false);
-  command->add_option("--only", options->only, "tell of these outputs alone")
+  command->add_option("--only", options->only, "report only these outputs")
       ->type_name("OUTPUTS")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_flag("--strict", options->strict,
-                    "entries that 64 points do not tell apart are different");
+  command->add_flag(
+      "--strict", options->strict,
+      "count entries as different if they are equal at 64 points but not proved equal");
   command->add_flag("--list", options->lists_all, "list every key and every entry");
   command
       ->add_option("--format", options->format,
-                   "text, json, markdown (a comment on a pull request) or github (annotations)")
+                   "text, json, markdown (for comments on pull requests) or github (annotations)")
       ->check(CLI::IsMember(words_in(formats, &DiffFormat::name)));
   set_action(*command, action, options, &diff);
 }

@@ -45,19 +45,21 @@ ExitCode evaluate_input(const GlobalOptions& global, const EvaluateOptions& opti
 }  // namespace
 
 void add_evaluate(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("evaluate", "print the numbers of outputs at a state");
+  CLI::App* command = app.add_subcommand("evaluate", "print the values of outputs at a state");
   const auto options = std::make_shared<EvaluateOptions>();
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
   add_sources(*command, "--what", "LIST", options->scene.outputs,
-              "outputs: mass_matrix,gravity,… (those of the scene)");
+              "outputs: mass_matrix,gravity,… (default: all outputs of the scene)");
   add_sources(*command, "--state", "NAME=VALUE,…", options->scene.starts,
-              "theta=1, dot(theta)=0, dot(dot(theta))=2, p(theta)=1, t=0, h=0.01, "
-              "attitude=[1,0,0,0]; else the start");
+              "state: theta=1, dot(theta)=0, dot(dot(theta))=2, p(theta)=1, t=0, h=0.01, "
+              "attitude=[1,0,0,0] (default: the start)");
   add_sources(*command, "--set", "NAME=VALUE", options->scene.values, "value of a parameter");
   add_sources(*command, "--input", "NAME=LAW", options->scene.laws,
-              "what an input is: u=-3*theta - dot(theta)");
-  command->add_option("--digits", options->values.digits, "significant digits, up to 60 (17)")
+              "value or law of an input: u=-3*theta - dot(theta)");
+  command
+      ->add_option("--digits", options->values.digits,
+                   "significant digits, at most 60 (default: 17)")
       ->check(CLI::Range(1, most_value_digits));
   command
       ->add_option_function<std::string>(
@@ -65,9 +67,9 @@ void add_evaluate(CLI::App& app, Action& action) {
           [options = options.get()](const std::string& given) {
             options->values.projects = given == "on";
           },
-          "what --state does not name moves onto the constraints (on)")
+          "project values that --state does not name onto the constraints (default: on)")
       ->check(CLI::IsMember({"on", "off"}));
-  command->add_option("--as", options->as, "text (unless given), json or csv")
+  command->add_option("--as", options->as, "text (default), json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &evaluate_input);

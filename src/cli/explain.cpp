@@ -30,12 +30,13 @@ struct WordRow {
 constexpr std::array word_table{
     WordRow{
         "E",
-        "In `conserved` of `[[expect]]` the energy function v dL/dv - L, where the model has no "
-        "`E` of its own; `energy_function` is it in every model."},
+        "In `conserved` of `[[expect]]` the energy function v dL/dv - L, unless the model declares "
+        "a name `E`. `energy_function` is the same quantity in every model."},
     WordRow{"p",
-            "In `[[expect]]` `p(NAME)` is the momentum dL/d(dot(NAME)) of a coordinate, or of "
-            "`NAME[k]` of a rotation, in the axes of the body: in `conserved`, and in outputs that "
-            "take momenta. A name `p` of the model stays its own."}};
+            "In `[[expect]]` `p(NAME)` is the momentum dL/d(dot(NAME)) of a coordinate. For a "
+            "rotation `p(NAME[k])` is the momentum about axis k of the body. It is allowed in "
+            "`conserved` and in outputs that take momenta. A name `p` of the model takes "
+            "precedence."}};
 
 std::string choices_text(const KeyRow& key) {
   const std::vector<std::string_view> words = choice_words(key);
@@ -83,10 +84,11 @@ std::string text_of(const OutputRow& row) {
 }
 
 std::string text_of(const FunctionRow& row) {
-  return fmt::format("{}: a function of {}{}\n", row.name, counted(row.arity, "argument"),
-                     row.use == FunctionUse::forces
-                         ? ", in forces only, as it has a kink; its argument may have a unit"
-                         : "");
+  return fmt::format(
+      "{}: a function of {}{}\n", row.name, counted(row.arity, "argument"),
+      row.use == FunctionUse::forces
+          ? ", only allowed in forces because it has a kink; its argument may have a unit"
+          : "");
 }
 
 std::string text_of(const WordRow& row) {
@@ -193,7 +195,7 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
 
 void add_explain(CLI::App& app, Action& action) {
   CLI::App* command =
-      app.add_subcommand("explain", "what an error code, entry, output or function means");
+      app.add_subcommand("explain", "explain an error code, entry, output or function");
   const auto name = std::make_shared<std::string>();
   command->add_option("name", *name, "E201, coordinate, scene.outputs, mass_matrix, sin")
       ->required();

@@ -258,8 +258,8 @@ std::string next_commands(const std::string& input) {
   const std::string verify = fmt::format("elgen verify {}", input);
   const std::size_t width = steps.size();
   return fmt::format(
-      "\nnext: {:<{}}  all equations\n      {}  how they are derived\n"
-      "      {:<{}}  each of them against 60 digits",
+      "\nnext: {:<{}}  print all equations\n      {}  print their derivation\n"
+      "      {:<{}}  compare all with 60 digits",
       outputs, width, steps, verify, width);
 }
 
@@ -275,7 +275,7 @@ void tell_what_became(const GlobalOptions& global, const GenerateOptions& option
   }
   const bool expects = !model.expectations.empty();
   tell(global, fmt::format("{}: {}{}", job.scene().base_name, receipt(*job.products.self_check),
-                           expects ? "; [[expect]] is left to `elgen verify`" : ""));
+                           expects ? "; `elgen verify` checks [[expect]]" : ""));
   if (global.verbose) tell(global, next_commands(job.path));
 }
 
@@ -364,27 +364,30 @@ ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
 
 void add_generate(CLI::App& app, Action& action) {
   CLI::App* command =
-      app.add_subcommand("generate", "derive and write the code of models and scenes");
+      app.add_subcommand("generate", "derive the equations of models and scenes and write code");
   const auto options = std::make_shared<GenerateOptions>();
   command->add_option("inputs", options->inputs, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
-  command->add_option("-o,--output-directory", options->output_directory, "where to write")
+  command
+      ->add_option("-o,--output-directory", options->output_directory,
+                   "folder of the written files")
       ->type_name("DIR")
       ->capture_default_str()
       ->each([options](const std::string&) { options->output_directory_given = true; });
   add_sources(*command, "--outputs", "LIST", options->scene.outputs,
-              "only these: mass_matrix,bias,…");
+              "write only these outputs: mass_matrix,bias,…");
   add_language(*command, options->scene.language);
   add_specialisation(*command, options->scene);
-  CLI::Option* check =
-      command->add_flag("--check", options->check, "write nothing; exit 1 if the files differ");
-  command->add_flag("--force", options->force, "overwrite regular files, whoever made them");
-  CLI::Option* list =
-      command->add_flag("--list-outputs", options->list_outputs, "print the paths it would write");
-  CLI::Option* depfile = command
-                             ->add_option("--depfile", options->depfile,
-                                          "write the inputs of each file, for make and ninja")
-                             ->type_name("FILE");
+  CLI::Option* check = command->add_flag("--check", options->check,
+                                         "write nothing; exit with 1 if the files differ");
+  command->add_flag("--force", options->force, "also overwrite files that elgen did not generate");
+  CLI::Option* list = command->add_flag("--list-outputs", options->list_outputs,
+                                        "print the paths of the files and write nothing");
+  CLI::Option* depfile =
+      command
+          ->add_option("--depfile", options->depfile,
+                       "write the inputs of each file as rules for make and ninja")
+          ->type_name("FILE");
   CLI::Option* to_stdout = command->add_flag("--stdout", options->to_stdout,
                                              "print the header instead of writing files");
   check->excludes(list)->excludes(to_stdout)->excludes(depfile);

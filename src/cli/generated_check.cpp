@@ -45,7 +45,7 @@ class OrphanSearch {
   }
 
   std::vector<FileDifference> operator()() {
-    for (const fs::path& folder : folders_) add(folder, "nothing generates it");
+    for (const fs::path& folder : folders_) add(folder, "no input generates it");
     for (const fs::path& folder : entries_in(directory_)) {
       std::error_code error;
       const bool is_other =
@@ -73,10 +73,10 @@ class OrphanSearch {
       const auto file = source_file(directory_, stated);
       if (!file) return {};
       std::error_code error;
-      if (!fs::exists(*file, error)) return fmt::format("there is no {}", *file);
+      if (!fs::exists(*file, error)) return fmt::format("{} does not exist", *file);
       const bool is_renamed = std::ranges::any_of(
           sources_, [&stated](const SourcePaths& paths) { return same_sources(paths, stated); });
-      return is_renamed ? fmt::format("{} has another name now", *file) : "";
+      return is_renamed ? fmt::format("{} is now generated under another name", *file) : "";
     }
     return {};
   }

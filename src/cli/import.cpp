@@ -37,7 +37,7 @@ Diagnostic summary_of(const Diagnostic& first, std::size_t count) {
   const std::size_t line = line_column(*first.span.source, first.span.begin).line;
   const std::string times = first.code == Code::E815
                                 ? fmt::format("{} times", count)
-                                : fmt::format("and so for {}", counted(count - 1, "other"));
+                                : fmt::format("and {} like it", counted(count - 1, "other"));
   return {first.code, {}, fmt::format("{}, {}, from line {} on", first.message, times, line)};
 }
 
@@ -71,7 +71,7 @@ ExitCode report_import(GlobalOptions global, const Diagnostics& diagnostics) {
   const bool is_whole = global.verbose || global.style.format != DiagnosticFormat::text;
   const Diagnostics said = is_whole ? diagnostics : one_per_kind(diagnostics);
   const ExitCode code = report(global, said);
-  if (said.size() < diagnostics.size()) tell(global, "-v lists every note with its place");
+  if (said.size() < diagnostics.size()) tell(global, "-v prints every note with its place");
   return code;
 }
 
@@ -156,19 +156,20 @@ void add_import(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("import", "print a robot description as a model file");
   const auto options = std::make_shared<ImportCommand>();
   command->add_option("input", options->input, "NAME.urdf or - (stdin)")->required();
-  add_output(*command, options->output, "write the model here instead, and name it so");
+  add_output(*command, options->output, "write the model to FILE and name it after FILE");
   command
       ->add_option("--check", options->checked,
-                   "exit with 1 unless this model is what the robot gives")
+                   "exit with 1 if this model differs from the imported model")
       ->type_name("MODEL")
       ->excludes("-o");
   ImportOptions& model = options->model;
-  command->add_flag("--floating-base", model.floating_base, "the root link moves freely");
+  command->add_flag("--floating-base", model.floating_base, "let the root link move freely");
   add_sources(*command, "--joints", "A,B", model.joints,
-              "these move, in this order; others are held at 0 or the nearest limit");
+              "movable joints in this order; all other joints are held at 0 or the nearest limit");
   add_sources(*command, "--weld", "JOINT[=VALUE]", model.welds,
-              "hold a joint at 0, or at VALUE in rad or m; massless: all that move no mass");
-  command->add_flag("--exact-angles", model.exact_angles, "take no angle for a right one");
+              "hold a joint at 0, or at VALUE in rad or m; massless: all joints that move no mass");
+  command->add_flag("--exact-angles", model.exact_angles,
+                    "do not replace rounded angles such as 1.5708 by right angles");
   set_action(*command, action, options, &import_file);
 }
 

@@ -49,19 +49,20 @@ std::string version() {
 
 void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
   app.set_version_flag("-V,--version", version());
-  app.add_option("--color", raw.color, "auto, always or never (NO_COLOR is honoured)")
+  app.add_option("--color", raw.color,
+                 "auto, always or never (default: auto; NO_COLOR is honoured)")
       ->check(CLI::IsMember({"auto", "always", "never"}));
-  app.add_option("--format", raw.format, "of messages: text, json (of results too) or github")
+  app.add_option("--format", raw.format,
+                 "format of messages: text, json (also of results) or github")
       ->check(CLI::IsMember(words_in(diagnostic_formats(), &DiagnosticFormatRow::word)));
-  app.add_flag("-q,--quiet", line.global.quiet, "errors and warnings only");
-  app.add_flag("-v,--verbose", line.global.verbose, "show the equations on a screen");
-  app.add_option("--dump", line.global.dump_stage, "print what a stage made, on stdout")
+  app.add_flag("-q,--quiet", line.global.quiet, "print errors and warnings only");
+  app.add_flag("-v,--verbose", line.global.verbose, "print equations and further details");
+  app.add_option("--dump", line.global.dump_stage, "print the result of a stage on stdout")
       ->check(CLI::IsMember({"derive", "lower"}));
-  app.add_option("--stop-after", line.global.stop_after,
-                 "the last stage to run; nothing is written")
+  app.add_option("--stop-after", line.global.stop_after, "stop after this stage and write nothing")
       ->check(CLI::IsMember(std::vector<std::string>(goal_names.begin(), goal_names.end())));
-  app.add_flag("--timings", line.global.timings, "time of every stage");
-  app.add_flag("--limits", raw.list_limits, "list the limits and leave");
+  app.add_flag("--timings", line.global.timings, "print the time of every stage");
+  app.add_flag("--limits", raw.list_limits, "list the limits and exit");
   app.add_option("--limit", raw.limits, "raise or lower a limit")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
@@ -205,7 +206,8 @@ std::string short_help(const CLI::App& app) {
     text += fmt::format("  {:<10} {}\n", command->get_name(), command->get_description());
   }
   return text +
-         "\n`elgen COMMAND --help` has the options of a command, `elgen --help` those of all.\n";
+         "\n`elgen COMMAND --help` lists the options of a command, `elgen --help` the common "
+         "options.\n";
 }
 
 bool wants_color(const std::string& choice) {

@@ -13,7 +13,8 @@ ExitCode schema(const GlobalOptions& global, const std::string& name) {
 }  // namespace
 
 void add_schema(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("schema", "the JSON Schema of a file, for editors");
+  CLI::App* command =
+      app.add_subcommand("schema", "print the JSON Schema of models or scenes for editors");
   const auto name = std::make_shared<std::string>();
   command->add_option("name", *name, "model or scene")
       ->required()

@@ -17,7 +17,7 @@ void print_later(Action& action, std::string text) {
 }  // namespace
 
 void add_completions(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("completions", "print a script that completes commands");
+  CLI::App* command = app.add_subcommand("completions", "print a completion script for a shell");
   const auto shell = std::make_shared<std::string>();
   command->add_option("shell", *shell, "bash, zsh or fish")
       ->required()

@@ -280,14 +280,16 @@ void add_show(CLI::App& app, Action& action) {
       ->type_name("LIST");
   command
       ->add_option("--as", options->as,
-                   "unicode (on a terminal), text (elsewhere), latex, mathml, markdown or json")
+                   "unicode (default on a terminal), text (default otherwise), latex, mathml, "
+                   "markdown or json")
       ->check(CLI::IsMember({"unicode", "text", "latex", "mathml", "markdown", "json"}));
   command
-      ->add_option("--at", options->at,
-                   "for modes: theta=0,…, or an [[equilibrium]]; else all that are stable")
+      ->add_option(
+          "--at", options->at,
+          "for modes: an equilibrium, theta=0,… or its name (default: all stable equilibria)")
       ->type_name("PLACE");
   add_sources(*command, "--input", "NAME=VALUE", options->scene.laws,
-              "for equilibria and modes: inputs that are not 0");
+              "for equilibria and modes: value of an input (default: 0)");
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &show);
 }

@@ -47,8 +47,8 @@ std::function<void(double)> estimate_of_run(const GlobalOptions& global, const P
     if (whole < 10) return;
     const bool is_beyond = whole > static_cast<double>(global.limits.seconds);
     const std::string text =
-        fmt::format("{:.3g} of {:.3g} s after {:.1f} s, all will take about {:.2g} s{}", t - from,
-                    time, seconds, whole, is_beyond ? " (--limit seconds=N)" : "");
+        fmt::format("{:.3g} of {:.3g} s after {:.1f} s, the whole run will take about {:.2g} s{}",
+                    t - from, time, seconds, whole, is_beyond ? " (--limit seconds=N)" : "");
     progress.stage("simulate: " + text);
     if (!is_terminal(stderr)) tell(global, text);
   };
@@ -191,53 +191,54 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
 }
 
 void add_numbers(CLI::App& command, SimulationOptions& run) {
-  command.add_option("--time", run.time, "how long, in s")->required();
-  command.add_option("--from", run.from, "time at the start")->capture_default_str();
+  command.add_option("--time", run.time, "duration in s")->required();
+  command.add_option("--from", run.from, "time at the start in s")->capture_default_str();
   run.method.clear();  // pages and rows have different defaults
   command.add_option("--method", run.method,
-                     "dopri5 (unless given), rk4 (of pages), verlet or midpoint");
+                     "dopri5 (default), rk4 (default for .html), verlet or midpoint");
   command.add_option_function<std::uint32_t>(
       "--order", [&run](std::uint32_t given) { run.order = given; },
-      "of verlet and midpoint: 2 (unless given), 4 or 8");
-  add_number(command, "--step", run.step, "length of a step, at most");
+      "order of verlet and midpoint: 2 (default), 4 or 8");
+  add_number(command, "--step", run.step, "largest length of a step in s");
   add_number(command, "--tolerance", run.tolerance,
-             "error of a step that chooses its length (1e-9)");
-  add_number(command, "--every", run.every, "time between rows (a thousandth of --time)");
-  add_number(command, "--hold", run.hold, "inputs keep their values so long");
-  command.add_option("--show", run.show, "rates and multipliers that the plot shows, too")
+             "allowed error of dopri5 steps with variable length (default: 1e-9)");
+  add_number(command, "--every", run.every,
+             "time between rows in s (default: a thousandth of --time)");
+  add_number(command, "--hold", run.hold, "hold the inputs constant for this time in s");
+  command.add_option("--show", run.show, "also plot these rates and multipliers")
       ->type_name("NAME,…")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command.add_option("--path", run.path, "the plot is the path of this point, y over x")
+  command.add_option("--path", run.path, "plot the path of this point, y over x")
       ->type_name("POINT")
       ->excludes("--show");
   command
       .add_option_function<std::string>(
           "--project", [&run](const std::string& given) { run.project = given == "on"; },
-          "after each step, back onto the constraints (on)")
+          "project the state onto the constraints after each step (default: on)")
       ->check(CLI::IsMember({"on", "off"}));
   command
       .add_option_function<std::string>(
           "--through", [&run](const std::string&) { run.through_singular = true; },
-          "singular: go on where M or the constraints lose rank, by a fixed step")
+          "singular: continue with fixed steps if M or the constraints lose rank")
       ->check(CLI::IsMember({"singular"}));
 }
 
 }  // namespace
 
 void add_simulate(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("simulate", "run a model or scene in time");
+  CLI::App* command = app.add_subcommand("simulate", "integrate a model or scene over time");
   const auto options = std::make_shared<SimulateOptions>();
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
   add_numbers(*command, options->run);
   add_sources(*command, "--state", "NAME=VALUE,…", options->scene.starts,
-              "start: theta=1, dot(theta)=0, attitude=[1,0,0,0]");
+              "start state: theta=1, dot(theta)=0, attitude=[1,0,0,0]");
   add_sources(*command, "--set", "NAME=VALUE", options->scene.values, "value of a parameter");
   add_sources(*command, "--input", "NAME=LAW", options->scene.laws,
-              "what an input is: u=-3*theta - dot(theta)");
+              "value or law of an input: u=-3*theta - dot(theta)");
   add_output(*command, options->output,
-             "write the rows: .csv, .json or .svg; or a page that moves: .html");
+             "write the rows (.csv, .json), a plot (.svg) or an animated page (.html)");
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &simulate_input);
 }

@@ -160,21 +160,21 @@ void add_pins(CLI::App& command, DesignChoices& choices) {
 
 /// The options for the designs and the ranges of their states, or for the runs.
 void add_subject(CLI::App& command, TradeoffOptions& options) {
-  CLI::Option* const time =
-      add_number(command, "--trajectory", options.time,
-                 "runs of so many s by all steps that can be emitted, instead of an output");
-  command.add_option("--steps", options.lengths, "lengths of their steps in s: 1e-2,1e-3")
+  CLI::Option* const time = add_number(
+      command, "--trajectory", options.time,
+      "measure runs of this length in s with all emitted step methods, instead of an output");
+  command.add_option("--steps", options.lengths, "step lengths of these runs in s: 1e-2,1e-3")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->needs(time);
-  command.add_option("--of", options.of, "which output (inverse_dynamics)")
+  command.add_option("--of", options.of, "output to measure (default: inverse_dynamics)")
       ->type_name("OUTPUT")
       ->excludes(time);
   command
       .add_option(
           "--dimensions", options.choices.more,
-          "tried beside the usual ones: inner, a wider scalar between doubles; order, of an "
+          "further dimensions: inner, a wider scalar between doubles; order, the order of an "
           "expansion about the start")
       ->type_name("LIST")
       ->delimiter(',')
@@ -182,7 +182,7 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
       ->excludes(time);
   add_pins(command, options.choices);
   add_sources(command, "--range", "NAME=LOW..HIGH", options.ranges,
-              "where errors are looked at: theta=-0.1..0.1");
+              "range in which errors are measured: theta=-0.1..0.1");
   command.get_option("--range")->excludes(time);
 }
 
@@ -194,7 +194,7 @@ void add_uses(CLI::App& command, TradeoffOutput& output) {
   command.add_option("--write-scene", output.scene_file, "write that design as a scene")
       ->type_name("FILE")
       ->needs(max_error);
-  command.add_option("--as", output.as, "of the table: text (unless given), json or csv")
+  command.add_option("--as", output.as, "format of the table: text (default), json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
   add_output(command, output.table, "write the table (.svg, .json or .csv)");
 }

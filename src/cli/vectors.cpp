@@ -58,17 +58,19 @@ ExitCode make_vectors(const GlobalOptions& global, const VectorsOptions& options
 }  // namespace
 
 void add_vectors(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("vectors", "states and values, to test other code by");
+  CLI::App* command =
+      app.add_subcommand("vectors", "write states and values for tests of other code");
   const auto options = std::make_shared<VectorsOptions>();
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
   add_sources(*command, "--outputs", "LIST", options->scene.outputs,
-              "of these outputs: mass_matrix,forward_dynamics (those of the scene)");
-  command->add_option("--samples", options->vectors.samples, "states of each output (16)")
+              "outputs: mass_matrix,forward_dynamics (default: all outputs of the scene)");
+  command->add_option("--samples", options->vectors.samples, "states per output (default: 16)")
       ->check(refused_number)
       ->check(CLI::PositiveNumber);
-  command->add_option("--seed", options->vectors.seed, "of the states (1)")->check(refused_number);
-  add_output(*command, options->output, "write .json, .csv or .h (JSON on stdout)");
+  command->add_option("--seed", options->vectors.seed, "seed of the random states (default: 1)")
+      ->check(refused_number);
+  add_output(*command, options->output, "write .json, .csv or .h (default: JSON on stdout)");
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &make_vectors);
 }

@@ -204,11 +204,13 @@ void add_states(CLI::App& command, VerifyOptions& verify) {
   constexpr unsigned most_jobs = 512;
   verify.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, most_jobs);
   command
-      .add_option("--samples", verify.samples, "states per output (256, fewer for long programs)")
+      .add_option("--samples", verify.samples,
+                  "states per output (default: 256, fewer for long programs)")
       ->check(refused_number)
       ->check(CLI::PositiveNumber);
-  command.add_option("--seed", verify.seed, "of the states (1)")->check(refused_number);
-  command.add_option("--jobs", verify.jobs, "processes that share the states (as many as cores)")
+  command.add_option("--seed", verify.seed, "seed of the random states (default: 1)")
+      ->check(refused_number);
+  command.add_option("--jobs", verify.jobs, "number of processes (default: number of cores)")
       ->check(CLI::Range(1U, most_jobs));
 }
 
@@ -218,7 +220,7 @@ void add_build(CLI::App& command, std::vector<Build>& builds) {
     builds = {std::ranges::find(build_words, word, &BuildWord::word)->build};
   };
   CLI::Option* const build = command.add_option_function<std::string>(
-      "--build", set, "compile C++ and C99 in this way only (all three)");
+      "--build", set, "compile C++ and C99 only in this way (default: all three ways)");
   build->check(CLI::IsMember(words_in(build_words, &BuildWord::word)))->type_name("BUILD");
   build->excludes(command.get_option("--quick"));
 }
@@ -238,18 +240,20 @@ void add_foreign(CLI::App& command, ForeignOptions& foreign) {
   };
   CLI::Option* const code = command.add_option(
       "--foreign", foreign.code,
-      "judge code that elgen did not write: a shared library, or a command that answers lines");
+      "check code of other origin: a shared library, or a command that answers line by line");
   code->type_name("CODE");
   CLI::Option* const function = command.add_option_function<std::vector<std::string>>(
       "--function", add_claims,
-      "the output, or a field of it, that a function should be, and its name there");
+      "output or field that the function NAME of the other code computes");
   function->type_name("OUTPUT[.FIELD][=NAME]")->allow_extra_args(false)->needs(code);
   code->needs(function);
   const auto refused_nan = [](const std::string& word) {
     const bool is_nan = CLI::detail::to_lower(word).find("nan") != std::string::npos;
     return is_nan ? in_backticks(word) + " is no number" : "";
   };
-  command.add_option("--tolerance", foreign.tolerance, "of the largest entry (1e-9)")
+  command
+      .add_option("--tolerance", foreign.tolerance,
+                  "allowed error, relative to the largest entry (default: 1e-9)")
       ->check(CLI::PositiveNumber)
       ->check(refused_nan)
       ->needs(code);
@@ -267,14 +271,14 @@ void add_verify(CLI::App& app, Action& action) {
       ->required();
   add_states(*command, options->verify);
   command->add_flag("--extremes", options->verify.extremes,
-                    "count the digits that are lost beyond the declared ranges, too");
+                    "also measure lost digits outside the declared ranges");
   command->add_flag("--quick", options->verify.quick,
-                    "few states, projections instead of all entries, no compiler");
+                    "few states, random projections instead of all entries, no compiler");
   add_build(*command, options->builds);
   add_language(*command, options->language);
   add_foreign(*command, options->foreign);
-  command->add_flag("--strict", options->strict, "exit with 1 where a check is skipped");
-  add_output(*command, options->output, "write the certificates here too");
+  command->add_flag("--strict", options->strict, "exit with 1 if a check is skipped");
+  add_output(*command, options->output, "also write the certificates to FILE");
   set_action(*command, action, options, &run_verify);
 }
 

@@ -167,7 +167,7 @@ TEST_CASE("a line reports the comparison, and that [[expect]] was not checked") 
   const Outcome outcome = run("elgen generate -o out " + models + "/simple_pendulum.toml");
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.errors, "simple_pendulum: compared with 60-digit arithmetic at "));
-  CHECK(mentions(outcome.errors, " lost; [[expect]] is left to `elgen verify`\n"));
+  CHECK(mentions(outcome.errors, " lost; `elgen verify` checks [[expect]]\n"));
 }
 
 TEST_CASE("paths in files are relative to the output root, in whatever form it is given") {

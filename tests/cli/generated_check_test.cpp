@@ -130,7 +130,7 @@ TEST_CASE("the folder of a renamed scene is found") {
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.output,
                  "orphaned     generated/cart_pole_balance/cart_pole_balance.hpp: "
-                 "scenes/balance.scene.toml has another name now\n"));
+                 "scenes/balance.scene.toml is now generated under another name\n"));
   CHECK(mentions(outcome.errors,
                  "to repair: delete generated/cart_pole_balance/cart_pole_balance.hpp\n"));
   CHECK_FALSE(mentions(outcome.errors, "elgen generate"));
@@ -148,7 +148,7 @@ TEST_CASE("the folder of a moved or removed source is found") {
       "rm scenes/*; cp cart_pole.toml scenes/cart.toml && sed -i "
       "'s/\"cart_pole\"/\"cart\"/' scenes/cart.toml && elgen "
       "generate -q scenes/cart.toml");
-  CHECK(mentions(gone.output, "cart_pole_balance.md: there is no scenes/balance.scene.toml\n"));
+  CHECK(mentions(gone.output, "cart_pole_balance.md: scenes/balance.scene.toml does not exist\n"));
 }
 
 TEST_CASE("folders of other existing sources are not reported") {
@@ -161,7 +161,7 @@ TEST_CASE("a file in a generated folder is an orphan if it has our marker") {
   const Outcome outcome = project.check(
       "cp generated/cart_pole/cart_pole.hpp generated/cart_pole/old.hpp && touch "
       "generated/cart_pole/notes.hpp");
-  CHECK(outcome.output == "orphaned     generated/cart_pole/old.hpp: nothing generates it\n");
+  CHECK(outcome.output == "orphaned     generated/cart_pole/old.hpp: no input generates it\n");
   CHECK(outcome.errors ==
         "elgen: error[E715]: 1 generated file is not current\n"
         "to repair: delete generated/cart_pole/old.hpp\n");

@@ -130,11 +130,11 @@ TEST_CASE("notes of one kind are counted and printed once") {
                  "elgen: note[E815]: `<gazebo>` in `<robot>` is not imported, 2 times, from "
                  "line 2 on\n"));
   CHECK(mentions(text,
-                 "elgen: note[E816]: `b` moves without a mass, and so for 1 other, from line "
+                 "elgen: note[E816]: `b` moves without a mass, and 1 other like it, from line "
                  "4 on\n"));
   CHECK(mentions(text, "r.urdf:7:2: note[E815]: `<sensor>` in `<robot>` is not imported\n"));
   CHECK(mentions(text, "r.urdf:1:29: warning[E817]"));
-  CHECK(mentions(text, "-v lists every note with its place\n"));
+  CHECK(mentions(text, "-v prints every note with its place\n"));
 }
 
 TEST_CASE(

@@ -178,7 +178,7 @@ TEST_CASE("a long run reports its expected duration before its limit ends it") {
       run("elgen simulate --time 1e9 --method rk4 --step 0.1 --limit seconds=4 " + models +
           "/cart_pole.toml");
   CHECK(outcome.status == 3);
-  CHECK(mentions(outcome.errors, "all will take about"));
+  CHECK(mentions(outcome.errors, "the whole run will take about"));
   CHECK(mentions(outcome.errors, "[E909]"));
 }
 

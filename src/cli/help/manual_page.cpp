@@ -17,13 +17,14 @@ struct ExitRow {
 };
 
 constexpr std::array exit_rows{
-    ExitRow{ExitCode::success, "done, nothing differs, all checks hold"},
-    ExitRow{ExitCode::differs, "files or equations differ, or a check does not hold"},
-    ExitRow{ExitCode::invalid, "a mistake in the command line or in an input"},
+    ExitRow{ExitCode::success, "success: nothing differs, all checks hold"},
+    ExitRow{ExitCode::differs, "files or equations differ, or a check fails"},
+    ExitRow{ExitCode::invalid, "error in the command line or in an input"},
     ExitRow{ExitCode::limit, "a limit was reached, or the self-check failed"},
-    ExitRow{ExitCode::inaccessible, "something could not be read, written or run"},
-    ExitRow{ExitCode::internal, "a mistake in elgen"},
-    ExitRow{ExitCode::interrupted, "interrupted; nothing is half-written"}};
+    ExitRow{ExitCode::inaccessible,
+            "a file could not be read or written, or a program could not run"},
+    ExitRow{ExitCode::internal, "internal error of elgen"},
+    ExitRow{ExitCode::interrupted, "interrupted; no file is incomplete"}};
 
 /// Escapes the requests and escapes of troff; hyphens become minus signs, so that they can be
 /// copied.
