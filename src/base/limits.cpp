@@ -12,12 +12,12 @@ const std::vector<LimitRow>& limit_table() {
       {"integer_power", &Limits::integer_power, "", "largest N of a power like x^N"},
       {"coordinates", &Limits::coordinates, "", "coordinates after repetition"},
       {"definitions", &Limits::definitions, "", "definitions, points, bodies after repetition"},
-      {"derived_nodes", &Limits::derived_nodes, "nodes", "size of what is derived"},
+      {"derived_nodes", &Limits::derived_nodes, "nodes", "size of the derived expressions"},
       {"seconds", &Limits::seconds, "s", "processor time for one input"},
-      {"boxes", &Limits::boxes, "boxes", "boxes that are searched for equilibria"},
-      {"enclosures", &Limits::enclosures, "", "operations of intervals there, 7e6 a second"},
+      {"boxes", &Limits::boxes, "boxes", "boxes in the search for equilibria"},
+      {"enclosures", &Limits::enclosures, "", "interval operations in this search, 7e6 per second"},
       {"memory_mib", &Limits::memory_mib, "MiB", "memory"},
-      {"page_bytes", &Limits::page_bytes, "bytes", "size of a page that moves"},
+      {"page_bytes", &Limits::page_bytes, "bytes", "size of an animated page"},
   };
   return table;
 }
