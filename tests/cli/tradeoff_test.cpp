@@ -253,7 +253,7 @@ TEST_CASE("runs with requested steps, projected if the model has constraints") {
     // constraints.
     CHECK(design["error"]["worst"].get<double>() < 2e-7);
   }
-  CHECK(mentions(bar["sentences"].dump(), "`projected` is called behind every step"));
+  CHECK(mentions(bar["sentences"].dump(), "the cost includes a call of `projected`"));
   CHECK(mentions(workspace.read("bar.scene.toml"), "projected = true"));
   CHECK(workspace.run("elgen generate -q bar.scene.toml").status == 0);
   const auto free = measured("--trajectory 1 --steps 0.5 " + models + "/simple_pendulum.toml");

@@ -45,13 +45,13 @@ std::string start_line(const std::vector<StartMove>& moves) {
   }
   return parts.empty()
              ? ""
-             : fmt::format("  start moved onto the constraints: {}\n", fmt::join(parts, ", "));
+             : fmt::format("  start projected onto the constraints: {}\n", fmt::join(parts, ", "));
 }
 
 std::string constraints_line(const KeptConstraints& kept) {
   const std::string rate = fmt::format("{:.3e}{}", kept.largest.rate, unit_after(kept.rate_unit));
-  if (!kept.unit) return fmt::format("  rates of the constraints: off by at most {}\n", rate);
-  return fmt::format("  constraints: off by at most {:.3e}{}, their rates by {}\n",
+  if (!kept.unit) return fmt::format("  rates of the constraints: residual at most {}\n", rate);
+  return fmt::format("  constraints: residual at most {:.3e}{}, of their rates {}\n",
                      kept.largest.position, unit_after(*kept.unit), rate);
 }
 

@@ -119,7 +119,8 @@ TradeoffTable table_of(const Scene& scene, const Machine& machine) {
           .error = "errors relative to the largest value of a field",
           .sentences = {fmt::format(
               "the worst error is {} times the worst of {} samples of {} "
-              "states and a search from each; its noise: how far the three differ",
+              "states, each with a search from its worst states; its noise is the spread of the "
+              "samples",
               search_margin, sample_count, states_of_sample)},
           .machine = machine};
 }

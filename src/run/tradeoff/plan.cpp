@@ -30,15 +30,15 @@ struct DimensionRow {
 };
 
 constexpr std::array dimension_rows{
-    DimensionRow{"scalar", "numeric", "scalar", false, "try this scalar alone"},
-    DimensionRow{"batch", "emit", "batch", false, "try one state per call, or packs, alone"},
+    DimensionRow{"scalar", "numeric", "scalar", false, "try only this scalar"},
+    DimensionRow{"batch", "emit", "batch", false, "try only one state per call, or only packs"},
     DimensionRow{"trigonometry", "numeric", "trigonometry", false,
-                 "try sines of this accuracy, or the library's, alone"},
+                 "try only sines of this accuracy, or only the library's"},
     DimensionRow{"parameters", "parameters", "fixed", false,
-                 "try parameters as arguments, or fixed, alone"},
+                 "try parameters only as arguments, or only fixed"},
     DimensionRow{"inner", "numeric", "inner", true,
-                 "try this scalar between arguments and results in double alone"},
-    DimensionRow{"order", "approximate", "order", true, "try this order of an expansion alone"}};
+                 "try only this scalar between arguments and results in double"},
+    DimensionRow{"order", "approximate", "order", true, "try only this order of an expansion"}};
 
 /// A value of a dimension. `is_left`: the value is compatible with a scene that has the key.
 struct ValueRow {

@@ -96,9 +96,10 @@ class PromiseRows {
     CertificateRow row;
     row.check = "max_error";
     row.output = row.subject = function.name;
-    row.formula = "|x - x*| / the largest |x*| of the field";
-    row.tolerance = fmt::format("{} of the scene; the states, and a search from the ten worst",
-                                *exact_.scene.numerics.max_error);
+    row.formula = "|x - x*| / max |x*| of the field";
+    row.tolerance =
+        fmt::format("{} from the scene; at the sampled states and in a search from the ten worst",
+                    *exact_.scene.numerics.max_error);
     return row;
   }
 

@@ -34,13 +34,13 @@ struct StepCode {
 /// `bar`: the distance of the two reference runs.
 std::vector<std::string> sentences(const std::map<StepSpec, StepCode>& codes, double bar) {
   std::vector<std::string> all{fmt::format(
-      "reference: Fehlberg's method of order 8 to 1e-15 in long double and to 1e-12 in double, "
-      "which differ by {:.1e}",
+      "reference: Fehlberg's method of order 8 with tolerance 1e-15 in long double; a run with "
+      "1e-12 in double differs by {:.1e}",
       bar)};
   for (const auto& [step, code] : codes) {
     if (code.loops.one == nullptr) continue;
-    all.push_back(fmt::format("a step by {} takes {:.4g} ns, in packs {:.4g}", name_of_step(step),
-                              code.one.median, code.in_packs.median));
+    all.push_back(fmt::format("one step by {} takes {:.4g} ns, in packs {:.4g} ns",
+                              name_of_step(step), code.one.median, code.in_packs.median));
   }
   return all;
 }
@@ -78,9 +78,9 @@ class RunBench {
     exact_.checked = *assembled;
     if (Diagnostics wrong = refer(); !wrong.empty()) return wrong;
     table_ = {.model = exact_.checked->scene.base_name,
-              .subject = fmt::format("{:g} s in time", time_),
+              .subject = fmt::format("run of {:g} s", time_),
               .cost = "ns per run",
-              .error = "errors at the end relative to the largest value on the way",
+              .error = "errors at the end relative to the largest value of the run",
               .dimensions = {"method", "order", "step", "batch"},
               .machine = *machine};
     const std::vector<PlannedRun> plan = planned_runs(time_, request_.lengths);
@@ -93,7 +93,7 @@ class RunBench {
     time_all();
     table_.sentences = sentences(codes_, bar_);
     if (!exact_.checked->model.constraints.empty()) {
-      table_.sentences.emplace_back("`projected` is called behind every step, and counts");
+      table_.sentences.emplace_back("the cost includes a call of `projected` after every step");
     }
     table_.sentences.insert(table_.sentences.end(), refusals_.begin(), refusals_.end());
     return {{std::move(table_)}, exact_.diagnostics};
@@ -140,8 +140,8 @@ class RunBench {
         *std::ranges::find(products.program->functions, OutputKind::step, &Function::kind);
     const std::size_t length = function.instructions.size();
     if (length > longest_compiled || !is_returned(function)) {
-      return refused(fmt::format("{} is {} instructions long, and is not compiled",
-                                 name_of_step(step), length));
+      return refused(
+          fmt::format("{} has {} instructions and is not compiled", name_of_step(step), length));
     }
     process_.on_stage(fmt::format("compile {}", name_of_step(step)));
     Result<StepLoops> loops = compiled(products, process_.limits);

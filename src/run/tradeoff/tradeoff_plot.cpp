@@ -160,10 +160,10 @@ class TradeoffPlot {
                                 fmt::format("{}", fmt::join(table_.dimensions, ", ")));
     std::size_t line = 1;
     for (; line <= rows_.size(); ++line) svg += legend_line(line);
-    std::vector<std::string> notes{"black: the front; better than all cheaper, beyond noise",
-                                   "line: the error on the front at each cost"};
+    std::vector<std::string> notes{"black: the front, beyond noise better than all cheaper",
+                                   "line: error of the front at each cost"};
     if (std::ranges::any_of(table_.rows, &TradeoffRow::is_below_reference)) {
-      notes.emplace_back("grey: not to be told from the reference");
+      notes.emplace_back("grey: error below the error of the reference");
     }
     for (const std::string& note : notes) {
       svg += svg_label(legend_left + 14, legend_y(++line), "start", note);

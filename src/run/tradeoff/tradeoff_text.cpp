@@ -101,8 +101,8 @@ std::string to_text(const TradeoffTable& table) {
   }
   text += fmt::format("{}\n", fmt::join(lines, "\n"));
   text += fmt::format(
-      "\ndesigns of a rank cost the same: {0} times its cheapest at most, or their quartiles "
-      "overlap\na star is more accurate than all stars above it, by {0} times and the noise of "
+      "\ndesigns of one rank cost the same: at most {0} times the cheapest, or with overlapping "
+      "quartiles\n*: more accurate than every * above, by a factor of {0} and beyond the noise of "
       "both\n",
       alike_within);
   for (const std::string& sentence : table.sentences) text += sentence + '\n';

@@ -193,11 +193,11 @@ std::string to_header(const ValueTable& table) {
   const std::string unmet =
       table.unmet.value_or(0) == 0
           ? ""
-          : fmt::format("\n   {} left out: no step of Newton puts them on the constraints.",
+          : fmt::format("\n   {} omitted: not projected onto the constraints.",
                         counted(*table.unmet, "state"));
   std::string text = fmt::format(
-      "/* Test vectors of {0}: arguments of its functions, and values, row-major, field after\n"
-      "   field. A double keeps so many digits of each.{2} */\n"
+      "/* Test vectors of {0}: arguments of its functions and their values, row-major, one field\n"
+      "   after the other. digits: the significant digits of a value that a double keeps.{2} */\n"
       "#ifndef {1}_VECTORS_H\n#define {1}_VECTORS_H\n",
       table.name, capitals(table.name), unmet);
   for (std::size_t i = 0; i < table.functions.size(); ++i) {

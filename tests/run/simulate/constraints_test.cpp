@@ -125,10 +125,10 @@ TEST_CASE("a start off the constraints is moved onto them, and the report says b
   CHECK(start[2].name == "dot(x)");
   CHECK(start[2].by == Approx(-0.08));
   CHECK(start[3].by == Approx(0.16));
-  CHECK(
-      mentions(to_text(run),
-               "\n  start moved onto the constraints: x by -1.862e-02, y by +3.724e-02, dot(x) by "
-               "-8.000e-02, dot(y) by +1.600e-01\n  constraints: off by at most "));
+  CHECK(mentions(
+      to_text(run),
+      "\n  start projected onto the constraints: x by -1.862e-02, y by +3.724e-02, dot(x) by "
+      "-8.000e-02, dot(y) by +1.600e-01\n  constraints: residual at most "));
   CHECK(run.constraints->largest.position <= 1e-12);
 }
 
@@ -317,7 +317,7 @@ equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
   CHECK_FALSE(run.constraints->unit);
   CHECK(run.constraints->rate_unit == "m/s");
   CHECK(run.constraints->largest.rate <= 1e-12);
-  CHECK(mentions(to_text(run), "\n  rates of the constraints: off by at most "));
+  CHECK(mentions(to_text(run), "\n  rates of the constraints: residual at most "));
   REQUIRE(run.momenta.size() == 1);
   CHECK(run.momenta.front().name == "head");
 }

@@ -67,9 +67,10 @@ TEST_CASE("constraints are told of with the unit that they have in common") {
   Trajectory trajectory = two_columns();
   trajectory.last = {1, 0.5};
   trajectory.constraints = KeptConstraints{{1e-15, 2e-14}, "m^2", "m^2/s", {{"x", "m", -1e-3}}};
-  CHECK(mentions(to_text(trajectory),
-                 "\n  start moved onto the constraints: x by -1.000e-03 m\n"
-                 "  constraints: off by at most 1.000e-15 m^2, their rates by 2.000e-14 m^2/s\n"));
+  CHECK(
+      mentions(to_text(trajectory),
+               "\n  start projected onto the constraints: x by -1.000e-03 m\n"
+               "  constraints: residual at most 1.000e-15 m^2, of their rates 2.000e-14 m^2/s\n"));
   const auto kept = nlohmann::json::parse(to_json(trajectory))["constraints"];
   CHECK(kept["position"] == 1e-15);
   CHECK(kept["unit"] == "m^2");
@@ -78,7 +79,7 @@ TEST_CASE("constraints are told of with the unit that they have in common") {
   trajectory.constraints = KeptConstraints{{0, 2e-14}, {}, "", {}};
   CHECK(mentions(to_text(trajectory),
                  "= 3\n  p(phi) = 3 kg*m^2/s at the start, drift 1.500e-12 kg*m^2/s\n"
-                 "  rates of the constraints: off by at most 2.000e-14\n"));
+                 "  rates of the constraints: residual at most 2.000e-14\n"));
   CHECK_FALSE(nlohmann::json::parse(to_json(trajectory))["constraints"].contains("position"));
 }
 

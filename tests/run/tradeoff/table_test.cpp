@@ -187,8 +187,8 @@ TEST_CASE("rows are in columns, those of the front have a star, a failed one say
   3     float   one    39.5          37.52 to 41.48  39.5         1.0e-07      2.5e-08
         half    one    E709: "c++" exits 1
 
-designs of a rank cost the same: 1.1 times its cheapest at most, or their quartiles overlap
-a star is more accurate than all stars above it, by 1.1 times and the noise of both
+designs of one rank cost the same: at most 1.1 times the cheapest, or with overlapping quartiles
+*: more accurate than every * above, by a factor of 1.1 and beyond the noise of both
 one
 two
 measured on a processor, g++ 12
@@ -210,8 +210,8 @@ TEST_CASE(
   rank  method  ns per run  quartiles  worst error  median error
 * 1     rk4     40          38 to 42   1.0e-05      2.5e-06
 
-designs of a rank cost the same: 1.1 times its cheapest at most, or their quartiles overlap
-a star is more accurate than all stars above it, by 1.1 times and the noise of both
+designs of one rank cost the same: at most 1.1 times the cheapest, or with overlapping quartiles
+*: more accurate than every * above, by a factor of 1.1 and beyond the noise of both
 measured on a processor, g++ 12
 )";
   CHECK(to_text(table) == text);

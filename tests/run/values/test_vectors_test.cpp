@@ -78,8 +78,7 @@ equation = "x^2 + d^2 = l^2"
   REQUIRE(vectors.table);
   REQUIRE(vectors.table->unmet.value_or(0) > 0);
   CHECK(vectors.table->records.size() + *vectors.table->unmet == 7);
-  CHECK(mentions(to_header(*vectors.table),
-                 " left out: no step of Newton puts them on the constraints."));
+  CHECK(mentions(to_header(*vectors.table), " omitted: not projected onto the constraints."));
 }
 
 TEST_CASE("vectors are the same for a seed, and others for another") {
