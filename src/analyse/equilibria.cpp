@@ -10,6 +10,7 @@
 #include "analyse/newton_refinement.hpp"
 #include "analyse/searched_range.hpp"
 #include "analyse/stability.hpp"
+#include "base/reason.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/fold.hpp"
 #include "elgen/references.hpp"
@@ -346,7 +347,7 @@ Result<State> state_at(const CheckedModel& checked, const std::string& name) {
   if (found == model.equilibria.end()) {
     std::vector<std::string> names;
     for (const Equilibrium& known : model.equilibria) names.push_back(known.name);
-    return Diagnostic{Code::E201,
+    return Diagnostic{Reason::unknown_equilibrium,
                       {},
                       fmt::format("no [[equilibrium]] is called `{}`", name),
                       names.empty() ? "say where: `--at theta=0`"

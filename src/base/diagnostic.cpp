@@ -5,6 +5,8 @@
 #include <iterator>
 #include <tuple>
 
+#include "base/reason.hpp"
+
 namespace elgen {
 
 namespace {
@@ -47,6 +49,15 @@ const CodeRow* find_code(std::string_view name) {
   const auto& table = code_table();
   const auto row = std::ranges::find(table, name, &CodeRow::name);
   return row == table.end() ? nullptr : &*row;
+}
+
+std::vector<std::string_view> reasons_of(Code code) {
+  std::vector<std::string_view> texts;
+#define ELGEN_REASON(of, id, text) \
+  if (Code::of == code) texts.emplace_back(text);
+#include "base/error_reasons.def"
+#undef ELGEN_REASON
+  return texts;
 }
 
 const Diagnostic* find_error(const Diagnostics& diagnostics) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "cli/compared_versions.hpp"
 #include "elgen/wording.hpp"
@@ -58,8 +59,10 @@ Result<Renames> renames_of(const std::vector<std::string>& texts) {
     const std::size_t equals = text.find('=');
     const bool is_pair = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
     if (!is_pair) {
-      return Diagnostic{
-          Code::E913, {}, fmt::format("{} is no rename", in_backticks(text)), "write OLD=NEW"};
+      return Diagnostic{Reason::no_rename,
+                        {},
+                        fmt::format("{} is no rename", in_backticks(text)),
+                        "write OLD=NEW"};
     }
     renames.emplace(text.substr(0, equals), text.substr(equals + 1));
   }
@@ -76,8 +79,9 @@ Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options
   const bool are_compared = std::ranges::any_of(report.systems, has_changes);
   for (const std::string& name : options.only) {
     if (!are_compared || known.count(name) > 0) continue;
-    errors.push_back(
-        {Code::E913, {}, fmt::format("no version has an output {}", in_backticks(name))});
+    errors.push_back({Reason::unknown_changed_output,
+                      {},
+                      fmt::format("no version has an output {}", in_backticks(name))});
   }
   return errors;
 }
@@ -89,7 +93,7 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
   }
   const DiffFormat& format = output_format(global, options);
   if (options.revision.empty() && options.inputs.size() != 2) {
-    return report(global, {{Code::E913,
+    return report(global, {{Reason::compares_two,
                             {},
                             fmt::format("`diff` compares two, not {}", options.inputs.size()),
                             "write OLD NEW, or --against REV"}});

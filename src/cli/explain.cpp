@@ -8,6 +8,7 @@
 
 #include "base/diagnostic_words.hpp"
 #include "base/json.hpp"
+#include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "elgen/functions.hpp"
 #include "elgen/outputs.hpp"
@@ -58,7 +59,8 @@ Json json_of(const CodeRow& row) {
           {"severity", severity_word(row.severity)},
           {"exit_code", static_cast<int>(row.exit_code)},
           {"title", row.title},
-          {"explanation", row.explanation}};
+          {"explanation", row.explanation},
+          {"reasons", reasons_of(row.code)}};
 }
 
 Json json_of(const OutputRow& row) {
@@ -74,7 +76,13 @@ Json json_of(const FunctionRow& row) {
 Json json_of(const WordRow& row) { return {{"name", row.name}, {"doc", row.doc}}; }
 
 std::string text_of(const CodeRow& row) {
-  return fmt::format("{}: {}\n\n{}\n", row.name, row.title, row.explanation);
+  const std::vector<std::string_view> reasons = reasons_of(row.code);
+  std::string text = fmt::format("{}: {}\n\n{}\n", row.name, row.title, row.explanation);
+  if (!reasons.empty()) text += "\nReasons:\n";
+  for (const std::string_view reason : reasons) {
+    text += "- " + break_lines(reason, page_width - 2, "  ") + "\n";
+  }
+  return text;
 }
 
 std::string text_of(const OutputRow& row) {
@@ -185,7 +193,7 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
   if (const FunctionRow* row = find_function(name)) return print_row(global, *row);
   const auto word = std::ranges::find(word_table, name, &WordRow::name);
   if (word != word_table.end()) return print_row(global, *word);
-  return report(global, {{Code::E913,
+  return report(global, {{Reason::nothing_to_explain,
                           {},
                           fmt::format("`{}` is no error code, entry, output or function", name),
                           suggestion(name, known_names())}});

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/json.hpp"
+#include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/files/output_files.hpp"
@@ -344,7 +345,7 @@ std::string headers(const std::vector<Job>& jobs) {
 
 ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
   if (options.to_stdout && wants_json(global)) {
-    return report(global, {{Code::E913, {}, "a header is not printed as json"}});
+    return report(global, {{Reason::not_as_json, {}, "a header is not printed as json"}});
   }
   std::vector<Job> jobs;
   const ExitCode worst = run_jobs(global, options, jobs);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/json.hpp"
+#include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
 #include "elgen/diagnostic.hpp"
@@ -125,7 +126,8 @@ ExitCode check_file(const GlobalOptions& global, const ImportCommand& options,
 ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) {
   const bool is_check = !options.checked.empty();
   if (options.output.file.empty() && !is_check && wants_json(global)) {
-    return report(global, {{Code::E913, {}, "a model is not printed as json", "give `-o FILE`"}});
+    return report(global,
+                  {{Reason::not_as_json, {}, "a model is not printed as json", "give `-o FILE`"}});
   }
   const Result<SourcePointer> source = read_source(options.input, global.limits);
   if (!source) return report(global, source.diagnostics);

@@ -11,6 +11,7 @@
 
 #include "base/ascii.hpp"
 #include "base/json.hpp"
+#include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "cli/help/commit.hpp"
 #include "cli/process/resources.hpp"
@@ -82,7 +83,7 @@ Diagnostic pointing_at(const std::vector<std::string>& words, const std::string&
     text += words[i];
   }
   span.source = make_kept_source("command line", text).get();
-  return {Code::E913, span, std::move(message), std::move(hint)};
+  return {Reason::unknown_option, span, std::move(message), std::move(hint)};
 }
 
 std::vector<std::string> known_words(const CLI::App& app) {
@@ -148,7 +149,7 @@ Diagnostic rejected(const CLI::App& app, const std::vector<std::string>& words,
   }
   std::string message = error.what();
   if (!message.empty()) message[0] = in_lower_case(message[0]);
-  return {Code::E913, {}, message, see_help(app)};
+  return {Reason::unknown_option, {}, message, see_help(app)};
 }
 
 Result<Limits> read_limits(const std::vector<std::string>& settings) {
@@ -159,7 +160,7 @@ Result<Limits> read_limits(const std::vector<std::string>& settings) {
     const auto row = std::ranges::find(limit_table(), name, &LimitRow::name);
     if (row == limit_table().end()) {
       const std::vector<std::string> names = words_in(limit_table(), &LimitRow::name);
-      return Diagnostic{Code::E913,
+      return Diagnostic{Reason::unknown_limit,
                         {},
                         fmt::format("`{}` is no limit", name),
                         suggestion(name, names, "see `elgen --limits`")};
@@ -169,7 +170,7 @@ Result<Limits> read_limits(const std::vector<std::string>& settings) {
     const auto read = std::from_chars(value.data(), end, limits.*row->member);
     if (value.empty() || read.ec != std::errc() || read.ptr != end) {
       return Diagnostic{
-          Code::E913, {}, fmt::format("`{}` is no limit: write NAME=NUMBER", setting)};
+          Reason::unknown_limit, {}, fmt::format("`{}` is no limit: write NAME=NUMBER", setting)};
     }
   }
   const bool is_given = std::ranges::any_of(
@@ -230,7 +231,8 @@ Diagnostics for_people_alone(const GlobalOptions& global) {
   Diagnostics refused;
   const auto refuse = [&](bool is_asked_for, const char* option) {
     if (!is_asked_for) return;
-    refused.push_back({Code::E913, {}, fmt::format("`{}` is not printed as json", option)});
+    refused.push_back(
+        {Reason::not_as_json, {}, fmt::format("`{}` is not printed as json", option)});
   };
   refuse(global.timings, "--timings");
   refuse(global.verbose, "-v");
@@ -283,7 +285,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   }
   if (app.get_subcommands().empty()) {
     if (words.size() > 1) {
-      return Diagnostic{Code::E913, {}, "no command given", "see `elgen --help`"};
+      return Diagnostic{Reason::no_command, {}, "no command given", "see `elgen --help`"};
     }
     line.answer = short_help(app);
     return line;
@@ -318,7 +320,8 @@ ExitCode run_program(int count, char** words) {
   } catch (const std::bad_alloc&) {
     return report(global, {out_of_memory(global.limits)});
   } catch (const std::exception& mistake) {
-    return report(global, {{Code::E912, {}, fmt::format("internal error: {}", mistake.what())}});
+    return report(global,
+                  {{Reason::exception, {}, fmt::format("internal error: {}", mistake.what())}});
   }
 }
 

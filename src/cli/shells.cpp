@@ -1,4 +1,5 @@
 // elgen completions, elgen man: the command line, described for shells and for man.
+#include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "cli/help/command_list.hpp"
 
@@ -10,7 +11,8 @@ namespace {
 void print_later(Action& action, std::string text) {
   action = [text = std::move(text)](const GlobalOptions& global) {
     if (!wants_json(global)) return print(global, text);
-    return report(global, {{Code::E913, {}, "what shells and man read is not printed as json"}});
+    return report(global,
+                  {{Reason::not_as_json, {}, "what shells and man read is not printed as json"}});
   };
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/reason.hpp"
 #include "base/text_table.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
@@ -104,11 +105,12 @@ Result<const SubjectRow*> subject_of(const ShowOptions& options) {
       const bool is_printed =
           options.as == "json" ? row.json != nullptr : row.page != nullptr || is_plain;
       if (is_printed) return &row;
-      return Diagnostic{
-          Code::E913, {}, fmt::format("`{}` is not printed as {}", row.word, options.as)};
+      return Diagnostic{Reason::not_printed_as,
+                        {},
+                        fmt::format("`{}` is not printed as {}", row.word, options.as)};
     }
     if (("," + options.what + ",").find(fmt::format(",{},", row.word)) != std::string::npos) {
-      return Diagnostic{Code::E913,
+      return Diagnostic{Reason::shown_alone,
                         {},
                         fmt::format("`{}` stands alone", row.word),
                         "show it in a command of its own"};

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
@@ -150,7 +151,7 @@ ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options)
 Diagnostics refuse_curves(const SimulateOptions& options) {
   const bool has_curves = !options.run.show.empty() || !options.run.path.empty();
   if (!has_curves || options.output.file.ends_with(".svg")) return {};
-  return {{Code::E913, {}, "`--show` and `--path` are of plots: `-o FILE.svg`"}};
+  return {{Reason::option_of_plots, {}, "`--show` and `--path` are of plots: `-o FILE.svg`"}};
 }
 
 ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& given) {
@@ -160,7 +161,8 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   if (options.run.method.empty()) options.run.method = "dopri5";
   Diagnostics refused = refuse_run(options.run);
   if (options.run.every && options.output.file.empty() && !wants_json(global)) {
-    refused.push_back({Code::E913, {}, "`--every` is of rows: `-o FILE` or `--format json`"});
+    refused.push_back(
+        {Reason::option_of_runs, {}, "`--every` is of rows: `-o FILE` or `--format json`"});
   }
   if (!refused.empty()) return report(global, refused);
   Result<DataFormat<Trajectory>> format;

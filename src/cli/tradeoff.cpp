@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/data_formats.hpp"
 #include "cli/files/inputs.hpp"
@@ -121,7 +122,7 @@ Result<MeasuredTable> measured(const GlobalOptions& global, const TradeoffOption
 /// E913: a scene names the file of its model, and standard input has none.
 Diagnostics refuse_scene(const TradeoffOptions& options, const Inputs& inputs) {
   if (options.output.scene_file.empty() || inputs.model->path != stdin_name) return {};
-  return {{Code::E913, {}, "a scene cannot name a model on standard input"}};
+  return {{Reason::stdin_in_scene, {}, "a scene cannot name a model on standard input"}};
 }
 
 ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& options) {

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/oracle.hpp"
 #include "inspect/checks.hpp"
@@ -137,7 +138,7 @@ Diagnostics unbalanced(const Inspected& subject, const ClaimedRest& claim, const
 }
 
 Diagnostic no_expansion(const Model& model) {
-  return {Code::E614, model.approximation->span,
+  return {Reason::no_derivatives, model.approximation->span,
           fmt::format("energies and forces have no derivatives of order {} there",
                       model.approximation->order + 1)};
 }

@@ -3,6 +3,7 @@
 // the derived functions are compared with the whole model anyway.
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/scene/scene.hpp"
 #include "elgen/inspect.hpp"
 #include "elgen/wording.hpp"
@@ -65,11 +66,11 @@ Diagnostics not_cyclic(const Inspected& subject, const std::vector<Cyclic>& all)
   Diagnostics errors;
   for (const Cyclic& cyclic : all) {
     if (!changes_lagrangian(subject, cyclic)) continue;
-    errors.push_back({Code::E635, cyclic.span,
+    errors.push_back({Reason::not_cyclic, cyclic.span,
                       quoted_name(subject.model, cyclic) + " is not cyclic: L changes with it"});
   }
   if (errors.empty() && are_dependent(subject, all)) {
-    errors.push_back({Code::E635, all.front().span,
+    errors.push_back({Reason::dependent_momenta, all.front().span,
                       "the momenta do not determine the rates of what `[routh]` takes out: their "
                       "part of the mass matrix is singular"});
   }
@@ -119,7 +120,7 @@ Diagnostics find_momenta(CheckedModel& checked) {
     if (known) continue;
     const std::optional<cl_R> momentum = momentum_of(exact, cyclic, start);
     if (!momentum) {
-      errors.push_back({Code::E635, cyclic.span,
+      errors.push_back({Reason::momentum_without_value, cyclic.span,
                         "the momentum of " + quoted_name(exact, cyclic) + " has no value" +
                             (cyclic.form ? "" : " at the start")});
       continue;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "base/reason.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/scene.hpp"
 
@@ -44,14 +45,14 @@ namespace elgen {
 
 /// A_d of `completed` is singular.
 [[nodiscard]] inline Diagnostic undetermined_rest(const OutputRequest& request) {
-  return {Code::E603, request.span,
+  return {Reason::independent_velocities, request.span,
           fmt::format("`{}` has no value: the independent velocities do not determine the others",
                       request.name)};
 }
 
 /// The pivot of J M^-1 J^T in this row is 0.
 [[nodiscard]] inline Diagnostic dependent_task(const OutputRequest& request, std::size_t row) {
-  return {Code::E603, request.span,
+  return {Reason::dependent_task, request.span,
           fmt::format("`{}` has no value: row {} of the Jacobian follows from those before it, "
                       "whatever the state is",
                       request.name, row + 1)};
@@ -59,7 +60,7 @@ namespace elgen {
 
 /// B^T G B is singular: the constraints leave fewer degrees of freedom than inputs.
 [[nodiscard]] inline Diagnostic redundant_inputs(const OutputRequest& request) {
-  return {Code::E603, request.span,
+  return {Reason::undetermined_inputs, request.span,
           fmt::format("`{}` has no value: under the constraints some input moves nothing, or "
                       "nothing that others do not move",
                       request.name)};
@@ -68,7 +69,7 @@ namespace elgen {
 /// A pivot of B^T G B is 0, in the row of this input.
 [[nodiscard]] inline Diagnostic redundant_input(const OutputRequest& request,
                                                 const std::string& input) {
-  return {Code::E603, request.span,
+  return {Reason::undetermined_inputs, request.span,
           fmt::format("`{}` has no value: the input `{}` moves nothing that the inputs before it "
                       "do not move, whatever the state is",
                       request.name, input)};

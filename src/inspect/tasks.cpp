@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/reason.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/null_space.hpp"
 #include "inspect/samples.hpp"
@@ -34,7 +35,7 @@ Diagnostics inspect_tasks(const Inspected& subject) {
     const std::size_t rank =
         rank_of_jacobian(subject, request_of(model, OutputKind::user_jacobian, output.user));
     if (rank == output.rows) continue;
-    errors.push_back({Code::E603, output.span,
+    errors.push_back({Reason::dependent_task, output.span,
                       fmt::format("`{}` has no value: its Jacobian has rank {} of {}", output.name,
                                   rank, output.rows),
                       "give an output whose entries move independently",

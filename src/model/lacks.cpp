@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/reason.hpp"
 #include "elgen/inertial_parameters.hpp"
 #include "elgen/references.hpp"
 #include "model/requests.hpp"
@@ -12,10 +13,8 @@ namespace {
 
 using MaybeLack = std::optional<Lack>;
 
-Lack lacking(std::string reason) { return {Code::E603, std::move(reason)}; }
-
-MaybeLack lack_if(bool lacks, const std::string& reason) {
-  return lacks ? std::optional(lacking(reason)) : std::nullopt;
+MaybeLack lack_if(bool lacks, Code code, std::string reason) {
+  return lacks ? std::optional(Lack{code, std::move(reason)}) : std::nullopt;
 }
 
 Lack constrained(Code code, std::string reason, const Model& model) {
@@ -23,7 +22,7 @@ Lack constrained(Code code, std::string reason, const Model& model) {
 }
 
 Lack taken_out(std::string reason, const Model& model) {
-  return {Code::E603, std::move(reason), model.variant.cyclic.front().span,
+  return {Reason::routhian, std::move(reason), model.variant.cyclic.front().span,
           "it takes a coordinate out here"};
 }
 
@@ -39,7 +38,7 @@ MaybeLack lack_of_quadratic(const Model& model, const OutputRow& row) {
 
 MaybeLack lack_of_energies(const Model& model) {
   if (model.energies.L) {
-    return Lack{Code::E603, "needs T and V apart, but the model gives L",
+    return Lack{Reason::whole_lagrangian, "needs T and V apart, but the model gives L",
                 model.expressions[*model.energies.L].span, "L is given here"};
   }
   if (!has_routhian(model)) return std::nullopt;
@@ -52,7 +51,7 @@ MaybeLack lack_of_affine_forces(const Model& model) {
                      model);
   }
   if (!model.approximation) return std::nullopt;
-  return Lack{Code::E603, "is exact, and `[approximate]` asks for an expansion",
+  return Lack{Reason::exact_output, "is exact, and `[approximate]` asks for an expansion",
               model.approximation->span, "it is expanded here"};
 }
 
@@ -65,11 +64,11 @@ MaybeLack lack_of_independent(const Model& model, const OutputRequest& request) 
   const std::size_t count = request.independent.size();
   if (count == freedoms(model)) return std::nullopt;
   if (count == 0) {
-    return lacking(
-        "needs independent velocities, which a scene names: `[outputs]` `completed = { "
-        "independent = [\"NAME\"] }`");
+    return Lack{Reason::independent_velocities,
+                "needs independent velocities, which a scene names: `[outputs]` `completed = { "
+                "independent = [\"NAME\"] }`"};
   }
-  return constrained(Code::E603,
+  return constrained(Reason::independent_velocities,
                      "needs as many independent velocities as the constraints leave free, " +
                          std::to_string(freedoms(model)) + ", and " + std::to_string(count) +
                          (count == 1 ? " is named" : " are named"),
@@ -87,13 +86,13 @@ MaybeLack lack_of_no_constraints(const Model& model, const OutputRow& row) {
 MaybeLack lack_of_motors(const Model& model) {
   const auto external = std::ranges::find(model.inputs, true, &Input::is_external);
   if (external == model.inputs.end()) return std::nullopt;
-  return Lack{Code::E603, "needs inputs that are motors, all of them", external->span,
+  return Lack{Reason::world_input, "needs inputs that are motors, all of them", external->span,
               "this is a force of the world"};
 }
 
 MaybeLack lack_of_few_inputs(const Model& model) {
   if (model.inputs.size() <= freedoms(model)) return std::nullopt;
-  return constrained(Code::E603,
+  return constrained(Reason::undetermined_inputs,
                      "needs inputs that the motion determines: the model has " +
                          counted(model.inputs.size(), "input") + " for " +
                          counted(freedoms(model), "freedom"),
@@ -106,7 +105,7 @@ MaybeLack lack_of_kept_coordinates(const Model& model, const OutputRequest& requ
   const std::vector<ExpressionId> roots = output_roots(whole, request.user);
   for (const Cyclic& cyclic : whole.variant.cyclic) {
     if (!is_reached(whole, roots, cyclic)) continue;
-    return Lack{Code::E603,
+    return Lack{Reason::routhian,
                 "contains " + in_backticks(whole.coordinates[cyclic.coordinate].name) +
                     ", which `[routh]` takes out",
                 cyclic.span, "it is taken out here"};
@@ -118,9 +117,10 @@ MaybeLack lack_of_few_velocities(const Model& model) {
   // Derivatives of a step are straight-line code: 12 MB for solo12 with its 18 velocities.
   constexpr std::size_t most = 10;
   const std::size_t count = model.velocities.size();
-  return lack_if(count > most, "is for at most " + std::to_string(most) +
-                                   " velocities, and the model has " + std::to_string(count) +
-                                   "; `linearization` at the states of a step is for any");
+  return lack_if(count > most, Reason::too_many_velocities,
+                 "is for at most " + std::to_string(most) + " velocities, and the model has " +
+                     std::to_string(count) +
+                     "; `linearization` at the states of a step is for any");
 }
 
 MaybeLack lack_of_closed_functions(const Model& model) {
@@ -150,7 +150,7 @@ const Expression* kink_in(const Model& model, const std::vector<ExpressionId>& r
 /// None if there is no kink.
 MaybeLack lack_of_slope(const std::string& noun, const Expression* kink) {
   if (kink == nullptr) return std::nullopt;
-  return Lack{Code::E603,
+  return Lack{Reason::kink,
               "needs " + noun +
                   " with derivatives; `abs`, `sign`, `min` and `max` have none, a smooth "
                   "stand-in is tanh(x/width)",
@@ -166,7 +166,7 @@ MaybeLack lack_of_smooth_values(const Model& model, const UserOutput& output) {
 /// The unmet need that the entry of the [[output]] causes; none if it meets the need.
 MaybeLack lack_of_entry(Need need, const UserOutput& output) {
   const auto lacks = [&](std::string reason) {
-    return Lack{Code::E603, std::move(reason), output.span, "declared here"};
+    return Lack{Reason::other_derivatives, std::move(reason), output.span, "declared here"};
   };
   const bool is_of_positions = output.takes == LeafSet();
   if (need == Need::jacobian && !output.jacobian) {
@@ -190,26 +190,30 @@ MaybeLack lack_of(Need need, const Model& model, const OutputRequest& request) {
     case Need::energies:
       return lack_of_energies(model);
     case Need::rotations:
-      return lack_if(model.rotations.empty(), "needs a rotation; without one dq/dt is v");
+      return lack_if(model.rotations.empty(), Reason::missing_entry,
+                     "needs a rotation; without one dq/dt is v");
     case Need::held:
-      return lack_if(held_velocities(model).empty(),
+      return lack_if(held_velocities(model).empty(), Reason::missing_entry,
                      "needs `reaction = true` in an entry of `[lock]`");
     case Need::cyclic:
-      return lack_if(model.variant.cyclic.empty(), "needs a coordinate in `[routh]`");
+      return lack_if(model.variant.cyclic.empty(), Reason::missing_entry,
+                     "needs a coordinate in `[routh]`");
     case Need::affine_forces:
       return lack_of_affine_forces(model);
     case Need::inertial:
-      return lack_if(inertial_places(model).empty(),
+      return lack_if(inertial_places(model).empty(), Reason::missing_entry,
                      "needs a body, a point with a mass, an armature, or parameters that "
                      "`[regressor]` of a scene names");
     case Need::constraints:
-      return lack_if(model.constraints.empty(), "needs a `[[constraint]]`, and the model has none");
+      return lack_if(model.constraints.empty(), Reason::missing_entry,
+                     "needs a `[[constraint]]`, and the model has none");
     case Need::independent:
       return lack_of_independent(model, request);
     case Need::no_constraints:
       return lack_of_no_constraints(model, output_row(request.kind));
     case Need::inputs:
-      return lack_if(model.inputs.empty(), "needs inputs, and the model has none");
+      return lack_if(model.inputs.empty(), Reason::missing_entry,
+                     "needs inputs, and the model has none");
     case Need::motors:
       return lack_of_motors(model);
     case Need::few_inputs:

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "elgen/wording.hpp"
 #include "parse/entry_reader.hpp"
 #include "parse/expression_parser.hpp"
@@ -166,7 +167,7 @@ void report_missing(const std::vector<TomlEntry>& entries, const TableContext& t
 void report_choice(const ValueSyntax& value, const std::string& observed, const KeyRow& row,
                    FileReading& reading) {
   reading.report(
-      Code::E104, value.span,
+      Reason::unknown_word, value.span,
       fmt::format("{} where `{}` is expected", observed, fmt::join(choice_words(row), "` or `")),
       std::string(hint_of_former_choice(row, value.text)));
 }

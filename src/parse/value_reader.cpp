@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/ascii.hpp"
+#include "base/reason.hpp"
 #include "base/utf8.hpp"
 #include "elgen/wording.hpp"
 #include "parse/decimal.hpp"
@@ -203,7 +204,7 @@ void report_wrong_type(const TomlValue& value, std::string_view expected, FileRe
                    "numbers are written `12`, `0.5` or `1e-3`");
     return;
   }
-  reading.report(Code::E104, value.span,
+  reading.report(Reason::wrong_value_type, value.span,
                  fmt::format("{} where {} is expected", described(value), expected));
 }
 

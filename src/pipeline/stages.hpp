@@ -13,6 +13,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "elgen/pipeline.hpp"
 
 namespace elgen {
@@ -66,7 +67,8 @@ class StageRunner {
       return Diagnostic{
           Code::E910, {}, fmt::format("numbers are too large in `{}`: {}", name, limit.what())};
     } catch (const std::exception& mistake) {
-      return Diagnostic{Code::E912, {}, "internal error in `" + name + "`: " + mistake.what()};
+      return Diagnostic{
+          Reason::exception, {}, "internal error in `" + name + "`: " + mistake.what()};
     }
   }
 

@@ -1,12 +1,47 @@
 // Diagnostics: the table of codes, order, positions and exit codes.
 #include "elgen/diagnostic.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
+#include <utility>
 
+#include "base/ascii.hpp"
+#include "base/reason.hpp"
 #include "elgen/source_text.hpp"
 
 using namespace elgen;
+
+namespace {
+
+constexpr std::pair<Code, std::string_view> reason_ids[]{
+#define ELGEN_REASON(code, id, text) {Code::code, #id},
+#include "base/error_reasons.def"
+#undef ELGEN_REASON
+};
+
+/// The identifiers that follow `prefix` in the sources of elgen.
+std::set<std::string> words_behind(const std::string& prefix) {
+  std::set<std::string> words;
+  const std::string folder = std::string(ELGEN_SOURCE_DIR) + "/src";
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+    std::ifstream file(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) {
+      at += prefix.size();
+      const auto first = text.begin() + static_cast<std::ptrdiff_t>(at);
+      words.emplace(first, std::find_if_not(first, text.end(), is_word_character));
+    }
+  }
+  return words;
+}
+
+}  // namespace
 
 TEST_CASE("codes are unique, ordered and explained") {
   std::string_view before;
@@ -21,6 +56,20 @@ TEST_CASE("codes are unique, ordered and explained") {
     before = row.name;
   }
   CHECK(find_code("E000") == nullptr);
+}
+
+// A code with reasons names one of them at each call site, so that `elgen explain` covers the site.
+TEST_CASE("every reason has a call site, and every call site of its code a reason") {
+  const std::set<std::string> reasons = words_behind("Reason::");
+  const std::set<std::string> codes = words_behind("Code::");
+  for (const auto& [code, id] : reason_ids) {
+    INFO(id);
+    CHECK(reasons.contains(std::string(id)));
+    CHECK_FALSE(codes.contains(std::string(code_row(code).name)));
+  }
+  for (const CodeRow& row : code_table()) {
+    for (const std::string_view text : reasons_of(row.code)) CHECK(text.back() == '.');
+  }
 }
 
 TEST_CASE("only errors count as errors, and the most severe one gives the exit code") {

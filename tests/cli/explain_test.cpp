@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/reason.hpp"
 #include "cli/cli_testing.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/outputs.hpp"
@@ -19,6 +20,17 @@ TEST_CASE("explain knows every code") {
   const Outcome unknown = run("elgen explain E999");
   CHECK(unknown.status == 2);
   CHECK(unknown.output.empty());
+}
+
+TEST_CASE("explain lists the reasons of a code") {
+  const std::string text = run("elgen explain E112").output;
+  const auto json = nlohmann::json::parse(run("elgen explain E112 --format json").output);
+  REQUIRE(json.at("reasons").size() == reasons_of(Code::E112).size());
+  CHECK(
+      mentions(text, "\n\nReasons:\n- A constraint has exactly one of `equation` and `coincide`,"));
+  CHECK(mentions(text, "\n- The lower bound of a range is below its upper bound"));
+  CHECK(json.at("reasons").at(0) == reasons_of(Code::E112).front());
+  CHECK_FALSE(mentions(run("elgen explain E101").output, "Reasons"));
 }
 
 TEST_CASE("explain knows every entry and its keys") {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/entries/entries.hpp"
 #include "check/expressions/node_builder.hpp"
 #include "check/expressions/places.hpp"
@@ -44,7 +45,8 @@ class ConstraintReader {
     constexpr std::array<std::string_view, 2> kinds{"equation", "coincide"};
     const auto [first, second] = first_two(entry_, kinds);
     if (first == nullptr || second != nullptr) {
-      context_.report.add(Code::E112, second == nullptr ? entry_.span : second->key_span,
+      context_.report.add(Reason::not_one_alternative,
+                          second == nullptr ? entry_.span : second->key_span,
                           "a constraint has one of `equation` and `coincide`");
     } else if (first->key == "equation") {
       read_equations(first->value);
@@ -68,7 +70,7 @@ class ConstraintReader {
   void refuse_negative(ExpressionId value, const KeySyntax& key) {
     const auto number = context_.constants[value];
     if (!number || !cln::minusp(*number)) return;
-    context_.report.add(Code::E112, key.value.span,
+    context_.report.add(Reason::negative_gain, key.value.span,
                         in_backticks(key.value.span) + " is negative: errors would grow");
   }
 
@@ -76,12 +78,12 @@ class ConstraintReader {
   /// model's dimension, since too few equations would be a second error.
   void read_points(const ValueSyntax& list) {
     if (list.items.size() != 2) {
-      context_.report.add(Code::E104, list.span,
+      context_.report.add(Reason::wrong_list_length, list.span,
                           counted(list.items.size(), "point") + ", but two coincide");
       return;
     }
     if (!blank_.is_position) {
-      context_.report.add(Code::E112, entry_.find("coincide")->key_span,
+      context_.report.add(Reason::velocity_of_coincidence, entry_.find("coincide")->key_span,
                           "points that coincide are a constraint on positions");
     }
     const auto p = values_.reference(list.items[0], SymbolKind::point);

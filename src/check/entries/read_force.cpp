@@ -1,6 +1,7 @@
 // Forces on velocities, at points and on frames; outputs that a model declares.
 #include <array>
 
+#include "base/reason.hpp"
 #include "check/entries/entries.hpp"
 #include "check/entries/in_frame.hpp"
 #include "check/expressions/places.hpp"
@@ -20,7 +21,7 @@ void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeyS
   const auto unit = force.on ? force_unit(context.model.velocities[*force.on]) : std::nullopt;
   force.value = values.roots(value.value, {force_place, unit});
   if (value.value.kind == ValueKind::list) {
-    context.report.add(Code::E104, value.value.span,
+    context.report.add(Reason::list_for_number, value.value.span,
                        "a list, but a generalized force is one number");
   }
 }
@@ -110,10 +111,12 @@ constexpr std::array<std::string_view, 3> force_places{"on", "at", "frame"};
 const KeySyntax* place_of(const EntrySyntax& entry, Report& report) {
   const auto [first, second] = first_two(entry, force_places);
   if (first == nullptr) {
-    report.add(Code::E112, entry.span, "none of `on`, `at` and `frame` says where the force acts");
+    report.add(Reason::not_one_alternative, entry.span,
+               "none of `on`, `at` and `frame` says where the force acts");
   }
   if (second == nullptr) return first;
-  report.add(Code::E112, second->key_span, "a force has one of `on`, `at` and `frame`");
+  report.add(Reason::not_one_alternative, second->key_span,
+             "a force has one of `on`, `at` and `frame`");
   return nullptr;
 }
 
@@ -124,7 +127,7 @@ void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput
   if (!output.frame) return;
   const std::optional<std::uint32_t> axes = axes_of(values, entry, "axes", std::nullopt);
   if (axes && axes != output.frame) {
-    context.report.add(Code::E112, entry.find("axes")->value.span,
+    context.report.add(Reason::foreign_axes, entry.find("axes")->value.span,
                        "axes are `world` or those of the frame itself");
     return;
   }
@@ -188,14 +191,15 @@ void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t ta
   const KeySyntax* value = entry.find("value");
   const KeySyntax* frame = entry.find("frame");
   if ((value == nullptr) == (frame == nullptr)) {
-    values.context().report.add(Code::E112, entry.span, "an output has one of `value` and `frame`");
+    values.context().report.add(Reason::not_one_alternative, entry.span,
+                                "an output has one of `value` and `frame`");
   } else if (value != nullptr) {
     output.values = values.roots(value->value, {place});
   } else {
     read_frame_output(values, entry, output);
     if (const KeySyntax* const motion = entry.find("motion"); output.motion) {
       values.context().report.add(
-          Code::E112, motion->key_span,
+          Reason::pose_without_motion, motion->key_span,
           "`motion` is of a `value`: the pose of a frame has no accelerations");
     }
   }

@@ -10,6 +10,7 @@
 //       rotation    the quaternion of a coordinate, whose length is 1
 #include <algorithm>
 
+#include "base/reason.hpp"
 #include "check/entries/entries.hpp"
 #include "check/entries/in_frame.hpp"
 #include "check/expressions/node_builder.hpp"
@@ -166,7 +167,7 @@ constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "q
 const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
   const auto [first, second] = first_two(entry, orientations);
   if (second == nullptr) return first;
-  report.add(Code::E112, second->key_span,
+  report.add(Reason::two_orientations, second->key_span,
              "a frame is turned by one of `rotate`, `rpy`, `dh`, `quaternion`, `rotation`");
   return nullptr;
 }
@@ -176,7 +177,7 @@ bool has_count(const ValueSyntax& value, std::size_t count, const std::string& n
                Report& report) {
   if (value.items.size() == count) return true;
   report.add(
-      Code::E104, value.span,
+      Reason::wrong_component_count, value.span,
       counted(value.items.size(), "component") + ", but " + noun + " has " + std::to_string(count));
   return false;
 }
@@ -193,7 +194,7 @@ std::optional<Vector3> unit_axis(ValueReader& values, const ValueSyntax& axis) {
   }
   const ExpressionId squared = nodes.dot(given, given);
   if (context.constants[squared] == 0) {
-    context.report.add(Code::E112, axis.span, "an axis of length 0 has no direction");
+    context.report.add(Reason::zero_direction, axis.span, "an axis of length 0 has no direction");
     return std::nullopt;
   }
   const ExpressionId scale = nodes.power(squared, cln::cl_RA(-1) / 2);
@@ -264,7 +265,7 @@ class FrameReader {
       } else if (axis.text == "x" || axis.text == "y" || axis.text == "z") {
         add_turn(static_cast<std::size_t>(axis.text.front() - 'x'), angle);
       } else {
-        report_.add(Code::E112, axis.span,
+        report_.add(Reason::unknown_axis, axis.span,
                     in_backticks(axis.text) + " is no axis: `x`, `y`, `z` or three constants");
       }
     }
@@ -310,7 +311,7 @@ class FrameReader {
     std::copy(components.begin(), components.end(), step.quaternion.begin());
     const auto is_zero = [&](ExpressionId id) { return context_.constants[id] == 0; };
     if (std::ranges::all_of(components, is_zero)) {
-      report_.add(Code::E112, value.span, "a quaternion of length 0 is no orientation");
+      report_.add(Reason::zero_direction, value.span, "a quaternion of length 0 is no orientation");
       return;
     }
     frame_.steps.push_back(step);

@@ -1,6 +1,7 @@
 // Points and bodies: masses, positions, spins and inertias.
 #include <algorithm>
 
+#include "base/reason.hpp"
 #include "check/entries/entries.hpp"
 #include "check/entries/in_frame.hpp"
 #include "check/expressions/places.hpp"
@@ -37,7 +38,7 @@ class BodyReader {
  private:
   void read_frame(const ValueSyntax& frame) {
     if (const KeySyntax* spin = entry_.find("spin")) {
-      report_.add(Code::E112, spin->key_span, "a body has `frame` or `spin`, not both");
+      report_.add(Reason::frame_and_spin, spin->key_span, "a body has `frame` or `spin`, not both");
     }
     frame_ = values_.frame_or_world(frame);
     // If no vector has set the dimension yet, a single moment of inertia means planar.
@@ -68,7 +69,7 @@ class BodyReader {
     const std::size_t count = body_.spin.size();
     const bool has_com = entry_.find("com") != nullptr;
     if (count != 1 && count != 3) {
-      report_.add(Code::E104, spin->value.span,
+      report_.add(Reason::wrong_component_count, spin->value.span,
                   counted(count, "component") + ", but a spin has 1 or 3");
     } else if (has_com && (count == 1) != (body_.dimension == 2)) {
       report_.add(Code::E516, spin->value.span,
@@ -97,7 +98,7 @@ class BodyReader {
 
   /// `spin` is an angular velocity; it defines no origin.
   void refuse_origin() {
-    report_.add(Code::E112, entry_.find("inertia_about")->key_span,
+    report_.add(Reason::inertia_without_origin, entry_.find("inertia_about")->key_span,
                 "without a `frame` the body has no origin for its inertia to be about",
                 "give the inertia about the centre of mass, or the body a frame; of a body that "
                 "turns about a fixed point, give no mass here and its weight in `[energy] V`");

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/reason.hpp"
 #include "check/entries/entries.hpp"
 #include "check/expressions/open_functions.hpp"
 #include "check/expressions/places.hpp"
@@ -26,7 +27,8 @@ std::optional<Unit> unit_of(const EntrySyntax& entry, Context& context) {
 /// E104 for a list, which only a rotation takes as its start.
 cln::cl_R start_constant(ValueReader& values, const ValueSyntax& value) {
   if (value.kind == ValueKind::list) {
-    values.context().report.add(Code::E104, value.span, "a list, but the coordinate is one number");
+    values.context().report.add(Reason::list_for_number, value.span,
+                                "a list, but the coordinate is one number");
     return 0;
   }
   return values.constant(value).value_or(0);
@@ -150,7 +152,7 @@ void read_arguments(ValueReader& values, const EntrySyntax& entry, std::uint32_t
   const std::size_t count = of->value.items.size();
   if (count == 0 || count > most_arguments) {
     context.report.add(
-        Code::E104, of->value.span,
+        Reason::wrong_list_length, of->value.span,
         counted(count, "argument") + ", but a function has 1 to " + std::to_string(most_arguments));
   }
   const Place place{"an argument of a function", place::of_state};

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/entries/entries.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
@@ -48,7 +49,7 @@ void report_unknown_variable(Context& context, const PointTable& table, const st
 constexpr PointTable coordinates_there{
     {"a value of `at`", place::parameters_only}, true, false, Code::E612};
 constexpr PointTable inputs_there{
-    {"a value of `inputs`", place::parameters_only}, false, true, Code::E201};
+    {"a value of `inputs`", place::parameters_only}, false, true, Reason::unknown_input};
 constexpr Place condition_place{"a condition", place::parameters_only};
 constexpr Place frequency_place{"a squared frequency", place::parameters_only};
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/reason.hpp"
 #include "check/expressions/values.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
@@ -29,8 +30,8 @@ void close_by_scene(Context& context, const FileSyntax& model, const FileSyntax&
     if (entry.name != "functions") continue;
     for (const KeySyntax& key : entry.keys) {
       if (std::ranges::find(names, key.key) == names.end()) {
-        context.report.add(Code::E201, key.key_span, "unknown function " + in_backticks(key.key),
-                           suggestion(key.key, names));
+        context.report.add(Reason::unknown_function_key, key.key_span,
+                           "unknown function " + in_backticks(key.key), suggestion(key.key, names));
       } else {
         context.closures[key.key] = {&key.value, true};
       }

@@ -2,6 +2,7 @@
 // `size`, the value is one number for all elements or a list.
 #include "check/expressions/parameters.hpp"
 
+#include "base/reason.hpp"
 #include "check/expressions/units.hpp"
 #include "check/expressions/values.hpp"
 
@@ -82,7 +83,7 @@ class ParameterReader {
     context_.bounds[element(0).array] = {minimum, maximum};
     if (!minimum || !maximum) return;
     if (*minimum > *maximum) {
-      context_.report.add(Code::E112, high->value.span,
+      context_.report.add(Reason::empty_range, high->value.span,
                           in_backticks(high->value.span) + " is below `min`");
     } else {
       array_.range = Interval{*minimum, *maximum};
@@ -97,7 +98,7 @@ class ParameterReader {
       return;
     }
     if (!array_.is_array || value.items.size() != array_.count) {
-      context_.report.add(Code::E104, value.span,
+      context_.report.add(Reason::wrong_list_length, value.span,
                           counted(value.items.size(), "value") + ", but " +
                               in_backticks(array_.name) + " has " +
                               (array_.is_array ? "size " + std::to_string(array_.count)
@@ -131,7 +132,7 @@ void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& val
   const bool needs_positive = row.assumption == Assumption::positive;
   const bool needs_nonnegative = row.assumption == Assumption::nonnegative;
   if ((needs_positive && value <= 0) || (needs_nonnegative && value < 0)) {
-    context.report.add(Code::E112, span,
+    context.report.add(Reason::contradicts_assumption, span,
                        in_backticks(span) + (needs_positive ? " is not positive" : " is negative") +
                            ", which `assume` of " + name + " rules out");
   }

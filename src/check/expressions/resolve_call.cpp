@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/expressions/resolver.hpp"
 #include "check/names/reserved_names.hpp"
 #include "elgen/functions.hpp"
@@ -199,7 +200,7 @@ std::optional<ExpressionId> Resolver::resolve_multiplier(const ExpressionSyntax&
     return push_leaf(Opcode::multiplier, static_cast<std::uint32_t>(found - all.begin()),
                      call.span);
   }
-  context_.report.add(Code::E201, span, "unknown constraint " + in_backticks(name),
+  context_.report.add(Reason::unknown_constraint, span, "unknown constraint " + in_backticks(name),
                       suggestion(name, words_in(all, &Constraint::name),
                                  all.empty() ? "no constraint is declared before it" : ""));
   return std::nullopt;

@@ -12,6 +12,7 @@
 #include <array>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/expressions/node_builder.hpp"
 #include "check/expressions/resolver.hpp"
 
@@ -63,14 +64,15 @@ std::optional<Resolver::ResolvedPlace> Resolver::resolve_place(const ExpressionS
 void Resolver::refuse_place(const ExpressionSyntax& name, const DeclaredName* symbol) {
   if (context_.symbols.has_failed(name.text) || context_.frames.has_failed(name.text)) return;
   if (name.kind == SyntaxKind::name && is_named(symbol, SymbolKind::body)) {
-    context_.report.add(Code::E201, name.span, in_backticks(name.span) + " is no place here",
+    context_.report.add(Reason::body_without_frame, name.span,
+                        in_backticks(name.span) + " is no place here",
                         "the com of a body in a frame is one, in forces, energies, constraints and "
                         "outputs; elsewhere name a point, or a frame for its origin");
     return;
   }
   std::vector<std::string> names = context_.symbols.names({SymbolKind::point, SymbolKind::body});
   for (std::string& each : context_.frames.names()) names.push_back(std::move(each));
-  context_.report.add(Code::E201, name.span, "unknown place " + in_backticks(name.span),
+  context_.report.add(Reason::unknown_place, name.span, "unknown place " + in_backticks(name.span),
                       context_.symbols.suggest(name.text, names));
 }
 
@@ -85,7 +87,8 @@ std::optional<Resolver::ResolvedFrame> Resolver::resolve_frame(const ExpressionS
     if (!index) return std::nullopt;
     const auto& local = context_.model.bodies[*index].local;
     if (local) return ResolvedFrame{local->com.frame, false};
-    context_.report.add(Code::E201, name.span, in_backticks(name.span) + " is in no frame here",
+    context_.report.add(Reason::body_without_frame, name.span,
+                        in_backticks(name.span) + " is in no frame here",
                         "the axes of a body are those of its `frame`");
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/expressions/resolver.hpp"
 #include "check/names/reserved_names.hpp"
 #include "elgen/functions.hpp"
@@ -160,7 +161,7 @@ const DeclaredName* Resolver::declared(const ExpressionSyntax& name, SymbolKind 
   if (symbol != nullptr && symbol->kind == kind && has_form) return symbol;
   std::vector<std::string> names = symbols.names({kind});
   if (is_frame) names.emplace_back(world);
-  context_.report.add(Code::E201, name.span,
+  context_.report.add(Reason::name_of_another_kind, name.span,
                       "unknown " + std::string(noun(kind)) + " " + in_backticks(shown),
                       symbols.suggest(name.text, names));
   return nullptr;
@@ -205,7 +206,7 @@ std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name)
     candidates.insert(candidates.end(), {"pi", "t"});
     hint = context_.symbols.suggest(name.text, candidates);
   }
-  context_.report.add(Code::E201, name.span, "unknown name " + in_backticks(name.text),
+  context_.report.add(Reason::unknown_name, name.span, "unknown name " + in_backticks(name.text),
                       std::move(hint));
   return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/reason.hpp"
 #include "check/expressions/units.hpp"
 #include "numbers/exact_number.hpp"
 
@@ -49,7 +50,7 @@ std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const Value
   if (value.kind != ValueKind::list || value.items.size() != count) {
     const std::string given =
         value.kind == ValueKind::list ? counted(value.items.size(), "component") : "one number";
-    values.context().report.add(Code::E104, value.span,
+    values.context().report.add(Reason::wrong_component_count, value.span,
                                 given + ", but a rotation has " + std::to_string(count) + " here");
     return std::nullopt;
   }
@@ -69,7 +70,7 @@ void read_start_value(ValueReader& values, const ValueSyntax& value, const Rotat
   cln::cl_R square = 0;
   for (const cln::cl_R& component : *quaternion) square = square + component * component;
   if (cln::zerop(square)) {
-    values.context().report.add(Code::E112, value.span,
+    values.context().report.add(Reason::zero_direction, value.span,
                                 "a quaternion of length 0 has no direction");
     return;
   }
@@ -111,7 +112,8 @@ bool is_rotation(const EntrySyntax& entry) {
 std::optional<std::uint32_t> declare_rotation(Context& context, const EntrySyntax& entry,
                                               const NewName& name) {
   if (const KeySyntax* repetition = entry.find("for"); repetition != nullptr || name.index) {
-    context.report.add(Code::E112, repetition == nullptr ? name.span : repetition->key_span,
+    context.report.add(Reason::repeated_name,
+                       repetition == nullptr ? name.span : repetition->key_span,
                        "a rotation is not repeated: its index counts its angular velocities");
     context.symbols.mark_failed(name.base);
     return std::nullopt;
@@ -129,7 +131,8 @@ void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
   check_unit(context, entry);
   for (const KeySyntax& key : entry.keys) {
     if (std::ranges::find(keys_of_numbers, key.key) != keys_of_numbers.end()) {
-      context.report.add(Code::E112, key.key_span, "a rotation has no " + in_backticks(key.key));
+      context.report.add(Reason::key_of_numbers, key.key_span,
+                         "a rotation has no " + in_backticks(key.key));
     }
   }
   const std::optional<Interval> rates = values.interval(entry, "rate_range");
@@ -147,7 +150,7 @@ void check_rotations(Context& context) {
       if (!step.rotation) continue;
       const Frame*& first = turned[*step.rotation];
       if (first != nullptr) {
-        context.report.add(Code::E112, frame.span,
+        context.report.add(Reason::rotation_of_two_frames, frame.span,
                            in_backticks(model.rotations[*step.rotation].name) +
                                " is already the rotation of the frame " +
                                in_backticks(first->name));

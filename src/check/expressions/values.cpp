@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/expressions/resolver.hpp"
 #include "numbers/exact_number.hpp"
 
@@ -117,7 +118,7 @@ std::optional<Interval> ValueReader::interval(const EntrySyntax& entry, std::str
   if (!low || !high) return std::nullopt;
   if (*low >= *high) {
     context_.report.add(
-        Code::E112, value.span,
+        Reason::empty_range, value.span,
         in_backticks(value.items[0].span) + " is not below " + in_backticks(value.items[1].span));
     return std::nullopt;
   }
@@ -153,7 +154,7 @@ std::optional<std::uint32_t> ValueReader::velocity(const ValueSyntax& value) {
 bool ValueReader::is_vector(const ValueSyntax& value) {
   const std::size_t count = value.items.size();
   if (count != 2 && count != 3) {
-    context_.report.add(Code::E104, value.span,
+    context_.report.add(Reason::wrong_component_count, value.span,
                         counted(count, "component") + ", but a vector has 2 or 3");
     return false;
   }
@@ -209,7 +210,8 @@ std::optional<JoinedPlace> ValueReader::joined_place(const ValueSyntax& value) {
   const DeclaredName* const frame = context_.frames.find(name.text);
   if (name.kind == SyntaxKind::name && (point != nullptr || frame != nullptr)) {
     const auto index =
-        Resolver(context_, scope_).element(name, point != nullptr ? *point : *frame, Code::E201);
+        Resolver(context_, scope_)
+            .element(name, point != nullptr ? *point : *frame, Reason::unknown_place);
     if (!index) return std::nullopt;
     return point != nullptr ? JoinedPlace{.point = index} : JoinedPlace{.frame = index};
   }
@@ -222,7 +224,7 @@ std::optional<JoinedPlace> ValueReader::joined_place(const ValueSyntax& value) {
   std::vector<std::string> names = context_.symbols.names({SymbolKind::point});
   for (std::string& each : context_.frames.names()) names.push_back(std::move(each));
   names.emplace_back(origin);
-  context_.report.add(Code::E201, name.span, "unknown place " + in_backticks(name.span),
+  context_.report.add(Reason::unknown_place, name.span, "unknown place " + in_backticks(name.span),
                       name.text == world ? "the origin of the world is `origin`"
                                          : context_.symbols.suggest(name.text, names));
   return std::nullopt;

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "base/reason.hpp"
+
 namespace elgen {
 namespace {
 
@@ -29,23 +31,26 @@ bool is_wrench_input(const EntrySyntax& entry) {
 
 std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntrySyntax& entry,
                                                   const NewName& name) {
-  const auto refuse = [&](const Span& span, const std::string& message) {
-    context.report.add(Code::E112, span, message);
+  const auto refuse = [&](Code reason, const Span& span, const std::string& message) {
+    context.report.add(reason, span, message);
     context.symbols.mark_failed(name.base);
     return std::nullopt;
   };
   if (const KeySyntax* repetition = entry.find("for"); repetition != nullptr || name.index) {
-    return refuse(repetition == nullptr ? name.span : repetition->key_span,
+    return refuse(Reason::repeated_name, repetition == nullptr ? name.span : repetition->key_span,
                   "a wrench is not repeated: its index counts its components");
   }
   if (const KeySyntax* second = first_two(entry, acting_keys)[1]) {
-    return refuse(second->key_span, "an input has one of `on`, `wrench` and `at`");
+    return refuse(Reason::not_one_alternative, second->key_span,
+                  "an input has one of `on`, `wrench` and `at`");
   }
   if (const KeySyntax* on = entry.find("on")) {
-    return refuse(on->key_span, "an input has one of `on`, `wrench` and `at`");
+    return refuse(Reason::not_one_alternative, on->key_span,
+                  "an input has one of `on`, `wrench` and `at`");
   }
   if (const KeySyntax* unit = entry.find("unit")) {
-    return refuse(unit->key_span, "components of a wrench are in N*m, those of a force in N");
+    return refuse(Reason::unit_of_wrench, unit->key_span,
+                  "components of a wrench are in N*m, those of a force in N");
   }
   const WrenchComponents count = wrench_components(context, entry);
   const auto first = static_cast<std::uint32_t>(context.model.inputs.size());

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/expressions/values.hpp"
 #include "check/judge/judge.hpp"
 #include "elgen/leaf_names.hpp"
@@ -37,7 +38,8 @@ std::vector<StatedLeaf> read_leaves(Context& context, const std::vector<KeySynta
   for (const KeySyntax& key : keys) {
     const auto found = std::ranges::find(known, key.key, &Named::first);
     if (found == known.end()) {
-      context.report.add(Code::E201, key.key_span, "unknown name " + in_backticks(key.key),
+      context.report.add(Reason::unknown_state_name, key.key_span,
+                         "unknown name " + in_backticks(key.key),
                          suggestion(key.key, words_in(known, &Named::first)));
       continue;
     }
@@ -65,12 +67,13 @@ std::optional<StatedState> read_stated_state(Context& context, const EntrySyntax
   const KeySyntax* const within = entry.find("within");
   if (at == nullptr) {
     if (within == nullptr) return std::nullopt;
-    context.report.add(Code::E112, within->key_span, "`within` without `at`",
+    context.report.add(Reason::within_without_state, within->key_span, "`within` without `at`",
                        "closed forms are exact; numbers are given `at` a state");
     return std::nullopt;
   }
   if (std::ranges::none_of(entry.keys, is_output)) {
-    context.report.add(Code::E112, at->key_span, "no output is given at this state",
+    context.report.add(Reason::state_without_output, at->key_span,
+                       "no output is given at this state",
                        "`conserved` and `equations` are about all states");
   }
   // The default tolerance 1e-12 fits tables of doubles.
@@ -78,7 +81,7 @@ std::optional<StatedState> read_stated_state(Context& context, const EntrySyntax
   if (within == nullptr) return state;
   state.within = ValueReader(context).constant(within->value).value_or(state.within);
   if (!cln::plusp(state.within)) {
-    context.report.add(Code::E112, within->value.span,
+    context.report.add(Reason::bad_tolerance, within->value.span,
                        in_backticks(within->value.span) + " is not positive");
   }
   return state;

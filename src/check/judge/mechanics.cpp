@@ -2,6 +2,7 @@
 // for every velocity.
 #include <algorithm>
 
+#include "base/reason.hpp"
 #include "check/judge/judge.hpp"
 #include "elgen/references.hpp"
 
@@ -131,7 +132,7 @@ class MechanicsCheck {
       const Expression& node = model_.expressions[id];
       if (!is_leaf(node, Opcode::input) || !model_.inputs[node.index].on) continue;
       const Input& input = model_.inputs[node.index];
-      context_.report.add({Code::E112, node.span,
+      context_.report.add({Reason::input_acts_twice, node.span,
                            in_backticks(input.name) + " acts on " +
                                in_backticks(model_.velocities[*input.on].name) +
                                " by its `on`, and a force names it too",

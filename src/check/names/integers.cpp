@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/reason.hpp"
+
 namespace elgen {
 namespace {
 
@@ -22,7 +24,7 @@ std::optional<std::int64_t> name_value(const ExpressionSyntax& name, const Scope
   const std::optional<std::int64_t> value = scope.find(name.text);
   if (!name.operands.empty()) return not_an_integer(name, report);
   if (!value) {
-    report.add(Code::E201, name.span, "unknown index " + in_backticks(name.text),
+    report.add(Reason::unknown_index, name.span, "unknown index " + in_backticks(name.text),
                suggestion(name.text, scope.names()));
   }
   return value;

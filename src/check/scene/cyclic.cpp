@@ -8,6 +8,7 @@
 // coordinate and its rate are 0.
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/scene/scene.hpp"
 #include "elgen/references.hpp"
 
@@ -87,13 +88,13 @@ void check_routh(Context& context, const Scene& scene) {
   if (model.variant.cyclic.empty()) return;
   if (!model.quadratic) {
     const Span& written = model.expressions[*model.energies.L].span;
-    context.report.add({Code::E635, model.variant.cyclic.front().span,
+    context.report.add({Reason::routh_not_quadratic, model.variant.cyclic.front().span,
                         "`[routh]` needs a Lagrangian at most quadratic in the rates", "", written,
                         "L is given here"});
   }
   for (const Lock& lock : model.variant.locks) {
     if (!lock.reaction) continue;
-    context.report.add(Code::E635, lock.span,
+    context.report.add(Reason::reaction_unknown, lock.span,
                        "the reaction on " + in_backticks(model.coordinates[lock.coordinate].name) +
                            " is not known where `[routh]` takes coordinates out",
                        "ask for it in a scene without `[routh]`");
@@ -101,8 +102,8 @@ void check_routh(Context& context, const Scene& scene) {
   for (const Cyclic& cyclic : model.variant.cyclic) {
     const std::string name = in_backticks(model.coordinates[cyclic.coordinate].name);
     for (const CyclicObstacle& obstacle : obstacles_of(model, scene, cyclic)) {
-      context.report.add({Code::E635, cyclic.span, name + " is not cyclic: " + obstacle.reason, "",
-                          obstacle.span, "here"});
+      context.report.add({Reason::not_cyclic, cyclic.span,
+                          name + " is not cyclic: " + obstacle.reason, "", obstacle.span, "here"});
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/reason.hpp"
 #include "check/expressions/values.hpp"
 #include "check/names/reserved_names.hpp"
 #include "check/scene/scene.hpp"
@@ -73,7 +74,7 @@ void read_files(const KeySyntax& key, Emission& emission, Report& report) {
   emission.equations = lists(key, "equations");
   emission.page = lists(key, "page");
   if (lists(key, "header")) return;
-  report.add(Code::E112, key.value.span, "`files` has no `header`, which is always written");
+  report.add(Reason::no_header, key.value.span, "`files` has no `header`, which is always written");
 }
 
 bool has_scalar(const Scene& scene, ScalarKind kind) {

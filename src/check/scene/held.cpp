@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/expressions/node_builder.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/places.hpp"
@@ -61,7 +62,7 @@ class HeldReader {
     for (const KeySyntax& key : entry.keys) read_cyclic(key);
     std::ranges::sort(cyclic, {}, &Cyclic::velocity);
     if (!cyclic.empty() && nothing_moves()) {
-      context_.report.add(Code::E635, entry.span,
+      context_.report.add(Reason::nothing_moves, entry.span,
                           "every coordinate is taken out, so nothing moves");
     }
     for (Cyclic& taken : cyclic) declare_momentum(taken);
@@ -136,14 +137,15 @@ class HeldReader {
   bool is_free(const Held& held, const KeySyntax& key) {
     const std::string name = in_backticks(key.key);
     if (held.is_rotation) {
-      context_.report.add(Code::E635, held.span,
+      context_.report.add(Reason::cyclic_is_rotation, held.span,
                           name + " is a rotation, which no number stands for");
       return false;
     }
     const std::vector<Lock>& locks = model_.variant.locks;
     const auto lock = std::ranges::find(locks, held.coordinate, &Lock::coordinate);
     if (lock == locks.end()) return true;
-    context_.report.add({Code::E635, held.span, name + " is locked", "", lock->span, "here"});
+    context_.report.add(
+        {Reason::cyclic_is_locked, held.span, name + " is locked", "", lock->span, "here"});
     return false;
   }
 
@@ -164,7 +166,7 @@ class HeldReader {
     const std::string name = "p_" + coordinate.identifier;
     cyclic.parameter = static_cast<std::uint32_t>(model_.parameters.size());
     if (const DeclaredName* const taken = context_.symbols.find(name)) {
-      context_.report.add({Code::E635, cyclic.span,
+      context_.report.add({Reason::momentum_name, cyclic.span,
                            in_backticks(name) + " is taken, which the momentum of " +
                                in_backticks(coordinate.name) + " is called",
                            "", taken->span, "declared here"});

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "base/reason.hpp"
 #include "check/entries/stated_point.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
@@ -19,8 +20,8 @@ namespace elgen {
 namespace {
 
 constexpr PointTable about_table{
-    {"a value of `about`", place::parameters_only}, true, true, Code::E614};
-constexpr PointTable small_table{{}, true, false, Code::E614};
+    {"a value of `about`", place::parameters_only}, true, true, Reason::not_a_coordinate};
+constexpr PointTable small_table{{}, true, false, Reason::not_a_coordinate};
 
 class ApproximationReader {
  public:
@@ -50,7 +51,7 @@ class ApproximationReader {
   void read_order(const ValueSyntax& value) {
     const cln::cl_RA& order = value.expression.value;
     if (order < 1 || order > highest_order) {
-      context_.report.add(Code::E614, value.span,
+      context_.report.add(Reason::bad_order, value.span,
                           "order " + in_backticks(value.span) + " is not one of 1 to " +
                               std::to_string(highest_order));
       return;
@@ -66,9 +67,10 @@ class ApproximationReader {
       const Variables found = read_point_value(values, about_table, key, result_);
       for (const std::uint32_t i : found.coordinates) {
         const std::string name = in_backticks(model_.coordinates[i].name);
-        if (is_locked(i)) context_.report.add(Code::E614, key.key_span, name + " is locked");
+        if (is_locked(i))
+          context_.report.add(Reason::locked_coordinate, key.key_span, name + " is locked");
         if (!is_taken_out(i)) continue;
-        context_.report.add(Code::E635, key.key_span,
+        context_.report.add(Reason::expanded_cyclic, key.key_span,
                             name + " is taken out by `[routh]`, so that nothing is expanded in it");
       }
     }
@@ -80,7 +82,7 @@ class ApproximationReader {
     const auto found = std::ranges::find(model_.equilibria, name.text, &Equilibrium::name);
     if (found == model_.equilibria.end()) {
       const DeclaredNames& known = context_.equilibria;
-      context_.report.add(Code::E614, name.span,
+      context_.report.add(Reason::no_such_equilibrium, name.span,
                           "the model has no equilibrium " + in_backticks(name.text),
                           known.suggest(name.text, known.names()));
       return;
@@ -104,8 +106,9 @@ class ApproximationReader {
   void check_small(const KeySyntax* small) {
     const auto& flags = result_.small;
     if (std::find(flags.begin(), flags.end(), true) != flags.end()) return;
-    context_.report.add(Code::E614, small == nullptr ? result_.span : small->key_span,
-                        "no coordinate is small", "`about` gives the coordinates that are");
+    context_.report.add(Reason::no_small_coordinate,
+                        small == nullptr ? result_.span : small->key_span, "no coordinate is small",
+                        "`about` gives the coordinates that are");
   }
 
   void read_small_coordinate(const ValueSyntax& item) {
@@ -113,7 +116,7 @@ class ApproximationReader {
     for (const std::uint32_t i : found.coordinates) {
       result_.small[i] = true;
       if (!result_.coordinates[i]) {
-        context_.report.add(Code::E614, item.span,
+        context_.report.add(Reason::no_small_coordinate, item.span,
                             in_backticks(model_.coordinates[i].name) + " is small, but about what?",
                             "give its value in `about`");
       }
@@ -139,7 +142,7 @@ class ApproximationReader {
   void check_reactions() {
     for (const Lock& lock : model_.variant.locks) {
       if (!lock.reaction) continue;
-      context_.report.add(Code::E614, lock.span,
+      context_.report.add(Reason::approximated_reaction, lock.span,
                           "the reaction on " + in_backticks(lock.span) + " is not expanded",
                           "ask for it in a scene without `[approximate]`");
     }
@@ -148,7 +151,7 @@ class ApproximationReader {
   void check_forces() {
     const Expression* kink = find_kink(model_);
     if (kink == nullptr) return;
-    context_.report.add({Code::E614, entry_.span,
+    context_.report.add({Reason::kinked_force, entry_.span,
                          "`abs`, `sign`, `min` and `max` in a force have no expansion",
                          "a smooth stand-in is tanh(x/width)", kink->span, "one is here"});
   }

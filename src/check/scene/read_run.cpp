@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/places.hpp"
 #include "check/expressions/values.hpp"
@@ -141,7 +142,8 @@ void read_law(Context& context, const KeySyntax& key, Scene& scene) {
   const auto input = std::ranges::find(context.model.inputs, key.key, &Input::name);
   if (input == context.model.inputs.end()) {
     const std::vector<std::string> names = context.symbols.names({SymbolKind::input});
-    context.report.add(Code::E201, key.key_span, "unknown input " + in_backticks(key.key),
+    context.report.add(Reason::unknown_input, key.key_span,
+                       "unknown input " + in_backticks(key.key),
                        context.symbols.suggest(key.key, names));
     return;
   }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "base/reason.hpp"
 #include "base/report.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/values.hpp"
@@ -153,7 +154,7 @@ class SceneReader {
     if (std::ranges::any_of(scene_.outputs, is_member)) return;
     for (const OutputRequest& output : scene_.outputs) {
       if (output_row(output.kind).repeats) {
-        context_.report.add(Code::E603, output.span,
+        context_.report.add(Reason::empty_dynamics, output.span,
                             "`dynamics` holds the chosen outputs that take neither a nor u, and "
                             "none is chosen");
       }

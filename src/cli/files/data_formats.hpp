@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/reason.hpp"
 #include "elgen/diagnostic.hpp"
 
 namespace elgen::cli {
@@ -40,7 +41,7 @@ template <class Data>
   const std::string last = endings.back();
   endings.pop_back();
   return Diagnostic{
-      Code::E913,
+      Reason::unknown_ending,
       {},
       fmt::format("`{}` ends in none of {} and {}", file, fmt::join(endings, ", "), last),
       "the ending says what is written"};

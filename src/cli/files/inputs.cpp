@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/descriptor.hpp"
+#include "base/reason.hpp"
 #include "cli/process/resources.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
@@ -106,14 +107,14 @@ std::optional<Diagnostic> misnamed(const SourceText& source) {
   }
   if (is_scene(source) && declares_model(source)) {
     return Diagnostic{
-        Code::E104,
+        Reason::misnamed_file,
         {&source, 0, 0},
         fmt::format("{} holds a model, with a table [model]", in_backticks(source.path)),
         "a model is called NAME.toml, a scene NAME.scene.toml"};
   }
   const auto model = is_scene(source) ? std::nullopt : named_model(source);
   if (!model) return std::nullopt;
-  return Diagnostic{Code::E104, *model,
+  return Diagnostic{Reason::misnamed_file, *model,
                     fmt::format("{} is a string, but [model] is a table", in_backticks(*model)),
                     "a scene is called NAME.scene.toml"};
 }
@@ -177,7 +178,7 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
   if (named == nullptr) return scene.diagnostics;  // parse has reported the missing key
   // Files of other kinds are not read, so that no diagnostic quotes them.
   if (!named->value.text.ends_with(".toml")) {
-    return Diagnostic{Code::E104, named->value.span,
+    return Diagnostic{Reason::misnamed_file, named->value.span,
                       fmt::format("{} is no model", in_backticks(named->value.text)),
                       "a model is called NAME.toml"};
   }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "base/reason.hpp"
 #include "elgen/equations_of_motion.hpp"
 
 namespace elgen {
@@ -38,7 +39,8 @@ class Importer {
     if (GiNaC::is_a<GiNaC::power>(e)) return graph.product(powers(e));
     if (GiNaC::is_a<GiNaC::function>(e)) return call(e);
     if (e.is_equal(GiNaC::Pi)) return graph.pi();
-    return fail(Code::E912, fmt::format("cannot import the GiNaC class `{}`", class_name(e)));
+    return fail(Reason::foreign_expression,
+                fmt::format("cannot import the GiNaC class `{}`", class_name(e)));
   }
 
   Graph graph = {};
@@ -57,13 +59,15 @@ class Importer {
   Ref symbol(const GiNaC::ex& e) {
     const auto it = known_.find(e);
     if (it != known_.end()) return it->second;
-    return fail(Code::E912, fmt::format("symbol `{}` is not defined before its use",
-                                        GiNaC::ex_to<GiNaC::symbol>(e).get_name()));
+    return fail(Reason::foreign_expression, fmt::format("symbol `{}` is not defined before its use",
+                                                        GiNaC::ex_to<GiNaC::symbol>(e).get_name()));
   }
 
   Ref numeric(const GiNaC::numeric& number) {
-    if (!number.is_real()) return fail(Code::E912, "a complex number reached the equations");
-    if (!number.is_rational()) return fail(Code::E912, "a rounded number reached the equations");
+    if (!number.is_real())
+      return fail(Reason::unreal_number, "a complex number reached the equations");
+    if (!number.is_rational())
+      return fail(Reason::unreal_number, "a rounded number reached the equations");
     return graph.rational(cln::the<cln::cl_RA>(number.to_cl_N()));
   }
 
@@ -113,14 +117,16 @@ class Importer {
     for (std::size_t i = 0; i < e.nops(); ++i) arguments.push_back(import(e.op(i)));
     const FunctionRow* row = find_function(name);
     if (row != nullptr && row->arity == arguments.size()) return graph.call(row->id, arguments);
-    return fail(Code::E912, fmt::format("cannot import the GiNaC function `{}`", name));
+    return fail(Reason::foreign_expression,
+                fmt::format("cannot import the GiNaC function `{}`", name));
   }
 
   /// Imports the value of an open function as a leaf, without its arguments.
   Ref open_value(const GiNaC::ex& e) {
     const std::optional<std::uint32_t> number = open_leaf(e);
     if (number) return graph.leaf(Opcode::open_value, *number);
-    return fail(Code::E912, "a third derivative of an open function reached the equations");
+    return fail(Reason::foreign_expression,
+                "a third derivative of an open function reached the equations");
   }
 
   const EquationsOfMotion& equations_;
@@ -197,7 +203,8 @@ Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const Outp
                                   std::uint64_t maximum_nodes) {
   const std::vector<const OutputEquations*> outputs = equations_for(equations, request);
   if (outputs.empty()) {
-    return Diagnostic{Code::E912, request.span, fmt::format("`{}` was not derived", request.name)};
+    return Diagnostic{Reason::not_derived, request.span,
+                      fmt::format("`{}` was not derived", request.name)};
   }
   Importer importer(equations, request);
   const std::vector<bool> needed = needed_definitions(equations.definitions, outputs);

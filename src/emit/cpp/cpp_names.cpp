@@ -9,6 +9,7 @@
 #include <map>
 
 #include "base/ascii.hpp"
+#include "base/reason.hpp"
 #include "emit/code/cpp_constant.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_checks.hpp"
@@ -93,7 +94,7 @@ Diagnostics check_constant_names(const Program& program) {
     if (is_short_constant(constant.value)) continue;
     const auto [known, is_new] = forms.emplace(constant_name(constant), constant.form);
     if (is_new) continue;
-    return {{Code::E912,
+    return {{Reason::equal_constant_names,
              {},
              fmt::format("`{}` and `{}` have one name in the emitted code", text_of(known->second),
                          text_of(constant.form))}};

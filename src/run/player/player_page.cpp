@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/fill_template.hpp"
+#include "base/reason.hpp"
 #include "elgen/emitted_files.hpp"
 #include "elgen/page.hpp"
 #include "elgen/player.hpp"
@@ -99,10 +100,11 @@ Diagnostics refuse_player(const SimulationOptions& options) {
   }
   for (const Diagnostic& each : refuse_length(options)) refused.push_back(each);
   if (options.every) {
-    refused.push_back({Code::E913, {}, "`--every` is of rows, and a page has none"});
+    refused.push_back({Reason::option_of_runs, {}, "`--every` is of rows, and a page has none"});
   }
   if (options.hold) {
-    refused.push_back({Code::E913, {}, "`--hold` is of runs that are computed here, not of pages"});
+    refused.push_back(
+        {Reason::option_of_runs, {}, "`--hold` is of runs that are computed here, not of pages"});
   }
   return refused;
 }

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/reason.hpp"
 #include "elgen/evaluate.hpp"
 #include "elgen/wording.hpp"
 #include "model/output_units.hpp"
@@ -202,7 +203,10 @@ Diagnostic unknown(std::string_view kind, const std::string& name,
                    const std::vector<std::string>& known) {
   const std::string all =
       known.empty() ? "there are none" : fmt::format("there are: {}", fmt::join(known, ", "));
-  return {Code::E201, {}, fmt::format("unknown {} `{}`", kind, name), suggestion(name, known, all)};
+  return {Reason::unknown_column,
+          {},
+          fmt::format("unknown {} `{}`", kind, name),
+          suggestion(name, known, all)};
 }
 
 /// Gives panels to the columns in options.show. E201 for an unknown column or point.

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/reason.hpp"
 #include "elgen/bench.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
@@ -138,7 +139,7 @@ class DesignBench {
     const Products& exact = runs_.derived(exact_design);
     if (!exact.program) return exact.diagnostics;
     if (!is_returned(exact.program->functions.front())) {
-      return Diagnostic{Code::E603,
+      return Diagnostic{Reason::too_many_entries,
                         {},
                         fmt::format("{} has more than {} entries, and is not measured",
                                     in_backticks(table_.subject), largest_returned)};

@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "base/reason.hpp"
 #include "elgen/wording.hpp"
 #include "model/requests.hpp"
 
@@ -74,7 +75,8 @@ Result<ForeignFields> claimed_fields(const CheckedModel& checked, const ForeignC
   const OutputRequest* const output = find_request(checked.scene, claim.output);
   if (output == nullptr) return Diagnostic{Code::E601, {}, name + " is not one output"};
   if (output_row(output->kind).repeats) {
-    return Diagnostic{Code::E603, {}, name + " repeats other outputs", "name one of these"};
+    return Diagnostic{
+        Reason::repeats_outputs, {}, name + " repeats other outputs", "name one of these"};
   }
   ForeignFields fields = fields_of(checked.model, *output);
   if (claim.field.empty()) return fields;

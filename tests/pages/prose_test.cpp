@@ -1,0 +1,119 @@
+// How pages are written: columns, cells of tables, and the length of sentences.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cctype>
+#include <sstream>
+
+#include "pages/page.hpp"
+#include "support/shell.hpp"
+
+namespace elgen::test {
+
+namespace {
+
+// Two pages stand side by side on a screen of 240 columns.
+constexpr std::size_t most_columns = 120;
+// A cell is one line where a reader looks for one; GitHub wraps longer cells to paragraphs.
+constexpr std::size_t most_of_a_cell = 160;
+// Readability research counts longer sentences as difficult (Plain English Campaign: 15 to 20).
+constexpr double most_words = 25;
+
+/// Characters as a reader counts them: bytes that do not continue one in UTF-8.
+std::size_t columns_of(const std::string& line) {
+  return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+bool is_row(const std::string& line) { return starts_with(line, "|"); }
+
+std::vector<std::string> lines_in(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The cells of a row, without the blanks around them.
+std::vector<std::string> cells(const std::string& row) {
+  static const std::regex around(R"(^\s+|\s+$)");
+  std::vector<std::string> all;
+  std::istringstream stream(std::regex_replace(row, std::regex(R"(\\\|)"), "/"));
+  for (std::string cell; std::getline(stream, cell, '|');) {
+    all.push_back(std::regex_replace(cell, around, ""));
+  }
+  return all;
+}
+
+/// Paragraphs and items of lists, each on one line: no headings, no tables.
+std::vector<std::string> paragraphs(const std::string& prose) {
+  static const std::regex item(R"(^\s*([-*]|\d+\.) )");
+  std::vector<std::string> all(1);
+  for (const std::string& line : lines_in(prose)) {
+    const bool is_text = !line.empty() && line[0] != '#' && !is_row(line);
+    if (!is_text || std::regex_search(line, item)) all.emplace_back();
+    if (is_text) all.back() += std::regex_replace(line, item, "") + " ";
+  }
+  return all;
+}
+
+/// A sentence ends with a full stop or a mark before a blank, not at a colon. Code and
+/// targets of links are no words of a sentence: `a b.c` counts as one word.
+std::vector<std::string> sentences(const std::string& prose) {
+  static const std::regex code("`[^`]*`");
+  static const std::regex target(R"(\]\([^)]*\))");
+  static const std::regex end(R"([.?!]\)?\s+)");
+  std::vector<std::string> all;
+  for (const std::string& paragraph : paragraphs(prose)) {
+    const std::string text =
+        std::regex_replace(std::regex_replace(paragraph, code, "code"), target, "]");
+    for (std::sregex_token_iterator i(text.begin(), text.end(), end, -1), last; i != last; ++i) {
+      if (i->length() > 0) all.push_back(*i);
+    }
+  }
+  return all;
+}
+
+std::size_t words_in(const std::string& sentence) {
+  std::istringstream stream(sentence);
+  std::size_t words = 0;
+  for (std::string word; stream >> word;) words += std::isalnum(word.front()) != 0 ? 1 : 0;
+  return words;
+}
+
+double mean_words(const std::string& prose) {
+  const std::vector<std::string> all = sentences(prose);
+  double words = 0;
+  for (const std::string& sentence : all) words += static_cast<double>(words_in(sentence));
+  return all.empty() ? 0 : words / static_cast<double>(all.size());
+}
+
+}  // namespace
+
+TEST_CASE("sentences of a page are counted as a reader counts them") {
+  CHECK(sentences("One two. Three `a. b` four:\nfive.\n\n- six [seven](x.md)\n").size() == 4);
+  CHECK(sentences("# heading\n| cell. cell |\n").empty());
+  CHECK(words_in("x^2 is `code` of 3 words - here") == 6);
+  CHECK(mean_words("One two three. One.") == 2);
+}
+
+TEST_CASE("lines of pages have at most 120 columns, and cells 160 characters") {
+  for (const Page& page : pages()) {
+    INFO(page.path);
+    for (const std::string& line : lines_in(page.prose)) {
+      INFO(line);
+      if (!is_row(line)) CHECK(columns_of(line) <= most_columns);
+      if (!is_row(line)) continue;
+      for (const std::string& cell : cells(line)) CHECK(columns_of(cell) <= most_of_a_cell);
+    }
+  }
+}
+
+TEST_CASE("sentences of a page have at most 25 words on average") {
+  for (const Page& page : pages()) {
+    INFO(page.path);
+    CHECK(mean_words(page.prose) <= most_words);
+  }
+}
+
+}  // namespace elgen::test
