@@ -103,7 +103,7 @@ Diagnostics inspect_spins(const Inspected& subject) {
     if (!has_curl(subject, body.spin.back())) continue;
     diagnostics.push_back({Code::E507, body.span,
                            fmt::format("spin of `{}` is the rate of no angle", body.name),
-                           "write the angle's rate, or the term in `[energy] T`"});
+                           "write the rate of an angle, or the term in `[energy] T`"});
   }
   return diagnostics;
 }

@@ -52,8 +52,8 @@ Diagnostics without_effects(const Inspected& subject) {
     if (!marks[k] || !value) continue;
     const std::string hint = equations_instead(subject.model.constraints, marks, constraint);
     errors.push_back({Code::E536, constraint.equation_span,
-                      fmt::format("`{}` constrains nothing: it is {} whatever the {} are",
-                                  constraint.name, is_nothing(*value) ? "0" : "the same",
+                      fmt::format("`{}` constrains nothing: it is {} for all {}", constraint.name,
+                                  is_nothing(*value) ? "0" : "the same",
                                   constraint.is_position ? "coordinates" : "rates"),
                       hint.empty() ? "remove it" : hint});
   }
@@ -83,14 +83,14 @@ Diagnostic not_assembled(const Inspected& subject, const std::optional<Assembly>
   if (at && creeps(model, *at)) {
     return {
         Code::E537, model.constraints.front().span,
-        "the constraints meet near the start where A has not full rank, so that the multipliers "
-        "are not determined there",
-        "give another `start`, or an equation that is not flat or touched there"};
+        "near the start, the constraints hold only where A is rank-deficient, so the multipliers "
+        "are not determined",
+        "give another `start`, or an equation whose gradient does not vanish there"};
   }
   const std::string quotient = at ? "" : quotient_hint(model, full_start(subject));
-  const std::string left = at ? what_is_left(model, *at) : "no value";
+  const std::string left = at ? what_is_left(model, *at) : "undefined";
   return {Code::E538, model.constraints.front().span,
-          fmt::format("no {} near the start meet the constraints: what is left is {}",
+          fmt::format("no {} near the start meet the constraints: the residual is {}",
                       at && at->has_pose ? "rates" : "coordinates", left),
           quotient.empty() ? "give the coordinates a `start` near a pose that exists" : quotient};
 }
@@ -241,7 +241,7 @@ Diagnostics undetermined_rest(const Inspected& subject, const State& start) {
 std::string what_is_left(const Model& model, const Assembly& at) {
   const OracleValues values =
       oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);
-  if (!values) return "no value";
+  if (!values) return "undefined";
   const std::size_t first = at.has_pose ? values->size() - model.constraints.size() : 0;
   std::string text;
   std::size_t row = 0;

@@ -89,9 +89,10 @@ bool is_complete(const StatedPoint& point) {
 
 // A numeric input balances the forces only at the file's parameters; hence these hints.
 constexpr std::string_view remedy_of_scene =
-    "write values by parameters, like `m*g`, or make these numbers: `[parameters] fixed = \"all\"`";
+    "write values with parameters, such as `m*g`, or fix all parameters: `[parameters] fixed = "
+    "\"all\"`";
 constexpr std::string_view remedy_of_entry =
-    "write values by parameters, like `m*g`; `when` says for which it is an equilibrium";
+    "write values with parameters, such as `m*g`; `when` limits the parameters";
 
 /// "`u = 4.905` balances it" if exactly one input acts on this row, and acts on no other row.
 std::string suggestion(const Inspected& subject, const ClaimedRest& claim, const Residual& balance,
@@ -115,7 +116,7 @@ std::string suggestion(const Inspected& subject, const ClaimedRest& claim, const
       fmt::format("`{} = {}` balances it", model.inputs[*acting].name, readable(value));
   const bool all_fixed = subject.scene.specialisation.fixed.size() == model.parameters.size();
   return all_fixed ? balanced
-                   : fmt::format("{} at the parameters' values; {}", balanced, claim.remedy);
+                   : fmt::format("{} at the values of the parameters; {}", balanced, claim.remedy);
 }
 
 /// `own_values`: the parameters have the model's values, so the residual is worth printing.
@@ -169,7 +170,7 @@ Diagnostics inspect_entry(const Inspected& subject, const Equilibrium& equilibri
       return {{Code::E613, claim.span,
                fmt::format("a value of `{}` does not exist for some values of the parameters",
                            equilibrium.name),
-               "`when` says for which it is an equilibrium"}};
+               "`when` limits the parameters"}};
     }
     const auto balance = balance_at(subject.model, *point, elsewhere);
     if (!balance) continue;

@@ -107,7 +107,7 @@ Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t
       const auto& written = model.energies.L ? model.energies.L : model.energies.T;
       error.span = written ? model.expressions[*written].span : velocity.span;
       error.hint = fmt::format(
-          "no term has the square of `dot({})`, as 1/2*m*v^2 of a mass would; else do not ask for "
+          "add a term with the square of `dot({})`, such as 1/2*m*v^2, or do not request "
           "this output",
           velocity.name);
     }
@@ -258,7 +258,7 @@ Diagnostics inspect_signs(const Inspected& subject) {
       const auto value = oracle_expression(model, root, sampled_state(subject, seed));
       if (!value || *value >= 0) continue;
       found.push_back({Code::E525, model.expressions[root].span,
-                       "D is negative, so that it drives the motion",
+                       "D is negative, so it drives the motion",
                        "a damper is `1/2*d*v^2` with a positive d: sign mistake?"});
       break;
     }

@@ -52,13 +52,13 @@ std::string quoted_names(const LeftOut& left_out) {
 Diagnostic note(const LeftOut& left_out) {
   if (left_out.reason == LeftOutReason::too_many_entries) {
     return {Code::E619, left_out.span,
-            fmt::format("left out, with more than {} entries: {}", entries_in_full,
+            fmt::format("not emitted because of more than {} entries: {}", entries_in_full,
                         quoted_names(left_out)),
-            "a scene or `--outputs` that names an output gets it"};
+            "name the output in a scene or in `--outputs`"};
   }
   return {Code::E619, left_out.span,
-          "left out, as a force with a kink has no derivatives: " + quoted_names(left_out),
-          "a smooth stand-in has them: `tanh(x/width)` for `sign(x)`"};
+          "not emitted because a force with a kink has no derivatives: " + quoted_names(left_out),
+          "use a smooth approximation: `tanh(x/width)` for `sign(x)`"};
 }
 
 /// The first tanh of an expression with rates in a force.
@@ -95,10 +95,10 @@ Diagnostics inspect_left_out(const Inspected& subject) {
     }
     if (names.empty()) continue;
     notes.push_back({Code::E616, span,
-                     fmt::format("{} {} on what the scene locks alone, and {} of it",
+                     fmt::format("{} {} only on locked coordinates, and {} of this scene",
                                  fmt::join(names, ", "), names.size() == 1 ? "acts" : "act",
                                  names.size() == 1 ? "is no input" : "are no inputs"),
-                     "`reaction` is the whole force there"});
+                     "`reaction` is the whole force, this input included"});
   }
   return notes;
 }
@@ -111,8 +111,8 @@ Diagnostics inspect_smoothed(const Inspected& subject) {
   const auto friction = is_named ? smoothed_friction(model) : std::nullopt;
   if (!friction) return {};
   return {{Code::E627, *friction,
-           fmt::format("`{}` has this friction as a damper near rest", output->name),
-           "its width decides how stiff; leave it out where the system slides or sticks"}};
+           fmt::format("`{}` contains this friction as a damper near rest", output->name),
+           "its width sets the stiffness; remove the friction if the system slides or sticks"}};
 }
 
 }  // namespace elgen

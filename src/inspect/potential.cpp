@@ -141,7 +141,7 @@ Diagnostics gravity_along_last_axis(const Inspected& subject) {
   if (!component || *component <= 0) return {};
   return {{Code::E512, model.expressions[(*model.gravity)[last]].span,
            fmt::format("gravity pulls along +{}", last == 1 ? "y" : "z"),
-           "a weight that pulls down is negative where the axis points up: sign mistake?"}};
+           "if the axis points up, gravity is negative: sign mistake?"}};
 }
 
 // Energies that masses already add.
@@ -315,10 +315,10 @@ Diagnostics inspect_kinetic_energies(const Inspected& subject) {
   if (!model.energies.T || model.velocities.size() > most_coordinates_sampled) return {};
   for (const Point& point : model.points) {
     if (!point.mass || !is_given_twice(subject, point)) continue;
-    return {
-        {Code::E527, model.expressions[*model.energies.T].span,
-         fmt::format("T holds the kinetic energy of `{}`, which its mass gives it too", point.name),
-         "leave one of them out"}};
+    return {{Code::E527, model.expressions[*model.energies.T].span,
+             fmt::format("T contains the kinetic energy of `{}`, which its mass adds already",
+                         point.name),
+             "remove one of the two"}};
   }
   return {};
 }
@@ -330,9 +330,10 @@ Diagnostics inspect_weights(const Inspected& subject) {
   const std::vector<Weight> weights = weights_of(model);
   for (const Weight& weight : weights) {
     if (!is_given_twice(subject, weights, weight)) continue;
-    return {{Code::E526, model.expressions[*model.energies.V].span,
-             fmt::format("V holds the weight of `{}`, which [gravity] gives it too", weight.name),
-             "leave one of them out"}};
+    return {
+        {Code::E526, model.expressions[*model.energies.V].span,
+         fmt::format("V contains the weight of `{}`, which [gravity] adds already", weight.name),
+         "remove one of the two"}};
   }
   return {};
 }

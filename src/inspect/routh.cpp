@@ -71,8 +71,8 @@ Diagnostics not_cyclic(const Inspected& subject, const std::vector<Cyclic>& all)
   }
   if (errors.empty() && are_dependent(subject, all)) {
     errors.push_back({Reason::dependent_momenta, all.front().span,
-                      "the momenta do not determine the rates of what `[routh]` takes out: their "
-                      "part of the mass matrix is singular"});
+                      "the momenta do not determine the rates of the removed coordinates: their "
+                      "block of the mass matrix is singular"});
   }
   return errors;
 }

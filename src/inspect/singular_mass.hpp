@@ -20,7 +20,7 @@ namespace elgen {
           fmt::format("`{}` has no value: the rate of `{}` alone has no kinetic energy, whatever "
                       "the state is",
                       request.name, velocity),
-          "give it a mass, remove the coordinate, or do not ask for this output"};
+          "give it a mass, remove the coordinate, or do not request this output"};
 }
 
 /// A pivot of M is 0; `velocity` is the velocity of this pivot, if known.
@@ -37,7 +37,7 @@ namespace elgen {
 [[nodiscard]] inline Diagnostic redundant_constraint(const OutputRequest& request,
                                                      const std::string& constraint) {
   return {Code::E537, request.span,
-          fmt::format("`{}` has no value: the constraint `{}` follows from those before it, "
+          fmt::format("`{}` has no value: the constraint `{}` follows from earlier constraints, "
                       "whatever the state is",
                       request.name, constraint),
           "remove it: its multiplier is not determined"};
@@ -53,7 +53,7 @@ namespace elgen {
 /// The pivot of J M^-1 J^T in this row is 0.
 [[nodiscard]] inline Diagnostic dependent_task(const OutputRequest& request, std::size_t row) {
   return {Reason::dependent_task, request.span,
-          fmt::format("`{}` has no value: row {} of the Jacobian follows from those before it, "
+          fmt::format("`{}` has no value: row {} of the Jacobian follows from earlier rows, "
                       "whatever the state is",
                       request.name, row + 1)};
 }
@@ -62,7 +62,7 @@ namespace elgen {
 [[nodiscard]] inline Diagnostic redundant_inputs(const OutputRequest& request) {
   return {Reason::undetermined_inputs, request.span,
           fmt::format("`{}` has no value: under the constraints some input moves nothing, or "
-                      "nothing that others do not move",
+                      "only what other inputs move",
                       request.name)};
 }
 
@@ -70,8 +70,8 @@ namespace elgen {
 [[nodiscard]] inline Diagnostic redundant_input(const OutputRequest& request,
                                                 const std::string& input) {
   return {Reason::undetermined_inputs, request.span,
-          fmt::format("`{}` has no value: the input `{}` moves nothing that the inputs before it "
-                      "do not move, whatever the state is",
+          fmt::format("`{}` has no value: the input `{}` moves only what earlier inputs move, "
+                      "whatever the state is",
                       request.name, input)};
 }
 

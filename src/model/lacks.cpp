@@ -23,7 +23,7 @@ Lack constrained(Code code, std::string reason, const Model& model) {
 
 Lack taken_out(std::string reason, const Model& model) {
   return {Reason::routhian, std::move(reason), model.variant.cyclic.front().span,
-          "it takes a coordinate out here"};
+          "it removes a coordinate here"};
 }
 
 MaybeLack lack_of_quadratic(const Model& model, const OutputRow& row) {
@@ -38,20 +38,20 @@ MaybeLack lack_of_quadratic(const Model& model, const OutputRow& row) {
 
 MaybeLack lack_of_energies(const Model& model) {
   if (model.energies.L) {
-    return Lack{Reason::whole_lagrangian, "needs T and V apart, but the model gives L",
+    return Lack{Reason::whole_lagrangian, "needs T and V separately, but the model gives L",
                 model.expressions[*model.energies.L].span, "L is given here"};
   }
   if (!has_routhian(model)) return std::nullopt;
-  return taken_out("needs T and V apart, but `[routh]` makes one function of them", model);
+  return taken_out("needs T and V separately, but `[routh]` combines them", model);
 }
 
 MaybeLack lack_of_affine_forces(const Model& model) {
   if (has_routhian(model)) {
-    return taken_out("needs forces that are affine in masses, and those of `[routh]` are not",
+    return taken_out("needs forces that are affine in masses, but `[routh]` makes them nonlinear",
                      model);
   }
   if (!model.approximation) return std::nullopt;
-  return Lack{Reason::exact_output, "is exact, and `[approximate]` asks for an expansion",
+  return Lack{Reason::exact_output, "is exact, but `[approximate]` expands the equations",
               model.approximation->span, "it is expanded here"};
 }
 
@@ -65,12 +65,12 @@ MaybeLack lack_of_independent(const Model& model, const OutputRequest& request) 
   if (count == freedoms(model)) return std::nullopt;
   if (count == 0) {
     return Lack{Reason::independent_velocities,
-                "needs independent velocities, which a scene names: `[outputs]` `completed = { "
+                "needs independent velocities: name them in `[outputs]` by `completed = { "
                 "independent = [\"NAME\"] }`"};
   }
   return constrained(Reason::independent_velocities,
                      "needs as many independent velocities as the constraints leave free, " +
-                         std::to_string(freedoms(model)) + ", and " + std::to_string(count) +
+                         std::to_string(freedoms(model)) + ", but " + std::to_string(count) +
                          (count == 1 ? " is named" : " are named"),
                      model);
 }
@@ -80,14 +80,14 @@ MaybeLack lack_of_no_constraints(const Model& model, const OutputRow& row) {
   const bool is_of_momenta = row.takes.has_any(Opcode::momentum);
   const std::string remedy =
       is_of_momenta ? ": choose coordinates that respect the constraint" : "";
-  return constrained(Code::E539, "does not know of constraints" + remedy, model);
+  return constrained(Code::E539, "does not support constraints" + remedy, model);
 }
 
 MaybeLack lack_of_motors(const Model& model) {
   const auto external = std::ranges::find(model.inputs, true, &Input::is_external);
   if (external == model.inputs.end()) return std::nullopt;
-  return Lack{Reason::world_input, "needs inputs that are motors, all of them", external->span,
-              "this is a force of the world"};
+  return Lack{Reason::world_input, "needs motors as inputs", external->span,
+              "this input is an external force"};
 }
 
 MaybeLack lack_of_few_inputs(const Model& model) {
@@ -107,8 +107,8 @@ MaybeLack lack_of_kept_coordinates(const Model& model, const OutputRequest& requ
     if (!is_reached(whole, roots, cyclic)) continue;
     return Lack{Reason::routhian,
                 "contains " + in_backticks(whole.coordinates[cyclic.coordinate].name) +
-                    ", which `[routh]` takes out",
-                cyclic.span, "it is taken out here"};
+                    ", which `[routh]` removes",
+                cyclic.span, "it is removed here"};
   }
   return std::nullopt;
 }
@@ -118,9 +118,9 @@ MaybeLack lack_of_few_velocities(const Model& model) {
   constexpr std::size_t most = 10;
   const std::size_t count = model.velocities.size();
   return lack_if(count > most, Reason::too_many_velocities,
-                 "is for at most " + std::to_string(most) + " velocities, and the model has " +
+                 "supports at most " + std::to_string(most) + " velocities, but the model has " +
                      std::to_string(count) +
-                     "; `linearization` at the states of a step is for any");
+                     "; `linearization` at the states of a step has no limit");
 }
 
 MaybeLack lack_of_closed_functions(const Model& model) {
@@ -152,9 +152,9 @@ MaybeLack lack_of_slope(const std::string& noun, const Expression* kink) {
   if (kink == nullptr) return std::nullopt;
   return Lack{Reason::kink,
               "needs " + noun +
-                  " with derivatives; `abs`, `sign`, `min` and `max` have none, a smooth "
-                  "stand-in is tanh(x/width)",
-              kink->span, "one is here"};
+                  " with derivatives, but `abs`, `sign`, `min` and `max` have none; a smooth "
+                  "approximation is tanh(x/width)",
+              kink->span, "a kink is here"};
 }
 
 MaybeLack lack_of_smooth_values(const Model& model, const UserOutput& output) {
@@ -173,11 +173,11 @@ MaybeLack lack_of_entry(Need need, const UserOutput& output) {
     return lacks("needs `jacobian = true` in the output's entry");
   }
   if (need == Need::of_positions && !is_of_positions) {
-    return lacks("needs an output of positions; one of rates, accelerations or inputs has `" +
+    return lacks("needs an output of positions; an output of rates, accelerations or inputs has `" +
                  output.name + "_derivatives`");
   }
   if (need == Need::of_motion && is_of_positions) {
-    return lacks("needs an output of rates, accelerations or inputs; one of positions has `" +
+    return lacks("needs an output of rates, accelerations or inputs; an output of positions has `" +
                  output.name + "_jacobian`");
   }
   return std::nullopt;
@@ -206,14 +206,14 @@ MaybeLack lack_of(Need need, const Model& model, const OutputRequest& request) {
                      "`[regressor]` of a scene names");
     case Need::constraints:
       return lack_if(model.constraints.empty(), Reason::missing_entry,
-                     "needs a `[[constraint]]`, and the model has none");
+                     "needs a `[[constraint]]`, but the model has none");
     case Need::independent:
       return lack_of_independent(model, request);
     case Need::no_constraints:
       return lack_of_no_constraints(model, output_row(request.kind));
     case Need::inputs:
       return lack_if(model.inputs.empty(), Reason::missing_entry,
-                     "needs inputs, and the model has none");
+                     "needs inputs, but the model has none");
     case Need::motors:
       return lack_of_motors(model);
     case Need::few_inputs:

@@ -66,7 +66,7 @@ TEST_CASE("C code has one scalar, float or double") {
 
 TEST_CASE("Eigen needs C++") {
   CHECK(block_scene_messages("[emit]\nlanguage = \"c99\"\neigen = true\n")
-            .find("`eigen` needs C++, and `language` is `c99`") != std::string::npos);
+            .find("`eigen` needs C++, but `language` is `c99`") != std::string::npos);
 }
 
 TEST_CASE("a batch is optional, and its accuracy is the best or a given one") {
@@ -149,7 +149,7 @@ TEST_CASE("an inner scalar float is only for accelerations of explicit steps") {
   CHECK_THAT(messages("step = { method = \"rk4\" }\nbias = true\n"),
              Catch::Contains("E628") && Catch::Contains("`bias` is no `step`"));
   CHECK_THAT(messages("step = { method = \"midpoint\" }\n"),
-             Catch::Contains("E628") && Catch::Contains("`midpoint` asks for none"));
+             Catch::Contains("E628") && Catch::Contains("`midpoint` calls no accelerations"));
   CHECK_THAT(block_scene_messages(inner), Catch::Contains("E628"));
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("iterations out of range or for an explicit method are E626") {
   CHECK(said_of("step = { method = \"midpoint\", iterations = 21 }") ==
         "E626 5:44 `iterations` `21` is not one of 1 to 20\n");
   CHECK(said_of("step = { method = \"verlet\", iterations = 2 }") ==
-        "E626 5:29 `verlet` is explicit: it iterates nothing\n");
+        "E626 5:29 `verlet` is explicit, so it has no iterations\n");
   CHECK_THAT(said_of("bias = { iterations = 2 }"),
              Catch::StartsWith("E103 5:10 `bias` has no `iterations`"));
 }
@@ -221,7 +221,7 @@ TEST_CASE("a step of a model with constraints may project, other outputs may not
   CHECK_FALSE(projects(", projected = false"));
   CHECK(projects(", projected = true"));
   CHECK(said_of("step = { method = \"rk4\", projected = true }") ==
-        "E539 5:26 `projected` needs a `[[constraint]]`, and the model has none\n");
+        "E539 5:26 `projected` needs a `[[constraint]]`, but the model has none\n");
   CHECK(said_of("step = { method = \"rk4\", projected = false }").empty());
   CHECK(said_of("step_derivatives = { method = \"rk4\", projected = true }") ==
         "E103 5:38 `step_derivatives` has no `projected`: `step` has one\n");
@@ -238,7 +238,7 @@ TEST_CASE("a model without a scene has no step") {
 }
 
 TEST_CASE("a step without a method is E105, a method for another output E103") {
-  const std::string missing = "E105 5:1 `step` needs a `method`, which a scene gives it";
+  const std::string missing = "E105 5:1 `step` needs a `method`: give it in a scene";
   CHECK_THAT(said_of("step = true"), Catch::StartsWith(missing));
   CHECK_THAT(said_of("step = { rename = \"advance\" }"), Catch::StartsWith(missing));
   CHECK(said_of("step = false\nbias = true").empty());

@@ -88,14 +88,14 @@ TEST_CASE("refused keys of coordinates, inputs and prescribed functions") {
       {"[[input]]\nname = \"u\"\nunit = \"N\"\nlimits = [\"m\", 1]\n",
        "E319 15:12 `m` is not a constant number\n"},
       {"[[prescribed]]\nname = \"h\"\nunit = \"m\"\nvalue = \"x\"\n",
-       "E319 15:10 `x` is a coordinate, and a prescribed function takes none\n"},
+       "E319 15:10 `x` is a coordinate, but a prescribed function takes none\n"},
       {"[[prescribed]]\nname = \"h\"\nunit = \"m\"\nvalue = \"t\"\n",
        "E403 15:10 `t` is in s, but a prescribed function is in m\n"},
       {"[[coordinate]]\nname = \"y\"\nunit = \"m\"\narmature = \"x*m\"\n",
-       "E506 15:13 `x` is a coordinate, and an armature takes none | what varies is written out in "
+       "E506 15:13 `x` is a coordinate, but an armature takes none | write a variable term in "
        "`[energy] T`\n"},
       {"[[coordinate]]\nname = \"y\"\nunit = \"m\"\narmature = \"m\"\nsingular = \"dot(y)\"\n",
-       "E319 16:13 `dot(y)` is a rate, and a singular configuration takes none\n"},
+       "E319 16:13 `dot(y)` is a rate, but a singular configuration takes none\n"},
   };
   check_rows(rows, [&](const std::string& entries) { return messages(block(entries)); });
 }
@@ -149,28 +149,25 @@ TEST_CASE("refused masses and inertias") {
       {"[[point]]\nname = \"p\"\nat = [\"x\"]\n",
        "E104 21:6 1 component, but a vector has 2 or 3\n"},
       {"[[point]]\nname = \"p\"\nat = [\"dot(x)\", \"0\"]\n",
-       "E319 21:8 `dot(x)` is a rate, and a position takes none\n"},
+       "E319 21:8 `dot(x)` is a rate, but a position takes none\n"},
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"q\"]\n",
        "E403 21:13 `q` is in 1, but a position is in m\n"},
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"0\"]\nmass = \"m*t\"\n",
-       "E506 22:11 `t` is time, and a mass takes none | what varies is written out in `[energy] "
-       "T`\n"},
+       "E506 22:11 `t` is time, but a mass takes none | write a variable term in `[energy] T`\n"},
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"0\"]\n[[point]]\nname = \"r\"\nat = [\"x\", \"0\", "
        "\"0\"]\n",
        "E516 24:6 3 components, but other vectors of this model have 2\n"},
       {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\ninertia = \"J\"\ninertia_about = \"origin\"\n",
-       "E112 23:1 without a `frame` the body has no origin for its inertia to be about | give the "
-       "inertia about the centre of mass, or the body a frame; of a body that turns about a fixed "
-       "point, give no mass here and its weight in `[energy] V`\n"},
+       "E112 23:1 a body without `frame` has no origin, so its inertia cannot be about the origin "
+       "| give the inertia about the centre of mass, or give the body a frame; if the body turns "
+       "about a fixed point, omit its mass and add its weight to `[energy] V`\n"},
       {"[[body]]\nname = \"b\"\nmass = \"m\"\n", "E105 19:1 `b` has `mass` but no `com`\n"},
       {"[[body]]\nname = \"b\"\ninertia = \"J\"\n", "E105 19:1 `b` has `inertia` but no `spin`\n"},
       {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\n",
        "E105 19:1 `b` has `spin` but no `inertia`\n"},
       {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\ninertia = [\"J\", \"J\", \"J\"]\n",
-       "E516 22:11 3 moments of inertia for a planar body | planar bodies have 1, spatial ones 3 "
-       "or "
-       "6: "
-       "xx yy zz xy xz yz\n"},
+       "E516 22:11 3 moments of inertia for a planar body | a planar body has 1, a spatial body 3 "
+       "or 6: xx yy zz xy xz yz\n"},
       {"[[body]]\nname = \"b\"\nspin = [\"dot(q)\", \"0\"]\ninertia = [\"J\", \"J\", \"J\"]\n",
        "E104 21:8 2 components, but a spin has 1 or 3\n"},
       {"[[body]]\nname = \"b\"\nmass = \"m\"\ncom = [\"x\", \"0\", \"0\"]\nspin = "
@@ -222,13 +219,12 @@ TEST_CASE("outputs are a scalar or a list, optionally with Jacobians") {
 
 TEST_CASE("refused forces and outputs") {
   const Rows rows{
-      {"[[force]]\nvalue = \"u\"\n",
-       "E112 24:1 none of `on`, `at` and `frame` says where the force acts\n"},
+      {"[[force]]\nvalue = \"u\"\n", "E112 24:1 the force has none of `on`, `at` and `frame`\n"},
       {"[[force]]\nat = \"p\"\non = \"x\"\nvalue = \"u\"\n",
-       "E112 26:1 a force has one of `on`, `at` and `frame`\n"},
+       "E112 26:1 a force has exactly one of `on`, `at` and `frame`\n"},
       {"[[force]]\non = \"p\"\nvalue = \"u\"\n", "E201 25:7 unknown coordinate `p`\n"},
       {"[[force]]\non = \"x\"\nvalue = [\"u\", \"0\"]\n",
-       "E104 26:9 a list, but a generalized force is one number\n"},
+       "E104 26:9 a list, but a generalised force is one number\n"},
       {"[[force]]\nat = \"p\"\nvalue = \"u\"\n", "E516 26:10 1 component, but the point has 2\n"},
       {"[[force]]\nat = \"p\"\nfrom = \"s\"\nvalue = [\"u\", \"0\"]\n",
        "E201 26:9 unknown point `s`\n"},
@@ -241,10 +237,10 @@ TEST_CASE("refused forces and outputs") {
       {"[[force]]\non = \"x\"\nvalue = \"m*x\"\n",
        "E403 26:10 `m*x` is in kg*m, but a force is in N\n"},
       {"[[force]]\non = \"x\"\nvalue = \"m*dot(dot(x))\"\n",
-       "E502 26:12 `dot(dot(x))` is a second derivative, and a force takes none\n"},
+       "E502 26:12 `dot(dot(x))` is a second derivative, but a force takes none\n"},
       {"[[output]]\nname = \"o\"\nvalue = \"p(x)\"\n",
-       "E319 26:10 `p(x)` is a momentum, and an output takes none | it stands in `[[expect]]`: in "
-       "`conserved`, and in outputs that take momenta\n"},
+       "E319 26:10 `p(x)` is a momentum, but an output takes none | it is allowed in `[[expect]]`: "
+       "in `conserved`, and in outputs that take momenta\n"},
       {"[[output]]\nname = \"bias\"\nvalue = \"x\"\n",
        "E609 25:9 another output is already called `bias`\n"},
       {"[[output]]\nname = \"o\"\nvalue = \"x\"\njacobian = true\n[[output]]\nname = "
@@ -295,7 +291,7 @@ TEST_CASE("gravity is an acceleration of two or three components") {
        "E403 13:17 `-m` is in kg, but gravity is in m/s^2\n"},
       {"[gravity]\nvector = [\"0\"]\n", "E104 13:10 1 component, but a vector has 2 or 3\n"},
       {"[gravity]\nvector = [\"0\", \"x\"]\n",
-       "E319 13:17 `x` is a coordinate, and gravity takes none\n"},
+       "E319 13:17 `x` is a coordinate, but gravity takes none\n"},
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"0\", \"0\"]\n[gravity]\nvector = [\"0\", \"0\"]\n",
        "E516 16:10 2 components, but other vectors of this model have 3\n"},
   };
@@ -307,12 +303,12 @@ TEST_CASE("energies are in joule, dissipation in watt, and neither depends on an
       {"V = \"m*x\"\n", "E403 12:6 `m*x` is in kg*m, but V is in J\n"},
       {"D = \"k*x^2\"\n", "E403 12:6 `k*x^2` is in J, but D is in W\n"},
       {"V = \"u*x\"\n[[input]]\nname = \"u\"\nunit = \"N\"\n",
-       "E319 12:6 `u` is an input, and V takes none\n"},
+       "E319 12:6 `u` is an input, but V takes none\n"},
       {"V = \"abs(k*x^2)\"\n",
-       "E315 12:6 `abs(k*x^2)` is a function with a kink, and V takes none | a smooth stand-in is "
-       "tanh(x/width)\n"},
+       "E315 12:6 `abs(k*x^2)` is a function with a kink, but V takes none | a smooth "
+       "approximation is tanh(x/width)\n"},
       {"V = \"e*x\"\n[define]\ne = \"u\"\n[[input]]\nname = \"u\"\nunit = \"N\"\n",
-       "E319 12:6 `e` contains an input, and V takes none\n"},
+       "E319 12:6 `e` contains an input, but V takes none\n"},
   };
   check_rows(rows, [&](const std::string& entries) { return messages(block(entries)); });
 }

@@ -81,7 +81,7 @@ TEST_CASE("refused equilibria") {
            "E319 19:13 `x` is a coordinate, and a value of `at` takes none\n"},
           {"at = { x = \"m\" }\n", "E403 19:13 `m` is in kg, but a value of `at` is in m\n"},
           {"at = {}\nwhen = \"k > m\"\n", "E401 20:13 `m` is in kg, but the sum is in kg/s^2\n"},
-          {"at = {}\nwhen = \"t > 0\"\n", "E319 20:9 `t` is time, and a condition takes none\n"},
+          {"at = {}\nwhen = \"t > 0\"\n", "E319 20:9 `t` is time, but a condition takes none\n"},
           {"at = {}\nfrequencies_squared = [\"k\"]\n",
            "E403 20:25 `k` is in kg/s^2, but a squared frequency is in 1/s^2\n"},
           {"at = {}\nfrequencies_squared = [\"k/m\", \"k/m\"]\n",

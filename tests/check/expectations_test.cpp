@@ -107,8 +107,8 @@ TEST_CASE("closed forms with a wrong shape or name") {
        "[[…], "
        "[…]]\n"},
       {"gravity = { for = \"i in 1..n\", value = \"0\" }\n",
-       "E601 17:1 `gravity` is given by entry, but is not called so | did you mean "
-       "`gravity_entry`?\n"},
+       "E601 17:1 `gravity` gives a formula for each entry, but its name lacks the suffix | did "
+       "you mean `gravity_entry`?\n"},
       {"gravity_entry = { for = \"i in 1..n-1\", value = \"k*x[1]\" }\n",
        "E517 17:49 no entry 2, 1 of `gravity`\n"},
       {"gravity_entry = { for = \"i in 1..n+1\", value = \"k*x[1]\" }\n",
@@ -125,10 +125,10 @@ TEST_CASE("closed forms with a wrong shape or name") {
       {"conserved = [\"E - p(x[1])\"]\n",
        "E401 17:19 `p(x[1])` is in kg*m/s, but the sum is in J\n"},
       {"momentum = [\"p(x[1])\", \"0\"]\n",
-       "E319 17:14 `p(x[1])` is a momentum, and a closed form takes none | it stands in "
+       "E319 17:14 `p(x[1])` is a momentum, but a closed form takes none | it is allowed in "
        "`[[expect]]`: in `conserved`, and in outputs that take momenta\n"},
       {"input_matrix = [[\"1\"], [\"0\"]]\n",
-       "E603 17:1 `input_matrix` needs inputs, and the model has none\n"},
+       "E603 17:1 `input_matrix` needs inputs, but the model has none\n"},
   };
   check_rows(rows, [&](const std::string& expect) { return messages(sprung_masses + expect); });
 }
@@ -148,7 +148,7 @@ TEST_CASE("an equation with another error is not reported as free of acceleratio
   const std::string reserved =
       "E204 11:1 `I` is reserved: it is a macro of C or C++ | `I_1` is free\n";
   const std::string none =
-      "E540 16:15 `J*q = 0` holds no acceleration | that of `x` is `dot(dot(x))`\n";
+      "E540 16:15 `J*q = 0` contains no acceleration | the acceleration of `x` is `dot(dot(x))`\n";
   CHECK(said("I", "J*dot(dot(q)) = -I*sin(q)") == reserved);
   CHECK(said("I", "dot(dot(x(P))) = 0") == reserved);
   CHECK(said("I", "J*dot(dot(q)) = -nothing*sin(q)") ==

@@ -157,7 +157,7 @@ rotate = [["z", "q"]]
 name = "b"
 frame = "f"
 inertia = "J"
-)toml") == "E520 5:9 `q`, `J`: no unit, so what touches it is not checked\n");
+)toml") == "E520 5:9 `q`, `J`: no unit, so expressions with it are not checked\n");
 }
 
 TEST_CASE("planar models: two components, one inertia, one torque", "[frames]") {
@@ -197,13 +197,13 @@ TEST_CASE("refused entries in frames", "[frames]") {
       {"[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"0\"]\n",
        "E516 28:6 2 components, but other vectors of this model have 3\n"},
       {"[[body]]\nname = \"b\"\nframe = \"f\"\nmass = \"m\"\ncom = [\"s\", \"0\", \"0\"]\n",
-       "E506 29:9 `s` is a coordinate, and a centre of mass takes none | what varies is written "
-       "out in `[energy] T`\n"},
+       "E506 29:9 `s` is a coordinate, but a centre of mass takes none | write a variable term in "
+       "`[energy] T`\n"},
       {"[[body]]\nname = \"b\"\nframe = \"f\"\nspin = [\"0\", \"0\", \"dot(q)\"]\ninertia = "
        "[\"J\", \"J\", \"J\"]\n",
        "E112 28:1 a body has `frame` or `spin`, not both\n"},
       {"[[body]]\nname = \"b\"\nframe = \"f\"\ninertia = \"J\"\n",
-       "E516 28:12 1 moment of inertia for a spatial body | planar bodies have 1, spatial ones 3 "
+       "E516 28:12 1 moment of inertia for a spatial body | a planar body has 1, a spatial body 3 "
        "or 6: xx yy zz xy xz yz\n"},
       {"[[force]]\nframe = \"f\"\nvalue = \"0\"\n", "E516 27:10 1 component, but a torque has 3\n"},
       {"[[force]]\nframe = \"h\"\nvalue = [\"0\", \"0\", \"0\"]\n",
@@ -211,16 +211,17 @@ TEST_CASE("refused entries in frames", "[frames]") {
       {"[[force]]\nframe = \"f\"\nfrom = \"q\"\nvalue = [\"0\", \"0\", \"0\"]\n",
        "E201 27:9 unknown frame `q`\n"},
       {"[[force]]\nframe = \"f\"\non = \"q\"\nvalue = [\"0\", \"0\", \"0\"]\n",
-       "E112 27:1 a force has one of `on`, `at` and `frame`\n"},
+       "E112 27:1 a force has exactly one of `on`, `at` and `frame`\n"},
       {"[[force]]\nvalue = [\"0\", \"0\", \"0\"]\n",
-       "E112 25:1 none of `on`, `at` and `frame` says where the force acts\n"},
+       "E112 25:1 the force has none of `on`, `at` and `frame`\n"},
       {"[[force]]\nframe = \"f\"\nvalue = [\"m\", \"0\", \"0\"]\n",
        "E403 27:11 `m` is in kg, but a torque is in N*m\n"},
-      {"[[output]]\nname = \"o\"\n", "E112 25:1 an output has one of `value` and `frame`\n"},
+      {"[[output]]\nname = \"o\"\n",
+       "E112 25:1 an output has exactly one of `value` and `frame`\n"},
       {"[[output]]\nname = \"o\"\nvalue = \"q\"\nframe = \"f\"\n",
-       "E112 25:1 an output has one of `value` and `frame`\n"},
+       "E112 25:1 an output has exactly one of `value` and `frame`\n"},
       {"[[output]]\nname = \"o\"\nframe = \"f\"\naxes = \"g\"\n",
-       "E112 28:9 axes are `world` or those of the frame itself\n"},
+       "E112 28:9 `axes` is `world` or the frame itself\n"},
       {"[[output]]\nname = \"o\"\nframe = \"h\"\n", "E201 27:10 unknown frame `h`\n"},
   };
   check_rows(rows, [&](const std::string& entries) { return messages(with_two(entries)); });

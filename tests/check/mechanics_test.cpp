@@ -88,10 +88,10 @@ TEST_CASE("a Lagrangian is given once, as L or by energies") {
       {"[[point]]\nname = \"p\"\nat = [\"x\", \"y\"]\n",
        "E514 2:1 `a` has no kinetic energy | give a point or body a mass, or write `[energy] T`\n"},
       {"[energy]\nL = \"m*dot(x)^2 + m*dot(y)^2\"\nV = \"0\"\n",
-       "E515 14:1 `L` is given beside T or V\n"},
+       "E515 14:1 `L` is given besides T or V\n"},
       {"[energy]\nL = \"m*dot(x)^2 + m*dot(y)^2\"\n[[point]]\nname = \"p\"\nat = [\"x\", "
        "\"y\"]\nmass = \"m\"\n",
-       "E515 14:1 `L` is given beside the mass of an entry\n"},
+       "E515 14:1 `L` is given besides the mass of an entry\n"},
   };
   check_rows(rows, [&](const std::string& entries) { return messages(bare(entries)); });
 }
@@ -102,8 +102,8 @@ TEST_CASE("an input acts by its `on` or through a force, not both") {
   const std::string acting = input + "on = \"x\"\n";
   const std::string force = "[[force]]\non = \"y\"\nvalue = ";
   const std::string twice =
-      "` acts on `x` by its `on`, and a force names it too | without `on` an "
-      "input acts where a force names it\n";
+      "` acts on `x` by its `on`, but a force also contains it | without `on`, an input acts "
+      "through the force that contains it\n";
   const Rows rows{
       {input + force + "\"2*u\"\n", ""},
       {acting + force + "\"m*c^2/x\"\n", ""},

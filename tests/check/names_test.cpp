@@ -58,7 +58,8 @@ TEST_CASE("a name is checked against both rules") {
     return good ? std::string() : report.sorted().front().message;
   };
   CHECK(answer("q1").empty());
-  CHECK(answer("1q") == "`1q` is not letters, digits and underscores after a letter");
+  CHECK(answer("1q") ==
+        "`1q` is no name: a name is a letter, then letters, digits and underscores");
   CHECK(answer("double") == "`double` is reserved: it is a keyword of C++");
 }
 

@@ -73,8 +73,8 @@ std::string said(const std::string& arguments, const std::string& sample) {
 /// The message about a sample at this position that depends on a leaf outside the arguments of U.
 std::string reads(const std::string& sample, const std::string& leaf,
                   const std::string& place = "14:11") {
-  return "E319 " + place + " `" + sample + "` reads `" + leaf +
-         "`, and no argument of `U` does | `of` names all that the function depends on\n";
+  return "E319 " + place + " `" + sample + "` depends on `" + leaf +
+         "`, but no argument of `U` does | `of` lists every argument of the function\n";
 }
 
 /// A list such as "V [J], V_1 [N], …".

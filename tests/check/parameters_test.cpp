@@ -58,7 +58,7 @@ TEST_CASE("refused values") {
       {"a = { value = \"b\", unit = \"m\" }\n", "E201 13:16 unknown name `b`\n"},
       {"a = { value = \"2*x\", unit = \"m\" }\n", "E319 13:16 `2*x` is not a constant number\n"},
       {"a = { value = 1, unit = \"m\", min = 3, max = 2 }\n",
-       "E518 13:15 `1` is not what `min` or `max` of `a` say\n"
+       "E518 13:15 `1` is outside `min` or `max` of `a`\n"
        "E112 13:45 `2` is below `min`\n"},
       {"a = { value = 1, unit = \"lb\" }\n",
        "E402 13:26 unknown unit `lb` | 1 lb is 0.45359237 kg: write `value = \"0.45359237*1\", "
@@ -102,8 +102,8 @@ TEST_CASE("a fixed value is checked against the declaration, too") {
   };
   CHECK(fixing("a=-1") ==
         "E112 1:3 `-1` is not positive, which `assume` of `a` rules out\n"
-        "E518 1:3 `-1` is not what `min` or `max` of `a` say\n");
-  CHECK(fixing("b=1/2") == "E518 1:3 `1/2` is not what `min` or `max` of `b` say\n");
+        "E518 1:3 `-1` is outside `min` or `max` of `a`\n");
+  CHECK(fixing("b=1/2") == "E518 1:3 `1/2` is outside `min` or `max` of `b`\n");
   CHECK(fixing("a=2,b").empty());
 }
 

@@ -104,25 +104,24 @@ TEST_CASE("refused motion of frames", "[frames]") {
   const Rows rows{
       {"J*wx(slid)", "E201 36:15 unknown frame `slid` | did you mean `slide`? (frame, line 21)\n"},
       {"J*wx(wheel)",
-       "E201 36:15 `wheel` is in no frame here | the axes of a body are those of "
-       "its `frame`\n"},
+       "E201 36:15 `wheel` is in no frame here | a body has the axes of its `frame`\n"},
       {"J*wx(slide, 2)", "E201 36:22 unknown frame `2`\n"},
       {"J*wx(slide, arm, arm)", "E309 36:12 3 arguments, but `wx` takes 1\n"},
       {"J*vx(slide)",
-       "E309 36:12 `vx` is along the axes of a frame, which is missing | along those of the world "
-       "it is `dot(x(slide))`\n"},
+       "E309 36:12 `vx` needs a frame as its second argument, for its axes | along the axes of the "
+       "world, write `dot(x(slide))`\n"},
       {"J*vx(slid, arm)", "E201 36:15 unknown place `slid` | did you mean `slide`?\n"},
       {"J*x(wheel)",
-       "E201 36:14 `wheel` is no place here | the com of a body in a frame is one, "
-       "in forces, energies, constraints and outputs; elsewhere name a point, or a "
-       "frame for its origin\n"},
+       "E201 36:14 `wheel` is not a place here | the com of a body in a frame is a place in "
+       "forces, energies, constraints and outputs; elsewhere name a point, or a frame for its "
+       "origin\n"},
       {"J*axis(arm, 1)", "E309 36:12 2 arguments, but `axis` takes 3\n"},
       {"J*axis(arm, 1, 4)", "E318 36:25 `4` is not from 1 to 3\n"},
       {"J*axis(arm, q, 1)", "E201 36:22 unknown index `q`\n"},
   };
   check_rows(rows, messages_of);
   CHECK(messages(slide("[[point]]\nname = \"P\"\nat = [\"l*wx(slide)\", \"0\", \"0\"]\n")) ==
-        "E319 36:10 `wx(slide)` is a rate, and a position takes none\n");
+        "E319 36:10 `wx(slide)` is a rate, but a position takes none\n");
 }
 
 TEST_CASE("planar frames rotate only about z", "[frames]") {
@@ -147,8 +146,8 @@ TEST_CASE(
   };
   const std::string carried = "frame = \"slide\"\n";
   CHECK(messages(roll("\"dot(x(C)) = 0\", \"dot(y(C)) = 0\"", carried)) ==
-        "E541 41:31 `C` turns with `slide`, so this holds one material point, as a pivot does | "
-        "for a contact that rolls, write the velocity of the centre: `dot(x) = r*wy(F)`\n");
+        "E541 41:31 `C` turns with `slide`, so the equation fixes one material point, as in a "
+        "pivot | for a rolling contact, write the velocity of the centre: `dot(x) = r*wy(F)`\n");
   CHECK(messages(roll("\"dot(x(C)) = 0\"", carried)) == "");
   CHECK(messages(roll("\"dot(x(slide)) = l*wy(slide)\", \"dot(y(slide)) = -l*wx(slide)\"",
                       carried)) == "");

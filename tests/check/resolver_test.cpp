@@ -241,8 +241,8 @@ TEST_CASE("errors in combined terms of a sum are reported, even if the terms can
               {"c*x^2 + sum(i, -1, 1, i*c*x)",
                "E401 21:14 `sum(i, -1, 1, i*c*x)` is in N, but the sum is in J\n"},
               {"sum(i, -1, 1, i*abs(x)*c*x)",
-               "E315 21:22 `abs(x)` is a function with a kink, and V takes none | a smooth "
-               "stand-in is tanh(x/width)\n"}},
+               "E315 21:22 `abs(x)` is a function with a kink, but V takes none | a smooth "
+               "approximation is tanh(x/width)\n"}},
              points_error);
   // Numbers with more digits than the limit of constants are not added, and neither are quotients
   // with divisor 0.

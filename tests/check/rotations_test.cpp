@@ -68,7 +68,7 @@ TEST_CASE("refused keys of a rotation") {
   CHECK(messages(flying_top("unit = \"m\"\n")) ==
         "E403 7:9 a rotation is a pure number; its angular velocity is in rad/s\n");
   CHECK(messages(flying_top("for = \"i in 1..2\"\n")) ==
-        "E112 7:1 a rotation is not repeated: its index counts its angular velocities\n");
+        "E112 7:1 a rotation cannot be repeated: its index counts its angular velocities\n");
 }
 
 TEST_CASE("the start is a quaternion, normalised, and three rates") {

@@ -240,7 +240,7 @@ TEST_CASE("refused locks", "[lock]") {
   CHECK(lock_messages("q = { value = 0 }\n") ==
         "E208 5:1 `q` needs an index: `q` has the elements 1 to 2\n");
   CHECK(lock_messages("x = { value = \"q[1]\" }\n") ==
-        "E319 5:16 `q[1]` is a coordinate, and the value of a lock takes none\n");
+        "E319 5:16 `q[1]` is a coordinate, but the value of a lock takes none\n");
   CHECK(lock_messages("x = { value = [1, 2] }\n") ==
         "E615 5:15 a list, but the coordinate is one number\n");
   CHECK(lock_messages("attitude = { value = [1, 2] }\n") ==
@@ -280,9 +280,9 @@ TEST_CASE("orders are 1 to 5") {
 TEST_CASE("only coordinates with a value in `about` are small") {
   CHECK(said("order = 1\nabout = { y = 0 }") == "E614 6:11 `y` is no coordinate or input");
   CHECK(said("order = 1\nabout = { x = 0 }\nsmall = [\"q[1]\"]") ==
-        "E614 7:11 `q[1]` is small, but about what? | give its value in `about`");
+        "E614 7:11 `q[1]` is small, but `about` gives no value for it | add its value to `about`");
   CHECK(said("order = 1\nabout = { F = 0 }") ==
-        "E614 6:1 no coordinate is small | `about` gives the coordinates that are");
+        "E614 6:1 no coordinate is small | `about` gives the small coordinates");
 }
 
 TEST_CASE("values use parameters only, and have the unit of their coordinate or input") {

@@ -162,8 +162,8 @@ TEST_CASE("a form is set for one output or for all") {
 
 TEST_CASE("dynamics needs other outputs without a and u") {
   CHECK(arrays_messages("[outputs]\ninverse_dynamics = true\ndynamics = true\n") ==
-        "E603 6:1 `dynamics` holds the chosen outputs that take neither a nor u, and none is "
-        "chosen\n");
+        "E603 6:1 `dynamics` returns the requested outputs that take neither a nor u, but the "
+        "scene requests none\n");
 }
 
 TEST_CASE("the stamp of a scene covers its file and the options, without blanks") {

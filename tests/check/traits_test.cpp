@@ -128,18 +128,18 @@ TEST_CASE("ingredients") {
 
 TEST_CASE("a refused ingredient is reported at its position, also inside a definition") {
   const Rows rows{
-      {"V = \"k*x^2 + u*x\"\n", "E319 12:14 `u` is an input, and V takes none\n"},
-      {"V = \"drive\"\n", "E319 12:6 `drive` contains an input, and V takes none\n"},
+      {"V = \"k*x^2 + u*x\"\n", "E319 12:14 `u` is an input, but V takes none\n"},
+      {"V = \"drive\"\n", "E319 12:6 `drive` contains an input, but V takes none\n"},
       {"V = \"T0*dot(dot(x))^2\"\n",
-       "E502 12:9 `dot(dot(x))` is a second derivative, and V takes none\n"},
+       "E502 12:9 `dot(dot(x))` is a second derivative, but V takes none\n"},
       {"V = \"T0*dot(speed)^2\"\n",
-       "E502 12:9 `dot(speed)` is a second derivative, and V takes none\n"},
+       "E502 12:9 `dot(speed)` is a second derivative, but V takes none\n"},
       {"V = \"k*max(x, 0)^2\"\n",
-       "E315 12:8 `max(x, 0)` is a function with a kink, and V takes none | a smooth stand-in is "
-       "tanh(x/width)\n"},
+       "E315 12:8 `max(x, 0)` is a function with a kink, but V takes none | a smooth approximation "
+       "is tanh(x/width)\n"},
       {"V = \"u*x + u*x\"\n",
-       "E319 12:6 `u` is an input, and V takes none\nE319 12:12 `u` is an input, and V takes "
-       "none\n"},
+       "E319 12:6 `u` is an input, but V takes none\n"
+       "E319 12:12 `u` is an input, but V takes none\n"},
   };
   check_rows(rows, [&](const std::string& energy) { return messages(block(energy + entries)); });
 }
@@ -147,13 +147,13 @@ TEST_CASE("a refused ingredient is reported at its position, also inside a defin
 TEST_CASE("definitions refuse accelerations, and closed forms allow them") {
   CHECK(messages(block(entries + "[[expect]]\ninverse_dynamics = [\"m*dot(dot(x))\"]\n")).empty());
   CHECK(messages(block("[define]\na = \"m*dot(dot(x))\"\n")) ==
-        "E502 13:8 `dot(dot(x))` is a second derivative, and a definition takes none\n");
+        "E502 13:8 `dot(dot(x))` is a second derivative, but a definition takes none\n");
 }
 
 TEST_CASE("a function with a kink may be allowed although its rate is not") {
   const std::string force = "[[force]]\non = \"x\"\nvalue = \"";
   const std::string refused = " is the rate of a function with a kink | " +
-                              std::string("a smooth stand-in is tanh(x/width)\n");
+                              std::string("a smooth approximation is tanh(x/width)\n");
   CHECK(messages(block(force + "k*abs(x)\"\n")).empty());
   CHECK(messages(block(force + "c*dot(abs(x))\"\n[parameters.c]\nvalue = 1\nunit = \"kg/s\"\n")) ==
         "E315 14:12 `dot(abs(x))`" + refused);
@@ -170,9 +170,9 @@ TEST_CASE("energies, spins and forces may contain rates, other keys may not") {
   CHECK(messages(block("D = \"0.5*T0*speed^2/x^2*dot(x)*0\"\n" + entries)).empty());
   CHECK(messages(block("[[prescribed]]\nname = \"w\"\nvalue = \"sin(t)\"\n[[point]]\nname = \"p\"\n"
                        "at = [\"x\", \"0\"]\nmass = \"m*w\"\n"))
-            .find("`w` contains time, and a mass takes none") != std::string::npos);
+            .find("`w` contains time, but a mass takes none") != std::string::npos);
   CHECK(messages(block(entries + "[[point]]\nname = \"p\"\nat = [\"speed*0\", \"0\"]\n")) ==
-        "E319 23:8 `speed` contains a rate, and a position takes none\n");
+        "E319 23:8 `speed` contains a rate, but a position takes none\n");
 }
 
 }  // namespace elgen::test

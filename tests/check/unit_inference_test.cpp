@@ -88,7 +88,7 @@ TEST_CASE("expressions with a name without unit are not checked, with one note")
       "V = \"c*x + 1/2*k*x^2 + d\"\n[parameters.c]\nvalue = 1\n"
       "[parameters.d]\nvalue = 2\n[[input]]\nname = \"u\"\n");
   CHECK(messages(model) ==
-        "E520 13:13 `c`, `d`, `u`: no unit, so what touches it is not checked\n");
+        "E520 13:13 `c`, `d`, `u`: no unit, so expressions with it are not checked\n");
   // An error suppresses the note.
   CHECK(messages(block("V = \"c*x + k + m\"\n[parameters.c]\nvalue = 1\n")) ==
         "E401 12:16 `m` is in kg, but the sum is in kg/s^2\n");
@@ -98,12 +98,12 @@ TEST_CASE("a model without units is not checked, and unknown units stay unknown 
   const std::string free =
       "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"q\"\n"
       "[[point]]\nname = \"p\"\nat = [\"cos(q)\", 1]\nmass = 1\n";
-  CHECK(messages(free) == "E520 5:9 `q`: no unit, so what touches it is not checked\n");
+  CHECK(messages(free) == "E520 5:9 `q`: no unit, so expressions with it are not checked\n");
   // If one unit is declared, literals are checked, but expressions with q are not.
   CHECK(messages(free + "[parameters]\nm = { value = 1, unit = \"kg\" }\n") ==
-        "E520 5:9 `q`: no unit, so what touches it is not checked\n"
-        "E405 8:17 `1` names nothing, so it is in m, the SI unit of its key; the same goes for 1 "
-        "other value\n");
+        "E520 5:9 `q`: no unit, so expressions with it are not checked\n"
+        "E405 8:17 `1` contains no name, so it is in m, the SI unit of its key; the same holds for "
+        "1 other value\n");
 }
 
 TEST_CASE("units are not checked if all are 1") {
@@ -149,10 +149,10 @@ TEST_CASE("a number in an expression has no unit, except 0") {
 
 TEST_CASE("a value without names is in the unit of its key") {
   CHECK(messages(block(post_of("0.5", "0.1", "-9.81"))) ==
-        "E405 14:12 `0.5` names nothing, so it is in m, the SI unit of its key; the same goes for "
-        "2 other values\n");
+        "E405 14:12 `0.5` contains no name, so it is in m, the SI unit of its key; the same holds "
+        "for 2 other values\n");
   CHECK(messages(block(post_of("0", "\"1/3 + sqrt(2)*pi\"", "0"))) ==
-        "E405 15:9 `1/3 + sqrt(2)*pi` names nothing, so it is in kg, the SI unit of its key\n");
+        "E405 15:9 `1/3 + sqrt(2)*pi` contains no name, so it is in kg, the SI unit of its key\n");
   CHECK(messages(block(post_of("0", "\"m\"", "0"))).empty());
   CHECK(messages(block(post_of("\"x + 0.5*sin(x/x)\"", "\"m\"", "0"))) ==
         "E401 14:17 `0.5*sin(x/x)` is in 1, but the sum is in m | `0.5` has no unit in an "
@@ -172,7 +172,7 @@ TEST_CASE("a generalised force on an angle and its terms are in N*m") {
       {force + "\"k*x\"\n", "E403 21:10 `k*x` is in N, but a force is in N*m\n"},
       {force + "\"k*x^2 + k*x\"\n", "E401 21:18 `k*x` is in N, but the sum is in N*m\n"},
       {force + "\"5\"\n",
-       "E405 21:10 `5` names nothing, so it is in N*m, the SI unit of its key\n"},
+       "E405 21:10 `5` contains no name, so it is in N*m, the SI unit of its key\n"},
       {expected + "gravity = [\"0\", \"k*x\"]\n",
        "E403 20:18 `k*x` is in N, but a closed form is in N*m\n"},
       {expected + "potential_energy = \"k*x\"\n",

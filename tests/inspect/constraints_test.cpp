@@ -43,11 +43,10 @@ TEST_CASE("constraints that hold are not spoken of") {
 
 TEST_CASE("an equation that nothing changes constrains nothing") {
   CHECK(constraint_findings({"x - y", "sin(x)^2 + cos(x)^2 - 1"}) ==
-        "E536: `b` constrains nothing: it is 0 whatever the coordinates are");
+        "E536: `b` constrains nothing: it is 0 for all coordinates");
   ModelBuilder b = constrained({"x_d - x_d + x"});
   b.model.constraints[0].is_position = false;
-  CHECK(constraint_findings(b) ==
-        "E536: `a` constrains nothing: it is the same whatever the rates are");
+  CHECK(constraint_findings(b) == "E536: `a` constrains nothing: it is the same for all rates");
 }
 
 TEST_CASE("what follows from others is named with the combination") {
@@ -78,18 +77,18 @@ TEST_CASE("a dead centre at the start is no dependence") {
 
 TEST_CASE("without a pose it is said what is left of each") {
   CHECK(constraint_findings({"x - l", "x - 3*l"}) ==
-        "E538: no coordinates near the start meet the constraints: what is left is 0 of `a`, 2 of "
+        "E538: no coordinates near the start meet the constraints: the residual is 0 of `a`, 2 of "
         "`b`");
   ModelBuilder standing = constrained({"x^2 + y^2 - l^2"});
   standing.model.coordinates[0].start_value = 0;
   standing.model.coordinates[1].start_value = 0;
   CHECK(constraint_findings(standing) ==
-        "E538: no coordinates near the start meet the constraints: what is left is 1 of `a`");
+        "E538: no coordinates near the start meet the constraints: the residual is 1 of `a`");
   CHECK(constraint_findings({"sqrt(-1 - x^2) - y"}) ==
-        "E538: no coordinates near the start meet the constraints: what is left is no value");
+        "E538: no coordinates near the start meet the constraints: the residual is undefined");
 }
 
 TEST_CASE("a pose without consistent rates is none") {
   CHECK(constraint_findings({"y - 2*l - l*t", "y - 2*l - 3*l*t"}) ==
-        "E538: no rates near the start meet the constraints: what is left is 0 of `a`, 2 of `b`");
+        "E538: no rates near the start meet the constraints: the residual is 0 of `a`, 2 of `b`");
 }

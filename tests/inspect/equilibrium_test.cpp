@@ -27,8 +27,8 @@ std::string entry_findings(const std::string& model, const std::string& keys) {
 }
 
 const std::string holds_at_own_values =
-    " balances it at the parameters' values; write values by parameters, like `m*g`, or make these "
-    "numbers: `[parameters] fixed = \"all\"`";
+    " balances it at the values of the parameters; write values with parameters, such as `m*g`, or "
+    "fix all parameters: `[parameters] fixed = \"all\"`";
 
 const std::string driven = model_text("driven", R"toml(
 [[coordinate]]

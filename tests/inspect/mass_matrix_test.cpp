@@ -137,7 +137,7 @@ TEST_CASE("D brakes") {
   const std::string kinetic = "1/2*M*x_d^2 + 1/2*m*th_d^2";
   CHECK(sign_findings(coupled(kinetic).D("1/2*m*x_d^2")).empty());
   CHECK(sign_findings(coupled(kinetic).D("-1/2*m*x_d^2")) ==
-        "E525: D is negative, so that it drives the motion");
+        "E525: D is negative, so it drives the motion");
 }
 
 TEST_CASE("charts without a singular configuration pass") {

@@ -50,7 +50,7 @@ value = ")toml" + force + "\"\n"));
   return text_of(inspect_smoothed({checked.model, scene}));
 }
 
-const std::string is_damper = "E627: `linearization` has this friction as a damper near rest";
+const std::string is_damper = "E627: `linearization` contains this friction as a damper near rest";
 
 }  // namespace
 
@@ -85,10 +85,10 @@ TEST_CASE("one note per reason names the outputs and how they can be had") {
       {{LeftOutReason::too_many_entries, {"mass_matrix", "tip"}, {source.get(), 7, 10}},
        {LeftOutReason::kinked_force, {"linearization"}, {source.get(), 11, 17}}});
   CHECK(text_of(notes) ==
-        "E619: left out, with more than 4096 entries: `mass_matrix`, `tip`\n"
-        "E619: left out, as a force with a kink has no derivatives: `linearization`");
-  CHECK(notes[0].hint == "a scene or `--outputs` that names an output gets it");
-  CHECK(notes[1].hint == "a smooth stand-in has them: `tanh(x/width)` for `sign(x)`");
+        "E619: not emitted because of more than 4096 entries: `mass_matrix`, `tip`\n"
+        "E619: not emitted because a force with a kink has no derivatives: `linearization`");
+  CHECK(notes[0].hint == "name the output in a scene or in `--outputs`");
+  CHECK(notes[1].hint == "use a smooth approximation: `tanh(x/width)` for `sign(x)`");
   CHECK(covered_text(notes[0].span) == "\"a\"");
   CHECK(covered_text(notes[1].span) == "abs(x)");
 }

@@ -38,7 +38,8 @@ std::string weight_findings(const std::string& potential,
   return text_of(inspect_weights({weighed(potential, gravity).model, {}}));
 }
 
-const std::string bob_is_twice = "E526: V holds the weight of `bob`, which [gravity] gives it too";
+const std::string bob_is_twice =
+    "E526: V contains the weight of `bob`, which [gravity] adds already";
 
 }  // namespace
 
@@ -99,7 +100,7 @@ TEST_CASE("a weight in V and in gravity is given twice, whatever stands beside i
   CHECK(weight_findings("m*g*(1 - cos(th)) + 1/2*k*th^2") == bob_is_twice);
   CHECK(weight_findings("m*g*y(bob) + m2*g*y(hook)") == bob_is_twice);
   CHECK(weight_findings("m2*g*y(hook) + 7*m*th^2") ==
-        "E526: V holds the weight of `hook`, which [gravity] gives it too");
+        "E526: V contains the weight of `hook`, which [gravity] adds already");
   CHECK(weight_findings("9.81*(m*y(bob) + m2*y(hook))", {"0", "-9.81"}) == bob_is_twice);
 }
 

@@ -19,14 +19,14 @@ std::string said_of(OutputKind kind, const std::optional<std::size_t>& row) {
 
 TEST_CASE("a row of A without a pivot is a redundant constraint, unless the output has its own A") {
   const std::string of_rod =
-      "E537 `x` has no value: the constraint `rod` follows from those before it, whatever the "
+      "E537 `x` has no value: the constraint `rod` follows from earlier constraints, whatever the "
       "state is";
   CHECK(said_of(OutputKind::forward_dynamics, 1) == of_rod);
   CHECK(said_of(OutputKind::constrained_inverse_dynamics, 1) == of_rod);
   CHECK(said_of(OutputKind::completed, 1) ==
         "E603 `x` has no value: the independent velocities do not determine the others");
   CHECK(said_of(OutputKind::user_operational, 1) ==
-        "E603 `x` has no value: row 2 of the Jacobian follows from those before it, whatever the "
+        "E603 `x` has no value: row 2 of the Jacobian follows from earlier rows, whatever the "
         "state is");
 }
 
@@ -34,8 +34,8 @@ TEST_CASE("a matrix whose row is not known is M, unless the output is solved for
   CHECK(said_of(OutputKind::forward_dynamics, {}).empty());
   CHECK(said_of(OutputKind::user_operational, {}).empty());
   CHECK(said_of(OutputKind::constrained_inverse_dynamics, {}) ==
-        "E603 `x` has no value: under the constraints some input moves nothing, or nothing that "
-        "others do not move");
+        "E603 `x` has no value: under the constraints some input moves nothing, or only what other "
+        "inputs move");
 }
 
 }  // namespace elgen::test

@@ -90,7 +90,7 @@ TEST_CASE("outputs of another Lagrangian") {
   CHECK(has(names_in_full(whole), "gravity"));
   wanted.outputs = {"total_energy"};
   CHECK(messages(whole, wanted) ==
-        "E603 1:1 `total_energy` needs T and V apart, but the model gives L\n");
+        "E603 1:1 `total_energy` needs T and V separately, but the model gives L\n");
 }
 
 TEST_CASE("shapes follow the dimensions") {
@@ -133,7 +133,7 @@ TEST_CASE("names that cannot be had") {
     return messages(with_output, {.outputs = {outputs}});
   });
   CHECK(messages(block(), {.outputs = {"input_matrix"}}) ==
-        "E603 1:1 `input_matrix` needs inputs, and the model has none\n");
+        "E603 1:1 `input_matrix` needs inputs, but the model has none\n");
 }
 
 TEST_CASE("forces with kinks have no derivatives, and full does without them") {
@@ -141,10 +141,9 @@ TEST_CASE("forces with kinks have no derivatives, and full does without them") {
   CHECK(has(names_in_full(block()), "linearization"));
   CHECK_FALSE(has(names_in_full(model), "linearization"));
   CHECK(has(names_in_full(model), "forward_dynamics"));
-  CHECK(
-      messages(model, {.outputs = {"forward_dynamics_derivatives"}}) ==
-      "E603 1:1 `forward_dynamics_derivatives` needs forces with derivatives; `abs`, `sign`, `min` "
-      "and `max` have none, a smooth stand-in is tanh(x/width)\n");
+  CHECK(messages(model, {.outputs = {"forward_dynamics_derivatives"}}) ==
+        "E603 1:1 `forward_dynamics_derivatives` needs forces with derivatives, but `abs`, `sign`, "
+        "`min` and `max` have none; a smooth approximation is tanh(x/width)\n");
   const CheckedModel kinked = checked(model);
   CHECK(left_out(kinked) == without_derivatives);
   CHECK(covered_text(kinked.scene.left_out.front().span) == "abs(x)");

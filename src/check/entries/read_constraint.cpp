@@ -47,7 +47,7 @@ class ConstraintReader {
     if (first == nullptr || second != nullptr) {
       context_.report.add(Reason::not_one_alternative,
                           second == nullptr ? entry_.span : second->key_span,
-                          "a constraint has one of `equation` and `coincide`");
+                          "a constraint has exactly one of `equation` and `coincide`");
     } else if (first->key == "equation") {
       read_equations(first->value);
     } else {
@@ -70,8 +70,9 @@ class ConstraintReader {
   void refuse_negative(ExpressionId value, const KeySyntax& key) {
     const auto number = context_.constants[value];
     if (!number || !cln::minusp(*number)) return;
-    context_.report.add(Reason::negative_gain, key.value.span,
-                        in_backticks(key.value.span) + " is negative: errors would grow");
+    context_.report.add(
+        Reason::negative_gain, key.value.span,
+        in_backticks(key.value.span) + " is negative: errors of the constraint would grow");
   }
 
   /// Adds a row for each component that both points have. An unknown point counts as a point of the
@@ -79,12 +80,12 @@ class ConstraintReader {
   void read_points(const ValueSyntax& list) {
     if (list.items.size() != 2) {
       context_.report.add(Reason::wrong_list_length, list.span,
-                          counted(list.items.size(), "point") + ", but two coincide");
+                          counted(list.items.size(), "point") + ", but `coincide` takes two");
       return;
     }
     if (!blank_.is_position) {
       context_.report.add(Reason::velocity_of_coincidence, entry_.find("coincide")->key_span,
-                          "points that coincide are a constraint on positions");
+                          "`coincide` is a constraint on positions");
     }
     const auto p = values_.reference(list.items[0], SymbolKind::point);
     const auto q = values_.reference(list.items[1], SymbolKind::point);
@@ -118,7 +119,8 @@ class ConstraintReader {
     const DeclaredName* other = context_.symbols.find("lambda_" + row.name);
     if (other != nullptr) {
       context_.report.add({Code::E203, row.span,
-                           in_backticks("lambda_" + row.name) + " is the multiplier, but also " +
+                           in_backticks("lambda_" + row.name) +
+                               " is the multiplier of this constraint, but also " +
                                with_article(noun(other->kind)),
                            "", other->span, "declared here"});
     }
@@ -173,8 +175,8 @@ void warn_of_material_points(Context& context) {
     context.report.add(Code::E541, row.equation_span,
                        in_backticks(at.name) + " turns with " +
                            in_backticks(context.model.frames[frame].name) +
-                           ", so this holds one material point, as a pivot does",
-                       "for a contact that rolls, write the velocity of the centre: `dot(x) = "
+                           ", so the equation fixes one material point, as in a pivot",
+                       "for a rolling contact, write the velocity of the centre: `dot(x) = "
                        "r*wy(F)`");
   }
 }

@@ -22,7 +22,7 @@ void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeyS
   force.value = values.roots(value.value, {force_place, unit});
   if (value.value.kind == ValueKind::list) {
     context.report.add(Reason::list_for_number, value.value.span,
-                       "a list, but a generalized force is one number");
+                       "a list, but a generalised force is one number");
   }
 }
 
@@ -112,11 +112,11 @@ const KeySyntax* place_of(const EntrySyntax& entry, Report& report) {
   const auto [first, second] = first_two(entry, force_places);
   if (first == nullptr) {
     report.add(Reason::not_one_alternative, entry.span,
-               "none of `on`, `at` and `frame` says where the force acts");
+               "the force has none of `on`, `at` and `frame`");
   }
   if (second == nullptr) return first;
   report.add(Reason::not_one_alternative, second->key_span,
-             "a force has one of `on`, `at` and `frame`");
+             "a force has exactly one of `on`, `at` and `frame`");
   return nullptr;
 }
 
@@ -128,7 +128,7 @@ void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput
   const std::optional<std::uint32_t> axes = axes_of(values, entry, "axes", std::nullopt);
   if (axes && axes != output.frame) {
     context.report.add(Reason::foreign_axes, entry.find("axes")->value.span,
-                       "axes are `world` or those of the frame itself");
+                       "`axes` is `world` or the frame itself");
     return;
   }
   output.in_world = !axes;
@@ -192,7 +192,7 @@ void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t ta
   const KeySyntax* frame = entry.find("frame");
   if ((value == nullptr) == (frame == nullptr)) {
     values.context().report.add(Reason::not_one_alternative, entry.span,
-                                "an output has one of `value` and `frame`");
+                                "an output has exactly one of `value` and `frame`");
   } else if (value != nullptr) {
     output.values = values.roots(value->value, {place});
   } else {
@@ -200,7 +200,7 @@ void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t ta
     if (const KeySyntax* const motion = entry.find("motion"); output.motion) {
       values.context().report.add(
           Reason::pose_without_motion, motion->key_span,
-          "`motion` is of a `value`: the pose of a frame has no accelerations");
+          "`motion` needs a `value`: the pose of a frame has no accelerations");
     }
   }
   output.jacobian = is_set(entry.find("jacobian"));

@@ -168,7 +168,7 @@ const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
   const auto [first, second] = first_two(entry, orientations);
   if (second == nullptr) return first;
   report.add(Reason::two_orientations, second->key_span,
-             "a frame is turned by one of `rotate`, `rpy`, `dh`, `quaternion`, `rotation`");
+             "a frame has at most one of `rotate`, `rpy`, `dh`, `quaternion` and `rotation`");
   return nullptr;
 }
 
@@ -213,7 +213,7 @@ class FrameReader {
 
   void read() {
     if (frame_.name == world) {
-      report_.add(Code::E204, frame_.span, "`world` is reserved: it is what does not move",
+      report_.add(Code::E204, frame_.span, "`world` is reserved for the frame that does not move",
                   name_instead(world, frame_.span));
     }
     if (const KeySyntax* parent = entry_.find("parent")) {
@@ -265,8 +265,9 @@ class FrameReader {
       } else if (axis.text == "x" || axis.text == "y" || axis.text == "z") {
         add_turn(static_cast<std::size_t>(axis.text.front() - 'x'), angle);
       } else {
-        report_.add(Reason::unknown_axis, axis.span,
-                    in_backticks(axis.text) + " is no axis: `x`, `y`, `z` or three constants");
+        report_.add(
+            Reason::unknown_axis, axis.span,
+            in_backticks(axis.text) + " is no axis: an axis is `x`, `y`, `z` or three constants");
       }
     }
   }

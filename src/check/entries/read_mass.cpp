@@ -91,7 +91,7 @@ class BodyReader {
       report_.add(Code::E516, inertia->value.span,
                   counted(count, "moment") + " of inertia for a " +
                       (body_.spin.size() == 1 ? "planar" : "spatial") + " body",
-                  "planar bodies have 1, spatial ones 3 or 6: xx yy zz xy xz yz");
+                  "a planar body has 1, a spatial body 3 or 6: xx yy zz xy xz yz");
     }
     if (count == 3) body_.inertia.resize(6, no_expression);
   }
@@ -99,9 +99,9 @@ class BodyReader {
   /// `spin` is an angular velocity; it defines no origin.
   void refuse_origin() {
     report_.add(Reason::inertia_without_origin, entry_.find("inertia_about")->key_span,
-                "without a `frame` the body has no origin for its inertia to be about",
-                "give the inertia about the centre of mass, or the body a frame; of a body that "
-                "turns about a fixed point, give no mass here and its weight in `[energy] V`");
+                "a body without `frame` has no origin, so its inertia cannot be about the origin",
+                "give the inertia about the centre of mass, or give the body a frame; if the body "
+                "turns about a fixed point, omit its mass and add its weight to `[energy] V`");
   }
 
   void check_completeness() {

@@ -51,7 +51,7 @@ void check_wrap(Context& context, const EntrySyntax& entry, const Coordinate& co
   if (!coordinate.wrap || is_angle) return;
   context.report.add(
       Code::E528, entry.find("wrap")->key_span,
-      in_backticks(coordinate.name) + " is in " + coordinate.unit_text + ", and only angles wrap");
+      in_backticks(coordinate.name) + " is in " + coordinate.unit_text + ", but only angles wrap");
 }
 
 bool is_outside(const cln::cl_R& value, const std::optional<Interval>& range) {

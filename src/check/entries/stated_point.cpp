@@ -85,8 +85,8 @@ Variables find_variables(Context& context, const PointTable& table, const std::s
                          const Span& span) {
   if (is_of_rotation(context, name)) {
     context.report.add(table.otherwise, span,
-                       in_backticks(name) + " is of a rotation, which has no value here",
-                       "leave it out: it stays as it is");
+                       in_backticks(name) + " belongs to a rotation, which has no value here",
+                       "omit it: the rotation keeps its orientation");
     return {};
   }
   Variables found;

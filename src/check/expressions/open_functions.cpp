@@ -45,14 +45,14 @@ void close_by_sample(Context& context, const EntrySyntax& function) {
   const KeySyntax* sample = function.find("sample");
   if (sample == nullptr) {
     context.report.add(Code::E633, function.find("name")->value.span,
-                       in_backticks(name) + " is left open, and a run needs its values",
+                       in_backticks(name) + " is left open, but a run needs its values",
                        "give it a `sample`, or an expression in `[functions]` of a scene");
     return;
   }
   context.closures[name] = {&sample->value, false};
-  context.report.add(
-      Code::E634, sample->value.span,
-      in_backticks(name) + " is " + in_backticks(sample->value.span) + " here, its sample");
+  context.report.add(Code::E634, sample->value.span,
+                     in_backticks(name) + " is " + in_backticks(sample->value.span) +
+                         " here, which is its `sample`");
 }
 
 /// Argument indices of the first and second derivatives of a function of n arguments, in the order
@@ -157,7 +157,7 @@ std::optional<std::uint32_t> declare_function(Context& context, const EntrySynta
                                               const NewName& name) {
   if (name.index) {
     context.report.add(Code::E205, name.span,
-                       in_backticks(name.text()) + " has an index, and an open function has none");
+                       in_backticks(name.text()) + " has an index, but an open function has none");
     context.symbols.mark_failed(name.base);
     return std::nullopt;
   }
@@ -195,10 +195,10 @@ void check_function_expressions(Context& context) {
     for (const Moving& read : moving_in(model, function.value, false)) {
       if (known.count(read) > 0 || function.arguments.empty()) continue;
       context.report.add(Code::E319, span,
-                         in_backticks(span) + " reads " +
+                         in_backticks(span) + " depends on " +
                              in_backticks(leaf_text(model, read.first, read.second)) +
-                             ", and no argument of " + in_backticks(name) + " does",
-                         "`of` names all that the function depends on");
+                             ", but no argument of " + in_backticks(name) + " does",
+                         "`of` lists every argument of the function");
     }
   }
 }

@@ -139,7 +139,7 @@ void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& val
   const ParameterBounds& bounds = context.bounds[row.array];
   if ((bounds.minimum && value < *bounds.minimum) || (bounds.maximum && value > *bounds.maximum)) {
     context.report.add(Code::E518, span,
-                       in_backticks(span) + " is not what `min` or `max` of " + name + " say");
+                       in_backticks(span) + " is outside `min` or `max` of " + name);
   }
 }
 

@@ -31,18 +31,18 @@ constexpr std::array<IngredientRow, 13> ingredient_table{{
     {uses_parameter, "a parameter"},
 }};
 
-constexpr const char* smooth_stand_in = "a smooth stand-in is tanh(x/width)";
+constexpr const char* smooth_stand_in = "a smooth approximation is tanh(x/width)";
 constexpr const char* home_of_momenta =
-    "it stands in `[[expect]]`: in `conserved`, and in outputs that take momenta";
-constexpr const char* home_of_multipliers = "it stands in an `[[output]]` with `motion = true`";
+    "it is allowed in `[[expect]]`: in `conserved`, and in outputs that take momenta";
+constexpr const char* home_of_multipliers = "it is allowed in an `[[output]]` with `motion = true`";
 constexpr const char* kind_of_rates = "equations of rates have `kind = \"velocity\"`";
-constexpr const char* varying_mass = "what varies is written out in `[energy] T`";
+constexpr const char* varying_mass = "write a variable term in `[energy] T`";
 constexpr const char* slope_here =
-    "a `[[function]]` for the slope may stand here: the rate is slope*dot(argument)";
+    "a `[[function]]` for the slope is allowed here: the rate is slope*dot(argument)";
 constexpr const char* slope_in_energy =
-    "a `[[function]]` for the slope may stand in `[energy] T`: the rate is slope*dot(argument)";
+    "a `[[function]]` for the slope is allowed in `[energy] T`: the rate is slope*dot(argument)";
 constexpr const char* commanded_acceleration =
-    "of a commanded acceleration a: leave the coordinate out, and give each mass the force -m*a";
+    "for a commanded acceleration a, omit the coordinate and give each mass the force -m*a";
 
 Code code_of(Ingredient ingredient, const Place& place) {
   if (place.otherwise == Code::E319 && ingredient == uses_acceleration) return Code::E502;
@@ -81,7 +81,7 @@ void report(Context& context, const WrittenExpression& root, const Expression& n
   const bool contains = is_name(node, NamedKind::definition) || is_name(node, NamedKind::point) ||
                         is_name(node, NamedKind::prescribed);
   std::string message = in_backticks(node.span) + (contains ? " contains " : " is ");
-  message += std::string(row.noun) + ", and " + std::string(root.place.noun) + " takes none";
+  message += std::string(row.noun) + ", but " + std::string(root.place.noun) + " takes none";
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message),
                      std::string(way_round(root.place, row.ingredient)));
 }

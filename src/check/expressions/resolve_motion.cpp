@@ -64,10 +64,10 @@ std::optional<Resolver::ResolvedPlace> Resolver::resolve_place(const ExpressionS
 void Resolver::refuse_place(const ExpressionSyntax& name, const DeclaredName* symbol) {
   if (context_.symbols.has_failed(name.text) || context_.frames.has_failed(name.text)) return;
   if (name.kind == SyntaxKind::name && is_named(symbol, SymbolKind::body)) {
-    context_.report.add(Reason::body_without_frame, name.span,
-                        in_backticks(name.span) + " is no place here",
-                        "the com of a body in a frame is one, in forces, energies, constraints and "
-                        "outputs; elsewhere name a point, or a frame for its origin");
+    context_.report.add(
+        Reason::body_without_frame, name.span, in_backticks(name.span) + " is not a place here",
+        "the com of a body in a frame is a place in forces, energies, constraints and "
+        "outputs; elsewhere name a point, or a frame for its origin");
     return;
   }
   std::vector<std::string> names = context_.symbols.names({SymbolKind::point, SymbolKind::body});
@@ -89,7 +89,7 @@ std::optional<Resolver::ResolvedFrame> Resolver::resolve_frame(const ExpressionS
     if (local) return ResolvedFrame{local->com.frame, false};
     context_.report.add(Reason::body_without_frame, name.span,
                         in_backticks(name.span) + " is in no frame here",
-                        "the axes of a body are those of its `frame`");
+                        "a body has the axes of its `frame`");
     return std::nullopt;
   }
   const DeclaredName* const frame =
@@ -130,8 +130,8 @@ std::optional<ExpressionId> Resolver::resolve_velocity(const ExpressionSyntax& c
     const std::string place(covered_text(call.operands[0].span));
     context_.report.add(
         Code::E309, call.span,
-        in_backticks(call.text) + " is along the axes of a frame, which is missing",
-        fmt::format("along those of the world it is `dot({}({}))`", call.text.back(), place));
+        in_backticks(call.text) + " needs a frame as its second argument, for its axes",
+        fmt::format("along the axes of the world, write `dot({}({}))`", call.text.back(), place));
     return std::nullopt;
   }
   if (!has_arity(call, 2)) return std::nullopt;

@@ -114,7 +114,7 @@ std::optional<std::uint32_t> declare_rotation(Context& context, const EntrySynta
   if (const KeySyntax* repetition = entry.find("for"); repetition != nullptr || name.index) {
     context.report.add(Reason::repeated_name,
                        repetition == nullptr ? name.span : repetition->key_span,
-                       "a rotation is not repeated: its index counts its angular velocities");
+                       "a rotation cannot be repeated: its index counts its angular velocities");
     context.symbols.mark_failed(name.base);
     return std::nullopt;
   }

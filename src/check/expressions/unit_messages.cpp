@@ -104,9 +104,9 @@ void note_plain_numbers(Context& context) {
   if (first == nullptr) return;
   const Span& span = model.expressions[first->value].span;
   std::string others;
-  if (count > 1) others = "; the same goes for " + counted(count - 1, "other value");
+  if (count > 1) others = "; the same holds for " + counted(count - 1, "other value");
   context.report.add(Code::E405, span,
-                     in_backticks(span) + " names nothing, so it is in " +
+                     in_backticks(span) + " contains no name, so it is in " +
                          unit_text_in(first->place, *first->unit) + ", the SI unit of its key" +
                          others);
 }
@@ -140,7 +140,8 @@ void note_missing_units(Context& context) {
     list += (i == 0 ? "" : ", ") + in_backticks(names[i]);
   }
   list += names.size() > 8 ? " and others" : "";
-  context.report.add(Code::E520, *first, list + ": no unit, so what touches it is not checked");
+  context.report.add(Code::E520, *first,
+                     list + ": no unit, so expressions with it are not checked");
 }
 
 }  // namespace elgen

@@ -38,7 +38,7 @@ std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntryS
   };
   if (const KeySyntax* repetition = entry.find("for"); repetition != nullptr || name.index) {
     return refuse(Reason::repeated_name, repetition == nullptr ? name.span : repetition->key_span,
-                  "a wrench is not repeated: its index counts its components");
+                  "a wrench cannot be repeated: its index counts its components");
   }
   if (const KeySyntax* second = first_two(entry, acting_keys)[1]) {
     return refuse(Reason::not_one_alternative, second->key_span,
@@ -49,8 +49,7 @@ std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntryS
                   "an input has one of `on`, `wrench` and `at`");
   }
   if (const KeySyntax* unit = entry.find("unit")) {
-    return refuse(Reason::unit_of_wrench, unit->key_span,
-                  "components of a wrench are in N*m, those of a force in N");
+    return refuse(Reason::unit_of_wrench, unit->key_span, "torques are in N*m and forces in N");
   }
   const WrenchComponents count = wrench_components(context, entry);
   const auto first = static_cast<std::uint32_t>(context.model.inputs.size());

@@ -215,9 +215,10 @@ class ExpectationReader {
   void read_sized(const KeySyntax& key) {
     const std::string_view name = key.key;
     if (!name.ends_with(entry_suffix)) {
-      context_.report.add(Code::E601, key.key_span,
-                          in_backticks(name) + " is given by entry, but is not called so",
-                          "did you mean `" + key.key + std::string(entry_suffix) + "`?");
+      context_.report.add(
+          Code::E601, key.key_span,
+          in_backticks(name) + " gives a formula for each entry, but its name lacks the suffix",
+          "did you mean `" + key.key + std::string(entry_suffix) + "`?");
       return;
     }
     const std::string_view output = name.substr(0, name.size() - entry_suffix.size());
@@ -302,8 +303,8 @@ void check_equations(Context& context, const std::vector<Traits>& traits) {
       if ((traits[entry].ingredients & uses_acceleration) != 0) continue;
       if (!is_sound && has_failed(model, entry)) continue;
       context.report.add(Code::E540, expectation.spans[i],
-                         in_backticks(expectation.spans[i]) + " holds no acceleration",
-                         "that of `x` is `dot(dot(x))`");
+                         in_backticks(expectation.spans[i]) + " contains no acceleration",
+                         "the acceleration of `x` is `dot(dot(x))`");
     }
     const std::size_t count = expectation.entries.size();
     const std::size_t velocities = model.velocities.size();

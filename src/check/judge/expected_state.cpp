@@ -74,7 +74,7 @@ std::optional<StatedState> read_stated_state(Context& context, const EntrySyntax
   if (std::ranges::none_of(entry.keys, is_output)) {
     context.report.add(Reason::state_without_output, at->key_span,
                        "no output is given at this state",
-                       "`conserved` and `equations` are about all states");
+                       "`conserved` and `equations` hold at all states");
   }
   // The default tolerance 1e-12 fits tables of doubles.
   StatedState state{read_leaves(context, at->value.entries), power_of_ten(-12)};

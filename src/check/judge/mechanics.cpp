@@ -135,9 +135,9 @@ class MechanicsCheck {
       context_.report.add({Reason::input_acts_twice, node.span,
                            in_backticks(input.name) + " acts on " +
                                in_backticks(model_.velocities[*input.on].name) +
-                               " by its `on`, and a force names it too",
-                           "without `on` an input acts where a force names it", input.span,
-                           "the input is declared here"});
+                               " by its `on`, but a force also contains it",
+                           "without `on`, an input acts through the force that contains it",
+                           input.span, "the input is declared here"});
     }
   }
 
@@ -145,7 +145,7 @@ class MechanicsCheck {
     const Energies& energies = model_.energies;
     if (energies.L && (energies.T || energies.V || has_masses(model_))) {
       const std::string other = energies.T || energies.V ? "T or V" : "the mass of an entry";
-      context_.report.add(Code::E515, context_.lagrangian_span, "`L` is given beside " + other);
+      context_.report.add(Code::E515, context_.lagrangian_span, "`L` is given besides " + other);
     }
     if (!energies.L && !energies.T && !has_masses(model_)) {
       context_.report.add(Code::E514, context_.model_span,
@@ -166,8 +166,8 @@ class MechanicsCheck {
                                 " is in no energy, so nothing determines its motion",
                             model_.constraints.empty()
                                 ? ""
-                                : "give it a mass, also where a constraint holds it: M is inverted "
-                                  "by itself");
+                                : "give it a mass, even if a constraint holds it: M is inverted "
+                                  "separately");
       }
     }
   }
@@ -252,7 +252,7 @@ void check_equation(Context& context, const Constraint& constraint, const Traits
   if (!constraint.is_position && traits.rate_degree > 1) {
     context.report.add(Code::E535, span, in_backticks(span) + " is not affine in the rates");
   } else if (!constraint.is_position && traits.rate_degree == 0) {
-    context.report.add(Code::E535, span, in_backticks(span) + " holds no rate",
+    context.report.add(Code::E535, span, in_backticks(span) + " contains no rate",
                        "without `kind = \"velocity\"` it is a constraint on positions");
   }
 }
@@ -260,7 +260,7 @@ void check_equation(Context& context, const Constraint& constraint, const Traits
 /// E539: a part of the model or scene does not support constraints.
 void refuse_beside_constraints(Context& context, const Span& span, const std::string& what,
                                const std::string& instead) {
-  context.report.add({Code::E539, span, what + " does not go with constraints", instead,
+  context.report.add({Code::E539, span, what + " does not support constraints", instead,
                       context.model.constraints.front().span, "constrained here"});
 }
 
@@ -273,7 +273,7 @@ void check_company(Context& context) {
   }
   if (model.approximation) {
     refuse_beside_constraints(context, model.approximation->span, "`[approximate]`",
-                              "`linearization` is of the constrained equations");
+                              "`linearization` linearises the constrained equations");
   }
   if (has_routhian(model)) {
     refuse_beside_constraints(context, model.variant.cyclic.front().span, "`[routh]`",
@@ -300,7 +300,7 @@ void check_constraints(Context& context) {
     const Constraint& constraint = model.constraints[i];
     if (resting[i]) {
       context.report.add(Code::E536, constraint.equation_span,
-                         in_backticks(constraint.name) + " holds nothing that moves",
+                         in_backticks(constraint.name) + " contains nothing that moves",
                          equations_instead(model.constraints, resting, constraint));
     } else {
       check_equation(context, constraint, traits[constraint.value]);

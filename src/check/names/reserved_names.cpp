@@ -123,7 +123,8 @@ bool is_well_formed_name(std::string_view name) {
 bool check_name(const std::string& name, const Span& span, Report& report) {
   if (!is_well_formed_name(name)) {
     report.add(Code::E205, span,
-               in_backticks(name) + " is not letters, digits and underscores after a letter");
+               in_backticks(name) +
+                   " is no name: a name is a letter, then letters, digits and underscores");
     return false;
   }
   if (const std::string_view reason = reserved_reason(name); !reason.empty()) {

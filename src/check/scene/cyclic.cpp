@@ -72,7 +72,7 @@ class ObstacleSearch {
       if (!is_absent) all.push_back(place[i]);
     }
     if (is_reached(model_, all, variable_))
-      add(name + ", or where it acts, contains it", force.span);
+      add(name + ", or the point or frame where it acts, contains it", force.span);
   }
 
   const Model& model_;
@@ -96,8 +96,8 @@ void check_routh(Context& context, const Scene& scene) {
     if (!lock.reaction) continue;
     context.report.add(Reason::reaction_unknown, lock.span,
                        "the reaction on " + in_backticks(model.coordinates[lock.coordinate].name) +
-                           " is not known where `[routh]` takes coordinates out",
-                       "ask for it in a scene without `[routh]`");
+                           " is not available together with `[routh]`",
+                       "request it in a scene without `[routh]`");
   }
   for (const Cyclic& cyclic : model.variant.cyclic) {
     const std::string name = in_backticks(model.coordinates[cyclic.coordinate].name);

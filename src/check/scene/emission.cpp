@@ -21,7 +21,7 @@ LanguageId language_named(std::string_view name) {
   return row == language_table.end() ? default_language : row->id;
 }
 
-constexpr const char* leave_out = "leave the key out, or write `language = \"c++17\"`";
+constexpr const char* leave_out = "omit the key, or write `language = \"c++17\"`";
 
 /// Whether a language that takes one scalar supports the requested scalars.
 bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
@@ -37,13 +37,14 @@ void refuse_of_compiled(const FileSyntax* syntax, const LanguageRow& language, R
   const auto refuse = [&](const char* section, const char* key, const std::string& why) {
     const KeySyntax* const found = find_key(syntax, section, key);
     if (found == nullptr) return;
-    report.add(Code::E611, found->key_span,
-               fmt::format("{} is of compiled code, and `language` is {}", in_backticks(key), name),
-               why + "; leave the key out");
+    report.add(
+        Code::E611, found->key_span,
+        fmt::format("{} is for compiled code, but `language` is {}", in_backticks(key), name),
+        why + "; omit the key");
   };
-  refuse("emit", "storage", "matrices are those of the language");
-  refuse("emit", "namespace", "a module is named by the base name of the scene");
-  refuse("numeric", "trigonometry", "sines are those of the library there");
+  refuse("emit", "storage", "the language has its own matrices");
+  refuse("emit", "namespace", "the base name of the scene is the name of the module");
+  refuse("numeric", "trigonometry", "the code uses the sines of the library");
 }
 
 void check_together(const FileSyntax* syntax, const Emission& emission, const Scene& scene,
@@ -54,14 +55,14 @@ void check_together(const FileSyntax* syntax, const Emission& emission, const Sc
   const bool is_for_one = language.scalars == LanguageScalars::one;
   if (scalar != nullptr && is_for_one && !takes_scalars(language, scene.numerics)) {
     report.add(Code::E610, scalar->value.span,
-               fmt::format("code in {} is written for one scalar, {}", name,
+               fmt::format("code in {} has one scalar, {}", name,
                            language.is_interpreted ? "`double`" : "`float` or `double`"),
                "write `scalar = [\"double\"]`");
   }
   if (language.is_interpreted) refuse_of_compiled(syntax, language, report);
   if (emission.eigen && !language.has_more_headers) {
     report.add(Code::E611, find_key(syntax, "emit", "eigen")->key_span,
-               "`eigen` needs C++, and `language` is " + name, leave_out);
+               "`eigen` needs C++, but `language` is " + name, leave_out);
   }
 }
 
@@ -104,7 +105,7 @@ class BatchReader {
     const LanguageRow& language = language_row(scene_.emission.language);
     if (!language.has_more_headers) {
       context_.report.add(Code::E611, batch.key_span,
-                          "`batch` needs C++, and `language` is " + in_backticks(language.name),
+                          "`batch` needs C++, but `language` is " + in_backticks(language.name),
                           leave_out);
     } else if (has_scalar(scene_, ScalarKind::long_double)) {
       refuse(find_key(syntax_, "numeric", "scalar")->value.span,
@@ -118,7 +119,7 @@ class BatchReader {
     const KeySyntax* key = trigonometry.value.find("max_error");
     if (key == nullptr) return;
     if (scene_.emission.batch) return read_accuracy(*key);
-    refuse(trigonometry.key_span, "sines and cosines of a given accuracy are those of batches",
+    refuse(trigonometry.key_span, "only batches have sines and cosines of a chosen accuracy",
            "`[emit] batch = true` adds functions on arrays of states");
   }
 
@@ -191,7 +192,7 @@ std::string lacks_accelerations(const OutputRequest& output) {
   const OutputRow& row = output_row(output.kind);
   if (!row.steps || row.differentiates) return in_backticks(output.name) + " is no `step`";
   const bool asks = !output.step || output.step->method != StepMethod::midpoint;
-  return asks ? "" : in_backticks(step_row(StepMethod::midpoint).name) + " asks for none";
+  return asks ? "" : in_backticks(step_row(StepMethod::midpoint).name) + " calls no accelerations";
 }
 
 }  // namespace
@@ -208,11 +209,11 @@ void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& 
   const LanguageRow& language = language_row(scene.emission.language);
   if (!language.has_more_headers) {
     return context.report.add(Code::E611, inner->key_span,
-                              "`inner` needs C++, and `language` is " + in_backticks(language.name),
+                              "`inner` needs C++, but `language` is " + in_backticks(language.name),
                               leave_out);
   }
   const auto refuse = [&](const Span& span, const std::string& others) {
-    context.report.add(Code::E628, span, others + ", and `inner` is " + in_backticks(row->name));
+    context.report.add(Code::E628, span, others + ", but `inner` is " + in_backticks(row->name));
   };
   if (scene.numerics.scalars != std::vector{ScalarKind::double_precision}) {
     refuse(find_key(syntax, "numeric", "scalar")->value.span, "`scalar` is not `double` alone");

@@ -63,7 +63,7 @@ class HeldReader {
     std::ranges::sort(cyclic, {}, &Cyclic::velocity);
     if (!cyclic.empty() && nothing_moves()) {
       context_.report.add(Reason::nothing_moves, entry.span,
-                          "every coordinate is taken out, so nothing moves");
+                          "every coordinate is removed or locked, so nothing moves");
     }
     for (Cyclic& taken : cyclic) declare_momentum(taken);
   }
@@ -138,7 +138,7 @@ class HeldReader {
     const std::string name = in_backticks(key.key);
     if (held.is_rotation) {
       context_.report.add(Reason::cyclic_is_rotation, held.span,
-                          name + " is a rotation, which no number stands for");
+                          name + " is a rotation, which has no single momentum");
       return false;
     }
     const std::vector<Lock>& locks = model_.variant.locks;
@@ -167,8 +167,8 @@ class HeldReader {
     cyclic.parameter = static_cast<std::uint32_t>(model_.parameters.size());
     if (const DeclaredName* const taken = context_.symbols.find(name)) {
       context_.report.add({Reason::momentum_name, cyclic.span,
-                           in_backticks(name) + " is taken, which the momentum of " +
-                               in_backticks(coordinate.name) + " is called",
+                           in_backticks(name) + ", the name of the momentum of " +
+                               in_backticks(coordinate.name) + ", is already declared",
                            "", taken->span, "declared here"});
       return;
     }

@@ -71,7 +71,7 @@ class ApproximationReader {
           context_.report.add(Reason::locked_coordinate, key.key_span, name + " is locked");
         if (!is_taken_out(i)) continue;
         context_.report.add(Reason::expanded_cyclic, key.key_span,
-                            name + " is taken out by `[routh]`, so that nothing is expanded in it");
+                            name + " is removed by `[routh]`, so nothing is expanded in it");
       }
     }
   }
@@ -108,7 +108,7 @@ class ApproximationReader {
     if (std::find(flags.begin(), flags.end(), true) != flags.end()) return;
     context_.report.add(Reason::no_small_coordinate,
                         small == nullptr ? result_.span : small->key_span, "no coordinate is small",
-                        "`about` gives the coordinates that are");
+                        "`about` gives the small coordinates");
   }
 
   void read_small_coordinate(const ValueSyntax& item) {
@@ -117,8 +117,9 @@ class ApproximationReader {
       result_.small[i] = true;
       if (!result_.coordinates[i]) {
         context_.report.add(Reason::no_small_coordinate, item.span,
-                            in_backticks(model_.coordinates[i].name) + " is small, but about what?",
-                            "give its value in `about`");
+                            in_backticks(model_.coordinates[i].name) +
+                                " is small, but `about` gives no value for it",
+                            "add its value to `about`");
       }
     }
   }
@@ -144,7 +145,7 @@ class ApproximationReader {
       if (!lock.reaction) continue;
       context_.report.add(Reason::approximated_reaction, lock.span,
                           "the reaction on " + in_backticks(lock.span) + " is not expanded",
-                          "ask for it in a scene without `[approximate]`");
+                          "request it in a scene without `[approximate]`");
     }
   }
 
@@ -153,13 +154,13 @@ class ApproximationReader {
     if (kink == nullptr) return;
     context_.report.add({Reason::kinked_force, entry_.span,
                          "`abs`, `sign`, `min` and `max` in a force have no expansion",
-                         "a smooth stand-in is tanh(x/width)", kink->span, "one is here"});
+                         "a smooth approximation is tanh(x/width)", kink->span, "a kink is here"});
   }
 
   void check_functions() {
     for (const OpenFunction& function : model_.functions) {
       context_.report.add({Code::E633, entry_.span,
-                           in_backticks(function.name) + " is left open, and has no expansion",
+                           in_backticks(function.name) + " is left open, so it has no expansion",
                            "give it an expression in `[functions]`", function.span,
                            "left open here"});
     }

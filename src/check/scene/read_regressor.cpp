@@ -46,13 +46,13 @@ class RegressorReader {
     const Model& model = context_.model;
     const std::string name = in_backticks(model.parameters[parameter].name);
     if (fixed_.count(parameter) > 0) {
-      return refuse(span, name + " is fixed, and no parameter of the code");
+      return refuse(span, name + " is fixed, so it is no parameter of the code");
     }
     if (std::ranges::count(regressed(), parameter) > 0) return;
     if (stands_elsewhere(parameter)) {
       return refuse(span, name +
-                              " stands in a mass, an inertia, a place, gravity or a constraint, "
-                              "not in energies and forces alone");
+                              " occurs in a mass, an inertia, a position, gravity or a constraint, "
+                              "not only in energies and forces");
     }
     regressed().push_back(parameter);
     for (const ExpressionId root : roots_if(model, is_summed)) {

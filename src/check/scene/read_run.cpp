@@ -151,7 +151,7 @@ void read_law(Context& context, const KeySyntax& key, Scene& scene) {
   if (!variables_left(context.model).inputs[index]) {
     context.report.add(
         {Code::E606, key.key_span,
-         in_backticks(key.key) + " acts on what the scene locks alone, so it has no law", "",
+         in_backticks(key.key) + " acts only on locked coordinates, so it has no law", "",
          input->span, "declared here"});
     return;
   }

@@ -24,7 +24,7 @@ void read_iterations(const KeySyntax& key, StepSpec& step, Report& report) {
   const StepMethodRow& method = step_row(step.method);
   if (method.iterations == 0) {
     return report.add(Code::E626, key.key_span,
-                      fmt::format("`{}` is explicit: it iterates nothing", method.name));
+                      fmt::format("`{}` is explicit, so it has no iterations", method.name));
   }
   const cln::cl_RA& count = key.value.expression.value;
   if (count < 1 || count > most_step_iterations) {
@@ -55,7 +55,7 @@ void read_projected(const Model& model, const KeySyntax& key, StepSpec& step, Re
   step.projects = key.value.boolean;
   if (!step.projects || !model.constraints.empty()) return;
   report.add(Code::E539, key.key_span,
-             "`projected` needs a `[[constraint]]`, and the model has none");
+             "`projected` needs a `[[constraint]]`, but the model has none");
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& outp
   const KeySyntax* method = entry.find("method");
   if (method == nullptr) {
     return report.add(Code::E105, output.span,
-                      fmt::format("`{}` needs a `method`, which a scene gives it", output.name),
+                      fmt::format("`{}` needs a `method`: give it in a scene", output.name),
                       method_hint(""));
   }
   const auto found = std::ranges::find(step_methods, method->value.text, &StepMethodRow::name);
@@ -93,14 +93,14 @@ void check_steps(Context& context, const std::vector<OutputRequest>& outputs) {
     if (method.domain == StepDomain::any) continue;
     if (!model.constraints.empty()) {
       context.report.add({Code::E539, output.span,
-                          fmt::format("`{}` does not know of constraints", method.name),
-                          "`rk4`, with `projected` after each step, keeps to them",
+                          fmt::format("`{}` does not support constraints", method.name),
+                          "use `rk4` with `projected` after each step",
                           model.constraints.front().span, "constrained here"});
     } else if (!model.rotations.empty() && context.report.errors() == 0) {
       // After other errors the model still contains the rotations that the scene locks.
       context.report.add(Code::E622, output.span,
-                         fmt::format("`{}` is not for this system: `{}` is a rotation", method.name,
-                                     model.rotations.front().name),
+                         fmt::format("`{}` does not apply to this system: `{}` is a rotation",
+                                     method.name, model.rotations.front().name),
                          "`rk4` takes any model");
     }
   }

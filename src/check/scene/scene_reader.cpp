@@ -154,9 +154,10 @@ class SceneReader {
     if (std::ranges::any_of(scene_.outputs, is_member)) return;
     for (const OutputRequest& output : scene_.outputs) {
       if (output_row(output.kind).repeats) {
-        context_.report.add(Reason::empty_dynamics, output.span,
-                            "`dynamics` holds the chosen outputs that take neither a nor u, and "
-                            "none is chosen");
+        context_.report.add(
+            Reason::empty_dynamics, output.span,
+            "`dynamics` returns the requested outputs that take neither a nor u, but "
+            "the scene requests none");
       }
     }
   }
