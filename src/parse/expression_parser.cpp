@@ -299,7 +299,7 @@ bool ExpressionParser::too_deep(const Token& token) {
   const bool own_limit = limits_.expression_depth > deepest_expression;
   return fail({Code::E902, tokens_.span(token),
                fmt::format("expression is nested deeper than {}", deepest_),
-               own_limit ? "give parts of it names in `[define]`"
+               own_limit ? "name parts of it in `[define]`"
                          : "`--limit expression_depth=N` raises the limit"});
 }
 

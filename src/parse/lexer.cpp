@@ -140,7 +140,7 @@ TokenKind symbol_kind(char c) {
 std::string ascii_hint(char32_t character) {
   switch (character) {
     case U'#':
-      return "a comment stands outside the quotes";
+      return "put the comment outside the quotes";
     case U'_':
       return "a name starts with a letter";
     case U'!':

@@ -161,7 +161,7 @@ Diagnostic redefinition(const SourceText& source, std::uint32_t offset,
                         std::string_view description) {
   Diagnostic error{Code::E101, redefined(source, offset), message_of(description)};
   if (const auto first = first_definition(source, error.span)) {
-    error.hint = "give one of them another name";
+    error.hint = "rename one of them";
     error.related = *first;
     error.related_message = "first given here";
   }

@@ -91,12 +91,12 @@ std::optional<LatexMistake> find_latex_mistake(std::string_view text) {
     if (text[at] == '\\') {
       end = end_of_command(text, at);
       if (!is_allowed(text.substr(at + 1, end - at - 1))) {
-        return mistake(text, at, end, "is no command of symbols");
+        return mistake(text, at, end, "is no command that a symbol may contain");
       }
     } else if (!is_plain(text, at, point)) {
-      return mistake(text, at, end, "does not stand in symbols");
+      return mistake(text, at, end, "is not allowed in a symbol");
     } else if (text.substr(at, 2) == "^^") {
-      return mistake(text, at, at + 2, "is no way to write a character");
+      return mistake(text, at, at + 2, "is not allowed in a symbol");
     } else if (text[at] == '{') {
       open.push_back(at);
     } else if (text[at] == '}') {
@@ -134,7 +134,7 @@ void report_hidden(const DecodedText& text, FileReading& reading) {
     const bool is_blank = std::string_view("\t\n\r").find(text.text[i]) != std::string_view::npos;
     if (is_hidden(point.value) && !is_blank) {
       reading.report(Code::E113, text.span(i, i + point.bytes),
-                     fmt::format("{} is not seen in a text", code_point_name(point.value)));
+                     fmt::format("{} is invisible in a text", code_point_name(point.value)));
       return;
     }
     i += point.bytes;
@@ -147,7 +147,7 @@ void report_order(const DecodedText& text, FileReading& reading) {
   const std::size_t begin = text.text.find_first_not_of(" \t\r\n");
   if (begin == std::string::npos || !text.text.substr(begin).starts_with(order)) return;
   reading.report(Code::E113, text.span(begin, begin + order.size()),
-                 "`::` before a text is an order to the log of a CI");
+                 "GitHub reads a text that begins with `::` as a command");
 }
 
 /// A number without quotes, with its sign.

@@ -92,8 +92,8 @@ class JointChooser {
     found_.insert(found_.end(), number.diagnostics.begin(), number.diagnostics.end());
     if (number) joint->welded = *number;
     if (number && !number->is_zero() && !has_one_coordinate(joint->type)) {
-      refuse(value, fmt::format("{} is {}: it is held at 0 only", in_backticks(joint->name.text),
-                                word(joint->type)));
+      refuse(value, fmt::format("{} is {}, so it can be fixed only at 0",
+                                in_backticks(joint->name.text), word(joint->type)));
     }
   }
 
@@ -104,10 +104,10 @@ class JointChooser {
       const std::string leader = joint->mimic->joint.text;
       return refuse(
           name, fmt::format("{} mimics {}", in_backticks(joint->name.text), in_backticks(leader)),
-          fmt::format("it moves where {} does", in_backticks(leader)));
+          fmt::format("it moves with {}", in_backticks(leader)));
     }
     if (joint->rank != 0) {
-      return refuse(name, fmt::format("{} stands here twice", in_backticks(joint->name.text)));
+      return refuse(name, fmt::format("{} is named twice", in_backticks(joint->name.text)));
     }
     joint->rank = rank;
   }

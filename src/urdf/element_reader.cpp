@@ -56,7 +56,7 @@ const Extension* extension_of(const Element& element) {
 
 Diagnostic lost(const Span& span, const std::string& what, std::string_view remedy) {
   return {Code::E822, span, what + " is not imported",
-          fmt::format("the model moves without it: {}", remedy)};
+          fmt::format("the model ignores it: {}", remedy)};
 }
 
 std::string child_text(const Element& parent, const Element& child) {

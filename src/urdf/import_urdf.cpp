@@ -29,7 +29,7 @@ Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked
   } else if (const Joint* joint = floating_joint(robot, tree)) {
     found.push_back({Code::E821, joint->name.span,
                      fmt::format("{} floats already", in_backticks(joint->name.text)),
-                     "leave out `--floating-base`"});
+                     "omit `--floating-base`"});
     return found;
   }
   let_float(robot, tree.root);

@@ -133,15 +133,16 @@ void check_joint(const Robot& robot, const Branch& branch, const MovedMass& move
   const Joint& joint = robot.joints[branch.joint];
   const Link& child = robot.links[branch.child];
   if (!moved.has_mass) {
-    const char* const mass = child.inertial ? "has a `<mass>` of 0, and no link behind it has more"
-                                            : "has no `<mass>`, nor has a link behind it";
+    const char* const mass = child.inertial
+                                 ? "has a `<mass>` of 0, and no link that it carries has mass"
+                                 : "has no `<mass>`, nor has any link that it carries";
     found.push_back({Code::E810, joint.name.span,
                      fmt::format("{} moves no mass", in_backticks(joint.name.text)),
-                     fmt::format("{} {}; `--weld massless` holds such joints",
+                     fmt::format("{} {}; `--weld massless` fixes such joints",
                                  in_backticks(child.name.text), mass)});
   } else if (!moved.has_mass_at_once) {
     found.push_back({Code::E816, child.name.span,
-                     fmt::format("{} moves without a mass", in_backticks(child.name.text))});
+                     fmt::format("{} moves but has no mass", in_backticks(child.name.text))});
   }
 }
 
@@ -166,8 +167,8 @@ void check_world(const Robot& robot, const LinkTree& tree, Diagnostics& found) {
   found.push_back(
       {Code::E817, first.span,
        held.size() > 1
-           ? fmt::format("{} and {} are the world: their mass plays no part", name, others)
-           : fmt::format("{} is the world: its mass plays no part", name),
+           ? fmt::format("{} and {} belong to the world: their mass has no effect", name, others)
+           : fmt::format("{} belongs to the world: its mass has no effect", name),
        "`--floating-base` lets it move"});
 }
 

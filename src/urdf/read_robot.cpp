@@ -108,7 +108,7 @@ void read_transmission(const Element& element, Robot& robot, RobotReading& readi
   if (joint == nullptr) {
     reading.found.push_back(
         {Code::E815, inertia->span, "`<drake:rotor_inertia>` in `<actuator>` is not imported",
-         fmt::format("{} is no joint that turns or slides", in_backticks(name))});
+         fmt::format("{} is neither revolute nor prismatic", in_backticks(name))});
     return;
   }
   Rotor& rotor = joint->rotor.emplace();
@@ -144,7 +144,8 @@ std::string type_hint(const std::string& type) {
   if (!near.empty()) return near;
   const std::string known = fmt::format("there are {}", fmt::join(words, ", "));
   if (std::ranges::find(balls, type) == balls.end()) return known;
-  return known + "; a `floating` one, imported, has a rotation: leave out its three lengths";
+  return known +
+         "; a `floating` joint is imported with a rotation and three lengths: remove the lengths";
 }
 
 JointType read_type(ElementReader& joint, RobotReading& reading) {
@@ -181,7 +182,7 @@ void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
   }
 }
 
-constexpr const char* no_limit = "the model has no such limit";
+constexpr const char* no_limit = "the model omits this limit";
 
 /// Limits do not affect the equations, so an invalid limit is dropped with E814.
 std::optional<FileNumber> read_bound(ElementReader& limit, std::string_view name, bool is_signed,
@@ -230,7 +231,7 @@ void warn_of_dynamics(ElementReader& reader, const Joint& joint, Diagnostics& fo
       found.push_back({Code::E822, number->span,
                        fmt::format("the {} of {}, a {} joint, is not imported", name,
                                    in_backticks(joint.name.text), word(joint.type)),
-                       "the model moves without it: add it to `[energy] D`"});
+                       "the model ignores it: add it to `[energy] D`"});
     }
   });
 }

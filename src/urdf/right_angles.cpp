@@ -38,7 +38,7 @@ class RightAngles {
     if (count_ == 0) return {};
     return {
         {Code::E819, robot_.span,
-         fmt::format("{} {} taken for right ones: no pose changes by more than {:.1e} rad and "
+         fmt::format("{} {} rounded to right angles: no pose changes by more than {:.1e} rad and "
                      "{:.1e} m",
                      count_, count_ == 1 ? "angle is" : "angles are", worst_.angle, worst_.place),
          "`--exact-angles` keeps their digits"}};

@@ -60,7 +60,7 @@ std::optional<std::size_t> mimicked_by(const Joint& joint, const Robot& robot,
     found.push_back({Code::E812, name.span,
                      fmt::format("{} is {}: it has no coordinate to share",
                                  in_backticks(one->name.text), word(one->type)),
-                     fmt::format("`--weld {}` holds what mimics", joint.name.text)});
+                     fmt::format("`--weld {}` fixes the joint that mimics", joint.name.text)});
     return std::nullopt;
   }
   return other->second;
@@ -194,7 +194,7 @@ class TreeMaker {
     const Joint& joint = robot_.joints[index];
     found_.push_back({Code::E812, joint.mimic->joint.span,
                       *at == index ? fmt::format("{} mimics itself", in_backticks(joint.name.text))
-                                   : fmt::format("{} mimics by way of {} joints or more",
+                                   : fmt::format("{} mimics through {} joints or more",
                                                  in_backticks(joint.name.text), longest_chain)});
   }
 

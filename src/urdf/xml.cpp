@@ -26,7 +26,7 @@ constexpr std::array mistakes{
     MistakeRow{tinyxml2::XML_ERROR_PARSING_TEXT, "a text has no end"},
     MistakeRow{tinyxml2::XML_ERROR_PARSING_CDATA, "a CDATA section has no end"},
     MistakeRow{tinyxml2::XML_ERROR_PARSING_COMMENT, "a comment has no end"},
-    MistakeRow{tinyxml2::XML_ERROR_PARSING_DECLARATION, "`<?xml` stands in a wrong place"},
+    MistakeRow{tinyxml2::XML_ERROR_PARSING_DECLARATION, "`<?xml` is not at the start of the file"},
     MistakeRow{tinyxml2::XML_ERROR_PARSING_UNKNOWN, "a `<!` has no end"},
     MistakeRow{tinyxml2::XML_ERROR_EMPTY_DOCUMENT, "the file has no element"},
     MistakeRow{tinyxml2::XML_ERROR_MISMATCHED_ELEMENT, "an element is not closed by its own name"},

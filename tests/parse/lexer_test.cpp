@@ -62,7 +62,7 @@ TEST_CASE("what is no token is named", "[parse]") {
       {"5!", Code::E301, 1, "`!` has no meaning in an expression", "there is no factorial"},
       {"x'", Code::E301, 1, "`'` has no meaning in an expression", "write `dot(x)`"},
       {"x # note", Code::E301, 2, "`#` has no meaning in an expression",
-       "a comment stands outside the quotes"},
+       "put the comment outside the quotes"},
       {"_a", Code::E301, 0, "`_` has no meaning in an expression", "a name starts with a letter"},
       {"{x}", Code::E301, 0, "`{` has no meaning in an expression", "write `(`"},
       {"x\x01", Code::E301, 1, "`U+0001` has no meaning in an expression", ""},

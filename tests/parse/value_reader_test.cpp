@@ -173,15 +173,19 @@ TEST_CASE("a symbol is not empty, its braces match, its commands and characters 
           "[parse]") {
   CHECK(symbol_mistake("") == ": the symbol is empty");
   CHECK(symbol_mistake(" \n") == " \n: the symbol is empty");
-  CHECK(symbol_mistake("\\input{/etc/passwd}") == "\\input: `\\input` is no command of symbols");
-  CHECK(symbol_mistake("x\\write18{ls}") == "\\write: `\\write` is no command of symbols");
-  CHECK(symbol_mistake("\\csname a\\endcsname") == "\\csname: `\\csname` is no command of symbols");
-  CHECK(symbol_mistake("x\\end{document}") == "\\end: `\\end` is no command of symbols");
-  CHECK(symbol_mistake("x\\") == "\\: `\\` is no command of symbols");
-  CHECK(symbol_mistake("x$y") == "$: `$` does not stand in symbols");
-  CHECK(symbol_mistake("<script>") == "<: `<` does not stand in symbols");
-  CHECK(symbol_mistake("x%") == "%: `%` does not stand in symbols");
-  CHECK(symbol_mistake("^^5cinput") == "^^: `^^` is no way to write a character");
+  CHECK(symbol_mistake("\\input{/etc/passwd}") ==
+        "\\input: `\\input` is no command that a symbol may contain");
+  CHECK(symbol_mistake("x\\write18{ls}") ==
+        "\\write: `\\write` is no command that a symbol may contain");
+  CHECK(symbol_mistake("\\csname a\\endcsname") ==
+        "\\csname: `\\csname` is no command that a symbol may contain");
+  CHECK(symbol_mistake("x\\end{document}") ==
+        "\\end: `\\end` is no command that a symbol may contain");
+  CHECK(symbol_mistake("x\\") == "\\: `\\` is no command that a symbol may contain");
+  CHECK(symbol_mistake("x$y") == "$: `$` is not allowed in a symbol");
+  CHECK(symbol_mistake("<script>") == "<: `<` is not allowed in a symbol");
+  CHECK(symbol_mistake("x%") == "%: `%` is not allowed in a symbol");
+  CHECK(symbol_mistake("^^5cinput") == "^^: `^^` is not allowed in a symbol");
   CHECK(symbol_mistake("x_{1") == "{: `{` is not closed");
   CHECK(symbol_mistake("x}_1{") == "}: `}` closes nothing");
 }

@@ -120,8 +120,8 @@ TEST_CASE("joints that move no mass are held together") {
       "link=\"arm\"/></joint>\n<joint name=\"finger\" type=\"prismatic\"><parent link=\"arm\"/>"
       "<child link=\"f\"/></joint>");
   CHECK(import_messages(text) ==
-        "E810 5:14 `finger` moves no mass | `f` has no `<mass>`, nor has a link behind it; `--weld "
-        "massless` holds such joints\n");
+        "E810 5:14 `finger` moves no mass | `f` has no `<mass>`, nor has any link that it carries; "
+        "`--weld massless` fixes such joints\n");
   CHECK(import_messages(text, welding({"massless"})) ==
         "E820 5:14 `finger` is held at 0 | it moves no mass\n");
   CHECK_THAT(imported(text, welding({"massless"})),
@@ -171,14 +171,14 @@ TEST_CASE("points that fixed joints hold on the axis of a planar joint turn no i
 TEST_CASE("joints that cannot be chosen") {
   CHECK(import_messages(crane(), keeping("ab,bd")) ==
         "E821 1:4 the robot has no joint `bd` | did you mean `bc`?\n");
-  CHECK(import_messages(crane(), keeping("ab,ab")) == "E821 1:4 `ab` stands here twice\n");
+  CHECK(import_messages(crane(), keeping("ab,ab")) == "E821 1:4 `ab` is named twice\n");
   CHECK(import_messages(crane(), keeping("cd")) ==
-        "E821 1:1 `cd` mimics `ab` | it moves where `ab` does\n");
+        "E821 1:1 `cd` mimics `ab` | it moves with `ab`\n");
   CHECK(import_messages(crane(), welding({"ab", "ab"})) == "E821 1:1 `ab` is welded\n");
   CHECK(import_messages(crane(), welding({"ab=x"})) == "E804 1:4 `x` is not a decimal number\n");
   CHECK(import_messages(arm_on("fixed", ""), welding({"j"})) == "E821 1:1 `j` is fixed\n");
   CHECK(import_messages(arm_on("floating", ""), welding({"j=1"})) ==
-        "E821 1:3 `j` is floating: it is held at 0 only\n");
+        "E821 1:3 `j` is floating, so it can be fixed only at 0\n");
 }
 
 TEST_CASE("a joint that mimics in vain may be held") {
@@ -227,7 +227,7 @@ TEST_CASE("a base floats where it is told to") {
   CHECK(model.find("base_attitude") < model.find("name = \"j\""));
   CHECK_THAT(model, Contains("name      = \"base\"\nparent    = \"world\""));
   CHECK(import_messages(arm_on("floating", ""), options) ==
-        "E821 4:16 `j` floats already | leave out `--floating-base`\n");
+        "E821 4:16 `j` floats already | omit `--floating-base`\n");
 }
 
 TEST_CASE("without a mass nothing flies") {

@@ -158,8 +158,8 @@ TEST_CASE("a type that does not exist, and the one that was meant") {
         "E806 4:25 `revolut` is no type of joint | did you mean `revolute`?\n");
   CHECK(said("ball", "") ==
         "E806 4:25 `ball` is no type of joint | there are revolute, continuous, prismatic, fixed, "
-        "floating, planar; a `floating` one, imported, has a rotation: leave out its three "
-        "lengths\n");
+        "floating, planar; a `floating` joint is imported with a rotation and three lengths: "
+        "remove the lengths\n");
   CHECK(said("universal", "") ==
         "E806 4:25 `universal` is no type of joint | there are revolute, continuous, prismatic, "
         "fixed, floating, planar\n");
@@ -181,7 +181,7 @@ TEST_CASE("an axis has a direction, and a planar one is x, y or z") {
 }
 
 TEST_CASE("limits that cannot be mean none, with a warning") {
-  const std::string none = " | the model has no such limit\n";
+  const std::string none = " | the model omits this limit\n";
   const std::string swapped = "<limit lower=\"1\" upper=\"-1\" effort=\"-2\" velocity=\"-3\"/>";
   CHECK(said("revolute", swapped) == "E814 5:15 lower `1` is above upper `-1`" + none +
                                          "E814 5:37 effort `-2` is negative" + none +
@@ -203,13 +203,13 @@ TEST_CASE("what xacro left of its expressions is told from numbers that are miss
 TEST_CASE("what a type has no use for is silent or noted") {
   CHECK(said("fixed", "<limit effort=\"1\"/><dynamics damping=\"1\"/>").empty());
   CHECK(said("floating", "<dynamics damping=\"1\"/>") ==
-        "E822 5:20 the damping of `j`, a floating joint, is not imported | the model moves without "
-        "it: add it to `[energy] D`\n");
+        "E822 5:20 the damping of `j`, a floating joint, is not imported | the model ignores it: "
+        "add it to `[energy] D`\n");
   CHECK(said("fixed", "<mimic joint=\"k\"/>") ==
         "E815 5:2 `<mimic>` in a fixed `<joint>` is not imported | the joint has no coordinate\n");
   CHECK(said("revolute", "<calibration rising=\"0\"/><safety_controller k=\"1\"/>").empty());
   CHECK(said("revolute", "<spring stiffness=\"1\"/>") ==
-        "E822 5:2 `<spring>` in `<joint>` is not imported | the model moves without it: add it to "
+        "E822 5:2 `<spring>` in `<joint>` is not imported | the model ignores it: add it to "
         "`[energy] V` or `D`, or as a `[[force]]`\n");
   CHECK(said("revolute", "<sensor rate=\"1\"/>") ==
         "E815 5:2 `<sensor>` in `<joint>` is not imported\n");
@@ -223,7 +223,7 @@ TEST_CASE("elements of other formats that change the mechanics are warnings, als
     return found;
   };
   CHECK(reading_messages("<robot name=\"r\">\n<constraint type=\"revolute\"/></robot>") ==
-        "E822 2:2 `<constraint>` in `<robot>` is not imported | the model moves without it: a "
+        "E822 2:2 `<constraint>` in `<robot>` is not imported | the model ignores it: a "
         "`[[constraint]]` whose points `coincide` closes a loop\n");
   CHECK(codes("<drake:linear_spring_damper/>") == "E822 2:2");
   CHECK(codes("<gazebo><joint name=\"loop\" type=\"revolute\"/></gazebo>") == "E822 2:10");
@@ -233,8 +233,8 @@ TEST_CASE("elements of other formats that change the mechanics are warnings, als
   CHECK(codes("<gazebo><turnGravityOff>false</turnGravityOff></gazebo>") == "E815 2:2");
   CHECK(codes("<transmission><joint name=\"j\" type=\"x\"/></transmission>").empty());
   CHECK(said("revolute", "<dynamics damping=\"0\" stiffness=\"2\"/>") ==
-        "E822 5:23 attribute `stiffness` of `<dynamics>` is not imported | the model moves without "
-        "it: add it to `[energy] V` or `D`, or as a `[[force]]`\n");
+        "E822 5:23 attribute `stiffness` of `<dynamics>` is not imported | the model ignores it: "
+        "add it to `[energy] V` or `D`, or as a `[[force]]`\n");
   CHECK(said("revolute", "<dynamics stiffness=\"0\"/>") ==
         "E815 5:11 attribute `stiffness` of `<dynamics>` is not imported\n");
 }
@@ -272,8 +272,8 @@ TEST_CASE("a rotor of a joint that mimics is felt by the coordinate it shares") 
 TEST_CASE("a rotor of no joint is noted, other transmissions are silent") {
   CHECK(import_messages(driven("revolute", motor("j", gear))).empty());
   CHECK(import_messages(driven("revolute", motor("k", rotor))) ==
-        "E815 6:65 `<drake:rotor_inertia>` in `<actuator>` is not imported | `k` is no joint that "
-        "turns or slides\n");
+        "E815 6:65 `<drake:rotor_inertia>` in `<actuator>` is not imported | `k` is neither "
+        "revolute nor prismatic\n");
   CHECK(import_messages(driven("revolute", motor("j", "<drake:rotor_inertia value=\"-1\"/>"))) ==
         "E811 6:92 the rotor inertia `-1` is negative\n");
 }

@@ -120,11 +120,11 @@ TEST_CASE("exact angles and axes keep their digits") {
 
 TEST_CASE("one note counts the angles and bounds the change of every pose") {
   CHECK(import_messages(bent("1.570796 0 0")) ==
-        "E819 1:2 1 angle is taken for right ones: no pose changes by more than 3.3e-07 rad and "
+        "E819 1:2 1 angle is rounded to right angles: no pose changes by more than 3.3e-07 rad and "
         "3.3e-08 m | `--exact-angles` keeps their digits\n");
   CHECK(import_messages(bent("1.570796 0 3.141593", "0 1e-6 1")) ==
-        "E819 1:2 3 angles are taken for right ones: no pose changes by more than 1.7e-06 rad and "
-        "1.7e-07 m | `--exact-angles` keeps their digits\n");
+        "E819 1:2 3 angles are rounded to right angles: no pose changes by more than 1.7e-06 rad "
+        "and 1.7e-07 m | `--exact-angles` keeps their digits\n");
 }
 
 TEST_CASE("where all is as in the file nothing is said") {

@@ -99,10 +99,11 @@ TEST_CASE("who mimics whom") {
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ac")) + joint("ad")) ==
         "E812 4:83 `ac` mimics itself\n");
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ad")) + joint("ad", "fixed")) ==
-        "E812 4:83 `ad` is fixed: it has no coordinate to share | `--weld ac` holds what mimics\n");
-  CHECK(
-      tree_messages(start + joint("ac", "planar", mimic("ab")) + joint("ad")) ==
-      "E812 4:81 `ac` is planar: it has no coordinate to share | `--weld ac` holds what mimics\n");
+        "E812 4:83 `ad` is fixed: it has no coordinate to share | `--weld ac` fixes the joint that "
+        "mimics\n");
+  CHECK(tree_messages(start + joint("ac", "planar", mimic("ab")) + joint("ad")) ==
+        "E812 4:81 `ac` is planar: it has no coordinate to share | `--weld ac` fixes the joint "
+        "that mimics\n");
 }
 
 TEST_CASE("a chain of mimics ends at the joint whose coordinate is shared") {
@@ -126,9 +127,9 @@ TEST_CASE("a chain of mimics has an end") {
             (i == 1 ? "" : "<mimic joint=\"j" + std::to_string(i - 1) + "\"/>") + "</joint>";
   }
   CHECK(tree_messages(text) ==
-        "E812 102:91 `j101` mimics by way of 100 joints or more\n"
-        "E812 103:91 `j102` mimics by way of 100 joints or more\n"
-        "E812 104:91 `j103` mimics by way of 100 joints or more\n");
+        "E812 102:91 `j101` mimics through 100 joints or more\n"
+        "E812 103:91 `j102` mimics through 100 joints or more\n"
+        "E812 104:91 `j103` mimics through 100 joints or more\n");
 }
 
 TEST_CASE("a chain as long as a file may hold is no matter of the stack") {
@@ -145,13 +146,13 @@ TEST_CASE("a chain as long as a file may hold is no matter of the stack") {
 
 TEST_CASE("a joint that moves no mass is an error, one that carries mass further on a note") {
   CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + joint("ab", "revolute")) ==
-        "E810 4:14 `ab` moves no mass | `b` has no `<mass>`, nor has a link behind it; `--weld "
-        "massless` holds such joints\n");
+        "E810 4:14 `ab` moves no mass | `b` has no `<mass>`, nor has any link that it carries; "
+        "`--weld massless` fixes such joints\n");
   CHECK(said("<link name=\"a\"/>\n" + link("b", "0") + joint("ab", "floating")) ==
-        "E810 4:14 `ab` moves no mass | `b` has a `<mass>` of 0, and no link behind it has more; "
-        "`--weld massless` holds such joints\n");
+        "E810 4:14 `ab` moves no mass | `b` has a `<mass>` of 0, and no link that it carries has "
+        "mass; `--weld massless` fixes such joints\n");
   CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") + joint("ab", "revolute") +
-             joint("bc", "revolute")) == "E816 3:13 `b` moves without a mass\n");
+             joint("bc", "revolute")) == "E816 3:13 `b` moves but has no mass\n");
 }
 
 TEST_CASE("an inertia without a mass is enough for a joint that turns, not for one that slides") {
@@ -161,8 +162,8 @@ TEST_CASE("an inertia without a mass is enough for a joint that turns, not for o
              joint("bc", "fixed"))
             .empty());
   CHECK(said(rotor + joint("ab", "prismatic")) ==
-        "E810 4:14 `ab` moves no mass | `b` has a `<mass>` of 0, and no link behind it has more; "
-        "`--weld massless` holds such joints\n");
+        "E810 4:14 `ab` moves no mass | `b` has a `<mass>` of 0, and no link that it carries has "
+        "mass; `--weld massless` fixes such joints\n");
 }
 
 TEST_CASE("a world that no file declares is there") {
@@ -181,26 +182,27 @@ TEST_CASE("mass that a fixed joint holds to a link is as its own") {
 TEST_CASE("mass that a mimicking joint moves counts for the joint it mimics") {
   CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") + joint("ab", "revolute") +
              joint("ac", "revolute", "<mimic joint=\"ab\"/>")) ==
-        "E816 3:13 `b` moves without a mass\n");
+        "E816 3:13 `b` moves but has no mass\n");
 }
 
 TEST_CASE("in a chain of mimics it counts for the last") {
   CHECK(said("<link name=\"a\"/><link name=\"b\"/><link name=\"d\"/>\n" + link("c", "1") +
              joint("ab", "revolute") + joint("ad", "revolute", "<mimic joint=\"ab\"/>") +
              joint("ac", "revolute", "<mimic joint=\"ad\"/>")) ==
-        "E816 2:29 `b` moves without a mass\n");
+        "E816 2:29 `b` moves but has no mass\n");
 }
 
 TEST_CASE("a root link with mass is the world") {
   CHECK(said(link("a", "5") + link("b", "1") + joint("ab", "revolute")) ==
-        "E817 2:13 `a` is the world: its mass plays no part | `--floating-base` lets it move\n");
+        "E817 2:13 `a` belongs to the world: its mass has no effect | `--floating-base` lets it "
+        "move\n");
 }
 
 TEST_CASE("so is what fixed joints hold to it, and a root link called world says it is") {
   const std::string rest = link("b", "1") + link("c", "1") + link("d", "1") + joint("bc", "fixed") +
                            joint("cd", "revolute");
   CHECK(said("<link name=\"a\"/>\n" + rest + joint("ab", "fixed")) ==
-        "E817 3:13 `b` and 1 more link are the world: their mass plays no part | "
+        "E817 3:13 `b` and 1 more link belong to the world: their mass has no effect | "
         "`--floating-base` lets it move\n");
   std::string held = joint("ab", "fixed");
   held.replace(held.find("link=\"a\""), 8, "link=\"world\"");
@@ -212,7 +214,7 @@ TEST_CASE("a rotor is inertia enough") {
       "<transmission><joint name=\"ab\"/><actuator><drake:rotor_inertia value=\"0.1\"/></actuator>"
       "</transmission>\n";
   CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + joint("ab", "revolute") + rotor) ==
-        "E816 3:13 `b` moves without a mass\n");
+        "E816 3:13 `b` moves but has no mass\n");
 }
 
 TEST_CASE("a robot in which nothing moves and nothing has mass is no model") {
