@@ -101,7 +101,7 @@ class EquilibriumSearch {
       return {{Code::E530, kink->span, "a force with a kink has no linear part at rest"}};
     }
     if (std::ranges::any_of(rows_, &Occurrence::has_time)) {
-      return {{Code::E530, {}, "the equations at rest hold t"}};
+      return {{Code::E530, {}, "the equations at rest contain t"}};
     }
     result_.forms = present(rest_.program);
     leave_out_coordinates();
@@ -138,7 +138,7 @@ class EquilibriumSearch {
                {},
                fmt::format("`{}` does not stay at rest there: bias - B u is {}",
                            model_.velocities[i].name, value),
-               "`elgen show --what equilibria` lists those that do"}};
+               "`elgen show --what equilibria` lists the equilibria"}};
     }
     return {};
   }
@@ -350,7 +350,7 @@ Result<State> state_at(const CheckedModel& checked, const std::string& name) {
     return Diagnostic{Reason::unknown_equilibrium,
                       {},
                       fmt::format("no [[equilibrium]] is called `{}`", name),
-                      names.empty() ? "say where: `--at theta=0`"
+                      names.empty() ? "give a point: `--at theta=0`"
                                     : fmt::format("there are: {}", fmt::join(names, ", "))};
   }
   std::optional<State> there = oracle_point(model, *found, std::move(*state));

@@ -366,7 +366,7 @@ Result<Modes> find_modes(const CheckedModel& checked, const Equilibria& equilibr
   }
   if (result.motions.empty()) {
     return Diagnostic{
-        Code::E532, {}, "no equilibrium is known to be stable", "say at which one: `--at theta=0`"};
+        Code::E532, {}, "no equilibrium is known to be stable", "give a point: `--at theta=0`"};
   }
   return result;
 }

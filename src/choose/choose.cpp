@@ -210,7 +210,7 @@ class Choosing {
       fill_readable(result_.program, index, recursive_.functions[index], entries);
     } else if (wants_closed) {
       return {{Code::E608, request.span,
-               fmt::format("the closed form of `{}` was given up", function.name)}};
+               fmt::format("the closed form of `{}` exceeds its limit", function.name)}};
     }
     if (costs.chosen == Form::closed) {
       closed.rewritten = rewritten_entries(entries, entry_count(closed));

@@ -169,9 +169,9 @@ Diagnostics taken_names(const GlobalOptions& global, const GenerateOptions& opti
       if (!other) continue;
       errors.push_back({Code::E604,
                         {},
-                        fmt::format("`{}` is made from `{}`, and `{}` bears the same name",
+                        fmt::format("`{}` was generated from `{}`, and `{}` has the same name",
                                     file.path, *other, job.path),
-                        "rename one, give `-o DIR`, or replace the files by --force"});
+                        "rename one, give `-o DIR`, or replace the files with --force"});
       break;
     }
   }

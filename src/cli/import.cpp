@@ -38,7 +38,7 @@ Diagnostic summary_of(const Diagnostic& first, std::size_t count) {
   const std::size_t line = line_column(*first.span.source, first.span.begin).line;
   const std::string times = first.code == Code::E815
                                 ? fmt::format("{} times", count)
-                                : fmt::format("and {} like it", counted(count - 1, "other"));
+                                : fmt::format("and the same for {}", counted(count - 1, "other"));
   return {first.code, {}, fmt::format("{}, {}, from line {} on", first.message, times, line)};
 }
 
@@ -116,11 +116,12 @@ ExitCode check_file(const GlobalOptions& global, const ImportCommand& options,
     tell(global, path + " is current");
     return ExitCode::success;
   }
-  return report(global,
-                {{Code::E715,
-                  {},
-                  fmt::format("`{}` is not what `{}` gives", path, shown_path(options.input)),
-                  "import it with `-o OTHER.toml`, and `elgen diff` says what changed"}});
+  return report(
+      global,
+      {{Code::E715,
+        {},
+        fmt::format("`{}` differs from the import of `{}`", path, shown_path(options.input)),
+        "import it with `-o OTHER.toml`; `elgen diff` then shows the changes"}});
 }
 
 ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) {
@@ -139,7 +140,7 @@ ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) 
                   {{Code::E701,
                     {},
                     fmt::format("`{}` cannot name a model: C or POSIX declares it", model->name),
-                    "`-o NAME.toml` gives it another one"}});
+                    "choose another name with `-o NAME.toml`"}});
   }
   const ExitCode imported = report_import(global, model.diagnostics);
   if (!model) return imported;

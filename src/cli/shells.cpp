@@ -11,8 +11,9 @@ namespace {
 void print_later(Action& action, std::string text) {
   action = [text = std::move(text)](const GlobalOptions& global) {
     if (!wants_json(global)) return print(global, text);
-    return report(global,
-                  {{Reason::not_as_json, {}, "what shells and man read is not printed as json"}});
+    return report(
+        global,
+        {{Reason::not_as_json, {}, "completions and manual pages are not printed as json"}});
   };
 }
 

@@ -112,8 +112,8 @@ Result<const SubjectRow*> subject_of(const ShowOptions& options) {
     if (("," + options.what + ",").find(fmt::format(",{},", row.word)) != std::string::npos) {
       return Diagnostic{Reason::shown_alone,
                         {},
-                        fmt::format("`{}` stands alone", row.word),
-                        "show it in a command of its own"};
+                        fmt::format("`{}` cannot be combined with other words", row.word),
+                        "show it in a separate command"};
     }
   }
   return &subjects.front();

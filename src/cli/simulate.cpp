@@ -151,7 +151,8 @@ ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options)
 Diagnostics refuse_curves(const SimulateOptions& options) {
   const bool has_curves = !options.run.show.empty() || !options.run.path.empty();
   if (!has_curves || options.output.file.ends_with(".svg")) return {};
-  return {{Reason::option_of_plots, {}, "`--show` and `--path` are of plots: `-o FILE.svg`"}};
+  return {
+      {Reason::option_of_plots, {}, "`--show` and `--path` apply to plots: give `-o FILE.svg`"}};
 }
 
 ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& given) {
@@ -161,8 +162,9 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   if (options.run.method.empty()) options.run.method = "dopri5";
   Diagnostics refused = refuse_run(options.run);
   if (options.run.every && options.output.file.empty() && !wants_json(global)) {
-    refused.push_back(
-        {Reason::option_of_runs, {}, "`--every` is of rows: `-o FILE` or `--format json`"});
+    refused.push_back({Reason::option_of_runs,
+                       {},
+                       "`--every` applies to rows: give `-o FILE` or `--format json`"});
   }
   if (!refused.empty()) return report(global, refused);
   Result<DataFormat<Trajectory>> format;

@@ -51,10 +51,11 @@ Diagnostics none_within(const TradeoffTable& table, double max_error) {
   const TradeoffRow* const nearest = most_accurate(table);
   return {{Code::E632,
            {},
-           fmt::format("no design is within {}", max_error),
-           nearest == nullptr ? ""
-                              : fmt::format("`{}` is nearest, its worst error is {:.1e}",
-                                            name_of(*nearest), nearest->error.worst)}};
+           fmt::format("no design has a worst error of at most {}", max_error),
+           nearest == nullptr
+               ? ""
+               : fmt::format("the most accurate design is `{}`, with a worst error of {:.1e}",
+                             name_of(*nearest), nearest->error.worst)}};
 }
 
 /// Picks a row by --max-error. Its scene, which promises this error, is appended to `files`.

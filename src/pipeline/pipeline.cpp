@@ -59,7 +59,7 @@ Diagnostics refused_analyses(const Model& model, const std::vector<Goal>& goals)
     const bool is_wanted = std::ranges::find(goals, row.goal) != goals.end();
     if (!is_wanted || row.instead_of_constraints.empty()) continue;
     errors.push_back({Code::E539, model.constraints.front().span,
-                      fmt::format("`{}` does not know of constraints", name_of(row.goal)),
+                      fmt::format("`{}` does not support constraints", name_of(row.goal)),
                       std::string(row.instead_of_constraints)});
   }
   return errors;

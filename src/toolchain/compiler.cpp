@@ -42,7 +42,7 @@ Diagnostic out_of_time(const CompilerCommand& command, std::uint64_t seconds) {
   return {Code::E909,
           {},
           fmt::format("`{}` has not ended within {} s", fmt::join(command, " "), seconds),
-          "raised by --limit seconds=N"};
+          "`--limit seconds=N` raises the limit"};
 }
 
 /// The error if no candidate answers; `last` is the result of the last candidate.

@@ -186,7 +186,7 @@ ForeignAnswers read_answers(const ForeignCalls& calls, const ProcessResult& proc
     rest.remove_prefix(std::min(line.size() + 1, rest.size()));
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     if (answers.values.size() == calls.states.size()) {
-      answers.failure = fmt::format("writes {} behind its last answer", in_backticks(line));
+      answers.failure = fmt::format("writes {} beyond its last answer", in_backticks(line));
       return answers;
     }
     std::optional<std::vector<double>> numbers = numbers_in(line);
@@ -213,9 +213,10 @@ Result<ForeignAnswers> ask_command(const ForeignCalls& calls) {
   const ProcessResult process =
       run_apart(words_of_command(function.code), function.seconds, most, lines);
   if (process.ending != Ending::not_started) return read_answers(calls, process);
-  return Diagnostic{Code::E716,
-                    {},
-                    in_backticks(function.code) + " is no file, and no command that could be run"};
+  return Diagnostic{
+      Code::E716,
+      {},
+      in_backticks(function.code) + " is neither a file nor a command that could be run"};
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ Result<Library> Workshop::build(const Source& source, Build build) const {
   if (!compiled.succeeded()) return why_refused(compiler_, compiled, directory, source);
   Library library(object);
   if (!library.loaded()) {
-    return nowhere(Code::E709, fmt::format("what `{}` made could not be loaded: {}",
+    return nowhere(Code::E709, fmt::format("the output of `{}` could not be loaded: {}",
                                            fmt::join(compiler_.command, " "), dlerror()));
   }
   return library;

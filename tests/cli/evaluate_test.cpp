@@ -81,7 +81,7 @@ TEST_CASE("the file extension sets the format of vectors, and existing files nee
                     "gravity,,theta,,N*m,2.3515822668536158,15,start,1.0,0.5,"));
   CHECK(vectors("-o x.txt").errors ==
         "elgen: error[E913]: `x.txt` ends in none of .csv, .json and .h\n"
-        "      the ending says what is written\n");
+        "      the ending selects the format\n");
 }
 
 TEST_CASE("the header of vectors compiles as C and C++ without warnings and has the values") {

@@ -88,7 +88,7 @@ TEST_CASE("a command that fails or writes after its last answer is reported") {
   CHECK(mentions(exits.errors, "`forward_dynamics` exits 3, after 14 answers"));
   const Outcome writes = folder.judge(script + "print([1, 2])\nprint('done')\n", as);
   CHECK(writes.status == 1);
-  CHECK(mentions(writes.errors, "writes `[1, 2]` behind its last answer, after 14 answers"));
+  CHECK(mentions(writes.errors, "writes `[1, 2]` beyond its last answer, after 14 answers"));
   CHECK(folder.judge(script + "print()\n", as).status == 0);
 }
 

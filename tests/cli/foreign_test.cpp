@@ -167,7 +167,8 @@ TEST_CASE("code that cannot be called exits with 4") {
   };
   CHECK(judged("./mine.so") == "elgen: error[E716]: `./mine.so` has no function `my_g`\n");
   CHECK(mentions(judged("text.so"), "error[E716]: `text.so` cannot be loaded: "));
-  CHECK(mentions(judged("./none.so"), "`./none.so` is no file, and no command that could be run"));
+  CHECK(mentions(judged("./none.so"),
+                 "`./none.so` is neither a file nor a command that could be run"));
 }
 
 TEST_CASE("incomplete options for foreign code are refused") {

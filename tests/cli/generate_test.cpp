@@ -128,8 +128,8 @@ TEST_CASE(
   const Outcome refused = workspace.run(command);
   CHECK(refused.status == 2);
   CHECK(mentions(refused.errors,
-                 "error[E604]: `generated/simple_pendulum/simple_pendulum.equations.json` is made "
-                 "from `a/pend.toml`, and `b/pend.toml` bears the same name"));
+                 "error[E604]: `generated/simple_pendulum/simple_pendulum.equations.json` was "
+                 "generated from `a/pend.toml`, and `b/pend.toml` has the same name"));
   CHECK(workspace.read(header) == before);
   CHECK(workspace.run("elgen generate -q ./a/../a/pend.toml").status == 0);
   CHECK(workspace.run(command + " -o other").status == 0);

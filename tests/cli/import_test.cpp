@@ -75,8 +75,8 @@ TEST_CASE("option --check compares a model with the current import of the robot"
   const Outcome other = workspace.run("elgen import -q --check hand.toml hand.urdf");
   CHECK(other.status == 1);
   CHECK(mentions(other.errors,
-                 "error[E715]: `hand.toml` is not what `hand.urdf` gives\n"
-                 "      import it with `-o OTHER.toml`, and `elgen diff` says what changed\n"));
+                 "error[E715]: `hand.toml` differs from the import of `hand.urdf`\n"
+                 "      import it with `-o OTHER.toml`; `elgen diff` then shows the changes\n"));
   CHECK(workspace.run("elgen import --check none.toml hand.urdf").status == 2);
   CHECK(workspace.run("elgen import --check hand.toml -o x.toml hand.urdf").status == 2);
 }
@@ -111,7 +111,7 @@ TEST_CASE("a robot whose name cannot name a model is not imported") {
   CHECK(outcome.status == 2);
   CHECK(outcome.errors ==
         "elgen: error[E701]: `write` cannot name a model: C or POSIX declares it\n"
-        "      `-o NAME.toml` gives it another one\n");
+        "      choose another name with `-o NAME.toml`\n");
   CHECK(workspace.files().empty());
   workspace.write("r.urdf", "<robot name=\"Pause\"><link name=\"a\">" + mass + "</link></robot>");
   CHECK(mentions(workspace.run("elgen import r.urdf").errors, "`pause` cannot name a model"));
@@ -129,9 +129,9 @@ TEST_CASE("notes of one kind are counted and printed once") {
   CHECK(mentions(text,
                  "elgen: note[E815]: `<gazebo>` in `<robot>` is not imported, 2 times, from "
                  "line 2 on\n"));
-  CHECK(mentions(text,
-                 "elgen: note[E816]: `b` moves without a mass, and 1 other like it, from line "
-                 "4 on\n"));
+  CHECK(mentions(
+      text,
+      "elgen: note[E816]: `b` moves but has no mass, and the same for 1 other, from line 4 on\n"));
   CHECK(mentions(text, "r.urdf:7:2: note[E815]: `<sensor>` in `<robot>` is not imported\n"));
   CHECK(mentions(text, "r.urdf:1:29: warning[E817]"));
   CHECK(mentions(text, "-v prints every note with its place\n"));

@@ -24,10 +24,10 @@ std::string masses(int count, const std::string& more = {}) {
 const std::string friction = "[[force]]\non = \"x1\"\nvalue = \"-sign(dot(x1))\"\n";
 
 const std::string kinked_note =
-    "row.toml:10:11: note[E619]: left out, as a force with a kink has no derivatives: "
+    "row.toml:10:11: note[E619]: not emitted because a force with a kink has no derivatives: "
     "`linearization`, `inverse_dynamics_derivatives`, `forward_dynamics_derivatives`\n"
     "   10 | value = \"-sign(dot(x1))\"\n"
-    "      |           ^~~~~~~~~~~~~ a smooth stand-in has them: `tanh(x/width)` for `sign(x)`\n";
+    "      |           ^~~~~~~~~~~~~ use a smooth approximation: `tanh(x/width)` for `sign(x)`\n";
 
 Outcome run_on(const std::string& command, const std::string& model, const Workspace& workspace) {
   workspace.write("row.toml", model);
@@ -62,11 +62,11 @@ TEST_CASE("every file lists its omitted outputs") {
   const Workspace workspace;
   const Outcome outcome = run_on("generate row.toml", masses(33), workspace);
   REQUIRE(outcome.status == 0);
-  CHECK(starts_with(outcome.errors,
-                    "row.toml:3:9: note[E619]: left out, with more than 4096 entries: "
-                    "`linearization`\n"
-                    "    3 | name = \"row\"\n"
-                    "      |         ^~~ a scene or `--outputs` that names an output gets it\n"));
+  CHECK(starts_with(
+      outcome.errors,
+      "row.toml:3:9: note[E619]: not emitted because of more than 4096 entries: `linearization`\n"
+      "    3 | name = \"row\"\n"
+      "      |         ^~~ name the output in a scene or in `--outputs`\n"));
   const std::string stem = "generated/row/row";
   CHECK(mentions(
       workspace.read(stem + ".hpp"),

@@ -84,7 +84,7 @@ TEST_CASE("a limit exceeded while the process ends is reported completely or not
     INFO(outcome.errors);
     CHECK((outcome.status == 0 || outcome.status == 3));
     CHECK((outcome.errors.empty() ||
-           starts_with(outcome.errors, "elgen: error[E909]: 0 s of processor time are over")));
+           starts_with(outcome.errors, "elgen: error[E909]: 0 s of processor time are used up")));
   }
 }
 
@@ -93,8 +93,8 @@ TEST_CASE("the limit of processor time names the stage that it ended") {
   const Outcome outcome = workspace.run(long_job + "-q -o out --limit seconds=1");
   CHECK(outcome.status == 3);
   const std::regex named(
-      "elgen: error\\[E909\\]: 1 s of processor time are over, in `[a-z-]+`\n"
-      "      raised by --limit seconds=N\n");
+      "elgen: error\\[E909\\]: 1 s of processor time are used up, in `[a-z-]+`\n"
+      "      `--limit seconds=N` raises the limit\n");
   INFO(outcome.errors);
   CHECK(std::regex_match(outcome.errors, named));
 }

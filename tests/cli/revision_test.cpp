@@ -46,7 +46,7 @@ void expect_refused(const Outcome& outcome, const std::string& words) {
 TEST_CASE("a repository without models, and no repository") {
   const Workspace workspace;
   expect_refused(workspace.run("elgen diff --against HEAD"),
-                 "there is no repository here: fatal: not a git repository");
+                 "the working directory is in no repository: fatal: not a git repository");
   workspace.prepare("git init -q && touch a");
   expect_refused(workspace.run("elgen diff --against HEAD"),
                  "`HEAD` is no revision: fatal: Needed a single revision");

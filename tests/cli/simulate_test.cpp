@@ -102,7 +102,8 @@ TEST_CASE("curves that do not exist or cannot be drawn are refused") {
   CHECK(mentions(refused("--path bop -o x.svg"),
                  "error[E201]: unknown point `bop`\n      did you mean `bob`?\n"));
   for (const char* file : {"-o x.csv", "-o x.json", "-o x.html", ""}) {
-    const std::string said = "error[E913]: `--show` and `--path` are of plots: `-o FILE.svg`\n";
+    const std::string said =
+        "error[E913]: `--show` and `--path` apply to plots: give `-o FILE.svg`\n";
     CHECK(mentions(refused(std::string("--path bob ") + file), said));
     CHECK(mentions(refused(std::string("--show x ") + file), said));
   }

@@ -49,7 +49,7 @@ const std::vector<StudentEquations> students{
     {"cart_pole",
      "equations = [" + cart_row +
          ", \"l*dot(dot(theta)) + cos(theta)*dot(dot(x)) = g*cos(theta)\"]\n",
-     {"row theta", "g*cos(theta) is written instead of -g*sin(theta)"}},
+     {"row theta", "g*cos(theta) replaces -g*sin(theta)"}},
     {"rotating_hoop",
      "equations = \"R*dot(dot(theta)) = (R*Omega^2*cos(theta) - g)*sin(theta)\"\n",
      {}},

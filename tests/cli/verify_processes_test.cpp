@@ -46,8 +46,8 @@ TEST_CASE("the limit of processor time applies to each process, and ends all of 
   const std::string command = "elgen verify --quick --samples 200000 --jobs 2 --limit seconds=1 ";
   const Outcome outcome = workspace.run(command + "one.scene.toml");
   CHECK(outcome.status == 3);
-  CHECK(
-      mentions(outcome.errors, "[E909]: 1 s of processor time are over, in `accuracy in double`"));
+  CHECK(mentions(outcome.errors,
+                 "[E909]: 1 s of processor time are used up, in `accuracy in double`"));
 }
 
 TEST_CASE("an interrupt ends the processes that share states and leaves no files") {

@@ -207,7 +207,8 @@ TEST_CASE("a slow compiler is no failure of the model") {
   INFO(outcome.output + outcome.errors);
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "skipped: compiled code vs program, all outputs\n"));
-  CHECK(mentions(outcome.output, "slow` has not ended within 4 s; raised by --limit seconds=N\n"));
+  CHECK(mentions(outcome.output,
+                 "slow` has not ended within 4 s; `--limit seconds=N` raises the limit\n"));
 }
 
 TEST_CASE("a model whose numbers do not fit into float is verified in double only") {

@@ -103,7 +103,7 @@ TEST_CASE("more definitions than the limit are refused with the name of the outp
   REQUIRE_FALSE(equations);
   CHECK(equations.diagnostics.front().code == Code::E908);
   CHECK(equations.diagnostics.front().message == "`mass_matrix` takes more than 10 derived nodes");
-  CHECK(equations.diagnostics.front().hint == "raised by --limit derived_nodes=N");
+  CHECK(equations.diagnostics.front().hint == "`--limit derived_nodes=N` raises the limit");
 }
 
 TEST_CASE("an energy without a value at rest is reported with the output that needs it") {

@@ -150,7 +150,7 @@ name = "bob"
 at = ["X + l*sin(th)", "-l*cos(th)"]
 mass = "m"
 )toml");
-  CHECK(mentions(point, "error[E319]: `X` is an open function, and a position takes none"));
+  CHECK(mentions(point, "error[E319]: `X` is an open function, but a position takes none"));
   CHECK(mentions(point, "`[[function]]` for the slope may stand in `[energy] T`"));
   const std::string energy = found(rail + "[energy]\nT = \"m*dot(X)^2 + m*l^2*dot(th)^2\"\n");
   CHECK(mentions(energy, "the rate is slope*dot(argument)"));

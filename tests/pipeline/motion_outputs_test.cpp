@@ -84,8 +84,8 @@ TEST_CASE("multipliers stand in outputs of the motion alone") {
   CHECK_THAT(said(model_file("cart_pole") + output_of("\"lambda(rod)\"")),
              Contains("E201") && Contains("unknown constraint `rod`"));
   CHECK_THAT(said(model_file("pendulum_xy") + output_of("\"lambda(rod)\"", "")),
-             Contains("is a multiplier, and an output takes none") &&
-                 Contains("it stands in an `[[output]]` with `motion = true`"));
+             Contains("is a multiplier, but an output takes none") &&
+                 Contains("it is allowed in an `[[output]]` with `motion = true`"));
   CHECK_THAT(said(model_file("pendulum_xy") + output_of("\"lambda(rood)\"")),
              Contains("did you mean `rod`?"));
   CHECK_THAT(said(model_file("snakeboard") +

@@ -169,7 +169,7 @@ TEST_CASE("runs take the sample of an open function") {
   const Outcome outcome =
       folder.run("elgen simulate --time 1 --method midpoint --step 0.01 model.toml");
   CHECK(outcome.status == 0);
-  CHECK(mentions(outcome.errors, "note[E634]: `V` is `-k/r` here, its sample"));
+  CHECK(mentions(outcome.errors, "note[E634]: `V` is `-k/r` here, which is its `sample`"));
 }
 
 }  // namespace elgen::test

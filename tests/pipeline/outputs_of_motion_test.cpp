@@ -149,8 +149,8 @@ TEST_CASE("functions of motion take what their text names") {
 
 TEST_CASE("derivatives of outputs that are refused") {
   CHECK(mentions(refusal("gyro_jacobian"),
-                 "`gyro_jacobian` needs an output of positions; one of rates, accelerations or "
-                 "inputs has `gyro_derivatives`"));
+                 "`gyro_jacobian` needs an output of positions; an output of rates, accelerations "
+                 "or inputs has `gyro_derivatives`"));
   CHECK(mentions(refusal("largest_derivatives"),
                  "`largest_derivatives` needs outputs with derivatives; `abs`, `sign`, `min` and "
                  "`max` have none"));

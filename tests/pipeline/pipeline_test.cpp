@@ -62,10 +62,9 @@ TEST_CASE("a mistake of a stage leaves what the stages before it found") {
   const Products products = run_pipeline({make_source("model.toml", text), nullptr}, options);
   std::vector<std::string> found;
   for (const Diagnostic& diagnostic : products.diagnostics) found.push_back(diagnostic.message);
-  CHECK(found == std::vector<std::string>{"`x`, `m`, `unused`: no unit, so what touches it is not "
-                                          "checked",
-                                          "parameter `unused` is used nowhere",
-                                          "internal error in `lower`: broken"});
+  CHECK(found == std::vector<std::string>{
+                     "`x`, `m`, `unused`: no unit, so expressions with it are not checked",
+                     "parameter `unused` is used nowhere", "internal error in `lower`: broken"});
   CHECK(exit_code(products.diagnostics) == ExitCode::internal);
   CHECK_FALSE(products.program.has_value());
 }
@@ -133,7 +132,7 @@ TEST_CASE("constraints are refused by each analysis that does not know of them")
   for (const AnalysisRow& row : analysis_table) {
     options.goals.push_back(row.goal);
     if (row.instead_of_constraints.empty()) continue;
-    refused.push_back("`" + std::string(name_of(row.goal)) + "` does not know of constraints");
+    refused.push_back("`" + std::string(name_of(row.goal)) + "` does not support constraints");
   }
   std::vector<std::string> found;
   for (const Diagnostic& each : run_pipeline(test::inputs_of(slope), options).diagnostics) {

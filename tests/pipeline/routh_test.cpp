@@ -201,7 +201,7 @@ TEST_CASE("outputs that contain what is taken out are not to be had") {
       run_pipeline(inputs_of(text, "[outputs]\nplace = true\n[routh]\nphi = true\n"), options);
   REQUIRE(refused.diagnostics.size() == 1);
   CHECK(refused.diagnostics[0].code == Code::E603);
-  CHECK(refused.diagnostics[0].message == "`place` contains `phi`, which `[routh]` takes out");
+  CHECK(refused.diagnostics[0].message == "`place` contains `phi`, which `[routh]` removes");
 }
 
 }  // namespace elgen::test

@@ -139,9 +139,9 @@ TEST_CASE("derivatives of steps that there are not are refused") {
     return format(checked_products(model_file(name), scene).diagnostics);
   };
   CHECK_THAT(message("pendulum_xy", stepping("\"rk4\"")),
-             Contains("E539") && Contains("`step_derivatives` does not know of constraints"));
+             Contains("E539") && Contains("`step_derivatives` does not support constraints"));
   CHECK_THAT(message("chain", stepping("\"rk4\"") + "[sizes]\nn = 11\n"),
-             Contains("E603") && Contains("is for at most 10 velocities, and the model has 11"));
+             Contains("E603") && Contains("supports at most 10 velocities, but the model has 11"));
   CHECK_THAT(message("cart_pole", "[outputs]\nstep_derivatives = true\n"),
              Contains("E105") && Contains("`step_derivatives` needs a `method`"));
   CHECK_THAT(message("cart_pole", stepping("\"euler\"")),

@@ -72,7 +72,8 @@ TEST_CASE("a scene that git shows alone is refused with words, and shown as text
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "fixed = { g = 9.81, l = \"1/2\" }\n"));
   CHECK(mentions(outcome.errors, "cart_pole.toml` does not exist"));
-  CHECK(mentions(outcome.errors, "git shows one file alone: `elgen diff --against REV` has both"));
+  CHECK(mentions(outcome.errors,
+                 "git passes the scene without its model; `elgen diff --against REV` reads both"));
 }
 
 TEST_CASE("without the driver, generated files of two branches conflict") {

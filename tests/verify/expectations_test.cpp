@@ -269,14 +269,14 @@ TEST_CASE("a wrong closed form is answered by the terms that differ") {
         std::pair{"gravity = [\"3*m*g*l*sin(theta)\"]\n",
                   "the term m*g*l*sin(theta) has 3 times its factor"},
         std::pair{"gravity = [\"m*g*l*cos(theta)\"]\n",
-                  "m*g*l*cos(theta) is written instead of m*g*l*sin(theta)"},
+                  "m*g*l*cos(theta) replaces m*g*l*sin(theta)"},
         std::pair{"gravity = [\"m*g*l*sin(theta) + m*g*l^2\"]\n",
                   "the term m*g*l^2 is superfluous"},
         std::pair{"gravity = [\"0\"]\n", "the term m*g*l*sin(theta) is missing"},
         std::pair{"gravity = [\"m*g*l*sin(theta)\"]\n", ""},
         std::pair{"gravity = [\"2*g*l*sin(theta)\"]\n",
-                  "2*g*l*sin(theta) is written instead of m*g*l*sin(theta); it holds for the "
-                  "parameter values of the file"},
+                  "2*g*l*sin(theta) replaces m*g*l*sin(theta); it holds for the values of the "
+                  "parameters in the file"},
         std::pair{"conserved = [\"theta\"]\n", ""}}) {
     INFO(expect);
     CHECK(DerivedPendulum(expect).hint() == words);
@@ -295,7 +295,7 @@ TEST_CASE("a wrong equation is answered by the terms that differ from a multiple
                   row + ": the term m*g*l*sin(theta) has the opposite sign"},
         std::pair{"m*l^2*dot(dot(theta)) = 0", row + ": the term m*g*l*sin(theta) is missing"},
         std::pair{"m*dot(dot(theta)) + m*g*l*sin(theta) = 0",
-                  std::string("m*g*l*sin(theta) is written instead of ")},
+                  std::string("m*g*l*sin(theta) replaces ")},
         std::pair{"-l*dot(dot(theta)) = g*sin(theta)", std::string()}}) {
     INFO(equation);
     const std::string expect = std::string("equations = [\"") + equation + "\"]\n";

@@ -44,7 +44,7 @@ template <class Data>
       Reason::unknown_ending,
       {},
       fmt::format("`{}` ends in none of {} and {}", file, fmt::join(endings, ", "), last),
-      "the ending says what is written"};
+      "the ending selects the format"};
 }
 
 }  // namespace elgen::cli

@@ -109,7 +109,7 @@ std::optional<Diagnostic> misnamed(const SourceText& source) {
     return Diagnostic{
         Reason::misnamed_file,
         {&source, 0, 0},
-        fmt::format("{} holds a model, with a table [model]", in_backticks(source.path)),
+        fmt::format("{} contains a model: it has a table [model]", in_backticks(source.path)),
         "a model is called NAME.toml, a scene NAME.scene.toml"};
   }
   const auto model = is_scene(source) ? std::nullopt : named_model(source);
@@ -134,7 +134,8 @@ std::vector<std::string> toml_files(const fs::path& folder) {
 /// a temporary folder.
 std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
   const bool is_alone = scene.parent_path().filename().string().starts_with("git-blob-");
-  if (is_alone) return "git shows one file alone: `elgen diff --against REV` has both";
+  if (is_alone)
+    return "git passes the scene without its model; `elgen diff --against REV` reads both";
   const std::string near = suggestion(model.filename().string(), toml_files(model.parent_path()));
   return near.empty() ? "the path is relative to the scene" : near;
 }
@@ -148,7 +149,7 @@ Result<SourcePointer> kept_source(const std::string& path, std::string text, con
   return Diagnostic{Code::E901,
                     {source.get(), at, at},
                     fmt::format("`{}` has more than {} bytes", source->path, limits.file_bytes),
-                    "raised by --limit file_bytes=N"};
+                    "`--limit file_bytes=N` raises the limit"};
 }
 
 bool is_input(const struct stat& file) { return files_read().count(identity(file)) > 0; }

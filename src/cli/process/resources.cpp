@@ -61,7 +61,7 @@ void end_waiting(int /*signal*/) { end_with(last_words().waiting); }
 void end_on_interrupt(int /*signal*/) { ::_exit(static_cast<int>(ExitCode::interrupted)); }
 
 Diagnostic out_of_time(std::string message) {
-  return {Code::E909, {}, std::move(message), "raised by --limit seconds=N"};
+  return {Code::E909, {}, std::move(message), "`--limit seconds=N` raises the limit"};
 }
 
 /// Seconds of real time; alarm(0) would set no limit.
@@ -134,9 +134,9 @@ void name_stage(const std::string& stage) {
   words.stage = name;
   std::string& next = words.processor_time[words.stage_now == words.processor_time.data() ? 1 : 0];
   const std::string place = name.empty() ? "" : fmt::format(", in `{}`", name);
-  next =
-      format({out_of_time(fmt::format("{} s of processor time are over{}", words.seconds, place))},
-             words.style);
+  next = format(
+      {out_of_time(fmt::format("{} s of processor time are used up{}", words.seconds, place))},
+      words.style);
   words.stage_now = &next;
 }
 
@@ -160,7 +160,7 @@ Diagnostic out_of_memory(const Limits& limits) {
   return {Code::E910,
           {},
           fmt::format("{} MiB of memory are used up", limits.memory_mib),
-          "raised by --limit memory_mib=N"};
+          "`--limit memory_mib=N` raises the limit"};
 }
 
 }  // namespace elgen::cli

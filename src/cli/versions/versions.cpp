@@ -62,7 +62,7 @@ bool is_object_id(const std::string& text) {
 /// root.
 Result<std::string> root_of_tree() {
   const ProcessResult top = git({"rev-parse", "--show-toplevel"});
-  if (!top.succeeded()) return refused("there is no repository here", top);
+  if (!top.succeeded()) return refused("the working directory is in no repository", top);
   std::string root = line_of(top);
   std::error_code error;
   const bool is_guessed =
@@ -160,7 +160,7 @@ Result<std::string> Revision::path_of(const std::string& path) const {
     if (object == objects_.end() || object->second.mode != submodule) continue;
     return Diagnostic{Code::E713,
                       {},
-                      fmt::format("{} is in the submodule {}, which has revisions of its own",
+                      fmt::format("{} is in the submodule {}, which has its own revisions",
                                   in_backticks(path), in_backticks(above.generic_string()))};
   }
   return inside == "." ? "" : inside.generic_string();

@@ -250,7 +250,7 @@ std::vector<const EquationsOfMotion*> routes_to(const EquationsOfMotion& equatio
 Diagnostic too_many_nodes(const OutputRequest& request, std::uint64_t limit) {
   return {Code::E908, request.span,
           fmt::format("`{}` takes more than {} derived nodes", request.name, limit),
-          "raised by --limit derived_nodes=N"};
+          "`--limit derived_nodes=N` raises the limit"};
 }
 
 LeafNames leaf_names(const EquationsOfMotion& equations) { return equations.leaves; }

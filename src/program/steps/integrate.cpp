@@ -207,10 +207,10 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
                      Program& program) {
   const std::string reason = refusal(checked, step, calls);
   if (!reason.empty()) {
-    return {
-        {Code::E622, step.span,
-         fmt::format("`{}` is not for this system: {}", step_row(step.step->method).name, reason),
-         "`rk4` takes any model"}};
+    return {{Code::E622, step.span,
+             fmt::format("`{}` does not apply to this system: {}", step_row(step.step->method).name,
+                         reason),
+             "`rk4` takes any model"}};
   }
   name_taken(Opcode::step, program.leaves);
   Function function{.kind = step.kind, .step = step.step, .name = step.name};

@@ -65,7 +65,7 @@ Diagnostics refuse_length(const SimulationOptions& options) {
       {Code::E621,
        {},
        fmt::format("`--step {:g}` makes more than {:g} steps of a page", *options.step, most_steps),
-       "a page takes a ten-thousandth of the run unless it is given"}};
+       "the default step of a page is a ten-thousandth of the run"}};
 }
 
 /// A longer derivation is omitted; `show --what steps` prints it.
@@ -95,16 +95,17 @@ Diagnostics refuse_player(const SimulationOptions& options) {
   if (method->step != StepKind::fixed) {
     refused.push_back({Code::E620,
                        {},
-                       fmt::format("a page does not run by `{}`", options.method),
-                       "`--method rk4`, `verlet` or `midpoint`"});
+                       fmt::format("a page does not support the method `{}`", options.method),
+                       "give `--method rk4`, `verlet` or `midpoint`"});
   }
   for (const Diagnostic& each : refuse_length(options)) refused.push_back(each);
   if (options.every) {
-    refused.push_back({Reason::option_of_runs, {}, "`--every` is of rows, and a page has none"});
+    refused.push_back(
+        {Reason::option_of_runs, {}, "`--every` applies to rows, but a page has none"});
   }
   if (options.hold) {
     refused.push_back(
-        {Reason::option_of_runs, {}, "`--hold` is of runs that are computed here, not of pages"});
+        {Reason::option_of_runs, {}, "`--hold` applies to computed runs, not to pages"});
   }
   return refused;
 }
@@ -143,7 +144,7 @@ Result<std::string> player_page(const Products& moving, const Products& read,
       Code::E916,
       {},
       fmt::format("the page has {} bytes, more than {}", page.size(), limits.page_bytes),
-      "raised by --limit page_bytes=N"};
+      "`--limit page_bytes=N` raises the limit"};
 }
 
 }  // namespace elgen

@@ -55,7 +55,7 @@ std::string RankWatch::weakest() const {
   }
   // A pivot that lost less than four digits does not make a step too short.
   if (largest_.empty() || share(least) > 1e-4) return "";
-  return fmt::format(": the pivot of {} is {:.1e} of its largest", name(least), share(least));
+  return fmt::format(": the pivot of {} is {:.1e} of its largest value", name(least), share(least));
 }
 
 void RankWatch::measure(const Numbers& state, double t) {
@@ -99,18 +99,18 @@ std::string RankWatch::lost(const Numbers& pivots_before, const Numbers& rows_be
   const std::size_t both = pivots_.size() - n;
   for (std::size_t i = 0; i < both; ++i) {
     if (share(i) >= smallest_share) continue;
-    return fmt::format("nearly lost, since the pivot of {} is {:.1e} of its largest, at", name(i),
-                       share(i));
+    return fmt::format("nearly lost, because the pivot of {} is {:.1e} of its largest value, at",
+                       name(i), share(i));
   }
   for (std::size_t i = both; i < pivots_.size(); ++i) {
     if (!(pivots_[i] * pivots_before[i] < 0)) continue;
-    return fmt::format("lost, since the pivot of {} changes its sign, before", name(i));
+    return fmt::format("lost, because the pivot of {} changes its sign, before", name(i));
   }
   const Numbers turns = pivots_of_product(rows_before, rows_, n);
   for (std::size_t k = 0; k < turns.size(); ++k) {
     const double size = std::sqrt(std::abs(pivots_before[n + k] * pivots_[n + k]));
     if (!(turns[k] < turned_round * size)) continue;
-    return fmt::format("lost, since the row of {} turns round, before", name(n + k));
+    return fmt::format("lost, because the row of {} reverses, before", name(n + k));
   }
   return "";
 }

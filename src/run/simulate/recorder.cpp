@@ -132,15 +132,14 @@ void Recorder::judge_energy(Trajectory& trajectory) {
   const double scale = energy_scale();
   if (!(lost > told_loss * scale) || lost <= rounding_share * energy_.scale()) return;
   trajectory.loses_energy = lost > refused_loss * scale;
-  const std::string_view measure = system_.has_energies()
-                                       ? "the largest |T| and the range of V together"
-                                       : "the largest |v.p| + |L|";
+  const std::string_view measure =
+      system_.has_energies() ? "the largest |T| plus the range of V" : "the largest |v.p| + |L|";
   warnings_.push_back({Code::E648,
                        {},
                        fmt::format("{} {} {:.1e}, {:.3g} % of {}, {:.6g}", drift.name,
-                                   is_symmetric ? "drifts by" : "goes as far as", lost,
+                                   is_symmetric ? "drifts by" : "deviates by up to", lost,
                                    100 * lost / scale, measure, scale),
-                       "a shorter `--step`, or `--method dopri5` without one, shows what is true"});
+                       "check with a shorter `--step`, or with `--method dopri5` and no `--step`"});
 }
 
 void Recorder::judge_conserved(const std::vector<ConservedDrift>& conserved) {
@@ -155,9 +154,9 @@ void Recorder::judge_conserved(const std::vector<ConservedDrift>& conserved) {
     warnings_.push_back(
         {Code::E648,
          {},
-         fmt::format("`{}` of `conserved` goes as far as {:.1e} from its start, {:.6g}", entry.text,
-                     entry.drift, entry.start),
-         "a shorter `--step` shows what is true; with inputs it need not stay"});
+         fmt::format("`{}` of `conserved` deviates by up to {:.1e} from its start value, {:.6g}",
+                     entry.text, entry.drift, entry.start),
+         "check with a shorter `--step`; inputs may change it"});
   }
 }
 
@@ -208,7 +207,7 @@ void Recorder::look_at_energy(const TrajectorySample& sample, double energy) {
        fmt::format("{} is {:.1e} at t = {:.6g}, beyond the {:.1e} that the tolerance of the steps "
                    "allows",
                    energy_name(), deviation, sample.t, allowed_),
-       "a smaller `--tolerance`, or a short `--step`, shows what is true"});
+       "check with a smaller `--tolerance`, or with a short `--step`"});
 }
 
 std::vector<double> Recorder::row(const TrajectorySample& sample, double energy) const {

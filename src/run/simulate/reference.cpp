@@ -33,7 +33,7 @@ class ReferenceSystem {
       : system_(system),
         program_(program),
         rounded_(program),
-        ranks_(system, "a run that ends before that place, or starts elsewhere, can be measured"),
+        ranks_(system, "measure a run that ends earlier, or starts elsewhere"),
         at_(arguments_at<Scalar>(nominal_state(checked.model, checked.scene))) {}
 
   [[nodiscard]] Values start() {

@@ -26,7 +26,8 @@ namespace {
 constexpr std::size_t block_size = 256;
 
 constexpr const char* go_elsewhere =
-    "`--through singular` goes on by a fixed `--step`, and E - E0 says how well; another start or "
+    "`--through singular` continues with a fixed `--step`, and E - E0 shows its accuracy; another "
+    "start or "
     "other coordinates may avoid the place";
 
 /// Equidistant instants after `begin`; without a period only the end.
@@ -274,9 +275,10 @@ Diagnostics laws_beyond_limits(System& system, double t) {
     const auto high = ScalarTraits<double>::from_real(input.limits->high);
     if (!(value < low || value > high)) continue;
     const Span& span = model.expressions[*law].span;
-    found.push_back({Code::E518, span,
-                     fmt::format("{} is beyond [{:g}, {:g}], the limits of `{}`, and runs as it is",
-                                 in_backticks(span), low, high, input.name)});
+    found.push_back(
+        {Code::E518, span,
+         fmt::format("{} is beyond [{:g}, {:g}], the limits of `{}`, but is applied unchanged",
+                     in_backticks(span), low, high, input.name)});
   }
   return found;
 }

@@ -73,7 +73,7 @@ Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_
   if (!near) {
     return Diagnostic{Code::E538,
                       {},
-                      "near the start no pose meets the constraints",
+                      "no pose near the start meets the constraints",
                       quotient.empty() ? start_elsewhere : quotient};
   }
   CheckedModel moved = started_at(checked, *near);
@@ -81,11 +81,11 @@ Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_
   return Diagnostic{
       Code::E538,
       {},
-      fmt::format("with what `--state` names no {} near the start meet the constraints: what is "
-                  "left is {}",
+      fmt::format("with the values of `--state`, no {} near the start meet the constraints: the "
+                  "residual is {}",
                   at && at->has_pose ? "rates" : "coordinates",
-                  at ? what_is_left(model, *at) : "no value"),
-      "name less, since the others are solved for, or other values"};
+                  at ? what_is_left(model, *at) : "undefined"),
+      "name fewer values, since the others are solved for, or give other values"};
 }
 
 Diagnostics refuse_start(System& system, const Numbers& state, double t) {

@@ -75,7 +75,7 @@ Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& opt
     return impossible(fmt::format("`--from {}` is not a number", options.from));
   }
   if (options.step && options.tolerance) {
-    return impossible("`--step` and `--tolerance` are given, but one follows from the other");
+    return impossible("give `--step` or `--tolerance`, not both");
   }
   if (options.every && *options.every > options.time) {
     return impossible(fmt::format("`--every {}` is longer than the whole run, `--time {}`",
@@ -83,13 +83,13 @@ Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& opt
   }
   if (method.step == StepKind::fixed && options.tolerance) {
     return impossible(fmt::format("`{}` does not choose its steps by a tolerance", method.name),
-                      "give it `--step`, or take `dopri5`");
+                      "give `--step`, or use `dopri5`");
   }
   if (method.step == StepKind::fixed && !options.step) {
     return impossible(fmt::format("`{}` needs a step", method.name), "give it `--step`");
   }
   if (options.through_singular && !options.step) {
-    return impossible("`--through singular` is for steps of one length", "give it `--step`");
+    return impossible("`--through singular` needs fixed steps", "give it `--step`");
   }
   return StepRule{options.step, options.tolerance.value_or(default_tolerance),
                   shortest_share * options.time};

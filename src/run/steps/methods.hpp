@@ -16,7 +16,7 @@
 namespace elgen {
 
 inline constexpr std::string_view usual_remedy =
-    "a shorter step, or a smaller tolerance, shows whether the method is to blame";
+    "check with a shorter step, or with a smaller tolerance";
 
 /// Makes one step after another from the beginning of an interval to its end.
 class Stepper {

@@ -95,7 +95,7 @@ class AdaptedSteps final : public Stepper {
 
   [[nodiscard]] std::string_view remedy() const override {
     if (tiny_steps_ < most_tiny_steps) return Stepper::remedy();
-    return "a smooth stand-in is tanh(x/width), and `--method rk4 --step` goes on";
+    return "a smooth approximation is tanh(x/width); `--method rk4 --step` continues over the kink";
   }
 
  private:
@@ -184,7 +184,7 @@ class AdaptedSteps final : public Stepper {
   bool has_crossed_ = false;
   int tiny_steps_ = 0;  ///< consecutive tiny steps since a kink was crossed
   Numbers before_ = {};
-  std::string obstacle_ = "the step that the tolerance asks for is too short to be made";
+  std::string obstacle_ = "the tolerance requires a step that is too short";
 };
 
 template <class Steps>

@@ -141,7 +141,7 @@ class DesignBench {
     if (!is_returned(exact.program->functions.front())) {
       return Diagnostic{Reason::too_many_entries,
                         {},
-                        fmt::format("{} has more than {} entries, and is not measured",
+                        fmt::format("{} has more than {} entries, so it is not measured",
                                     in_backticks(table_.subject), largest_returned)};
     }
     if (Diagnostics wrong = prepare(exact); !wrong.empty()) return wrong;

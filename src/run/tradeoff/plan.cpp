@@ -128,19 +128,20 @@ class ExistingDesigns {
   /// The reason why the design does not exist; "" if it exists.
   [[nodiscard]] const char* why_missing(const Design& design) const {
     const bool is_float = design.scalar == ScalarKind::single_precision;
-    if (is_float && !fits_float_) return "a number of the output is lost in float";
-    if (design.is_fixed && !has_parameters_) return "no parameter is left to be fixed";
+    if (is_float && !fits_float_) return "a number of the output does not fit float";
+    if (design.is_fixed && !has_parameters_)
+      return "the output has no parameter that could be fixed";
     if (design.inner != InnerScalar::same && (is_float || design.in_packs)) {
-      return "a wider scalar is between doubles of one state";
+      return "a wider scalar needs functions of one state in double";
     }
     if (design.trigonometry.empty()) return "";
     if (!has_sines_) return "the output has no sine and no cosine";
     if (design.trigonometry == library_sines) {
       const bool is_plain = design.inner == InnerScalar::same && !design.in_packs;
-      return is_plain ? "" : "packs and wider scalars have sines of their own";
+      return is_plain ? "" : "packs and wider scalars use their own sines";
     }
     // Float cannot be accurate to 1e-7, and functions of one state have no polynomials.
-    return design.in_packs && !is_float ? "" : "sines of this accuracy are in packs of double";
+    return design.in_packs && !is_float ? "" : "only packs of double have sines of this accuracy";
   }
 
  private:
@@ -163,7 +164,7 @@ std::string option_of(const PinnedDimension& pin) {
 /// E645: the pinned values exclude every design.
 Diagnostics none_as_pinned(const std::vector<PinnedDimension>& pinned, const char* why) {
   const std::vector<std::string> options = words_in(pinned, option_of);
-  return {{Code::E645, {}, fmt::format("no design is left by {}", fmt::join(options, ", ")), why}};
+  return {{Code::E645, {}, fmt::format("no design fits {}", fmt::join(options, ", ")), why}};
 }
 
 /// The pinned value, or all values that are tried by default or whose dimension is named.
@@ -233,7 +234,7 @@ Diagnostics contradictions(const DesignBase& base, const std::vector<PinnedDimen
       if (!is_pinned || row.is_left(base.checked)) continue;
       found.push_back({Code::E644, key->value.span,
                        fmt::format("{} contradicts the scene", option_of(*pin)),
-                       "leave out one of the two"});
+                       "remove one of the two"});
     }
   }
   return found;

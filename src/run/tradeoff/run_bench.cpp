@@ -219,7 +219,8 @@ Result<MeasuredTable> measured_runs(const RunRequest& request, const BenchProces
   }
   for (const double length : request.lengths) {
     if (is_part(length, time)) continue;
-    return no_such_run(fmt::format("`--steps {}` is no whole part of {} s", length, time));
+    return no_such_run(
+        fmt::format("`--steps {}` does not divide {} s into whole steps", length, time));
   }
   return RunBench(request, process).measure();
 }

@@ -61,7 +61,7 @@ Diagnostic no_value(std::string_view name, const Span& span, const SettledValues
   const std::string text = settled.is_told
                                ? "has no value at this state"
                                : fmt::format(
-                                     "cannot be told at this state: {} digits do not tell its "
+                                     "is undecided at this state: {} digits do not distinguish its "
                                      "values from 0, or a number in them is too large",
                                      most_settled_digits);
   return {Code::E521, span, in_backticks(name) + " " + text};

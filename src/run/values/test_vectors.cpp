@@ -111,9 +111,9 @@ Diagnostics refuse_open_functions(const Model& model, const Program& program) {
     if (readers[i].empty()) continue;
     errors.push_back(
         {Code::E633, model.functions[i].span,
-         fmt::format("{} is left open, and vectors of {} need its values",
+         fmt::format("{} is left open, but vectors of {} need its values",
                      in_backticks(model.functions[i].name), fmt::join(readers[i], ", ")),
-         "give it an expression in `[functions]` of a scene, or ask for other `--outputs`"});
+         "give it an expression in `[functions]` of a scene, or request other `--outputs`"});
   }
   return errors;
 }

@@ -146,7 +146,7 @@ std::string text_of(const Model& model, const Algebra& algebra, const DifferingT
   const std::string missing = read(terms.missing);
   const std::string surplus = read(terms.surplus);
   if (!missing.empty() && !surplus.empty()) {
-    words.push_back(fmt::format("{} is written instead of {}", surplus, missing));
+    words.push_back(fmt::format("{} replaces {}", surplus, missing));
   } else if (!missing.empty()) {
     words.push_back(fmt::format("the term {} is missing", without_sign(missing)));
   } else if (!surplus.empty()) {

@@ -36,7 +36,7 @@ Model point(const std::string& potential) {
 TEST_CASE("verlet is refused where it is not symplectic, and says why") {
   CHECK_THAT(refusal(model_file("cart_pole"), "verlet"),
              Catch::Contains("E622") &&
-                 Catch::Contains("`verlet` is not for this system: M depends on `theta`") &&
+                 Catch::Contains("`verlet` does not apply to this system: M depends on `theta`") &&
                  Catch::Contains("next.scene.toml:5:1"));
   CHECK_THAT(refusal(model_file("free_body"), "verlet"), Catch::Contains("is a rotation"));
   CHECK_THAT(refusal(model_file("two_mass_damper"), "verlet"),
@@ -44,9 +44,10 @@ TEST_CASE("verlet is refused where it is not symplectic, and says why") {
 }
 
 TEST_CASE("midpoint is refused where p is not M v + b of the coordinates") {
-  CHECK_THAT(refusal(model_file("free_body"), "midpoint"),
-             Catch::Contains("`midpoint` is not for this system: `attitude` is a rotation") &&
-                 Catch::Contains("`rk4` takes any model"));
+  CHECK_THAT(
+      refusal(model_file("free_body"), "midpoint"),
+      Catch::Contains("`midpoint` does not apply to this system: `attitude` is a rotation") &&
+          Catch::Contains("`rk4` takes any model"));
   CHECK_THAT(refusal(model_file("relativistic_particle"), "midpoint"),
              Catch::Contains("E622") && Catch::Contains("L is not quadratic in the rates"));
 }

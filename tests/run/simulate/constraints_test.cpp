@@ -200,7 +200,7 @@ equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
   const Result<CheckedModel> refused = assembled_model(torn.checked(), 0);
   REQUIRE_FALSE(refused);
   CHECK(refused.diagnostics.front().message ==
-        "with what `--state` names no rates near the start meet the constraints: what is left is "
+        "with the values of `--state`, no rates near the start meet the constraints: the left is "
         "1.35 of `grip_1`, 0 of `grip_2`");
 }
 
@@ -385,7 +385,7 @@ TEST_CASE("E539: symplectic methods and their compositions know of no constraint
       REQUIRE_FALSE(run);
       const auto refused = std::ranges::find(run.diagnostics, Code::E539, &Diagnostic::code);
       REQUIRE(refused != run.diagnostics.end());
-      CHECK(mentions(refused->message, "`" + method + "` does not know of constraints"));
+      CHECK(mentions(refused->message, "`" + method + "` does not support constraints"));
       CHECK(mentions(refused->hint, "`rk4`, with `projected` after each step"));
     }
   }

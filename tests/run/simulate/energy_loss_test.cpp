@@ -46,7 +46,8 @@ TEST_CASE(
   for (const std::string offset : {"", " + 1000000", " - 1000000"}) {
     INFO(offset);
     const auto run = by_rk4(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)" + offset + "\"\n"), 0.01, 5);
-    CHECK(mentions(told(run), "E - E0 goes as far as 1.9e+02, 74.8 % of the largest |T| and the "));
+    CHECK(mentions(told(run),
+                   "E - E0 deviates by up to 1.9e+02, 74.8 % of the largest |T| and the "));
     CHECK(run->loses_energy);
     CHECK(run->last.front() == 5);
   }
@@ -83,7 +84,7 @@ TEST_CASE("the work of forces and inputs is no loss") {
 
 TEST_CASE("between 1 and 10 % a loss is told, and that is all") {
   const auto run = by_rk4(spring_text(), 0.4, 10);
-  CHECK(mentions(told(run), " % of the largest |T| and the range of V together, "));
+  CHECK(mentions(told(run), " % of the largest |T| plus the range of V, "));
   CHECK_FALSE(run->loses_energy);
 }
 
@@ -107,7 +108,7 @@ TEST_CASE("an entry of conserved is told of, and is no reason to fail") {
   const std::string text = spring_text() + "[[expect]]\nconserved = [\"E\"]\n";
   CHECK(told(by_rk4(text, 0.01, 5)).empty());
   const auto run = by_rk4(text, 0.01, 5, start_options("", "u=1"));
-  CHECK(mentions(told(run), "`E` of `conserved` goes as far as "));
+  CHECK(mentions(told(run), "`E` of `conserved` deviates by up to "));
   CHECK_FALSE(run->loses_energy);
   // Terms that cancel: y and its rate stay 0.
   const std::string turn = orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n") +

@@ -103,12 +103,12 @@ TEST_CASE("times, steps and tolerances are positive, and one rule decides the st
   CHECK(rule_of({.time = 1, .tolerance = 0}) == "E621 `--tolerance 0` is not a positive number");
   CHECK(rule_of({.time = 1, .hold = -2}) == "E621 `--hold -2` is not a positive number");
   CHECK(rule_of({.time = 1, .step = 0.1, .tolerance = 0.1}) ==
-        "E621 `--step` and `--tolerance` are given, but one follows from the other");
+        "E621 give `--step` or `--tolerance`, not both");
   CHECK(rule_of({.time = 1, .every = 2}) ==
         "E621 `--every 2` is longer than the whole run, `--time 1`");
   CHECK(rule_of({.method = "rk4", .time = 1}) == "E621 `rk4` needs a step | give it `--step`");
   CHECK(rule_of({.method = "rk4", .time = 1, .tolerance = 1e-3}) ==
-        "E621 `rk4` does not choose its steps by a tolerance | give it `--step`, or take `dopri5`");
+        "E621 `rk4` does not choose its steps by a tolerance | give `--step`, or use `dopri5`");
 }
 
 TEST_CASE("a smaller tolerance gives a smaller error by more steps") {

@@ -73,22 +73,23 @@ TEST_CASE("a pivot that falls far, or changes its sign, is told with its velocit
   const CompiledSystem shrinking(two_rates("y^2"));
   CHECK(said_of(shrinking, {{0, 1, 0, 0}, {0, 1e-3, 0, 0}}).empty());
   CHECK(said_of(shrinking, {{0, 1, 0, 0}, {0, 1e-5, 3, -2}}) ==
-        "rank is nearly lost, since the pivot of `dot(y)` in M is 2.0e-10 of its largest, at t = "
-        "7, where x = 0, y = 1e-05, dot(x) = 3, dot(y) = -2");
+        "rank is nearly lost, because the pivot of `dot(y)` in M is 2.0e-10 of its largest value, "
+        "at t = 7, where x = 0, y = 1e-05, dot(x) = 3, dot(y) = -2");
   const CompiledSystem turning(two_rates("y"));
   CHECK(said_of(turning, {{0, 1, 0, 0}, {0, -0.5, 0, 0}}) ==
-        "rank is lost, since the pivot of `dot(y)` in M changes its sign, before t = 7, where x = "
-        "0, y = -0.5, dot(x) = 0, dot(y) = 0");
+        "rank is lost, because the pivot of `dot(y)` in M changes its sign, before t = 7, where x "
+        "= 0, y = -0.5, dot(x) = 0, dot(y) = 0");
 }
 
 TEST_CASE("a row that shrinks, or turns round, is told with its constraint") {
   const CompiledSystem system(crank);
   const auto at = [](double a) { return Numbers{a, -a, 1, -1}; };
   CHECK(said_of(system, {at(0.5), at(1.5)}).empty());
-  CHECK(mentions(said_of(system, {at(0.5), at(M_PI / 2 - 1e-5)}),
-                 "rank is nearly lost, since the pivot of `guide` in A is 1.3e-10 of its largest"));
+  CHECK(mentions(
+      said_of(system, {at(0.5), at(M_PI / 2 - 1e-5)}),
+      "rank is nearly lost, because the pivot of `guide` in A is 1.3e-10 of its largest value"));
   CHECK(mentions(said_of(system, {at(0.5), at(1.5), at(1.7)}),
-                 "rank is lost, since the row of `guide` in A turns round, before t = 7"));
+                 "rank is lost, because the row of `guide` in A reverses, before t = 7"));
 }
 
 TEST_CASE("inertias that become small, and rows that turn with the motion, lose no rank") {
@@ -191,7 +192,6 @@ T = "1/2*dot(x)^2"
     REQUIRE(kept);
     CHECK(kept.diagnostics.empty());
   }
-  CHECK(
-      in_evaluator(hill, steps_of("rk4", 1e-2, 2)).diagnostics.front().message ==
-      "E - E0 goes as far as 1.0e+00, 66.7 % of the largest |T| and the range of V together, 1.5");
+  CHECK(in_evaluator(hill, steps_of("rk4", 1e-2, 2)).diagnostics.front().message ==
+        "E - E0 deviates by up to 1.0e+00, 66.7 % of the largest |T| plus the range of V, 1.5");
 }

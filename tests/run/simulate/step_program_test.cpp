@@ -129,8 +129,9 @@ L = "-sqrt(1 - dot(x)^2)"
 )toml"));
   const Result<Trajectory> run = particle.run(steps_of("midpoint", 0.01, 10));
   REQUIRE_FALSE(run);
-  CHECK(mentions(format(run.diagnostics),
-                 "[E622]: `midpoint` is not for this system: L is not quadratic in the rates"));
+  CHECK(mentions(
+      format(run.diagnostics),
+      "[E622]: `midpoint` does not apply to this system: L is not quadratic in the rates"));
 }
 
 TEST_CASE("a step whose equations are not solved ends the run") {

@@ -74,8 +74,8 @@ TEST_CASE("wider scalars are tried of one state in double where they are asked f
   CHECK_FALSE(has(plan, {"float", "one", "full", "fixed", "double-double"}));
   CHECK_FALSE(has(plan, {"double", "packs", "full", "fixed", "long double"}));
   CHECK(refusal(mass, {.pinned = {{"batch", "packs"}, {"inner", "long double"}}}) ==
-        "no design is left by `--batch packs`, `--inner long double`; a wider scalar is between "
-        "doubles of one state");
+        "no design fits `--batch packs`, `--inner long double`; a wider scalar needs functions of "
+        "one state in double");
 }
 
 TEST_CASE("calls of the library are tried of one state where they are asked for") {
@@ -92,7 +92,7 @@ TEST_CASE("calls of the library are tried of one state where they are asked for"
       planned(pendulum_text(), "gravity", {.more = {"trigonometry", "inner"}});
   CHECK_FALSE(has(wide, {"double", "one", "library", "fixed", "long double"}));
   CHECK(refusal(mass, {.pinned = {{"trigonometry", "library"}}}) ==
-        "no design is left by `--trigonometry library`; the output has no sine and no cosine");
+        "no design fits `--trigonometry library`; the output has no sine and no cosine");
 }
 
 TEST_CASE("of a pinned dimension one value is tried, in a column that stays") {
@@ -105,10 +105,10 @@ TEST_CASE("of a pinned dimension one value is tried, in a column that stays") {
 
 TEST_CASE("E645: pinned values that no design has together") {
   CHECK(refusal(mass, {.pinned = {{"scalar", "float"}}}) ==
-        "no design is left by `--scalar float`; a number of the output is lost in float");
+        "no design fits `--scalar float`; a number of the output does not fit float");
   CHECK(refusal(mass, {.pinned = {{"batch", "packs"}, {"trigonometry", "1e-7"}}}) ==
-        "no design is left by `--batch packs`, `--trigonometry 1e-7`; the output has no sine and "
-        "no cosine");
+        "no design fits `--batch packs`, `--trigonometry 1e-7`; the output has no sine and no "
+        "cosine");
 }
 
 TEST_CASE("E631: a dimension that nobody knows") {

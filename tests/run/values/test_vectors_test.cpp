@@ -141,6 +141,6 @@ TEST_CASE("vectors of an output that reads a function left open are refused by i
   REQUIRE(refused.table.diagnostics.size() == 1);
   CHECK(refused.table.diagnostics[0].code == Code::E633);
   CHECK(refused.table.diagnostics[0].message ==
-        "`V` is left open, and vectors of `bias`, `gravity` need its values");
+        "`V` is left open, but vectors of `bias`, `gravity` need its values");
   CHECK(Vectors(open, {}, "mass_matrix").table);
 }

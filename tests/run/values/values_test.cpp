@@ -158,8 +158,8 @@ TEST_CASE("an output that no digits tell is an error of its own words") {
   CHECK(evaluated(text, options_of("x=1e-25", "y"))["values"][0]["value"][0] ==
         Approx(5e-201).epsilon(1e-15));
   CHECK(refused(text, "x=1e-300", "y") ==
-        "`y` cannot be told at this state: 2000 digits do not tell its values from 0, or a number "
-        "in them is too large");
+        "`y` is undecided at this state: 2000 digits do not distinguish its values from 0, or a "
+        "number in them is too large");
 }
 
 TEST_CASE("a spring of length 0 has no force at its anchor, and vectors leave the state out") {
