@@ -72,5 +72,5 @@ TEST_CASE("a refused function name is reported at its position in the scene, if 
   const Diagnostic found = taken_name(scene, function);
   CHECK(found.code == Code::E701);
   CHECK(found.span.source == source.get());
-  CHECK(found.message == "`detail` cannot name a function: the emitted code has that name");
+  CHECK(found.message == "`detail` cannot name a function: the emitted code uses this name");
 }

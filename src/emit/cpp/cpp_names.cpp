@@ -124,10 +124,11 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
   }
   const std::string& outermost = name_space(scene);
   if (is_taken_outside(outermost)) {
-    diagnostics.push_back({Code::E701, scene.emission.name_space_span,
-                           fmt::format("`{}` cannot name a namespace: C or POSIX {}", outermost,
-                                       is_kept(outermost) ? "keeps names like it" : "declares it"),
-                           "`[emit] namespace` of a scene gives it another one"});
+    diagnostics.push_back(
+        {Code::E701, scene.emission.name_space_span,
+         fmt::format("`{}` cannot name a namespace: C or POSIX {}", outermost,
+                     is_kept(outermost) ? "reserves names like it" : "declares it"),
+         "choose another with `[emit] namespace` of a scene"});
   }
   return diagnostics;
 }

@@ -110,8 +110,8 @@ void check_module_name(const Model& model, const Scene& scene, const Program& pr
   const auto arrays = all_arrays(model, program);
   if (has_word(spelling.unnameable, name) || has_word(spelling.reserved, name)) {
     diagnostics.push_back({Code::E701, span,
-                           fmt::format("`{}` cannot name a module: {} has the name for itself",
-                                       name, language_row(spelling.language).name),
+                           fmt::format("`{}` cannot name a module: {} uses the name itself", name,
+                                       language_row(spelling.language).name),
                            "rename the model or scene"});
   } else if (is_class(spelling) && (has_word(spelling.taken, name) ||
                                     std::ranges::count(arrays, name, &DeclaredArray::name) > 0)) {

@@ -45,7 +45,7 @@ Span place_of(const Model& model, const cln::cl_R& value) {
 
 Diagnostic taken_name(const std::string& name, const char* what, const Span& span) {
   return {Code::E701, span,
-          fmt::format("`{}` cannot name a {}: the emitted code has that name", name, what)};
+          fmt::format("`{}` cannot name a {}: the emitted code uses this name", name, what)};
 }
 
 Diagnostic taken_name(const Scene& scene, const Function& function) {
