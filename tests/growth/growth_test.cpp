@@ -1,10 +1,11 @@
-// No stage may do more than its share of a longer chain: operations of every stage, for n links.
+// Counts the operations of every pipeline stage for chains of n links and bounds their growth.
 //
-// The program for the inverse dynamics of a chain is linear in n, and so are all tables on the way.
-// Of blocks, n^1.1 from each size to the next leaves room for the logarithm of what is searched and
-// sorted, and none for n^2 in a twentieth of a stage's work at n = 300; of bytes, n^1.2, since
-// tables that double round up. Outputs that are n x n (M, C) grow by themselves and are not asked
-// for. Pages of closed forms, which have n^2 terms and more, stay polynomials of low degree.
+// The program for the inverse dynamics of a chain is linear in n, and every table before it is too.
+// Blocks may grow as n^1.1 from one size to the next. This leaves room for the logarithm of
+// searching and sorting. It leaves no room for an n^2 part of a twentieth of a stage's work at n =
+// 300. Bytes may grow as n^1.2, because tables that double round up. The n x n outputs (M, C) are
+// not requested. Pages of closed forms have n^2 terms and more; they stay polynomials of low
+// degree.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -20,8 +21,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Up to 30 links closed forms are kept, which have n^2 terms; beyond, the budget of `present`
-/// ends.
+/// Closed forms have n^2 terms. They are kept up to 30 links; above, `present` exceeds its budget.
 double excess_of(const std::string& stage, int links) {
   const bool is_closed = stage == "present" || stage == "choose" || stage == "typeset";
   return is_closed && links <= 30 ? 1 : 0;
@@ -29,7 +29,7 @@ double excess_of(const std::string& stage, int links) {
 
 using Counts = std::map<std::string, Operations>;
 
-/// The cost of every stage: the difference between two counts.
+/// Operations of each stage: the count at its end minus the count at its start.
 class Count {
  public:
   void begin(const std::string& stage) {
@@ -70,7 +70,8 @@ PipelineOptions of_chain(int links, const std::string& output) {
 Counts counts_of_chain(int links) {
   PipelineOptions options = of_chain(links, "inverse_dynamics");
   options.goals = {Goal::emit};
-  // A self-check visits as many states as there is time for: it has two of its own below.
+  // A self-check visits as many states as its time limit allows, so it is counted on its own, at
+  // two states.
   Count count;
   options.on_stage = [&](const std::string& stage) { count.begin(stage); };
   const Products products = run_pipeline(chain(), options);
@@ -85,7 +86,7 @@ Counts counts_of_chain(int links) {
   return count.end();
 }
 
-/// Of the stage that writes pages.
+/// Operations of the stage `typeset`.
 Operations count_of_pages(const Inputs& inputs, PipelineOptions options) {
   Count count;
   options.goals = {Goal::typeset};
@@ -95,7 +96,7 @@ Operations count_of_pages(const Inputs& inputs, PipelineOptions options) {
   return count.end().at("typeset");
 }
 
-/// V = a1*x + a1*a2*x + ...: of all terms but the first each shares a parameter with all behind it.
+/// V = a1*x + a1*a2*x + ...: each term after the first shares its parameters with all later terms.
 Operations count_of_nested_parameters(int terms) {
   std::string parameters;
   std::string product = "x";
@@ -118,14 +119,15 @@ void check_growth(std::uint64_t few, std::uint64_t many, double factor) {
 
 }  // namespace
 
-TEST_CASE("no stage grows faster than the chain") {
-  counts_of_chain(10);  // makes what is made once
+TEST_CASE("operations of a stage grow no faster than the chain") {
+  counts_of_chain(10);  // fills the caches that all later runs share
   std::map<int, Counts> counts;
   for (const int links : {10, 30, 100, 300, 1000}) counts[links] = counts_of_chain(links);
   for (auto many = std::next(counts.begin()); many != counts.end(); ++many) {
     const auto few = std::prev(many);
     const double growth = static_cast<double>(many->first) / few->first;
-    // Without steps, claims and analyses, and with the magnitude of the energy.
+    // All goals but steps, claims and the analyses have a stage; the energy's magnitude is one
+    // more.
     REQUIRE(many->second.size() == goal_names.size() - analysis_table.size() - 1);
     for (const auto& [stage, count] : many->second) {
       const Operations& before = few->second.at(stage);
@@ -139,8 +141,9 @@ TEST_CASE("no stage grows faster than the chain") {
   }
 }
 
-TEST_CASE("pages of sums within sums do not double with every sum") {
-  // n^5: n sums of n terms, each a product of n factors, looked for among n and compared with n.
+TEST_CASE("pages of nested sums do not double with every sum") {
+  // n^5: n sums of n terms, each a product of n factors; each is searched among n and compared with
+  // n.
   const double most = std::pow(2, 5);
   const auto check = [most](const Operations& few, const Operations& many) {
     INFO(few.bytes << " and " << many.bytes << " bytes, " << few.blocks << " and " << many.blocks
@@ -158,7 +161,7 @@ TEST_CASE("pages of sums within sums do not double with every sum") {
 
 namespace {
 
-/// Bytes that the stages up to the last one ask for, of a model with n coordinates.
+/// Bytes that the pipeline allocates up to the last of `goals`, for a model with n coordinates.
 std::uint64_t bytes_of(const std::string& text, const std::vector<Goal>& goals,
                        const std::vector<std::string>& outputs, int size) {
   const Inputs inputs{make_source("small.toml", text), nullptr};
@@ -180,7 +183,7 @@ std::string small_model(const std::string& energy) {
 
 }  // namespace
 
-TEST_CASE("a column of C differentiates by its own rate alone") {
+TEST_CASE("a column of C is differentiated by its own rate only") {
   const std::string dense = small_model(
       "T = \"sum(i, 1, n, sum(j, 1, n, dot(q[i])*dot(q[j])*cos(q[i] - q[j])))/2 + "
       "sum(i, 1, n, dot(q[i])^2*n)\"\nV = \"0\"\n");
@@ -188,11 +191,11 @@ TEST_CASE("a column of C differentiates by its own rate alone") {
     return bytes_of(dense, {Goal::derive}, {"coriolis_matrix"}, size);
   };
   bytes(4);
-  // C looks at n terms in n^2 entries; derivatives by all rates for each column cost n^3.6.
+  // C has n^2 entries with n terms each. Derivatives by all rates for each column cost n^3.6.
   check_growth(bytes(8), bytes(24), std::pow(3, 3.2));
 }
 
-TEST_CASE("a page of modes reads the entries that are not 0") {
+TEST_CASE("a page of modes reads only the non-zero entries") {
   const std::string springs = small_model(
       "T = \"sum(i, 1, n, dot(q[i])^2)/2\"\n"
       "V = \"sum(i, 1, n, q[i]^2) + sum(i, 2, n, (q[i] - q[i-1])^2)\"\n");
@@ -207,11 +210,11 @@ TEST_CASE("a page of modes reads the entries that are not 0") {
     return operations().bytes - start.bytes;
   };
   bytes(4);
-  // Of n entries, n^2 each.
+  // n^2 entries of length n.
   check_growth(bytes(10), bytes(40), std::pow(4, 3.1));
 }
 
-TEST_CASE("the search of boxes ends at a count of its operations") {
+TEST_CASE("the search of boxes stops at its limit of operations") {
   const std::string waves = small_model(
       "T = \"sum(i, 1, n, dot(q[i])^2)/2\"\n"
       "V = \"sum(i, 1, n, cos(q[i])) + 0.3*sum(i, 2, n, cos(q[i] - q[i-1]))\"\n");
@@ -230,7 +233,7 @@ TEST_CASE("the search of boxes ends at a count of its operations") {
   }
 }
 
-TEST_CASE("what is made is counted, and what is looked at where blocks are") {
+TEST_CASE("allocations are always counted, blocks only if compiled with coverage") {
   const Operations before = operations();
   const std::vector<int> made(1000, 1);
   const Operations between = operations();

@@ -1,5 +1,5 @@
-// Replaces the program's allocation functions, and holds what g++ and clang++ call in every block
-// under -fsanitize-coverage=trace-pc.
+// Replaces the program's allocation functions, and defines the function that g++ and clang++ call
+// in every block under -fsanitize-coverage=trace-pc.
 #include "growth/operations.hpp"
 
 #include <cln/malloc.h>
@@ -16,7 +16,7 @@ void* counted_memory(std::size_t size) {
   return std::malloc(size);
 }
 
-/// CLN's numbers do not come from operator new.
+/// CLN allocates its numbers without operator new.
 const bool counts_numbers = (cln::malloc_hook = counted_memory, true);
 
 }  // namespace

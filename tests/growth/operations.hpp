@@ -1,9 +1,11 @@
-// Operations of this program, counted and not timed: the same in every run.
+// Counts the operations of this program instead of timing them: the counts are the same in every
+// run.
 //
-// Bytes asked for are counted always. A stage makes everything (nodes, terms, numbers, texts,
-// tables) in memory, also what it throws away again, so work that no product shows is counted.
-// Blocks (of instructions without a branch) also count what only looks, a search in a list: there
-// they are counted where the preset `counted` compiled them, and 0 elsewhere.
+// Allocated bytes are always counted. A stage builds everything (nodes, terms, numbers, texts,
+// tables) in memory, including temporary results. So bytes count work that leaves no trace in the
+// product. Blocks (instructions without a branch) also count work that only reads memory, such as a
+// search in a list. They are counted if the preset `counted` compiled the code, and are 0
+// otherwise.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +19,11 @@ inline constexpr bool counts_blocks = false;
 #endif
 
 struct Operations {
-  std::uint64_t bytes = 0;   ///< asked for, of CLN's numbers too
-  std::uint64_t blocks = 0;  ///< executed, of libraries only what headers bring
+  std::uint64_t bytes = 0;   ///< allocated, including CLN's numbers
+  std::uint64_t blocks = 0;  ///< executed; of libraries, only code in their headers
 };
 
-/// Since the program began.
+/// Counts since the start of the program.
 [[nodiscard]] Operations operations();
 
 }  // namespace elgen::test

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int state_count = 200;
 
-/// Numbers that are the same with every standard library, which the distributions of <random> are
-/// not.
+/// Uniform random numbers. The distributions of <random> differ between standard libraries; these
+/// do not.
 class Numbers {
  public:
   [[nodiscard]] double between(double low, double high) {
@@ -30,7 +30,7 @@ class Numbers {
   std::mt19937 engine_{20240229};
 };
 
-/// Of four numbers: a quaternion of length 1.
+/// Scales the four numbers to a unit quaternion.
 void normalise(std::vector<double>& numbers) {
   double sum = 0.0;
   for (const double x : numbers) sum += x * x;

@@ -1,5 +1,5 @@
-// The emitted header ELGEN_HEADER (of namespace ELGEN_MODEL), compiled, against the independent
-// program ELGEN_ORACLE, which is given the description ELGEN_DESCRIPTION of the same robot.
+// Compares the compiled header ELGEN_HEADER (namespace ELGEN_MODEL) with the independent program
+// ELGEN_ORACLE, which reads the description ELGEN_DESCRIPTION of the same robot.
 #include "independent/agreement.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::array<double, Size> array(const std::vector<double>& numbers) {
   return result;
 }
 
-/// With the parameters of the model file.
+/// Uses the parameter values of the model file.
 Dynamics emitted_dynamics(const State& state) {
   const emitted::Parameters<double> parameters;
   const auto q = array<emitted::coordinate_count>(state.q);

@@ -1,5 +1,4 @@
-// Chains are asked of the solvers that KDL has for chains alone, branched robots of its solver for
-// trees.
+// Chains use KDL's solvers for chains; branched robots use its solver for trees.
 #include <kdl/chaindynparam.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>
@@ -27,7 +26,7 @@ void demand(int status) {
   if (status != KDL::SolverI::E_NOERROR) throw std::runtime_error("KDL refuses the state");
 }
 
-/// By ChainDynParam and ChainIdSolver_RNE.
+/// Uses ChainDynParam and ChainIdSolver_RNE.
 class ChainOracle {
  public:
   explicit ChainOracle(const Robot& robot) : chain_(kdl_chain(robot)) {}
@@ -46,7 +45,7 @@ class ChainOracle {
     KDL::Add(velocity_force, gravity, bias);
     const KDL::Wrenches no_loads(chain_.getNrOfSegments(), KDL::Wrench::Zero());
     demand(solver.CartToJnt(q, v, joints(state.a), no_loads, torque));
-    // Symmetric, so that Eigen's order of columns does not matter.
+    // M is symmetric, so Eigen's column-major order does not matter.
     return {
         {mass.data.data(), mass.data.data() + mass.data.size()}, numbers(bias), numbers(torque)};
   }
@@ -55,7 +54,8 @@ class ChainOracle {
   KDL::Chain chain_;
 };
 
-/// By TreeIdSolver_RNE alone: the columns of M are what unit accelerations take at rest.
+/// Uses TreeIdSolver_RNE only. Column i of M is the torque for a unit acceleration i at rest
+/// without gravity.
 class TreeOracle {
  public:
   explicit TreeOracle(const Robot& robot) : tree_(kdl_tree(robot)) {}

@@ -15,7 +15,7 @@ std::string kdl_name(int link) { return link < 0 ? "base" : fmt::format("link{}"
 
 KDL::Vector vector(const Triple& x) { return {x[0], x[1], x[2]}; }
 
-/// Rx of an exact right angle.
+/// Rx(quarter_turns * 90 degrees), exact.
 KDL::Rotation about_x(int quarter_turns) {
   const double sine = quarter_turns;
   const double cosine = quarter_turns == 0 ? 1.0 : 0.0;

@@ -1,4 +1,4 @@
-// A robot as KDL describes it.
+// Converts a robot to KDL's description.
 #pragma once
 
 #include <kdl/tree.hpp>
@@ -9,7 +9,7 @@ struct Robot;
 
 [[nodiscard]] KDL::Tree kdl_tree(const Robot& robot);
 
-/// Base to the last link, of a robot without branches.
+/// The chain from the base to the last link; the robot has no branches.
 [[nodiscard]] KDL::Chain kdl_chain(const Robot& robot);
 
 [[nodiscard]] KDL::Vector kdl_gravity();

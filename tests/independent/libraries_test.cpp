@@ -1,5 +1,5 @@
-// The independent programs against each other and against the reference values: what they are given
-// describes the same robots.
+// Compares the independent programs with each other and with the reference values, so that their
+// descriptions mean the same robots.
 #include <catch2/catch.hpp>
 
 #include "independent/agreement.hpp"

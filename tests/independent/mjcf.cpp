@@ -22,7 +22,7 @@ std::string quaternion(int quarter_turns) {
   return quarter_turns == 0 ? "1 0 0 0" : fmt::format("1 {} 0 0", quarter_turns);
 }
 
-/// Diagonalised here: MuJoCo does it to 8 digits only.
+/// Diagonalises the inertia here, because MuJoCo does it to 8 digits only.
 std::string inertial(const Link& link) {
   const auto& [xx, yy, zz, xy, xz, yz] = link.inertia;
   const Eigen::Matrix3d inertia{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};
@@ -37,7 +37,7 @@ std::string inertial(const Link& link) {
                      spaced(std::array{moments[0], moments[1], moments[2]}));
 }
 
-/// The link with all that hangs on it: bodies nest in MuJoCo.
+/// The link and all its descendants: bodies are nested in MJCF.
 std::string body(const Robot& robot, int index) {
   const Link& link = robot.links[static_cast<std::size_t>(index)];
   const bool is_free = robot.floating && index == 0;

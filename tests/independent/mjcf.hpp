@@ -1,4 +1,4 @@
-// A robot in MuJoCo's modelling language.
+// Converts a robot to MJCF, MuJoCo's modelling language.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@ namespace elgen::test {
 
 struct Robot;
 
-/// Only bodies, joints and inertias: nothing is seen and nothing touches.
+/// Contains only bodies, joints and inertias: no geometry, so nothing is drawn and there are no
+/// contacts.
 [[nodiscard]] std::string mjcf(const Robot& robot);
 
 }  // namespace elgen::test

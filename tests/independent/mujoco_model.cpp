@@ -16,7 +16,7 @@ struct DeleteFiles {
 };
 }  // namespace
 
-/// MuJoCo reads files: the text becomes one that is nowhere on the disk.
+/// MuJoCo reads only files, so the text becomes a file of its virtual file system.
 MujocoModel load_mujoco(const std::string& text) {
   const std::unique_ptr<mjVFS, DeleteFiles> files(new mjVFS);
   mj_defaultVFS(files.get());

@@ -1,4 +1,4 @@
-// Models and states of MuJoCo, with owners.
+// Owning pointers to models and states of MuJoCo.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -17,7 +17,7 @@ struct DeleteMujocoData {
 using MujocoModel = std::unique_ptr<mjModel, DeleteMujocoModel>;
 using MujocoData = std::unique_ptr<mjData, DeleteMujocoData>;
 
-/// From a text in MJCF or URDF. Neither contacts nor stops: only what moves the links themselves.
+/// Loads MJCF or URDF. Contacts and joint limits are disabled.
 [[nodiscard]] MujocoModel load_mujoco(const std::string& text);
 
 }  // namespace elgen::test

@@ -28,7 +28,7 @@ class MujocoOracle {
     Dynamics result{
         std::vector<double>(state.v.size() * state.v.size()), numbers(data_->qfrc_bias, size), {}};
     mj_fullM(model_.get(), result.mass_matrix.data(), data_->qM);
-    // Dampers are passive forces here.
+    // MuJoCo counts joint dampers as passive forces, not as bias.
     for (std::size_t i = 0; i < state.v.size(); ++i) result.bias[i] -= data_->qfrc_passive[i];
     std::copy(state.a.begin(), state.a.end(), data_->qacc);
     mj_inverse(model_.get(), data_.get());

@@ -1,5 +1,5 @@
-// The recursion written by hand for the Panda, which the benchmarks measure emitted code by: its
-// values, and what it costs.
+// Tests the values and the cost of the handwritten Newton-Euler recursion of the Panda, which is
+// the baseline of the benchmarks.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -22,7 +22,7 @@ std::array<double, 7> array(const std::vector<double>& numbers) {
 
 }  // namespace
 
-TEST_CASE("Newton-Euler by hand gives the reference values") {
+TEST_CASE("handwritten Newton-Euler gives the reference values") {
   const Robot robot = read_robot(description);
   REQUIRE(robot.reference);
   const State& state = robot.reference->state;
@@ -31,7 +31,7 @@ TEST_CASE("Newton-Euler by hand gives the reference values") {
   CHECK(relative_difference({torque.begin(), torque.end()}, robot.reference->torque) < 1e-11);
 }
 
-TEST_CASE("Newton-Euler by hand costs 378 additions and 383 multiplications") {
+TEST_CASE("handwritten Newton-Euler costs 378 additions and 383 multiplications") {
   compiled::counts = {};
   const std::array<compiled::Counted, 7> some{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
   (void)bench::inverse_dynamics(bench::Panda<compiled::Counted>{}, some, some, some);

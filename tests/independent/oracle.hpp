@@ -1,4 +1,4 @@
-// The quantities that every independent program computes: M, bias and inverse dynamics at a state.
+// The quantities that every independent program computes at a state: M, bias and inverse dynamics.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace elgen::test {
 
-/// A free base comes first: x y z and the quaternion w x y z in q; in v and a the velocity of its
-/// origin in the axes of the world and the angular velocity in its own.
+/// A free base comes first. In q: its position x y z and quaternion w x y z. In v and a: the
+/// velocity of its origin in world axes, then the angular velocity in body axes.
 struct State {
   std::vector<double> q, v, a;
 };
@@ -21,10 +21,10 @@ struct Dynamics {
 
 using Oracle = std::function<Dynamics(const State&)>;
 
-/// Orocos KDL, by its solvers for chains or for trees, of a description in JSON. No free base.
+/// Orocos KDL with its solvers for chains or for trees. Reads a description in JSON; no free base.
 [[nodiscard]] Oracle kdl_oracle(const std::filesystem::path& description, bool floating);
 
-/// MuJoCo, of a description in JSON, or in URDF by its own reader.
+/// MuJoCo. Reads a description in JSON, or in URDF with MuJoCo's own reader.
 [[nodiscard]] Oracle mujoco_oracle(const std::filesystem::path& description, bool floating);
 
 }  // namespace elgen::test

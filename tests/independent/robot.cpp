@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A row of "joints": alpha in degrees, p, mass, com, inertia.
+/// A row of "joints": alpha in degrees, translation, mass, centre of mass, inertia.
 Link read_link(const Json& row, int parent) {
   const int degrees = row.at(0).get<int>();
   if (degrees % 90 != 0) throw std::runtime_error("only right angles between axes");
@@ -22,7 +22,7 @@ Link read_link(const Json& row, int parent) {
           row.at(4).get<std::array<double, 6>>()};
 }
 
-/// q_i = 0.3 + 0.1 i and so on, as "check" says in words.
+/// q_i = 0.3 + 0.1 i, v_i = -0.2 + 0.15 i, a_i = 0.5 - 0.1 i, as "check" in the JSON describes.
 State reference_state(std::size_t size) {
   State state;
   for (std::size_t i = 0; i < size; ++i) {

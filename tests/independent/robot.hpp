@@ -1,5 +1,5 @@
-// The description that the independent programs are given: a tree of rigid links with revolute
-// joints, read from JSON (tests/reference/panda7.json says what its figures mean).
+// The description that the independent programs read: a tree of rigid links with revolute joints,
+// from JSON. tests/reference/panda7.json explains its numbers.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ using Triple = std::array<double, 3>;
 
 /// x_parent = Rx(quarter_turns * 90 degrees) Rz(q) x + translation.
 struct Link {
-  int parent;         ///< index of a link before this one, -1 for the base
+  int parent;         ///< index of an earlier link, or -1 for the base
   int quarter_turns;  ///< -1, 0 or 1
   Triple translation;
   double mass;
@@ -24,7 +24,7 @@ struct Link {
   std::array<double, 6> inertia;  ///< about com: xx yy zz xy xz yz
 };
 
-/// One state and what was computed there elsewhere, to 12 digits.
+/// One state and its reference values from another source, to 12 digits.
 struct ReferenceValues {
   State state;
   std::vector<double> torque;
@@ -34,17 +34,17 @@ struct ReferenceValues {
 
 struct Robot {
   std::string name;
-  bool floating;  ///< the first link is free instead of turning about its z axis
+  bool floating;  ///< true if the first link is free; otherwise it turns about its z axis
   std::vector<Link> links = {};
   std::optional<ReferenceValues> reference = {};
 };
 
 inline constexpr double gravity_of_earth = 9.81;  ///< along -z of the base
 
-/// "parents" names the parent of each link, depth first; without it they are a chain.
+/// "parents" names the parent of each link, depth first. Without it the links form a chain.
 [[nodiscard]] Robot read_robot(const std::filesystem::path& path, bool floating = false);
 
-/// Does every link hang on the one before?
+/// True if the parent of every link is the link before it.
 [[nodiscard]] bool is_chain(const Robot& robot);
 
 }  // namespace elgen::test

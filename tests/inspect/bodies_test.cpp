@@ -1,5 +1,5 @@
-// E508: principal inertias obey the triangle inequality and are not negative. E507: a planar spin
-// has to be the rate of an angle(q, t).
+// E508: principal inertias must be non-negative and obey the triangle inequality. E507: a planar
+// spin must be the rate of an angle(q, t).
 #include <catch2/catch.hpp>
 
 #include "inspect/checks.hpp"
@@ -36,7 +36,7 @@ std::string spin_findings(const std::string& spin, std::uint32_t dimension = 2) 
 
 }  // namespace
 
-TEST_CASE("possible inertias pass: a ball, a plate, a rod, a point") {
+TEST_CASE("possible inertias of a ball, a plate, a rod and a point pass") {
   CHECK(inertia_findings({"A", "A", "A", "0", "0", "0"}).empty());
   CHECK(inertia_findings({"1", "2", "3", "0", "0", "0"}).empty());
   CHECK(inertia_findings({"0", "1", "1", "0", "0", "0"}).empty());
@@ -45,7 +45,7 @@ TEST_CASE("possible inertias pass: a ball, a plate, a rod, a point") {
   CHECK(inertia_findings({}).empty());
 }
 
-TEST_CASE("a plate rounded to three digits passes, not one of two") {
+TEST_CASE("a plate's inertia rounded to three digits passes, to two digits it does not") {
   CHECK(inertia_findings({"0.0833", "0.0833", "0.1667", "0", "0", "0"}).empty());
   CHECK(inertia_findings({"1", "1", "2.001", "0", "0", "0"}).empty());
   CHECK_FALSE(inertia_findings({"1", "1", "2.01", "0", "0", "0"}).empty());
@@ -60,13 +60,13 @@ TEST_CASE("impossible inertias are reported with their values") {
         "E508: inertia 16616.493, 14.9, 7.123456, 0, 0, 0 of `top` belongs to no body");
 }
 
-TEST_CASE("products of inertia count: principal values 1, 1, 3 in turned axes") {
+TEST_CASE("products of inertia count: principal values 1, 1, 3 in rotated axes") {
   CHECK(inertia_findings({"2", "1", "2", "0", "1", "0"}) ==
         "E508: inertia 2, 1, 2, 0, 1, 0 of `top` belongs to no body");
   CHECK(inertia_findings({"2", "2", "2", "0", "1", "0"}).empty());  // principal values 1, 2, 3
 }
 
-TEST_CASE("rates of angles pass") {
+TEST_CASE("spins that are rates of angles pass") {
   CHECK(spin_findings("th_d").empty());
   CHECK(spin_findings("x_d/r - 2*th_d").empty());
   CHECK(spin_findings("cos(x)*x_d*th + sin(x)*th_d").empty());
@@ -74,7 +74,7 @@ TEST_CASE("rates of angles pass") {
   CHECK(spin_findings("ddt(atan(x*th)) + 3*t^2").empty());
 }
 
-TEST_CASE("a curl in space or in time is found") {
+TEST_CASE("a spin with a curl in space or time is found") {
   const std::string refused = "E507: spin of `wheel` is the rate of no angle";
   CHECK(spin_findings("x*th_d") == refused);
   CHECK(spin_findings("x_d*cos(th)") == refused);
@@ -82,7 +82,7 @@ TEST_CASE("a curl in space or in time is found") {
   CHECK(spin_findings("th") == refused);
 }
 
-TEST_CASE("in space a spin need not be a rate") { CHECK(spin_findings("x*th_d", 3).empty()); }
+TEST_CASE("a spatial spin need not be a rate") { CHECK(spin_findings("x*th_d", 3).empty()); }
 
 TEST_CASE("spins of bodies in nested frames follow from the frames", "[frames]") {
   const CheckedModel planar = checked_model(planar_text());

@@ -1,4 +1,4 @@
-// Constants that have no value, and the expressions that equations are made of.
+// Constants without a value, and the root expressions of the equations.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -22,7 +22,8 @@ std::string constant_findings(const std::string& definitions, const std::string&
   return text_of(inspect_constants({checked.model, checked.scene}));
 }
 
-/// `first`, then `count` definitions that each make `next` of the one before, called `c`.
+/// A definition c0 = `first`, then `count` definitions; `next` is each one's value, with `c`
+/// replaced by the previous name.
 std::string chain(const std::string& first, const std::string& next, int count) {
   std::string text = "c0 = \"" + first + "\"\n";
   for (int i = 1; i <= count; ++i) {
@@ -44,7 +45,7 @@ std::string texts(const Model& model, const std::vector<ExpressionId>& ids) {
 
 }  // namespace
 
-TEST_CASE("a constant is evaluated through the names in it") {
+TEST_CASE("a constant is evaluated through the names it contains") {
   CHECK(constant_findings("c = \"1\"\n", "asin(c)*x").empty());
   CHECK(constant_findings("c = \"2\"\n", "asin(c)*x") == "E314: `asin(c)` is not a real number");
   CHECK(constant_findings("c = \"-1\"\n", "x*c^(1/2)") == "E314: `c^(1/2)` is not a real number");
@@ -55,12 +56,12 @@ TEST_CASE("a constant is evaluated through the names in it") {
   CHECK(constant_findings("c = \"2\"\n", "x/dot(c)") == "E312: `dot(c)` is zero");
 }
 
-TEST_CASE("only the first thing without a value is reported") {
+TEST_CASE("only the first subexpression without a value is reported") {
   CHECK(constant_findings("c = \"2\"\nd = \"asin(c)\"\ne = \"1/d\"\n", "x*log(e)") ==
         "E314: `asin(c)` is not a real number");
 }
 
-TEST_CASE("what cancels to zero is zero, what is only small is not") {
+TEST_CASE("an exact zero is found despite rounding, and a small value is not zero") {
   CHECK(constant_findings("c = \"pi/2\"\n", "x*tan(c)") == "E313: `tan(c)` has no value");
   CHECK(constant_findings("c = \"sqrt(2)\"\nd = \"c*c\"\n", "x/(d - 2)") ==
         "E312: `(d - 2)` is zero");
@@ -69,13 +70,13 @@ TEST_CASE("what cancels to zero is zero, what is only small is not") {
   CHECK(constant_findings("c = \"exp(-300)\"\n", "x/c").empty());
 }
 
-TEST_CASE("what has lost its digits proves nothing") {
+TEST_CASE("a value without correct digits proves nothing") {
   CHECK(constant_findings(chain("1", "10*sin(100*c)", 400), "x/c400 + x*log(c400) + x*asin(c400)")
             .empty());
   CHECK(constant_findings("c = \"exp(800)\"\nd = \"pi*c\"\n", "x*log(sin(d))").empty());
 }
 
-TEST_CASE("fixed parameters count, others do not") {
+TEST_CASE("values of fixed parameters are used, values of other parameters are not") {
   CHECK(constant_findings("", "x/(k - 3)").empty());
   SceneOptions options;
   options.fixed = {make_source("command line", "k=3")};
@@ -84,7 +85,7 @@ TEST_CASE("fixed parameters count, others do not") {
         "E314: `sqrt(d)` is not a real number");
 }
 
-TEST_CASE("the names that make a value are told with it") {
+TEST_CASE("the hint lists the values of the names in a subexpression") {
   const CheckedModel checked = checked_model(
       "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[define]\na = \"1/3\"\n"
       "b = \"sqrt(2)\"\n[energy]\nT = \"dot(x)^2\"\nV = \"log(a - b - 2*a)*x\"\n");
@@ -93,7 +94,7 @@ TEST_CASE("the names that make a value are told with it") {
   CHECK(all[0].hint == "`a` is 1/3, `b` is 1.4142");
 }
 
-TEST_CASE("products are counted before they are multiplied out") {
+TEST_CASE("the size of a product is checked before it is expanded") {
   CHECK(constant_findings(chain("x", "c*c", 13), "c13").empty());
   CHECK(constant_findings(chain("x", "c*c", 64), "c64") ==
         "E910: `c13*c13` has powers beyond 10000");
@@ -109,11 +110,11 @@ TEST_CASE("products are counted before they are multiplied out") {
   CHECK(constant_findings(chain("x", "sin(c*c)", 64), "c64").empty());
 }
 
-TEST_CASE("a long chain of names takes no recursion") {
+TEST_CASE("a long chain of names needs no recursion") {
   CHECK(constant_findings(chain("cos(1)", "cos(c)", 5000), "x*c5000").empty());
 }
 
-TEST_CASE("energies are roots of equations, values are those of outputs") {
+TEST_CASE("energies are equation roots, output values are output roots") {
   const Model model = checked_model(
                           "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
                           "[define]\na = \"2*x\"\nunused = \"3*x\"\n[energy]\nT = \"dot(x)^2\"\n"
@@ -123,7 +124,7 @@ TEST_CASE("energies are roots of equations, values are those of outputs") {
   CHECK(texts(model, output_roots(model, 0)) == "cos(x)");
 }
 
-TEST_CASE("a root tells its entry and what it is to the entry") {
+TEST_CASE("a root names its entry and its role in the entry") {
   const Model model = checked_model(
                           "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
                           "[[coordinate]]\nname = \"y\"\narmature = \"J\"\n[parameters]\n"
@@ -152,7 +153,7 @@ TEST_CASE("a root tells its entry and what it is to the entry") {
   CHECK(mass->expression == *model.points[0].mass);
 }
 
-TEST_CASE("everything that carries energy or force is a root", "[frames]") {
+TEST_CASE("all energies and forces are roots", "[frames]") {
   std::size_t masses = 0;
   for (const auto& [name, text] : frame_systems()) {
     INFO(name);

@@ -1,4 +1,5 @@
-// Constraints that constrain nothing (E536), follow from others (E537) or have no pose (E538).
+// Constraints that constrain nothing (E536), follow from other constraints (E537) or admit no pose
+// (E538).
 #include <catch2/catch.hpp>
 
 #include "inspect/checks.hpp"
@@ -10,7 +11,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// A point in x and y that starts at (1, 2); equations "a", "b", "c", ... are 0.
+/// A point with coordinates x and y that starts at (1, 2). Each equation is a constraint `= 0`,
+/// named a, b, c, ...
 ModelBuilder constrained(const std::vector<std::string>& equations) {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").parameter("l", "1").T("x_d^2 + y_d^2");
@@ -35,13 +37,13 @@ std::string constraint_findings(const std::vector<std::string>& equations) {
 
 }  // namespace
 
-TEST_CASE("constraints that hold are not spoken of") {
+TEST_CASE("independent and consistent constraints are not reported") {
   CHECK(constraint_findings(std::vector<std::string>{}).empty());
   CHECK(constraint_findings({"x^2 + y^2 - l^2"}).empty());
   CHECK(constraint_findings({"x^2 + y^2 - l^2", "x - y"}).empty());
 }
 
-TEST_CASE("an equation that nothing changes constrains nothing") {
+TEST_CASE("an equation without coordinates constrains nothing") {
   CHECK(constraint_findings({"x - y", "sin(x)^2 + cos(x)^2 - 1"}) ==
         "E536: `b` constrains nothing: it is 0 for all coordinates");
   ModelBuilder b = constrained({"x_d - x_d + x"});
@@ -49,7 +51,7 @@ TEST_CASE("an equation that nothing changes constrains nothing") {
   CHECK(constraint_findings(b) == "E536: `a` constrains nothing: it is the same for all rates");
 }
 
-TEST_CASE("what follows from others is named with the combination") {
+TEST_CASE("a dependent constraint is reported with its linear combination") {
   CHECK(constraint_findings({"x^2 + y^2 - 4*l^2", "6*l^2 - 3/2*(x^2 + y^2)"}) ==
         "E537: `b` follows from other constraints: its row of A is -3/2*a");
   ModelBuilder b = constrained({"x - y", "x_d + y_d"});
@@ -57,13 +59,13 @@ TEST_CASE("what follows from others is named with the combination") {
   CHECK(constraint_findings(b).empty());
 }
 
-TEST_CASE("a combination of several rows has a factor for each") {
+TEST_CASE("a combination of several rows has a factor for each row") {
   ModelBuilder b = constrained({"x - l", "y - l", "2*x - y - l"});
   CHECK(constraint_findings(b) ==
         "E537: `c` follows from other constraints: its row of A is 2*a - b");
 }
 
-TEST_CASE("equations may depend on each other only where they hold") {
+TEST_CASE("equations may be dependent at one pose only") {
   CHECK(constraint_findings({"x", "x*y"}) ==
         "E537: `b` follows from other constraints: its row of A is 2*a at one pose");
 }
@@ -75,7 +77,7 @@ TEST_CASE("a dead centre at the start is no dependence") {
   CHECK(constraint_findings(b).empty());
 }
 
-TEST_CASE("without a pose it is said what is left of each") {
+TEST_CASE("if there is no pose, the residual of each constraint is reported") {
   CHECK(constraint_findings({"x - l", "x - 3*l"}) ==
         "E538: no coordinates near the start meet the constraints: the residual is 0 of `a`, 2 of "
         "`b`");
@@ -88,7 +90,7 @@ TEST_CASE("without a pose it is said what is left of each") {
         "E538: no coordinates near the start meet the constraints: the residual is undefined");
 }
 
-TEST_CASE("a pose without consistent rates is none") {
+TEST_CASE("a pose without consistent rates is rejected") {
   CHECK(constraint_findings({"y - 2*l - l*t", "y - 2*l - 3*l*t"}) ==
         "E538: no rates near the start meet the constraints: the residual is 0 of `a`, 2 of `b`");
 }

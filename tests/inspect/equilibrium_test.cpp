@@ -1,4 +1,4 @@
-// E613 and E614: whether a point is an equilibrium, and whether there is an expansion about it.
+// E613 and E614: whether a point is an equilibrium, and whether the expansion about it exists.
 #include <catch2/catch.hpp>
 
 #include "inspect/checks.hpp"
@@ -19,7 +19,7 @@ std::string equilibrium_findings(const std::string& model, const std::string& li
   return text_of(diagnostics(model, lines));
 }
 
-/// The model with an equilibrium `rest` of these keys.
+/// Findings for the model with an equilibrium entry `rest` that has these keys.
 std::string entry_findings(const std::string& model, const std::string& keys) {
   const CheckedModel checked =
       checked_model(model + "[[equilibrium]]\nname = \"rest\"\n" + keys + "\n");
@@ -48,7 +48,7 @@ on = "q"
 
 }  // namespace
 
-TEST_CASE("exact models and equilibria pass") {
+TEST_CASE("models without approximation and true equilibria pass") {
   const CheckedModel exact = checked_model(cart_pole_text());
   CHECK(inspect_equilibrium({exact.model, exact.scene}).empty());
   CHECK(equilibrium_findings(cart_pole_text(), "order = 1\nabout = { x = 3, theta = 0 }").empty());
@@ -57,12 +57,12 @@ TEST_CASE("exact models and equilibria pass") {
   CHECK(equilibrium_findings(cart_pole_text(), "order = 2\nabout = { theta = 0 }").empty());
 }
 
-TEST_CASE("a pole that leans does not stay at rest") {
+TEST_CASE("a leaning pole does not stay at rest") {
   CHECK(equilibrium_findings(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }") ==
         "E613: `theta` does not stay at rest there: bias - B u is -1.4715");
 }
 
-TEST_CASE("an input that balances the point is suggested, and taken") {
+TEST_CASE("an input that balances the point is suggested and accepted") {
   const Diagnostics found_without = diagnostics(driven, "order = 1\nabout = { q = 0, p = 0 }");
   REQUIRE(found_without.size() == 1);
   CHECK(found_without[0].hint == "`u = -3/2`" + holds_at_own_values);
@@ -70,7 +70,7 @@ TEST_CASE("an input that balances the point is suggested, and taken") {
       equilibrium_findings(driven, "order = 1\nabout = { q = 0, p = 0, u = \"1/2 - m\" }").empty());
 }
 
-TEST_CASE("figures are those of the parameters' own values, 0 among them") {
+TEST_CASE("figures hold at the parameters' own values, including 0") {
   const auto offset = [](const std::string& force) {
     return model_text("offset", R"toml(
 [[coordinate]]
@@ -98,13 +98,13 @@ on = "q"
   CHECK(holds_at_own_values.find(other.at(0).hint) != std::string::npos);
 }
 
-TEST_CASE("coordinates left open are anywhere, given ones where they are given") {
+TEST_CASE("a coordinate without a given value must balance everywhere") {
   CHECK_FALSE(equilibrium_findings(driven, "order = 1\nabout = { p = 0 }").empty());
   CHECK(
       equilibrium_findings(driven, "order = 1\nabout = { q = 0, p = 0 }\nsmall = [\"p\"]").empty());
 }
 
-TEST_CASE("a root has no expansion about zero") {
+TEST_CASE("the power of a root has no expansion about zero") {
   const std::string root = model_text("root", R"toml(
 [[coordinate]]
 name = "q"
@@ -116,7 +116,7 @@ V = "(q^2)^(5/2)"
         "E614: energies and forces have no derivatives of order 6 there");
 }
 
-TEST_CASE("equilibria of a model balance in every row, whatever is left open") {
+TEST_CASE("equilibria of a model balance in every row for all free coordinates") {
   CHECK(entry_findings(cart_pole_text(), "at = { theta = 0 }").empty());
   CHECK(entry_findings(cart_pole_text(), "at = { theta = \"pi\", x = 2 }").empty());
   CHECK(entry_findings(cart_pole_text(), "at = { theta = \"pi/2\" }") ==
@@ -126,7 +126,7 @@ TEST_CASE("equilibria of a model balance in every row, whatever is left open") {
   CHECK_FALSE(entry_findings(cart_pole_text(), "at = { x = 0 }").empty());
 }
 
-TEST_CASE("an equilibrium is judged where its condition holds") {
+TEST_CASE("an equilibrium is checked only if its condition holds") {
   const std::string split = model_text("split", R"toml(
 [[coordinate]]
 name = "q"
@@ -147,10 +147,10 @@ V = "1/4*k*q^4 - 1/2*c*q^2"
   CHECK(entry_findings(split, "at = { q = \"2*sqrt(c/k)\" }\nwhen = \"c > 0\"") ==
         "E613: `q` does not stay at rest there: bias - B u is not 0 at other values of the "
         "parameters");
-  CHECK(entry_findings(split, "at = { q = 1 }\nwhen = \"k < 0\"").empty());  // never seen
+  CHECK(entry_findings(split, "at = { q = 1 }\nwhen = \"k < 0\"").empty());  // no sample has k < 0
 }
 
-TEST_CASE("what moves with time does not stay at rest") {
+TEST_CASE("a system moved by time does not stay at rest") {
   const std::string shaken = model_text("shaken", R"toml(
 [[coordinate]]
 name = "q"
@@ -164,7 +164,7 @@ V = "1/2*k*q^2 - q*sin(t)"
             .starts_with("E613: `q` does not stay at rest there"));
 }
 
-TEST_CASE("a scene about an equilibrium is judged where that exists") {
+TEST_CASE("a scene about an equilibrium is checked where the equilibrium exists") {
   const std::string split = model_text("split", R"toml(
 [[coordinate]]
 name = "q"

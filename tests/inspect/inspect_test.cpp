@@ -1,4 +1,4 @@
-// The inspection finds faults in models that are mechanically wrong and none in sound ones.
+// The inspection reports mechanical faults of a model, and nothing for sound models.
 #include "elgen/inspect.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@ std::string findings(const Model& model) { return text_of(inspect(model, {})); }
 
 }  // namespace
 
-TEST_CASE("sound models have nothing to report") {
+TEST_CASE("nothing is reported for sound models") {
   CHECK(findings(pendulum().model).empty());
   CHECK(findings(cart_pole().model).empty());
   CHECK(findings(double_pendulum().model).empty());
@@ -26,17 +26,17 @@ TEST_CASE("sound models have nothing to report") {
   CHECK(findings(relativistic_particle().model).empty());
 }
 
-TEST_CASE("sound models of frames have nothing to report", "[frames]") {
+TEST_CASE("nothing is reported for sound models of frames", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const CheckedModel checked = checked_model(text);
     Diagnostics found = inspect(checked.model, checked.scene);
-    // These models share one list of parameters.
+    // The models share one list of parameters, so some are unused (E522).
     std::erase_if(found, [](const Diagnostic& d) { return d.code == Code::E522; });
     CHECK(name + ": " + text_of(found) == name + ": ");
   }
 }
 
-TEST_CASE("everything found in one model is reported at once") {
+TEST_CASE("all faults of one model are reported at once") {
   ModelBuilder b = spherical_pendulum();
   b.model.gravity.reset();
   b.V("-m*g*z(bob)");
@@ -45,7 +45,7 @@ TEST_CASE("everything found in one model is reported at once") {
         "E512: V falls as `bob` rises");
 }
 
-TEST_CASE("a model that is singular everywhere is not searched for singular charts") {
+TEST_CASE("if M is singular everywhere, singular charts are not searched") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y", "rad").T("(x_d + y_d)^2/2");
   CHECK(findings(b.model) == "E501: the motion `x : y = 1 : -1` has no kinetic energy");
@@ -59,7 +59,7 @@ TEST_CASE("the inspection is quick: two coordinates, a chain of 20, a chain of 1
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
   };
-  // Ten times what is promised for an idle machine: tests share theirs.
+  // Ten times the promised time of an idle machine, because tests run in parallel.
   CHECK(milliseconds(cart_pole().model) < 100);
   CHECK(milliseconds(chain(20).model) < 1000);
   CHECK(milliseconds(chain(1000).model) < 500);

@@ -1,5 +1,5 @@
-// E501 and E511, where M is singular, and what is negative: masses, kinetic energies and
-// dissipations (E523, E524, E525).
+// Singular mass matrices (E501, E511), and negative masses, kinetic energies and dissipations
+// (E523, E524, E525).
 #include <catch2/catch.hpp>
 
 #include "inspect/checks.hpp"
@@ -35,14 +35,14 @@ std::string chart_findings(const ModelBuilder& b) { return text_of(inspect_chart
 
 }  // namespace
 
-TEST_CASE("regular mass matrices pass, also those that are indefinite") {
+TEST_CASE("regular mass matrices pass, even indefinite ones") {
   CHECK(mass_matrix_findings(double_pendulum()).empty());
   ModelBuilder exchange;
   exchange.coordinate("x").coordinate("y").T("x_d*y_d");
   CHECK(mass_matrix_findings(exchange).empty());
 }
 
-TEST_CASE("what is solved for needs kinetic energy of every rate alone") {
+TEST_CASE("outputs that solve for accelerations need kinetic energy of every single rate") {
   Scene scene;
   OutputRequest request;
   request.kind = OutputKind::forward_dynamics;
@@ -60,13 +60,13 @@ TEST_CASE("what is solved for needs kinetic energy of every rate alone") {
   CHECK(mass_matrix_findings(b.T("x_d*y_d + y_d^2*(sin(2*x) - 2*sin(x)*cos(x))")).empty());
 }
 
-TEST_CASE("a mass that is zero in disguise is named as if it were not there") {
+TEST_CASE("a mass whose expression simplifies to zero is reported as missing") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").T("x_d^2/2 + (cosh(x)^2 - sinh(x)^2 - 1)*y_d^2");
   CHECK(mass_matrix_findings(b) == "E501: the rate of `y` has no kinetic energy");
 }
 
-TEST_CASE("a coordinate without a mass is named, at its own place") {
+TEST_CASE("a coordinate without a mass is reported at its own span") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").T("x_d^2/2 + 0*y_d");
   b.model.velocities[1].span = {nullptr, 7, 8};
@@ -91,8 +91,8 @@ TEST_CASE("two missing masses are two diagnostics") {
         "E501: the rate of `z` has no kinetic energy");
 }
 
-TEST_CASE("a null vector that turns with the configuration is counted") {
-  ModelBuilder b;  // one point in the plane cannot hold three coordinates apart
+TEST_CASE("a null vector that depends on the configuration is reported with the rank") {
+  ModelBuilder b;  // a point in the plane has two degrees of freedom, but three coordinates
   b.coordinate("x").coordinate("y").coordinate("th");
   b.point("p", {"x + cos(th)", "y + sin(th)"}, "1");
   const std::string text = mass_matrix_findings(b);
@@ -102,7 +102,7 @@ TEST_CASE("a null vector that turns with the configuration is counted") {
   CHECK(text.find(" has no kinetic energy at q = (") != std::string::npos);
 }
 
-TEST_CASE("a mass that is 0 by default is no mistake, one fixed at 0 is") {
+TEST_CASE("a mass that is 0 by default is no mistake, a mass fixed at 0 is") {
   ModelBuilder b;
   b.coordinate("x").parameter("m", "0").T("m*x_d^2/2");
   CHECK(mass_matrix_findings(b).empty());
@@ -111,7 +111,7 @@ TEST_CASE("a mass that is 0 by default is no mistake, one fixed at 0 is") {
   CHECK(mass_matrix_findings(b, scene) == "E501: the rate of `x` has no kinetic energy");
 }
 
-TEST_CASE("a negative mass is named once") {
+TEST_CASE("a negative mass is reported once") {
   ModelBuilder b;
   b.coordinate("x").parameter("m", "2").point("bob", {"x", "0"}, "-m");
   CHECK(sign_findings(b) == "E523: the mass of `bob` is -2");
@@ -126,14 +126,14 @@ TEST_CASE("M has to be positive definite") {
   CHECK(sign_findings(coupled("1/2*M*x_d^2 + 1/2*m*th_d^2 + 4*m*x_d*th_d")) == th_is_negative);
 }
 
-TEST_CASE("a chart that breaks is not negative, nor is a parameter that is 0") {
+TEST_CASE("neither a singular chart nor a parameter of value 0 counts as negative") {
   CHECK(sign_findings(coupled("1/2*M*x_d^2 + 1/2*m*sin(th)^2*th_d^2")).empty());
   ModelBuilder zero;
   zero.coordinate("x").parameter("m", "0").point("bob", {"x", "0"}, "m");
   CHECK(sign_findings(zero).empty());
 }
 
-TEST_CASE("D brakes") {
+TEST_CASE("a negative dissipation D is reported") {
   const std::string kinetic = "1/2*M*x_d^2 + 1/2*m*th_d^2";
   CHECK(sign_findings(coupled(kinetic).D("1/2*m*x_d^2")).empty());
   CHECK(sign_findings(coupled(kinetic).D("-1/2*m*x_d^2")) ==
@@ -146,7 +146,7 @@ TEST_CASE("charts without a singular configuration pass") {
   CHECK(chart_findings(double_pendulum()).empty());
 }
 
-TEST_CASE("special values at which M loses rank are listed") {
+TEST_CASE("values of a coordinate at which M loses rank are listed") {
   CHECK(chart_findings(spherical_pendulum()) == "E511: the mass matrix loses rank at `th` = 0, pi");
   ModelBuilder polar;
   polar.coordinate("r", "m").coordinate("ph", "rad").T("r_d^2/2 + r^2*ph_d^2/2");
@@ -156,7 +156,7 @@ TEST_CASE("special values at which M loses rank are listed") {
   CHECK(chart_findings(latitude) == "E511: the mass matrix loses rank at `la` = pi/2, -pi/2");
 }
 
-TEST_CASE("a range keeps a length away from where M loses rank, but no angle") {
+TEST_CASE("a range excludes a singular value of a length, but not of an angle") {
   ModelBuilder polar;
   polar.coordinate("r", "m").coordinate("ph", "rad").T("r_d^2/2 + r^2*ph_d^2/2");
   polar.model.coordinates[0].range = Interval{1, 2};
@@ -166,7 +166,7 @@ TEST_CASE("a range keeps a length away from where M loses rank, but no angle") {
   CHECK(chart_findings(b) == "E511: the mass matrix loses rank at `th` = 0, pi");
 }
 
-TEST_CASE("a declared factor is reported as it is written, and not searched for") {
+TEST_CASE("a declared singular factor is reported as written, without a search") {
   ModelBuilder b = spherical_pendulum();
   const SourcePointer source = make_source("model.toml", "singular = \"sin(th)\"");
   const ExpressionId factor = b.expression("sin(th)");

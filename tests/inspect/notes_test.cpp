@@ -1,4 +1,4 @@
-// E522 what is declared and never used, E619 what is left out, E627 friction smoothed by tanh.
+// E522: unused declarations. E619: outputs left out of `full`. E627: friction smoothed by tanh.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// A mass on a spring; its parameters are arrays of one, or the two of `k`.
+/// A mass on a spring. Its parameter arrays are `m` (one element) and `k` (two elements).
 ModelBuilder spring(const std::string& potential) {
   ModelBuilder b;
   b.coordinate("x").parameter("m", "1").parameter("k1", "2").parameter("k2", "3");
@@ -54,12 +54,12 @@ const std::string is_damper = "E627: `linearization` contains this friction as a
 
 }  // namespace
 
-TEST_CASE("one used element of an array is enough") {
+TEST_CASE("an array is used if one of its elements is") {
   CHECK(unused_findings(spring("k2*x^2").model).empty());
   CHECK(unused_findings(spring("x^2").model) == "E522: parameter `k` is used nowhere");
 }
 
-TEST_CASE("an input acts on a velocity, or stands in a force") {
+TEST_CASE("an input must act on a velocity or occur in a force") {
   ModelBuilder nowhere = spring("k1*x");
   nowhere.input("u");
   CHECK(unused_findings(nowhere.model) == "E522: input `u` acts on nothing");
@@ -71,15 +71,15 @@ TEST_CASE("an input acts on a velocity, or stands in a force") {
   CHECK(unused_findings(named.model).empty());
 }
 
-TEST_CASE("what a lock takes out of the equations was used") {
+TEST_CASE("a parameter that only a locked model lacks counts as used") {
   Model locked = spring("x^2").model;
   locked.variant.whole = std::make_shared<const Model>(spring("k1*x^2").model);
   CHECK(unused_findings(locked).empty());
 }
 
-TEST_CASE("nothing is said where nothing is left out") { CHECK(left_out_notes({}).empty()); }
+TEST_CASE("no notes if no outputs are left out") { CHECK(left_out_notes({}).empty()); }
 
-TEST_CASE("one note per reason names the outputs and how they can be had") {
+TEST_CASE("one note per reason names the outputs and how to get them") {
   const SourcePointer source = make_source("a.toml", "name = \"a\" abs(x)");
   const Diagnostics notes = left_out_notes(
       {{LeftOutReason::too_many_entries, {"mass_matrix", "tip"}, {source.get(), 7, 10}},
@@ -93,12 +93,12 @@ TEST_CASE("one note per reason names the outputs and how they can be had") {
   CHECK(covered_text(notes[1].span) == "abs(x)");
 }
 
-TEST_CASE("friction smoothed by tanh is a damper of a linearization that is named") {
+TEST_CASE("friction smoothed by tanh becomes a damper in a requested linearization") {
   CHECK(smoothed_findings("-f*tanh(dot(x)/0.01)", {"linearization"}) == is_damper);
   CHECK(smoothed_findings("-f*tanh(dot(x)/0.01)", {"mass_matrix", "bias"}).empty());
 }
 
-TEST_CASE("dampers, and tanh of positions, are what they are") {
+TEST_CASE("linear dampers and tanh of positions get no note") {
   CHECK(smoothed_findings("-f*dot(x)", {"linearization"}).empty());
   CHECK(smoothed_findings("-f*tanh(x)", {"linearization"}).empty());
 }

@@ -1,4 +1,4 @@
-// E512, E526 and E527: energies that hold a weight or a motion the wrong way, or twice.
+// E512, E526 and E527: potentials whose weight or motion has the wrong sign, or is given twice.
 #include <catch2/catch.hpp>
 
 #include "inspect/checks.hpp"
@@ -50,14 +50,14 @@ TEST_CASE("weights and springs pass") {
   CHECK(potential_findings(falling_bob("-m*g*cos(th)")).empty());
 }
 
-TEST_CASE("a weight of the wrong sign is noted, also through a definition") {
+TEST_CASE("a weight of the wrong sign is noted, even through a definition") {
   CHECK(potential_findings(falling_bob("-m*g*y(bob)")) == pushed_up);
   ModelBuilder b = falling_bob("0");
   b.definition("height", "y(bob) + 1").V("-m*g*height");
   CHECK(potential_findings(b) == pushed_up);
 }
 
-TEST_CASE("up is against gravity where that is given") {
+TEST_CASE("if gravity is given, up is the opposite direction") {
   ModelBuilder sideways = falling_bob("-m*g*y(bob)");
   CHECK(potential_findings(sideways.gravity({"-g", "0"})).empty());
   ModelBuilder down = falling_bob("m*g*y(bob)");
@@ -65,7 +65,7 @@ TEST_CASE("up is against gravity where that is given") {
         "E512: gravity pulls along +y\n" + pushed_up);
 }
 
-TEST_CASE("gravity along the last axis is noted") {
+TEST_CASE("gravity along the positive last axis is noted") {
   CHECK(potential_findings(falling_bob("0").gravity({"0", "g"})) == "E512: gravity pulls along +y");
   CHECK(potential_findings(falling_bob("0").gravity({"0", "-g"})).empty());
   CHECK(potential_findings(falling_bob("0").gravity({"g", "0"})).empty());
@@ -74,7 +74,7 @@ TEST_CASE("gravity along the last axis is noted") {
   CHECK(potential_findings(space.gravity({"0", "0", "g"})) == "E512: gravity pulls along +z");
 }
 
-TEST_CASE("gravity on a model of bodies is noted too") {
+TEST_CASE("gravity of the wrong sign is noted for bodies too") {
   const auto of_body = [](std::uint32_t dimension, const std::vector<std::string>& gravity) {
     ModelBuilder b;
     b.coordinate("z").parameter("g", "9.81");
@@ -95,7 +95,7 @@ TEST_CASE("a point without a mass has no weight") {
   CHECK(potential_findings(b.T("m*(ddt(x(bob))^2 + ddt(y(bob))^2)/2")) == pushed_up);
 }
 
-TEST_CASE("a weight in V and in gravity is given twice, whatever stands beside it") {
+TEST_CASE("a weight in both V and [gravity] is found among other terms") {
   CHECK(weight_findings("-m*g*cos(th)") == bob_is_twice);
   CHECK(weight_findings("m*g*(1 - cos(th)) + 1/2*k*th^2") == bob_is_twice);
   CHECK(weight_findings("m*g*y(bob) + m2*g*y(hook)") == bob_is_twice);

@@ -1,4 +1,4 @@
-// Sampled states, null spaces of sampled matrices, and numbers as messages print them.
+// Sampled states, null spaces of sampled matrices, and the text of numbers in messages.
 #include "inspect/samples.hpp"
 
 #include <cln/float.h>
@@ -14,7 +14,7 @@ using namespace elgen::test;
 using cln::cl_R;
 using cln::cl_RA;
 
-TEST_CASE("samples are the same every time, differ by seed, and lie inside the ranges") {
+TEST_CASE("samples are reproducible, differ by seed, and lie inside the ranges") {
   ModelBuilder b = cart_pole();
   b.model.coordinates[0].range = Interval{3, 4};
   const Inspected subject{b.model, {}};
@@ -26,7 +26,7 @@ TEST_CASE("samples are the same every time, differ by seed, and lie inside the r
   }
 }
 
-TEST_CASE("a run-time parameter of value 0 is sampled, a fixed one is not") {
+TEST_CASE("a run-time parameter of value 0 is sampled, a fixed parameter is not") {
   ModelBuilder b;
   b.coordinate("x").parameter("m", "0").T("m*x_d^2/2");
   CHECK(sampled_state({b.model, {}}, 1).parameters[0] > 0);
@@ -35,7 +35,7 @@ TEST_CASE("a run-time parameter of value 0 is sampled, a fixed one is not") {
   CHECK(sampled_state({b.model, scene}, 1).parameters[0] == 0);
 }
 
-TEST_CASE("a mass matrix is sampled where it has a value") {
+TEST_CASE("a mass matrix is sampled at a state where it has a value") {
   ModelBuilder b;
   b.coordinate("x").T("sqrt(x)*x_d^2/2");
   const auto sample = sampled_mass_matrix({b.model, {}}, 3);
@@ -46,14 +46,14 @@ TEST_CASE("a mass matrix is sampled where it has a value") {
   CHECK_FALSE(sampled_mass_matrix({nowhere.model, {}}, 3));
 }
 
-TEST_CASE("a regular matrix has no null space, whatever its scales") {
+TEST_CASE("a regular matrix has no null space, whatever its scale") {
   CHECK(null_space({1, 2, 3, 4}, {2, 4}).empty());
   const cl_R tiny = cln::expt(cl_R(10), -60);
   const Vector diagonal{1, 0, 0, tiny};
   CHECK(null_space(diagonal, row_scales(diagonal, 2)).empty());
 }
 
-TEST_CASE("null vectors have one entry 1 where all the others have 0") {
+TEST_CASE("each null vector has an entry 1 in a row where the others have 0") {
   const Vector ones(9, cl_R(1));
   const auto basis = null_space(ones, row_scales(ones, 3));
   REQUIRE(basis.size() == 2);
@@ -68,24 +68,24 @@ TEST_CASE("a zero row and its column are a free direction") {
   CHECK(basis[0] == Vector{1, 0});
 }
 
-TEST_CASE("a row of rounding is a zero row") {
+TEST_CASE("a row of rounding errors is a zero row") {
   const Vector matrix{3, 0, 0, cln::expt(cl_R(10), -94)};
   const auto basis = null_space(matrix, row_scales(matrix, 2));
   REQUIRE(basis.size() == 1);
   CHECK(basis[0] == Vector{0, 1});
 }
 
-TEST_CASE("pivots are sought in all rows: a matrix without a diagonal is regular") {
+TEST_CASE("pivots are searched in all rows: a matrix with a zero diagonal can be regular") {
   CHECK(null_space({0, 1, 1, 0}, {1, 1}).empty());
 }
 
-TEST_CASE("what cancellation leaves of zero is zero, against the scale that is given") {
+TEST_CASE("the residue of a cancellation is zero, relative to the given scale") {
   const cl_R noise = cln::expt(cl_R(10), -70);
   CHECK(null_space({noise}, {1}).size() == 1);
   CHECK(null_space({noise}, {noise}).empty());
 }
 
-TEST_CASE("integers and short fractions are printed as such") {
+TEST_CASE("integers and short fractions are printed exactly") {
   CHECK(readable(0) == "0");
   CHECK(readable(-1) == "-1");
   CHECK(readable(cl_RA(1) / cl_RA(3)) == "1/3");
@@ -100,7 +100,7 @@ TEST_CASE("other numbers are printed with five digits") {
   CHECK(readable(cl_RA(1) / cl_RA(1009)) == "0.00099108");
 }
 
-TEST_CASE("what sixty digits leave of zero is zero") {
+TEST_CASE("a rounding error of 60-digit arithmetic is printed as zero") {
   CHECK(readable(cln::expt(cl_R(10), -41)) == "0");
   CHECK(readable(cln::expt(cl_R(10), -20)) == "1e-20");
 }

@@ -1,4 +1,5 @@
-// Singular matrices: each output names its own fault, with the row if the row is known.
+// Diagnostics of singular matrices: each kind of output has its own fault, with the row if it is
+// known.
 #include "inspect/singular_mass.hpp"
 
 #include <catch2/catch.hpp>
@@ -6,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-/// "" if the message is left to M.
+/// Empty if M is to blame, because another message reports M.
 std::string said_of(OutputKind kind, const std::optional<std::size_t>& row) {
   LeafNames names;
   names.multipliers = {"loop", "rod"};
@@ -30,7 +31,7 @@ TEST_CASE("a row of A without a pivot is a redundant constraint, unless the outp
         "state is");
 }
 
-TEST_CASE("a matrix whose row is not known is M, unless the output is solved for inputs") {
+TEST_CASE("a singular matrix without a known row is M, unless the output is solved for inputs") {
   CHECK(said_of(OutputKind::forward_dynamics, {}).empty());
   CHECK(said_of(OutputKind::user_operational, {}).empty());
   CHECK(said_of(OutputKind::constrained_inverse_dynamics, {}) ==

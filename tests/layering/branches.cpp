@@ -3,8 +3,8 @@
 namespace elgen::test {
 namespace {
 
-/// Comparisons with enumerators, and cases of them: `name` or an alias that a file gives it, then a
-/// word that matches `enumerator`.
+/// Finds comparisons with enumerators, and `case` labels. A match is `name`, or an alias of it in
+/// the file, with an enumerator that matches the pattern `enumerator`.
 Places branches(const SourceTree& tree, const std::string& name, const std::string& enumerator) {
   Places found;
   for (const std::string& path : governed(tree)) {
@@ -37,7 +37,7 @@ Places output_branches(const SourceTree& tree) { return branches(tree, "OutputKi
 Places extent_branches(const SourceTree& tree) { return branches(tree, "Extent", R"(\w+)"); }
 Places need_branches(const SourceTree& tree) { return branches(tree, "Need", R"(\w+)"); }
 
-/// Kinds of leaves are the opcodes that leaves.def lists, and LeafKind of them.
+/// Leaf kinds are the opcodes listed in leaves.def, and all enumerators of LeafKind.
 Places leaf_branches(const SourceTree& tree) {
   const auto table = tree.find("include/elgen/leaves.def");
   if (table == tree.end()) return {};

@@ -1,4 +1,4 @@
-// Places of a source tree that rules count, and the rules of branches on rows of tables.
+// Places that the rules count in a source tree, and the rules about branches on table rows.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,8 @@ inline Lines lines_of(const std::string& text) {
   return lines;
 }
 
-/// The places at which judge(lines of a file, number of a line) says something, with what it says.
+/// Calls judge(lines of a file, index of a line) for every line of src and include. Each non-empty
+/// result becomes a place "path:line: result".
 template <class Judge>
 Places places_where(const SourceTree& tree, const Judge& judge) {
   Places found;
@@ -45,7 +46,7 @@ inline bool begins(const std::string& line, const std::string& word) {
   return line.compare(indent_of(line), word.size(), word) == 0;
 }
 
-/// The lines that match `pattern`, of those with `word` in them: searching that is fast.
+/// The lines that match `pattern`. Only lines that contain `word` are tried, which is faster.
 inline Places matching_lines(const SourceTree& tree, const std::string& word,
                              const std::string& pattern) {
   const std::regex expression(pattern);
@@ -55,7 +56,7 @@ inline Places matching_lines(const SourceTree& tree, const std::string& word,
   });
 }
 
-/// Comparisons with enumerators of tables, and cases of them.
+/// Each finds comparisons with, and `case` labels of, the enumerators of one table.
 [[nodiscard]] Places language_branches(const SourceTree& tree);
 [[nodiscard]] Places output_branches(const SourceTree& tree);
 [[nodiscard]] Places extent_branches(const SourceTree& tree);

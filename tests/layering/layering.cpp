@@ -24,7 +24,7 @@ std::vector<Layer> layers_of(const SourceTree& tree) {
   return parse_layers(tree.at("src/layers.txt"));
 }
 
-/// Of nouns the folder that makes them; empty where none does.
+/// The folder that owns a noun (a header of include/elgen); empty if none does.
 std::string maker_of(const std::string& noun, const std::vector<Layer>& layers) {
   const std::string stem = std::filesystem::path(noun).stem();
   for (const Layer& layer : layers) {
@@ -33,7 +33,7 @@ std::string maker_of(const std::string& noun, const std::vector<Layer>& layers) 
   return "";
 }
 
-/// Where a file stands in the order. A noun stands before the rooms of the folder that makes it.
+/// The position of a file in the order. A noun has the position of the first room of its folder.
 std::optional<std::size_t> position_of(const std::string& path, const std::vector<Layer>& layers) {
   const bool is_noun = starts_with(path, noun_folder);
   const std::string wanted = is_noun ? maker_of(path, layers) : room_of(path);
@@ -44,7 +44,7 @@ std::optional<std::size_t> position_of(const std::string& path, const std::vecto
   return std::nullopt;
 }
 
-/// Included names as written: `"elgen/model.hpp"` without its quotes, `<ginac/ginac.h>` likewise.
+/// Names in `#include` directives, without quotes or angle brackets.
 std::vector<std::string> included_names(const std::string& text) {
   static const std::regex directive(R"(^\s*#\s*include\s*["<]([^">]+)[">])");
   std::vector<std::string> names;
@@ -57,7 +57,7 @@ std::vector<std::string> included_names(const std::string& text) {
   return names;
 }
 
-/// The project's file an include means, if it is one: beside the includer, in include/, or in src/.
+/// The project's file that an include names, if any: relative to the includer, include/ or src/.
 std::optional<std::string> resolve(const SourceTree& tree, const std::string& includer,
                                    const std::string& name) {
   const std::string beside =
@@ -68,7 +68,7 @@ std::optional<std::string> resolve(const SourceTree& tree, const std::string& in
   return std::nullopt;
 }
 
-/// Everything `path` includes, directly or not, itself among it.
+/// `path` and every file that it includes, directly or indirectly.
 std::set<std::string> closure(Includes& includes, const std::string& path) {
   std::set<std::string> reached{path};
   std::vector<std::string> open{path};
@@ -183,7 +183,7 @@ std::vector<std::string> later_includes(const SourceTree& tree) {
 std::vector<std::string> joins_without_ranges(const SourceTree& tree) {
   std::vector<std::string> found;
   for (const auto& [path, text] : tree) {
-    // In two parts: this file does not write it.
+    // Split, so that this file does not contain the text itself.
     if (!is_code(path) || !mentions(text, std::string("fmt::") + "join(")) continue;
     const std::vector<std::string> names = included_names(text);
     if (std::count(names.begin(), names.end(), "fmt/ranges.h") == 0) {
@@ -270,7 +270,7 @@ std::vector<std::string> unusual_namespaces(const SourceTree& tree) {
 std::vector<std::string> long_files(const SourceTree& tree, std::size_t most_lines) {
   std::vector<std::string> found;
   for (const auto& [path, text] : tree) {
-    if (path.starts_with("tests/emit/golden/")) continue;  // nobody wrote them
+    if (path.starts_with("tests/emit/golden/")) continue;  // generated files
     const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
     if (lines > most_lines) found.push_back(path + ": has " + std::to_string(lines) + " lines");
   }

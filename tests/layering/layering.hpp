@@ -1,5 +1,5 @@
-// The rules of src/layers.txt, checked on a source tree: the order of folders, no include cycles,
-// GiNaC where it may be, a test for every source, files of readable length.
+// Checks a source tree against src/layers.txt: order of folders, include cycles, use of GiNaC,
+// names of types, namespaces, and lengths of files.
 #pragma once
 
 #include <filesystem>
@@ -27,32 +27,31 @@ using Includes = std::map<std::string, std::vector<std::string>>;
 
 [[nodiscard]] std::vector<Layer> parse_layers(std::string_view text);
 
-/// src/, include/ and tests/ below `root`: files that end in .cpp, .hpp, .def or .txt.
+/// Reads the .cpp, .hpp and .def files below src/, include/ and tests/, and src/layers.txt.
 [[nodiscard]] SourceTree read_tree(const std::filesystem::path& root);
 
-/// The folder or room a file stands in: "check" of src/check/check.cpp, "check/names" of
+/// The folder or room of a file: "check" for src/check/check.cpp, "check/names" for
 /// src/check/names/symbols.cpp.
 [[nodiscard]] std::string room_of(const std::string& path);
 [[nodiscard]] std::string folder_of(const std::string& room);
 
-/// The project's files that each file includes.
+/// For each file, the project's files that it includes directly.
 [[nodiscard]] Includes includes_of(const SourceTree& tree);
 
-/// The files that layers.txt speaks about.
+/// Code of src/ and include/elgen/, which layers.txt describes.
 [[nodiscard]] std::vector<std::string> governed(const SourceTree& tree);
 
-/// One sentence per broken rule, each starting with the file; empty where all hold.
+/// Each returns one sentence per broken rule, starting with the file; empty if no rule is broken.
 [[nodiscard]] std::vector<std::string> later_includes(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> include_cycles(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> misplaced_ginac(const SourceTree& tree);
-/// Types of one name, in any two files: two meanings to a reader, and in one namespace one type to
-/// the linker.
+/// Types defined in two files under one name: confusing, and in one namespace an ODR violation.
 [[nodiscard]] std::vector<std::string> types_of_two_meanings(const SourceTree& tree);
-/// Includes of the project are paths from include/ or src/.
+/// Includes of the project's files that are not paths from include/ or src/.
 [[nodiscard]] std::vector<std::string> includes_beside(const SourceTree& tree);
-/// Everything is in namespace elgen, except what stands beside the pipeline: urdf, oracle, cli.
+/// Namespaces other than elgen. Only urdf, oracle and cli may have their own (elgen::urdf, ...).
 [[nodiscard]] std::vector<std::string> unusual_namespaces(const SourceTree& tree);
-/// Files that write fmt::join without fmt's header of ranges, which has it from version 11 on.
+/// Files that use fmt::join without <fmt/ranges.h>, which declares it from fmt 11 on.
 [[nodiscard]] std::vector<std::string> joins_without_ranges(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> long_files(const SourceTree& tree, std::size_t most_lines);
 

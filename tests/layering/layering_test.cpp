@@ -1,4 +1,4 @@
-// The rules of src/layers.txt, on this project and on small trees that break them.
+// Applies the rules of src/layers.txt to this project and to small trees that break them.
 #include "layering/layering.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ const SourceTree& project() {
   return tree;
 }
 
-/// Two folders, `first` without and `second` with GiNaC in one file, no rule broken.
+/// Two folders. GiNaC is allowed in one file of `second`. No rule is broken.
 SourceTree small_tree() {
   return {
       {"src/layers.txt", "# order\nfirst  : apple\nsecond : pear   ginac algebra.cpp\n"},
@@ -51,7 +51,7 @@ TEST_CASE("layers.txt is read line by line") {
   CHECK(layers[3].nouns.empty());
 }
 
-TEST_CASE("a tree that keeps the rules is not reproached") {
+TEST_CASE("a tree that follows the rules has no findings") {
   const SourceTree tree = small_tree();
   CHECK(later_includes(tree).empty());
   CHECK(include_cycles(tree).empty());
@@ -73,7 +73,7 @@ TEST_CASE("an include of a later folder is found, direct and through a header") 
                   "src/first/core.hpp: reaches the later src/second/tools.hpp"});
 }
 
-TEST_CASE("a noun and a folder that layers.txt does not know are found") {
+TEST_CASE("a noun or a folder missing from layers.txt is found") {
   SourceTree tree = small_tree();
   tree["include/elgen/plum.hpp"] = "";
   tree["src/third/plum.hpp"] = "";
@@ -102,7 +102,7 @@ TEST_CASE("GiNaC outside its files is found, direct and through a header") {
                   "src/second/show.cpp: reaches GiNaC by include/elgen/pear.hpp"});
 }
 
-TEST_CASE("a type name with two meanings is found, also where both are local") {
+TEST_CASE("a type name defined twice is found, even if both types are local") {
   SourceTree tree = small_tree();
   tree["src/first/a.hpp"] = "namespace elgen {\nstruct Pip {\n};\n}  // namespace elgen\n";
   tree["src/second/b.cpp"] = "namespace {\nenum class Pip : char { one };\n}  // namespace\n";
@@ -110,21 +110,21 @@ TEST_CASE("a type name with two meanings is found, also where both are local") {
         Sentences{"src/second/b.cpp: Pip is also in src/first/a.hpp"});
 }
 
-TEST_CASE("an include that is no path from src is found") {
+TEST_CASE("an include that is not a path from src is found") {
   SourceTree tree = small_tree();
   tree["src/first/seed.cpp"] = "#include \"core.hpp\"\n#include \"first/core.hpp\"\n";
   CHECK(includes_beside(tree) ==
         Sentences{"src/first/seed.cpp: includes \"core.hpp\", which is not a path from src"});
 }
 
-TEST_CASE("a namespace of a folder's own is found, except beside the pipeline") {
+TEST_CASE("a namespace of its own is found, except in urdf, oracle and cli") {
   SourceTree tree = small_tree();
   tree["src/first/core.hpp"] = "namespace elgen::first {\nnamespace {\n";
   tree["src/urdf/robot.hpp"] = "namespace elgen::urdf {\n";
   CHECK(unusual_namespaces(tree) == Sentences{"src/first/core.hpp: opens namespace elgen::first"});
 }
 
-TEST_CASE("rooms have an order, and nouns stand before those of their folder") {
+TEST_CASE("rooms are ordered, and nouns come before the rooms of their folder") {
   SourceTree tree = small_tree();
   tree["src/layers.txt"] = "first/names :\nfirst/rules :\nfirst : apple\nsecond : pear ginac *\n";
   tree["src/first/names/core.hpp"] = "#include \"elgen/apple.hpp\"\n";
@@ -148,20 +148,20 @@ TEST_CASE("fmt::join without its header is found") {
         Sentences{"src/first/apple.cpp: writes fmt::join without <fmt/ranges.h>"});
 }
 
-TEST_CASE("a long file is found, one of the greatest length is not") {
+TEST_CASE("a file longer than the limit is found, a file of exactly the limit is not") {
   SourceTree tree = small_tree();
   tree["tests/first/apple_test.cpp"] = "\n\n\n\n";
   CHECK(long_files(tree, 4).empty());
   CHECK(long_files(tree, 3) == Sentences{"tests/first/apple_test.cpp: has 4 lines"});
 }
 
-TEST_CASE("this project keeps the order of its folders") {
+TEST_CASE("this project follows the order of its folders") {
   CHECK(later_includes(project()) == Sentences{});
 }
 
 TEST_CASE("this project has no include cycle") { CHECK(include_cycles(project()) == Sentences{}); }
 
-TEST_CASE("this project keeps GiNaC where it may be") {
+TEST_CASE("this project uses GiNaC only in its permitted files") {
   CHECK(misplaced_ginac(project()) == Sentences{});
 }
 
@@ -173,11 +173,11 @@ TEST_CASE("this project writes includes as paths from src") {
   CHECK(includes_beside(project()) == Sentences{});
 }
 
-TEST_CASE("this project has one namespace, and three beside the pipeline") {
+TEST_CASE("this project has one namespace, and three more for urdf, oracle and cli") {
   CHECK(unusual_namespaces(project()) == Sentences{});
 }
 
-TEST_CASE("this project includes fmt's header of ranges with fmt::join") {
+TEST_CASE("this project includes <fmt/ranges.h> with fmt::join") {
   CHECK(joins_without_ranges(project()) == Sentences{});
 }
 
@@ -185,17 +185,17 @@ TEST_CASE("this project has no file over 400 lines") {
   CHECK(long_files(project(), 400) == Sentences{});
 }
 
-TEST_CASE("REUSE.toml says what the licence of every source is, and no source says it again") {
+TEST_CASE("REUSE.toml states the licence of all sources, and no source repeats it") {
   const std::string licences = read_text(std::filesystem::path(ELGEN_SOURCE_DIR) / "REUSE.toml");
   const std::string all_files =
       "version = 1\n\n[[annotations]]\npath = \"**\"\n"
       "SPDX-FileCopyrightText = \"2026 the elgen authors\"\n"
       "SPDX-License-Identifier = \"GPL-3.0-or-later\"\n";
   CHECK(starts_with(licences, all_files));
-  // Later annotations take precedence: none names sources.
+  // Later annotations take precedence, so none may name sources.
   const std::string others = licences.substr(std::min(licences.size(), all_files.size()));
   CHECK(count(others, "\"**") + count(others, "\"src/") + count(others, "\"include/") == 0);
-  CHECK(count(others, "\"tests/") == 2);  // the golden files, and a robot that a model is made of
+  CHECK(count(others, "\"tests/") == 2);  // the golden files, and a robot that a model is based on
   for (const auto& [path, text] : project()) {
     if (starts_with(path, "tests/emit/golden/")) continue;
     INFO(path);
@@ -203,7 +203,7 @@ TEST_CASE("REUSE.toml says what the licence of every source is, and no source sa
   }
 }
 
-TEST_CASE("files that leave this project say what their licence is") {
+TEST_CASE("files that leave this project state their licence") {
   static const std::set<std::string> without_line{".md", ".json", ""};
   const std::filesystem::path root = ELGEN_SOURCE_DIR;
   for (const std::string folder :

@@ -17,7 +17,7 @@ namespace elgen::test {
 
 namespace {
 
-/// The line that closes the block which line `first` opens: the next brace at the same indent.
+/// The line that closes the block opened in line `first`: the next brace of the same indent.
 std::size_t end_of_block(const Lines& lines, std::size_t first) {
   const std::string closing = std::string(indent_of(lines[first]), ' ') + "}";
   for (std::size_t i = first + 1; i < lines.size(); ++i) {
@@ -26,7 +26,7 @@ std::size_t end_of_block(const Lines& lines, std::size_t first) {
   return lines.size() - 1;
 }
 
-/// "src/choose" of src/choose/points.cpp, "include" of a noun.
+/// "src/choose" for src/choose/points.cpp, "include" for a noun.
 std::string folder_of_file(const std::string& path) {
   return starts_with(path, "src/") ? "src/" + folder_of(room_of(path)) : folder_of(path);
 }
@@ -52,7 +52,7 @@ Places reach_ins(const SourceTree& tree) {
   return found;
 }
 
-/// The enumerations whose enumerators a .def lists.
+/// Names of enumerations that include a .def file.
 std::set<std::string> table_enumerations(const SourceTree& tree) {
   static const std::regex opening(R"(^enum class (\w+))");
   std::set<std::string> names;
@@ -68,7 +68,8 @@ std::set<std::string> table_enumerations(const SourceTree& tree) {
   return names;
 }
 
-/// Whether `names` has the enumeration of a label, or that which `using K = NAME;` calls so.
+/// True if the line is a `case` label of an enumeration in `names`, possibly through an alias `K`
+/// of it.
 bool is_label_of(const std::string& line, const Lines& lines, const std::set<std::string>& names) {
   static const std::regex label(R"(\bcase (?:\w+::)*(\w+)::\w+:)");
   std::smatch match;
@@ -101,8 +102,8 @@ bool opens_class(const std::string& line) {
   return (begins(line, "class ") || begins(line, "struct ")) && !mentions(line, ";");
 }
 
-/// Whether a line of a class, without its indent, declares a data member: no parenthesis stands
-/// before its initial value or its end, except in the arguments of a template.
+/// True if a line of a class, without its indent, declares a data member. Then no parenthesis
+/// precedes its initialiser or its end, except in template arguments.
 bool declares_member(const std::string& line) {
   static const std::regex other(
       R"(^(using|friend|static|public|private|protected|template|class|struct|enum)\b|^\W)");
@@ -118,7 +119,7 @@ bool declares_member(const std::string& line) {
   return false;
 }
 
-/// Whether such a line begins the declaration of a method: constructors and types are none.
+/// True if the line begins the declaration of a method; constructors and types do not count.
 bool declares_method(const std::string& line, const std::string& name) {
   static const std::regex other(
       R"(^(using|friend|public|private|protected|class|struct|enum)\b|^[^\w\[])");
@@ -128,7 +129,7 @@ bool declares_method(const std::string& line, const std::string& name) {
   return !mentions(line.substr(0, opening + 1), name + "(");
 }
 
-/// Structs of data may have many members: each is read by its name.
+/// Structs of data may have many members, because each is accessed by name.
 Places large_classes(const SourceTree& tree) {
   constexpr std::size_t most_members = 12;
   constexpr std::size_t most_methods = 20;
@@ -166,7 +167,7 @@ Places function_objects(const SourceTree& tree) {
   });
 }
 
-/// A list of goals that is compared is a mode that no table has.
+/// A comparison with a list of goals is a mode that belongs in a table.
 Places goal_lists(const SourceTree& tree) {
   return matching_lines(tree, "Goal",
                         R"((==|!=) (std::vector(<Goal>)?|Goals)? ?[({]+ ?(\w+::)?Goal::)");
@@ -176,7 +177,7 @@ Places thread_locals(const SourceTree& tree) {
   return matching_lines(tree, "thread_local", R"(^ *(static |inline )*thread_local )");
 }
 
-/// Constants of rows (0, 1, 2) and of the mathematics of their name need no reason.
+/// Literals 0, 1 and 2 in tables and mathematical constants need no reason.
 Places bare_constants(const SourceTree& tree) {
   static const std::regex constant(
       R"(^ *(inline |static )*constexpr (inline |static )*[\w:]+ \w+ = -?[0-9][^;]*;$)");
@@ -194,7 +195,7 @@ Places random_generators(const SourceTree& tree) {
                         R"(^(?! *//)(?!.*explicit).*\bRandom( \w+( =|[;({])|[({]))");
 }
 
-/// Formulas are trees; LaTeX is what tables of formulas are typed in.
+/// Formulas are trees; only tables of formulas are typed in LaTeX.
 Places latex_commands(const SourceTree& tree) {
   return matching_lines(
       tree, "\\",
@@ -253,12 +254,12 @@ Rows parse_rows(const std::string& text) {
 struct Count {
   std::string name;
   std::size_t number = 0;
-  std::size_t slack = 0;  ///< in 10 000 of its row
+  std::size_t slack = 0;  ///< tolerance, in 1/10 000 of the row
   std::string instead = {};
   Places places = {};
 };
 
-/// Otherwise every change would have to edit the row.
+/// The tolerance avoids an edit of the row with every change.
 Count line_count(const SourceTree& tree) {
   std::size_t lines = 0;
   for (const std::string& path : governed(tree)) lines += count(tree.at(path), "\n");

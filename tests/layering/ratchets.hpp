@@ -1,5 +1,5 @@
 // Ratchets: figures of src and include that may only shrink, each with a row in
-// tests/layering/ratchets.txt. The rules read lines and indents as clang-format writes them.
+// tests/layering/ratchets.txt. The rules read lines and indents as clang-format formats them.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace elgen::test {
 
-/// `text`: ratchets.txt. One sentence for each figure above its row, then the places that it
-/// counts; one for each figure below its row or without one, and for each row without a figure.
-/// Places that begin with a path of `besides` are not counted.
+/// `text` is the content of ratchets.txt. Returns a sentence for each figure above its row,
+/// followed by its places. Figures below their row or without a row, and rows without a figure, get
+/// a sentence too. Places that begin with a path of `besides` do not count.
 [[nodiscard]] std::vector<std::string> broken_ratchets(const SourceTree& tree,
                                                        const std::string& text);
 

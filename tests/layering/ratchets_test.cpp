@@ -1,4 +1,4 @@
-// Figures that may only shrink, in this project and in small trees.
+// Ratchets of this project and of small trees.
 #include "layering/ratchets.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Rows that hold for a tree of two lines, with one for each rule: each at 0 but one.
+/// Rows for a tree of two lines: `name` has `number`, all other rules 0.
 std::string rows_with(const std::string& name, int number) {
   std::string rows = "# comment\nsum 2\n";
   for (const std::string rule :
@@ -23,7 +23,7 @@ std::string rows_with(const std::string& name, int number) {
   return rows;
 }
 
-/// What is said of the figure `name` of a file src/first/a.cpp where its row is 0: its places.
+/// The places reported for the figure `name` of a file src/first/a.cpp if its row is 0.
 std::vector<std::string> places_of(const std::string& name, const std::string& text,
                                    SourceTree tree = {}) {
   tree["src/layers.txt"] = "first :\nsecond : publishes open.hpp\nthird : publishes *\n";
@@ -54,7 +54,8 @@ TEST_CASE("an include of another folder's header counts unless that folder publi
         std::vector<std::string>{"src/first/a.cpp: includes src/second/own.hpp"});
 }
 
-TEST_CASE("a default counts in switches over what a .def lists, by its name or another") {
+TEST_CASE(
+    "a default counts in switches over an enumeration of a .def, under its name or an alias") {
   const SourceTree enums{
       {"src/second/pip.hpp", "enum class Pip : char {\n#include \"pip.def\"\n};\n"},
       {"src/second/core.hpp", "enum class Core { one, two };\n#include \"core.def\"\n"}};
@@ -67,7 +68,7 @@ TEST_CASE("a default counts in switches over what a .def lists, by its name or a
         std::vector<std::string>{"src/first/a.cpp:3: switch (p) {"});
 }
 
-TEST_CASE("comparisons with enumerators of tables and their cases are counted, names are not") {
+TEST_CASE("comparisons with enumerators of tables and their case labels count, mere uses do not") {
   CHECK(places_of("outputs",
                   "using K = OutputKind;\nask(OutputKind::bias);\ncase K::bias:\n"
                   "if (kind == elgen::OutputKind::bias || K::drift != kind) return;\n") ==
@@ -85,7 +86,7 @@ TEST_CASE("comparisons with enumerators of tables and their cases are counted, n
                   leaves) == std::vector<std::string>{"src/first/a.cpp:1: case Opcode::input:"});
 }
 
-TEST_CASE("lists of goals that are compared, and declarations of thread_local, are counted") {
+TEST_CASE("comparisons with lists of goals and declarations of thread_local count") {
   CHECK(
       places_of("goals", "if (goals == std::vector{Goal::steps}) return;\nask({Goal::steps});\n") ==
       std::vector<std::string>{
@@ -94,7 +95,7 @@ TEST_CASE("lists of goals that are compared, and declarations of thread_local, a
         std::vector<std::string>{"src/first/a.cpp:1: static thread_local int n;"});
 }
 
-TEST_CASE("a numeric constant has its reason beside it, or above it and its neighbours") {
+TEST_CASE("the reason of a numeric constant is on its line, or above its group of constants") {
   CHECK(places_of("bare-constants",
                   "constexpr int a = 3;\n\n// As in the book.\nconstexpr double b = 1e-3;\n"
                   "constexpr double c = -2;\n\nconstexpr int d = 4;  ///< of a year\n") ==
@@ -114,8 +115,7 @@ TEST_CASE("comparisons with a language, generators and noun clauses are counted 
                                "src/first/a.cpp:3: int n;  ///< Of one."});
 }
 
-TEST_CASE(
-    "a class of thirteen members or of twenty-one methods is large, a struct of data is not") {
+TEST_CASE("a class of 13 members or 21 methods is large, a struct of data is not") {
   const auto members = [](int count) {
     std::string lines;
     for (int i = 0; i < count; ++i) lines += "  int n" + std::to_string(i) + "_ = f(1);\n";
@@ -134,7 +134,7 @@ TEST_CASE(
   CHECK(places_of("large-classes", "struct A {\n" + members(30) + "};\nclass A;\n").empty());
 }
 
-TEST_CASE("five data members behind an operator() are counted, methods and types are not") {
+TEST_CASE("a class of five data members with an operator() counts, methods and types do not") {
   const std::string members =
       "  int a_ = 1;\n  std::function<int(int)> b_;\n  double c_{};\n  const A& d_;  ///< own\n"
       "  using E = int;\n  int f(int x = 2) { return x; }\n  // int g_;\n";
@@ -145,7 +145,7 @@ TEST_CASE("five data members behind an operator() are counted, methods and types
         std::vector<std::string>{"src/first/a.cpp:21: 5 members"});
 }
 
-TEST_CASE("a figure has its row, neither above it nor below, lines within one in four hundred") {
+TEST_CASE("a figure must equal its row, and lines may differ by 1 in 400") {
   SourceTree tree{{"src/layers.txt", ""}, {"src/first/a.cpp", "\n"}, {"src/second/b.cpp", "\n"}};
   CHECK(broken_ratchets(tree, rows_with("", 0)).empty());
   CHECK(broken_ratchets(tree, rows_with("randoms", 2)) ==
@@ -162,7 +162,7 @@ TEST_CASE("a figure has its row, neither above it nor below, lines within one in
                                  "say why in the commit"});
 }
 
-TEST_CASE("places in what a row leaves out are not counted") {
+TEST_CASE("places under a row's excluded paths do not count") {
   const SourceTree tree{{"src/layers.txt", ""},
                         {"src/first/a.cpp", "Random a;\n"},
                         {"src/second/b.cpp", "Random b;\n"}};
@@ -171,7 +171,7 @@ TEST_CASE("places in what a row leaves out are not counted") {
   CHECK(broken_ratchets(tree, rows).empty());
 }
 
-TEST_CASE("this project keeps the figures that may only shrink") {
+TEST_CASE("this project does not exceed its ratchets") {
   const SourceTree tree = read_tree(ELGEN_SOURCE_DIR);
   const std::filesystem::path rows =
       std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/layering/ratchets.txt";

@@ -1,5 +1,5 @@
-// Queries of a Model that every stage may make: names and numbers of its leaves, printing,
-// references between entries.
+// Queries of a Model that every stage uses: names and numbers of its leaves, printing, references
+// between entries.
 #include <rapidcheck.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ std::string texts(const Model& model, const std::vector<ExpressionId>& expressio
 
 }  // namespace
 
-TEST_CASE("leaves are called what the model calls them") {
+TEST_CASE("leaves have the names that the model gives them") {
   const Model model = checked(file_text("models/chain.toml")).model;
   const LeafNames leaves = leaf_names(model);
   REQUIRE(leaves.q.size() == 5);
@@ -72,7 +72,7 @@ TEST_CASE("leaves are called what the model calls them") {
   CHECK(leaf_names(checked(file_text("models/rotating_hoop.toml")).model).uses_time);
 }
 
-TEST_CASE("kinds that only some functions take have names once they are taken") {
+TEST_CASE("leaf kinds of few functions have names only if a function takes them") {
   const LeafNames untaken = leaf_names(checked(file_text("models/chain.toml")).model);
   const auto has_names = [](const LeafNames& leaves, Opcode kind) {
     return leaf_count(leaves, kind) > 0 && !leaf_of(leaves, kind, 0).empty();
@@ -85,7 +85,7 @@ TEST_CASE("kinds that only some functions take have names once they are taken") 
       CHECK(has_names(leaves, row.id) == has_names(untaken, row.id));
       continue;
     }
-    // The lists get the names of velocities.
+    // Kinds with one leaf per velocity get the names of the velocities.
     CHECK((row.of == LeafOwner::velocities || row.of == LeafOwner::system));
     CHECK_FALSE(has_names(untaken, row.id));
     CHECK(has_names(leaves, row.id));
@@ -103,13 +103,13 @@ TEST_CASE("no two kinds of leaves have the same rank") {
   CHECK(ranks.size() == leaf_table().size());
 }
 
-TEST_CASE("leaves are written as models and as C++ write them") {
+TEST_CASE("leaves have a text in model syntax and an identifier in C++") {
   const LeafNames leaves = leaf_names(checked(file_text("models/chain.toml")).model);
   CHECK(leaf_text(leaves, Opcode::coordinate, 0) == "q[1]");
   CHECK(leaf_text(leaves, Opcode::velocity, 0) == "dot(q[1])");
   CHECK(leaf_text(leaves, Opcode::acceleration, 4) == "dot(dot(q[5]))");
   CHECK(leaf_text(leaves, Opcode::time, 0) == "t");
-  CHECK(leaves.h.empty());  // until a function takes it
+  CHECK(leaves.h.empty());  // empty until a function takes the step size
   CHECK(leaves.momenta.empty());
   LeafNames taken = leaves;
   taken.momenta = leaves.v;
@@ -118,7 +118,7 @@ TEST_CASE("leaves are written as models and as C++ write them") {
   CHECK(identifier_of("x_cart") == "x_cart");
 }
 
-TEST_CASE("leaves are counted by what has one of each") {
+TEST_CASE("the number of leaves is the number of entries that own them") {
   const Model model = checked(file_text("models/chain.toml")).model;
   CHECK(leaf_count(model, Opcode::parameter) == 11);
   CHECK(leaf_count(model, Opcode::coordinate) == 5);
@@ -143,7 +143,7 @@ TEST_CASE("a leaf has the range that its entry declares") {
   CHECK_FALSE(declared_range(model, Opcode::time, 0));
 }
 
-TEST_CASE("brackets are printed where they are needed") {
+TEST_CASE("brackets are printed only if they are needed") {
   const std::vector<std::pair<std::string, std::string>> rows{
       {"x + y*2", "x + y*2"},
       {"(x + y)*2", "(x + y)*2"},
@@ -174,14 +174,14 @@ TEST_CASE("brackets are printed where they are needed") {
   }
 }
 
-TEST_CASE("what is printed parses back and prints the same") {
+TEST_CASE("printed text parses back and prints the same") {
   CHECK(rc::check("print, parse, print", [] {
     const std::string once = printed("x + " + random_expression(3));
     RC_ASSERT(printed(once) == once);
   }));
 }
 
-TEST_CASE("operands come before their users, through definitions, each once") {
+TEST_CASE("operands precede their users, each once, even through definitions") {
   const Model model =
       checked(
           "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[define]\n"
@@ -191,7 +191,7 @@ TEST_CASE("operands come before their users, through definitions, each once") {
   CHECK(texts(model, references(model, *model.energies.V)) == "sin(a), a");
 }
 
-TEST_CASE("points, frames and prescribed functions are followed to what they are made of") {
+TEST_CASE("references through points, frames and prescribed functions are followed") {
   const Model model =
       checked(
           "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[parameters]\nm = 1\n"
@@ -209,7 +209,7 @@ TEST_CASE("points, frames and prescribed functions are followed to what they are
   CHECK(has(Opcode::coordinate));
 }
 
-TEST_CASE("everything comes once, after what it refers to") {
+TEST_CASE("every expression comes once, after its references") {
   const Model model = checked(file_text("models/chain.toml")).model;
   CHECK(find_cycle(model).empty());
   const std::vector<ExpressionId> order = in_order(model);
@@ -222,7 +222,7 @@ TEST_CASE("everything comes once, after what it refers to") {
   }
 }
 
-TEST_CASE("a cycle is one through names, link by link") {
+TEST_CASE("a cycle consists of references, link by link") {
   Model model = checked(
                     "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[define]\n"
                     "a = \"2*x\"\nb = \"3*a\"\n[energy]\nT = \"dot(x)^2\"\nV = \"b\"\n")
@@ -238,7 +238,7 @@ TEST_CASE("a cycle is one through names, link by link") {
   }
 }
 
-TEST_CASE("what is reached twice is there once") {
+TEST_CASE("an expression reached twice is listed once") {
   const Model model = checked(file_text("models/chain.toml")).model;
   auto all = reached(model, {*model.expectations.front().entries.begin(),
                              *model.expectations.front().entries.begin()});

@@ -30,7 +30,7 @@ std::vector<std::string> names_in_full(const std::string& model) {
   return names;
 }
 
-/// "too many entries: mass_matrix, linearization", a reason a line.
+/// One line per reason, such as "too many entries: mass_matrix, linearization".
 std::string left_out(const CheckedModel& checked) {
   std::string lines;
   for (const LeftOut& reason : checked.scene.left_out) {
@@ -48,7 +48,7 @@ bool has(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-TEST_CASE("full is every output the model has") {
+TEST_CASE("full contains every output of the model") {
   const std::vector<std::string> all = names_in_full(with_output);
   CHECK(all.front() == "mass_matrix");
   CHECK(all.back() == "dynamics");
@@ -62,7 +62,7 @@ TEST_CASE("full is every output the model has") {
   CHECK_FALSE(has(names_in_full(block()), "input_matrix"));
 }
 
-TEST_CASE("outputs of another Lagrangian") {
+TEST_CASE("outputs of a Lagrangian that is not quadratic, or not split into T and V") {
   const std::string head =
       "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
       "unit = \"m\"\n[parameters]\nm = { value = 1, unit = \"kg\" }\n"
@@ -85,7 +85,7 @@ TEST_CASE("outputs of another Lagrangian") {
       messages(relativistic, wanted) ==
       "E534 1:1 `hamilton_equations` needs rates that p = dL/dv gives by a linear solve, and L is "
       "not quadratic in the rates\n");
-  // Quadratic, but T and V are not told apart.
+  // L is quadratic, but not split into T and V.
   const std::string whole = head + "L = \"m*dot(x)^2\"\n";
   CHECK(has(names_in_full(whole), "gravity"));
   wanted.outputs = {"total_energy"};
@@ -120,7 +120,7 @@ TEST_CASE("the requests of a scene are found by name") {
   CHECK(find_request(model.scene, "nothing") == nullptr);
 }
 
-TEST_CASE("names that cannot be had") {
+TEST_CASE("unknown and unavailable outputs are errors") {
   const Rows rows{
       {"mass_matrx", "E601 1:1 unknown output `mass_matrx` | did you mean `mass_matrix`?\n"},
       {"bias, tp", "E601 1:7 unknown output `tp` | did you mean `tip`?\n"},
@@ -136,7 +136,7 @@ TEST_CASE("names that cannot be had") {
         "E603 1:1 `input_matrix` needs inputs, but the model has none\n");
 }
 
-TEST_CASE("forces with kinks have no derivatives, and full does without them") {
+TEST_CASE("forces with kinks have no derivatives, and full omits the derivatives") {
   const std::string model = block() + "[[force]]\non = \"x\"\nvalue = \"-k*abs(x)\"\n";
   CHECK(has(names_in_full(block()), "linearization"));
   CHECK_FALSE(has(names_in_full(model), "linearization"));
@@ -149,12 +149,12 @@ TEST_CASE("forces with kinks have no derivatives, and full does without them") {
   CHECK(covered_text(kinked.scene.left_out.front().span) == "abs(x)");
 }
 
-TEST_CASE("what a model simply does not have is not left out") {
+TEST_CASE("outputs that do not apply to a model are not listed as left out") {
   CHECK(left_out(checked(with_output)).empty());
   CHECK(left_out(checked(block())).empty());
 }
 
-TEST_CASE("only kinks in forces on what moves stand in the way of derivatives") {
+TEST_CASE("kinks prevent derivatives only in forces that act on moving coordinates") {
   const std::string unused = block("[define]\nkinked = \"abs(x)\"\n");
   CHECK(has(names_in_full(unused), "linearization"));
   const std::string force = "[[force]]\non = \"x\"\nvalue = \"-k*kinked\"\n";
@@ -177,7 +177,7 @@ std::string masses(int count) {
          "T = \"sum(i, 1, n, dot(x[i])^2)\"\n";
 }
 
-TEST_CASE("big outputs are left out of full, each from the size on that makes it big") {
+TEST_CASE("large outputs are left out of full, each above its own size limit") {
   CHECK(left_out(checked(masses(32))).empty());
   CHECK(left_out(checked(masses(33))) == "too many entries: linearization\n");
   CHECK(left_out(checked(masses(64))) == "too many entries: linearization\n");
@@ -189,7 +189,7 @@ TEST_CASE("big outputs are left out of full, each from the size on that makes it
   CHECK(big.scene.outputs.front().name == "velocity_force");
 }
 
-TEST_CASE("a scene or an option gets a big output that it names, and nothing is left out of it") {
+TEST_CASE("a scene or an option that names a large output gets it") {
   const CheckedModel by_scene = checked(
       masses(65),
       {.scene = "format = 1\nmodel = \"a.toml\"\nname = \"b\"\n[outputs]\nlinearization = true\n"});
@@ -207,14 +207,14 @@ TEST_CASE("a scene or an option gets a big output that it names, and nothing is 
       Catch::EndsWith("E601 1:1 unknown output `mass_matrx` | did you mean `mass_matrix`?\n"));
 }
 
-TEST_CASE("a scene that names no outputs does without what full does without") {
+TEST_CASE("a scene without a list of outputs omits the same outputs as full") {
   CHECK(left_out(checked(
             masses(2),
             {.scene = "format = 1\nmodel = \"a.toml\"\nname = \"b\"\n[sizes]\nn = 33\n"})) ==
         "too many entries: linearization\n");
 }
 
-TEST_CASE("each reason is given once, and derivatives that no scene gets under theirs") {
+TEST_CASE("each output is listed once, and derivatives missing for two reasons under the kink") {
   const std::string kinked = masses(65) + "[[force]]\non = \"x[2]\"\nvalue = \"-sign(x[1])\"\n";
   CHECK(left_out(checked(kinked)) ==
         "too many entries: mass_matrix, coriolis_matrix\n" + without_derivatives);

@@ -10,7 +10,7 @@
 namespace elgen::test {
 namespace {
 
-/// "bob origin" for a rod to the origin of the world, "bob ~ anchor" for a spring; a line each.
+/// One line each: "bob origin" for a rod to the world origin, "bob ~ anchor" for a spring.
 std::string lines_of(const Model& model) {
   const std::vector<ShownPlace> places = shown_places(model);
   std::string text;
@@ -29,7 +29,7 @@ std::string lines(const std::string& entries) { return lines_of(checked(block(en
 
 }  // namespace
 
-TEST_CASE("a position written over another point is joined to it") {
+TEST_CASE("a position written relative to another point is joined to it") {
   CHECK(lines(point("a", "x") + point("b", "x(a) + x")) == "b a\n");
   const std::string chain = "[sizes]\nn = 3\n" + point("p[0]", "x") +
                             point("p[i]", "x(p[i-1]) + x", "for = \"i in 1..n\"\n");
@@ -48,19 +48,19 @@ TEST_CASE("joined_to adds a line to a point, a frame or the origin") {
         "p[1] p[0]\np[2] p[1]\np[3] p[2]\n");
 }
 
-TEST_CASE("a line is drawn once, as a spring where one is asked for, and none leads back") {
+TEST_CASE("a line is drawn once, as a spring if requested, and no line joins a point to itself") {
   CHECK(lines(point("a", "x", "joined_to = [\"a\", \"origin\", \"origin\"]\n")) == "a origin\n");
   CHECK(lines(point("a", "x") + point("b", "x(a) + x", "joined_to = \"a\"\nas = \"spring\"\n")) ==
         "b ~ a\n");
 }
 
-TEST_CASE("a point of the name origin is that point") {
+TEST_CASE("`origin` means the point of this name if the model has one") {
   const Model model =
       checked(block(point("a", "x", "joined_to = \"origin\"\n") + point("origin", "2*x"))).model;
   CHECK(shown_lines(model).front().to == 1);
 }
 
-TEST_CASE("lines stay where a coordinate is locked") {
+TEST_CASE("lines remain if a coordinate is locked") {
   const std::string text = block(
       "[[coordinate]]\nname = \"y\"\nunit = \"m\"\n[[point]]\nname = \"a\"\n"
       "at = [\"x\", \"y\"]\nmass = \"m\"\njoined_to = \"origin\"\n");
@@ -69,7 +69,7 @@ TEST_CASE("lines stay where a coordinate is locked") {
   CHECK(lines_of(checked(text, wanted).model) == "a origin\n");
 }
 
-TEST_CASE("lines are in no stamp") {
+TEST_CASE("lines do not change the stamp") {
   const std::string a = point("a", "x");
   const std::string more = "joined_to = \"origin\"\nas = \"spring\"\n";
   CHECK(checked(block(a)).model.canonical == checked(block(a + more)).model.canonical);

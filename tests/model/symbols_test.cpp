@@ -40,18 +40,18 @@ TEST_CASE("names become symbols") {
   }
 }
 
-TEST_CASE("a model's own LaTeX is taken") {
+TEST_CASE("a model's own LaTeX is used") {
   CHECK(latex(symbol_of_name("phi", "\\varphi")) == "\\varphi");
 }
 
-TEST_CASE("a symbol that draws nothing is drawn by its name") {
+TEST_CASE("if a symbol draws nothing, the name is drawn") {
   for (const char* const key : {"{}", " ", "^", "\\dot", "\\mathrm{}", "\\dot{}", "_{}", "{{}}"}) {
     INFO(key);
     CHECK(latex(symbol_of_name("theta1", key)) == "\\theta_{1}");
   }
 }
 
-TEST_CASE("an input called by its coordinate has the scripts of its symbol") {
+TEST_CASE("an input named after its coordinate has the scripts of the coordinate's symbol") {
   const CheckedModel checked =
       test::checked_model(test::model_text("driven",
                                            "[[coordinate]]\nname = \"elbow\"\nlatex = 'q_2'\n"
@@ -65,7 +65,7 @@ TEST_CASE("an input called by its coordinate has the scripts of its symbol") {
                                  "u_{\\tau, \\mathrm{elbow}}"});
 }
 
-TEST_CASE("two long names that would get one symbol do not") {
+TEST_CASE("two long names do not get the same symbol") {
   const CheckedModel checked = test::checked_model(test::model_text(
       "alike",
       "[[coordinate]]\nname = \"left_hip\"\n[[coordinate]]\nname = \"left_hip_\"\n[parameters]\n"
@@ -97,7 +97,7 @@ TEST_CASE("two quantities never share a symbol") {
   CHECK(mathml(read_latex("m_{1}'")) != mathml(read_latex("m_{1}")));
 }
 
-TEST_CASE("exponents of units are small") {
+TEST_CASE("exponents of units are superscripts") {
   CHECK(unit_text("kg*m^2/s^-1", " ", small_exponent) == "kg m²/s⁻¹");
   CHECK(unit_text("kg^(1/2) * m", " ", small_exponent) == "kg^(1/2) m");
   CHECK(unit_text("", " ", small_exponent).empty());

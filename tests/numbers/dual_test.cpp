@@ -1,4 +1,5 @@
-// Dual numbers: derivatives of every function against differences in 64 digits, and nested ones.
+// Dual numbers: the derivative of every function against central differences in 64 digits, and
+// nested dual numbers.
 #include "numbers/dual.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,7 +19,7 @@ double apart(const Real& x, const Real& y) {
 
 }  // namespace
 
-TEST_CASE("the slope of every smooth function is its derivative") {
+TEST_CASE("the slope of a smooth function is its derivative") {
   const Real x = real("3/7");
   const Real y = real("2");
   const Real h = real("1/100000000000000000000");
@@ -28,13 +29,13 @@ TEST_CASE("the slope of every smooth function is its derivative") {
     const Dual<Real> dual = interpreter::call<Dual<Real>>(row.id, {x, Real(1)}, {y, Real()});
     const Real right = interpreter::call(row.id, x + h, y);
     const Real left = interpreter::call(row.id, x - h, y);
-    // Central differences are off by h^2/6 f''' = 1e-40 times a third derivative below 100.
+    // The error of a central difference is h^2/6 f''' = 1e-40 f''', and |f'''| < 100 here.
     CHECK(apart(dual.slope, (right - left) / (h + h)) < 1e-38);
     CHECK(apart(dual.value, interpreter::call(row.id, x, y)) == 0);
   }
 }
 
-TEST_CASE("numbers of double have slopes too, of kinked functions none") {
+TEST_CASE("dual numbers of double have slopes, and kinked functions have slope 0") {
   for (const FunctionRow& row : function_table()) {
     INFO(row.name);
     const Dual<double> dual = interpreter::call<Dual<double>>(row.id, {0.4, 1}, {1.25, 0});
@@ -50,13 +51,13 @@ TEST_CASE("numbers of double have slopes too, of kinked functions none") {
   CHECK(sqrt(Dual<double>{4, 1}).slope == 0.25);
 }
 
-TEST_CASE("atan2 has a slope in its second argument") {
+TEST_CASE("atan2 has a derivative by its second argument") {
   // d/dx atan2(y, x) = -y / (x^2 + y^2) at (3, 4)
   const Dual<Real> angle = atan2(Dual<Real>{real("3"), Real()}, Dual<Real>{real("4"), Real(1)});
   CHECK(apart(angle.slope, real("-3/25")) < 1e-60);
 }
 
-TEST_CASE("products, quotients and roots follow the rules of Leibniz") {
+TEST_CASE("products, quotients and roots follow the product and chain rules") {
   const Dual<Real> x{real("4"), Real(1)};
   const Dual<Real> three = ScalarTraits<Dual<Real>>::from_real(3);
   CHECK(apart((x * x - three).slope, real("8")) < 1e-60);
@@ -71,7 +72,7 @@ TEST_CASE("nested duals give second derivatives") {
   CHECK(apart(sin(x).slope.slope, -sin(real("2"))) < 1e-60);
 }
 
-TEST_CASE("moving arguments carry point and direction") {
+TEST_CASE("dual arguments combine a point and a direction") {
   const Arguments<Real> point{.q = {real("1")}, .v = {real("2")}, .t = real("3")};
   const Arguments<Real> direction{.q = {real("4")}, .v = {real("5")}, .t = real("6")};
   const Arguments<Dual<Real>> moved = moving(point, direction);

@@ -1,4 +1,5 @@
-// Closed forms, laws of products, singular systems, and the numbers of several fields.
+// Elimination against closed forms and product rules, on singular systems, and over several number
+// types.
 #include "numbers/echelon.hpp"
 
 #include <cln/integer.h>
@@ -22,7 +23,7 @@ using Exact = LargestPivot<cl_RA>;
 using ReducedExact = LargestPivot<cl_RA, EchelonForm::reduced>;
 using Rationals = std::vector<cl_RA>;
 
-/// Row-major, of whole numbers below 4: singular minors are frequent.
+/// Row-major, entries -3 ... 3: singular minors are frequent.
 Rationals random_matrix(Random& random, std::size_t rows, std::size_t columns) {
   Rationals matrix;
   for (std::size_t k = 0; k < rows * columns; ++k) {
@@ -31,7 +32,7 @@ Rationals random_matrix(Random& random, std::size_t rows, std::size_t columns) {
   return matrix;
 }
 
-/// A B of matrices with so many inner columns.
+/// The product A B; `inner` is the number of columns of A.
 Rationals product(const Rationals& a, const Rationals& b, std::size_t inner) {
   const std::size_t rows = a.size() / inner;
   const std::size_t columns = b.size() / inner;
@@ -61,7 +62,7 @@ bool is_zero_matrix(const Rationals& matrix) {
   return std::ranges::all_of(matrix, [](const cl_RA& x) { return cln::zerop(x); });
 }
 
-/// The kernel has as many vectors as the rank leaves, each with A x = 0.
+/// The kernel has (columns - rank) vectors, and A x = 0 for each.
 template <class Field>
 void check_kernel(const Rationals& matrix, std::size_t columns) {
   Field field;
@@ -71,7 +72,8 @@ void check_kernel(const Rationals& matrix, std::size_t columns) {
   for (const Rationals& x : kernel) CHECK(is_zero_matrix(product(matrix, x, columns)));
 }
 
-/// The Hilbert matrix, row i times 10^(20 i), with the right side that makes all unknowns 1.
+/// The Hilbert matrix with row i scaled by 10^(20 i), and the right side for which all unknowns are
+/// 1.
 std::vector<Real> scaled_hilbert(int n) {
   std::vector<Real> matrix;
   for (int i = 0; i < n; ++i) {
@@ -87,7 +89,7 @@ std::vector<Real> scaled_hilbert(int n) {
 
 }  // namespace
 
-TEST_CASE("rank, kernel and pivots of the example") {
+TEST_CASE("rank, kernel and pivots of an example") {
   const Rationals matrix{2, 4, 6, 1, 2, 4};
   ReducedExact field;
   const Echelon<ReducedExact> echelon(field, matrix, 3, 3);
@@ -101,7 +103,7 @@ TEST_CASE("rank, kernel and pivots of the example") {
   check_kernel<Exact>(matrix, 3);
 }
 
-TEST_CASE("determinants: Vandermonde's, and of exchanged rows the other sign") {
+TEST_CASE("determinants: Vandermonde's, and a changed sign for exchanged rows") {
   const Rationals vandermonde{1, 2, 4, 1, 3, 9, 1, 5, 25};
   CHECK(determinant_of(vandermonde, 3) == (3 - 2) * (5 - 2) * (5 - 3));
   const Rationals exchanged{1, 3, 9, 1, 2, 4, 1, 5, 25};
@@ -112,7 +114,7 @@ TEST_CASE("determinants: Vandermonde's, and of exchanged rows the other sign") {
   CHECK(determinant_of({1, 2, 2, 4}, 2) == 0);
 }
 
-TEST_CASE("solutions are exact, free unknowns 0, and contradictions none") {
+TEST_CASE("solutions are exact, free unknowns are 0, and a contradiction has no solution") {
   Exact field;
   const Echelon<Exact> regular(field, {2, 1, 5, 1, 3, 10}, 3, 2);
   CHECK(regular.solution() == Rationals{1, 3});
@@ -124,7 +126,7 @@ TEST_CASE("solutions are exact, free unknowns 0, and contradictions none") {
   CHECK_FALSE(contradictory.solution());
 }
 
-TEST_CASE("A kernel = 0, and no product has more rank than its factors, in both forms") {
+TEST_CASE("A kernel = 0, and the rank of a product is at most the rank of each factor") {
   Random random(1);
   for (int turn = 0; turn < 60; ++turn) {
     const std::size_t rows = 1 + random.next() % 5;
@@ -151,7 +153,7 @@ TEST_CASE("det A B = det A det B") {
   }
 }
 
-TEST_CASE("nothing has rank 0, the determinant 1 and no solution but nothing") {
+TEST_CASE("an empty matrix has rank 0 and determinant 1, and its solution is empty") {
   Exact field;
   const Echelon<Exact> echelon(field, Rationals{}, 0, 0);
   CHECK(echelon.rank() == 0);
@@ -169,20 +171,20 @@ TEST_CASE("64 digits solve an ill-conditioned system whose rows have scales from
   const Echelon<LargestPivot<Real>> echelon(field, scaled_hilbert(n), n + 1, n);
   REQUIRE(echelon.is_defined());
   REQUIRE(echelon.rank() == n);
-  // The condition number of the Hilbert matrix is 1.5e10, which leaves 53 digits of 64; the order
-  // of the rows, which their scales decide, may cost some more.
+  // The Hilbert matrix has condition number 1.5e10, so 53 of 64 digits are correct. The scales of
+  // the rows decide their order, which may cost a few more digits.
   const auto solution = echelon.solution();
   REQUIRE(solution);
   for (const Real& x : *solution) CHECK(is_near(x, Real(1), 45));
 }
 
-TEST_CASE("a number that is undefined ends an elimination") {
+TEST_CASE("an undefined number ends an elimination") {
   LargestPivot<Real> field;
   const std::vector<Real> matrix{Real(1), Real(2), Real::undefined(), Real(4)};
   CHECK_FALSE(Echelon<LargestPivot<Real>>(field, matrix, 2, 2).is_defined());
 }
 
-TEST_CASE("rounding is no pivot where the field says so, compared with the scales of rows") {
+TEST_CASE("a pivot within the rounding error counts as 0, relative to the scale of its row") {
   const cl_R tiny = power_of_ten(-60);
   const std::vector<cl_R> matrix{1, 2, 1, 2 + tiny};
   LargestPivot<cl_R> exact;
@@ -195,7 +197,7 @@ TEST_CASE("rounding is no pivot where the field says so, compared with the scale
   CHECK(Echelon<LargestPivot<cl_R>>(scaled, matrix, 2, 2).pivots()[0].row == 1);
 }
 
-TEST_CASE("doubles below the least pivot leave a column free") {
+TEST_CASE("doubles below the smallest permitted pivot leave a column free") {
   using Doubles = LargestPivot<double, EchelonForm::reduced>;
   Doubles field(1e-6);
   const Echelon<Doubles> echelon(field, std::vector<double>{1e-9, 2, 1e-9, 3}, 2, 2);
@@ -206,7 +208,7 @@ TEST_CASE("doubles below the least pivot leave a column free") {
   CHECK(echelon.kernel()[0][1] == Approx(-1e-9 / 3));
 }
 
-TEST_CASE("pivots of the diagonal are those of L D L^T, in their order") {
+TEST_CASE("diagonal pivots are the entries of D in L D L^T, in order") {
   DiagonalPivot<cl_R> field;
   const std::vector<cl_R> matrix{4, 2, 2, 2, 5, 3, 2, 3, 1};
   const Echelon<DiagonalPivot<cl_R>> echelon(field, matrix, 3, 3);
@@ -218,7 +220,7 @@ TEST_CASE("pivots of the diagonal are those of L D L^T, in their order") {
   CHECK(Echelon<DiagonalPivot<cl_R>>(field, exchanged, 2, 2).rank() == 0);
 }
 
-TEST_CASE("doubles on the diagonal have a pivot in each row, infinite behind a 0") {
+TEST_CASE("diagonal elimination in double has a pivot in each row, infinite after a 0") {
   DiagonalPivot<double> field;
   const std::vector<double> matrix{0, 1, 1, 0};
   const Echelon<DiagonalPivot<double>> echelon(field, matrix, 2, 2);

@@ -1,4 +1,5 @@
-// Enclosed numbers: exact where they can be, bounded elsewhere, refused outside of a domain.
+// Enclosed numbers: exact if possible, otherwise with an error bound, rejected outside a function's
+// domain.
 #include "numbers/enclosed_number.hpp"
 
 #include <cln/integer.h>
@@ -23,7 +24,8 @@ Enclosed call(const EnclosedArithmetic& with, FunctionId function, const cl_RA& 
   return with.call(function, exact(x), exact(y));
 }
 
-/// Whether the value in few digits is within its error of the one in many.
+/// True if the value in few digits differs from the value in many digits by at most its error
+/// bound.
 bool agree(const Enclosed& rough, const Enclosed& fine) {
   REQUIRE(rough.number);
   REQUIRE(fine.number);
@@ -31,7 +33,7 @@ bool agree(const Enclosed& rough, const Enclosed& fine) {
   return cln::abs(difference) <= cln::rational(rough.number->error) + power_of_ten(-300);
 }
 
-TEST_CASE("340 digits more agree within the error") {
+TEST_CASE("340 more digits agree within the error bound") {
   for (const FunctionRow& row : function_table()) {
     for (const cl_RA& x : {cl_RA(3) / 10, cl_RA(-7) / 9, cl_RA(9999) / 10000}) {
       if (row.id == FunctionId::log && cln::minusp(x)) continue;
@@ -44,7 +46,7 @@ TEST_CASE("340 digits more agree within the error") {
   }
 }
 
-TEST_CASE("errors of arguments go through a function") {
+TEST_CASE("functions propagate errors of their arguments") {
   const EnclosedNumber rough{cl_RA(7) / 10, power_of_ten(-20)};
   for (const FunctionRow& row : function_table()) {
     INFO(row.name);
@@ -57,7 +59,7 @@ TEST_CASE("errors of arguments go through a function") {
   }
 }
 
-TEST_CASE("errors of operands go through arithmetic") {
+TEST_CASE("arithmetic propagates errors of its operands") {
   const cl_RA e = power_of_ten(-20);
   const cl_RA x = cl_RA(7) / 10;
   const cl_RA y = cl_RA(-2) / 9;
@@ -77,7 +79,7 @@ TEST_CASE("errors of operands go through arithmetic") {
   }
 }
 
-TEST_CASE("what is small is known to as many digits") {
+TEST_CASE("small values have as many significant digits as large values") {
   for (const FunctionId function :
        {FunctionId::exp, FunctionId::tanh, FunctionId::sin, FunctionId::log1p, FunctionId::expm1}) {
     const Enclosed value =
@@ -87,7 +89,7 @@ TEST_CASE("what is small is known to as many digits") {
   }
 }
 
-TEST_CASE("what is rational stays exact") {
+TEST_CASE("rational results stay exact") {
   CHECK(is_exact(*few.power(exact(cl_RA(4) / 9), cl_RA(1) / 2).number));
   CHECK(few.power(exact(8), cl_RA(-2) / 3).number->value == cl_RA(1) / 4);
   CHECK(is_exact(*call(few, FunctionId::exp, 0).number));
@@ -98,7 +100,7 @@ TEST_CASE("what is rational stays exact") {
   CHECK(call(few, FunctionId::stumpff, 0, -4).number->value == cl_RA(1) / 24);
 }
 
-TEST_CASE("outside of a domain there is a reason") {
+TEST_CASE("outside the domain the reason is reported") {
   CHECK(few.reciprocal(exact(0)).why == NoValue::undefined);
   CHECK(few.reciprocal({0, 1}).why == NoValue::unknown);
   CHECK(few.power(exact(0), 0).why == NoValue::undefined);
@@ -121,7 +123,7 @@ TEST_CASE("outside of a domain there is a reason") {
   CHECK(many.call(FunctionId::tan, *right_angle.number, {}).why == NoValue::undefined);
 }
 
-TEST_CASE("a sign is known, or known to be open") {
+TEST_CASE("a sign is known, or known to be undecided") {
   CHECK(sign_of({0, 0}) == 0);
   CHECK(sign_of({-2, 1}) == -1);
   CHECK_FALSE(sign_of({2, 3}));

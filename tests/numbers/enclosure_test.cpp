@@ -1,5 +1,5 @@
-// Enclosures hold every value on the box: all functions at random points, in 64 digits, and the
-// cases in which bounds are exact.
+// Enclosures contain every value on their box: all functions at random points in 64 digits, and
+// cases with exact bounds.
 #include "numbers/enclosure.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ bool holds(const Enclosure& enclosure, const Real& value) {
 
 Real real_of(double x) { return Real(exact_value(x)); }
 
-/// Widths from a unit of the last place to many turns.
+/// Widths range from one ulp to many turns.
 Enclosure drawn(Random& random) {
   const double first = random.uniform(-4, 4) * (random.next() % 8 == 0 ? 40 : 1);
   const double width = std::abs(random.log_uniform(-54, 3));
@@ -47,7 +47,7 @@ constexpr int points_in_box = 6;
 
 }  // namespace
 
-TEST_CASE("enclosures of all functions hold the values inside of their boxes") {
+TEST_CASE("enclosures of functions contain all values on their box") {
   Random random(7);
   for (const FunctionRow& row : function_table()) {
     INFO(row.name);
@@ -75,7 +75,7 @@ TEST_CASE("enclosures of all functions hold the values inside of their boxes") {
   }
 }
 
-TEST_CASE("enclosures of sums, products, quotients and roots hold all values") {
+TEST_CASE("enclosures of sums, products, quotients and roots contain all values") {
   Random random(11);
   for (int i = 0; i < boxes; ++i) {
     const Enclosure x = drawn(random);
@@ -93,7 +93,7 @@ TEST_CASE("enclosures of sums, products, quotients and roots hold all values") {
   }
 }
 
-TEST_CASE("enclosures of exact results have no width") {
+TEST_CASE("enclosures of exact results have width 0") {
   const auto is_exactly = [](const Enclosure& x, double value) {
     return x.low == value && x.high == value;
   };
@@ -108,7 +108,7 @@ TEST_CASE("enclosures of exact results have no width") {
   CHECK(is_exactly(ScalarTraits<Enclosure>::from_real(cln::cl_RA(3) / 4), 0.75));
 }
 
-TEST_CASE("enclosures of rounded results are one place wide") {
+TEST_CASE("enclosures of rounded results are one ulp wide") {
   const Enclosure tenth = ScalarTraits<Enclosure>::from_real(cln::cl_RA(1) / 10);
   CHECK(tenth.high == std::nextafter(tenth.low, 1));
   const Enclosure third = enclosure_of(1) / enclosure_of(3);
@@ -116,7 +116,7 @@ TEST_CASE("enclosures of rounded results are one place wide") {
   CHECK(third.low <= 1.0 / 3);
 }
 
-TEST_CASE("enclosures of sines reach 1 where a top is inside") {
+TEST_CASE("enclosures of sines reach 1 if they contain a maximum") {
   CHECK(sin(Enclosure{1, 2}).high == 1);
   CHECK(sin(Enclosure{1, 1.5}).high < 1);
   CHECK(cos(Enclosure{3, 4}).low == -1);
@@ -125,14 +125,14 @@ TEST_CASE("enclosures of sines reach 1 where a top is inside") {
   CHECK(sin(Enclosure{1e300, 1e300}).high == 1);
 }
 
-TEST_CASE("an operand times itself is a square, others are not") {
+TEST_CASE("the product of an operand with itself is a square, other products are not") {
   const Enclosure x{-1, 2};
   const Enclosure same = x;
   CHECK((x * x).low == 0);
   CHECK((x * same).low == -2);
 }
 
-TEST_CASE("enclosures say where there is no value, or a jump") {
+TEST_CASE("enclosures report undefined values and jumps") {
   CHECK(sqrt(Enclosure{-1, 4}).defined == Definedness::somewhere);
   CHECK(sqrt(Enclosure{-1, 4}).low == 0);
   CHECK(sqrt(Enclosure{-2, -1}).defined == Definedness::nowhere);
@@ -147,10 +147,10 @@ TEST_CASE("enclosures say where there is no value, or a jump") {
   CHECK_FALSE(may_be(undefined * undefined, 0));
 }
 
-TEST_CASE("slopes of enclosures hold the slopes inside: d sin(x)/dx on [0, 1]") {
+TEST_CASE("slopes of enclosures contain all slopes on their box") {
   const Dual<Enclosure> x{{0, 1}, enclosure_of(1)};
   const Dual<Enclosure> y = sin(x * x);
-  // 2 x cos(x^2) has its greatest value 1.6… at x = 0.8…
+  // d sin(x^2)/dx = 2 x cos(x^2) has its maximum 1.6... on [0, 1] at x = 0.8...
   CHECK(y.slope.low <= 0);
   CHECK(y.slope.high >= 1.6);
   CHECK(y.slope.high <= 2.0 + 1e-12);

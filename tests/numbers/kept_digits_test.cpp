@@ -1,5 +1,5 @@
-// log1p, expm1, hypot and Stumpff's functions keep their digits near 0, in every arithmetic, and so
-// do the derivatives of sinc and cosc.
+// log1p, expm1, hypot, Stumpff's functions and the derivatives of sinc and cosc keep their digits
+// near 0, in every arithmetic.
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// |x - y|/|y| as a double; |x| where y is 0.
+/// |x - y|/|y| as a double; |x| if y is 0.
 double relative(const Real& x, const Real& y) {
   const Real scale = cln::zerop(y.value()) ? Real(1) : abs(y);
   return ScalarTraits<double>::from_real((abs(x - y) / scale).value());
@@ -30,8 +30,8 @@ Real exactly(Scalar x) {
 }
 Real exactly(const Real& x) { return x; }
 
-/// The derivative of c_k of some order at x, term by term of the series; with k < 0, of c_-k at i
-/// x.
+/// The derivative of c_k at x of this order, summed term by term. For k < 0: the derivative of
+/// c_-k(i x).
 Real derivative_of_series(unsigned order, int k, const cl_RA& x) {
   constexpr unsigned last_power = 240;
   const auto first = static_cast<unsigned>(std::abs(k));
@@ -54,7 +54,7 @@ struct Nested<Scalar, 0> {
   using type = Scalar;
 };
 
-/// x, moving in every direction there is.
+/// x as a dual number with slope 1 at every level of nesting.
 template <class Scalar>
 struct Variable {
   static Scalar at(const cl_RA& x) { return ScalarTraits<Scalar>::from_real(x); }
@@ -77,7 +77,7 @@ void check_derivative(double tolerance) {
       const Number f = interpreter::call(FunctionId::stumpff, Variable<Number>::at(x),
                                          ScalarTraits<Number>::from_real(cln::cl_I(k)));
       INFO("derivative " << order << " of c_" << k << " at " << text);
-      // Far out, each derivative may lose a factor |x|.
+      // For large |x| each derivative may lose a factor |x|.
       const double lost = std::pow(std::max(1.0, cln::double_approx(x)), order);
       const Real exact = derivative_of_series(order, k, x);
       CHECK(relative(exactly(Variable<Number>::slope(f)), exact) < tolerance * lost);
@@ -87,7 +87,7 @@ void check_derivative(double tolerance) {
 
 }  // namespace
 
-TEST_CASE("c_k and its derivatives are their series, in double and in 60 digits") {
+TEST_CASE("c_k and its derivatives equal their series, in double and in 60 digits") {
   check_derivative<double, 0>(4e-15);
   check_derivative<double, 1>(4e-15);
   check_derivative<double, 2>(4e-15);
@@ -100,7 +100,7 @@ TEST_CASE("c_k and its derivatives are their series, in double and in 60 digits"
   check_derivative<Real, 4>(1e-59);
 }
 
-TEST_CASE("c_k of built-in floats is right to 8 roundings for every k") {
+TEST_CASE("c_k of built-in floats is correct to 8 ulp for every k") {
   for (int k = 1; k <= 46; ++k) {
     for (const double x : {1e-9, 0.3, 0.99, 1.01, 1.6, 2.5, 3.7, 5.9, 12.4, 29.0, 47.0}) {
       INFO("c_" << k << "(" << x << ")");
@@ -118,12 +118,12 @@ TEST_CASE("c_k of built-in floats is right to 8 roundings for every k") {
   }
 }
 
-TEST_CASE("c_k at i x is sinh, cosh and what is left of them, and leaves all ranges as cosh does") {
+TEST_CASE("c_k at i x equals its closed form in sinh and cosh, and overflows like cosh") {
   for (const char* text : {"1/1024", "-7/3", "25", "600"}) {
     INFO(text);
     const Real x{cl_RA(text)};
     CHECK(relative(stumpff(x, Real(-1)), sinh(x) / x) < 1e-60);
-    const Real lost = cosh(x) - Real(1);  // 6 digits at 1/1024
+    const Real lost = cosh(x) - Real(1);  // loses 6 digits at 1/1024
     CHECK(relative(stumpff(x, Real(-2)), lost / (x * x)) < 1e-55);
     CHECK(relative(stumpff(x, Real(-3)), (sinh(x) - x) / (x * x * x)) < 1e-55);
   }
@@ -139,7 +139,7 @@ TEST_CASE("log1p and expm1 keep all digits of small numbers") {
       INFO("+-1e-" << digits);
       const Real real(x);
       CHECK(relative(log1p(expm1(real)), real) < 1e-61);
-      // x - x^2/2 + … and x + x^2/2 + …, as far as they say
+      // The series x - x^2/2 + ... and x + x^2/2 + ..., truncated after two terms.
       const double share = std::max(std::pow(10, -2 * digits), 1e-61);
       CHECK(relative(log1p(real), Real(x - x * x / 2)) < share);
       CHECK(relative(expm1(real), Real(x + x * x / 2)) < share);
@@ -153,14 +153,14 @@ TEST_CASE("log1p and expm1 keep all digits of small numbers") {
   CHECK_FALSE(log1p(Real(-1)).is_defined());
 }
 
-TEST_CASE("hypot has a value where its squares have none in double") {
+TEST_CASE("hypot has a value if its squares overflow double") {
   CHECK(relative(hypot(Real(-3), Real(4)), Real(5)) < 1e-62);
   CHECK(interpreter::call(FunctionId::hypot, 3e200, 4e200) == Approx(5e200));
   CHECK(hypot(Dual<double>{3, 1}, Dual<double>{4, 0}).slope == Approx(0.6));
   CHECK_FALSE(hypot(Dual<Real>{Real(), Real(1)}, Dual<Real>{}).slope.is_defined());
 }
 
-TEST_CASE("enclosures are narrow near 0, and far out as well") {
+TEST_CASE("enclosures are narrow near 0 and for large arguments") {
   const auto width = [](const Enclosure& x) { return x.high - x.low; };
   const Enclosure near{1e-12, 2e-12};
   CHECK(width(log1p(near)) < 1.001e-12);

@@ -1,4 +1,4 @@
-// More digits add up while computations run.
+// Requests for more digits add up in nested computations.
 #include "numbers/more_digits.hpp"
 
 #include <catch2/catch.hpp>
@@ -6,14 +6,14 @@
 
 using namespace elgen;
 
-TEST_CASE("computations inside of computations add up their digits") {
+TEST_CASE("nested requests for digits add up") {
   CHECK(MoreDigits::count() == 0);
   const auto count = [] { return MoreDigits::count(); };
   CHECK(with_digits(10, [&] { return with_digits(64, count); }) == 74);
   CHECK(MoreDigits::count() == 0);
 }
 
-TEST_CASE("what is lost is given back where it is more than can be spared") {
+TEST_CASE("a computation that loses too many digits is repeated with more digits") {
   std::vector<unsigned> counts;
   const auto losing = [&](const std::vector<unsigned>& losses) {
     counts.clear();
@@ -30,7 +30,7 @@ TEST_CASE("what is lost is given back where it is more than can be spared") {
   CHECK(MoreDigits::count() == 0);
 }
 
-TEST_CASE("what is lost beyond that is spared, too") {
+TEST_CASE("a repeated computation may lose a few more digits") {
   int computations = 0;
   const auto compute = [&] {
     ++computations;

@@ -1,5 +1,4 @@
-// Exact numbers, and numbers as text: exact for rationals, thirty digits for the rest, in any
-// locale.
+// Text of numbers: exact for rationals, thirty digits for floats, in any locale.
 
 #include <cln/cln.h>
 #include <cln/rational.h>
@@ -40,7 +39,7 @@ TEST_CASE("floats are printed with thirty digits and their exponent") {
   CHECK(number_text(cln::cl_float(1, format)) == "1.00000000000000000000000000000e0");
 }
 
-TEST_CASE("what rounds up to a power of ten takes its exponent") {
+TEST_CASE("a number that rounds up to a power of ten has its exponent") {
   const cln::float_format_t format = cln::float_format(100);
   const cln::cl_R below_ten = cln::cl_float(10 - cln::expt(cln::cl_RA(10), -60), format);
   REQUIRE(below_ten < 10);
@@ -50,7 +49,7 @@ TEST_CASE("what rounds up to a power of ten takes its exponent") {
   CHECK(number_text(cln::cl_float(nines, format)) == "9.99999999999999999999999999999e0");
 }
 
-TEST_CASE("exact decimals") {
+TEST_CASE("exact decimals are printed as literals") {
   const auto text = [](const cl_R& value) { return literal_text(*exact_decimal(value)); };
   CHECK(text(0) == "0.0");
   CHECK(text(2) == "2.0");
@@ -64,7 +63,7 @@ TEST_CASE("exact decimals") {
   CHECK_FALSE(exact_decimal(cln::pi(cln::float_format(100))));
 }
 
-TEST_CASE("texts to read") {
+TEST_CASE("numbers for readers: short decimals, fractions, fifty digits") {
   CHECK(exact_text(1) == "1");
   CHECK(exact_text(ratio(1, 2)) == "0.5");
   CHECK(exact_text(ratio(-2, 3)) == "-2/3");
@@ -72,13 +71,13 @@ TEST_CASE("texts to read") {
         "3.1415926535897932384626433832795028841971693993751");
 }
 
-TEST_CASE("rounding to significant digits") {
+TEST_CASE("decimals are rounded to significant digits") {
   CHECK(literal_text(rounded_decimal(ratio(2, 3), 5)) == "0.66667");
   CHECK(literal_text(rounded_decimal(ratio(999999, 1000), 3)) == "1000.0");
   CHECK(literal_text(rounded_decimal(0, 3)) == "0.0");
 }
 
-TEST_CASE("the locale does not show") {
+TEST_CASE("the text does not depend on the locale") {
   const char* previous = std::setlocale(LC_ALL, nullptr);
   const std::string saved = previous == nullptr ? "C" : previous;
   std::setlocale(LC_ALL, "de_DE.UTF-8");
@@ -86,7 +85,7 @@ TEST_CASE("the locale does not show") {
   std::setlocale(LC_ALL, saved.c_str());
 }
 
-TEST_CASE("binary numbers become the rationals they are, denormals too") {
+TEST_CASE("binary numbers are converted exactly, denormals too") {
   CHECK(exact_value(0.1) == cln::cl_R("3602879701896397/36028797018963968"));
   CHECK(exact_value(-6.5) == cln::cl_R("-13/2"));
   CHECK(exact_value(0) == 0);
@@ -94,7 +93,7 @@ TEST_CASE("binary numbers become the rationals they are, denormals too") {
   CHECK(exact_value(std::numeric_limits<double>::denorm_min()) == smallest);
 }
 
-TEST_CASE("the largest number counts by its magnitude") {
+TEST_CASE("the largest number is the largest magnitude") {
   CHECK(largest_of({}) == 0);
   CHECK(largest_of({1, -3, 2}) == 3);
 }
@@ -105,13 +104,13 @@ TEST_CASE("powers of ten are exact in both directions") {
   CHECK(power_of_ten(-400) * power_of_ten(400) == 1);
 }
 
-TEST_CASE("decimal exponents of numbers of any size") {
+TEST_CASE("decimal exponents are right for numbers of any size") {
   CHECK(decimal_exponent(0) == 0);
   CHECK(decimal_exponent(power_of_ten(5000)) == Approx(5000).margin(1));
   CHECK(decimal_exponent(cln::pi()) == Approx(0).margin(1));
 }
 
-TEST_CASE("simple fractions are the first convergents that are near enough") {
+TEST_CASE("a simple fraction is the first convergent within the tolerance") {
   const cl_RA close = power_of_ten(-9);
   const auto within = [&](const cln::cl_R& x, int most) { return simple_fraction(x, most, close); };
   CHECK(within(0, 1) == cl_RA(0));

@@ -1,4 +1,4 @@
-// The generator: known values, ranges kept, nothing dependent on the platform.
+// The random generator: known values, its ranges, and independence of the platform.
 #include "numbers/random.hpp"
 
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 
 using elgen::Random;
 
-TEST_CASE("SplitMix64 gives the published sequence of seed 1234567") {
+TEST_CASE("SplitMix64 gives the published sequence for seed 1234567") {
   Random random(1234567);
   CHECK(random.next() == 6457827717110365317U);
   CHECK(random.next() == 3203168211198807973U);
@@ -27,7 +27,7 @@ TEST_CASE("uniform numbers fill their interval") {
   CHECK(high > 2.9);
 }
 
-TEST_CASE("log-uniform numbers reach both ends and both signs") {
+TEST_CASE("log-uniform numbers cover both ends and both signs") {
   Random random(2);
   bool tiny = false;
   bool huge = false;
@@ -42,7 +42,7 @@ TEST_CASE("log-uniform numbers reach both ends and both signs") {
   CHECK((tiny && huge && negative));
 }
 
-TEST_CASE("rationals are exact, never 0, at most 1 in magnitude") {
+TEST_CASE("random rationals are exact, non-zero and at most 1 in magnitude") {
   Random random(3);
   for (int i = 0; i < 100; ++i) {
     const cln::cl_RA x = random.rational();
@@ -52,7 +52,7 @@ TEST_CASE("rationals are exact, never 0, at most 1 in magnitude") {
   }
 }
 
-TEST_CASE("equal seeds give equal sequences, different ones do not") {
+TEST_CASE("equal seeds give equal sequences, different seeds do not") {
   Random a(7);
   Random b(7);
   Random c(8);

@@ -12,7 +12,7 @@ using test::real;
 
 namespace {
 
-/// Equal to 62 of 64 digits.
+/// Equal to 62 of 64 digits, absolutely if |y| < 1.
 bool near(const Real& x, const Real& y) {
   const cln::cl_F scale = cln::max(cln::abs(y.value()), cln::cl_float(1, Real::format()));
   return x.is_defined() &&
@@ -22,7 +22,7 @@ bool near(const Real& x, const Real& y) {
 
 }  // namespace
 
-TEST_CASE("functions and their inverses") {
+TEST_CASE("inverse functions undo their functions") {
   const Real x = real("3/10");
   CHECK(near(asin(sin(x)), x));
   CHECK(near(acos(cos(x)), x));
@@ -33,7 +33,7 @@ TEST_CASE("functions and their inverses") {
   CHECK(near(sin(x) * sin(x) + cos(x) * cos(x), Real(1)));
 }
 
-TEST_CASE("far out tanh and expm1 have their limit, and the other exponentials no value") {
+TEST_CASE("for large arguments tanh and expm1 have their limits, other exponentials no value") {
   CHECK(near(expm1(real("-1e10")), Real(-1)));
   CHECK(near(tanh(real("1e10")), Real(1)));
   CHECK(near(tanh(real("-1e10")), Real(-1)));
@@ -41,16 +41,16 @@ TEST_CASE("far out tanh and expm1 have their limit, and the other exponentials n
   CHECK_FALSE(exp(real("-1e10")).is_defined());
 }
 
-TEST_CASE("atan2 takes the ordinate first and knows the quadrant") {
+TEST_CASE("atan2 takes the ordinate first and respects the quadrant") {
   CHECK(near(atan2(real("1"), real("-1")), Real(cln::pi(Real::format()) * 3 / 4)));
   CHECK(near(atan2(real("-1"), real("1")), Real(-cln::pi(Real::format()) / 4)));
   CHECK(near(atan2(real("0"), real("0")), real("0")));
   CHECK(near(acos(real("-1")), Real(cln::pi(Real::format()))));
 }
 
-TEST_CASE("angles that leave no digit behind the point ask for more digits") {
+TEST_CASE("an angle without correct digits after the point requests more digits") {
   const auto sine = [] { return sin(Real(cln::expt(cln::cl_RA(10), 100)) * (Real(1) / Real(3))); };
-  // 10^100/3 = 1/3 + an integer: the same with the digits of an exact rational.
+  // 10^100/3 = 1/3 + an integer. The reference uses an exact rational.
   const Real truth = [] {
     const cln::cl_RA angle = cln::expt(cln::cl_RA(10), 100) / 3;
     return Real(cln::sin(cln::cl_float(angle, cln::float_format(180))));
@@ -73,7 +73,7 @@ TEST_CASE("angles that leave no digit behind the point ask for more digits") {
 TEST_CASE("large angles keep all digits") {
   const cln::cl_RA two_pi = cln::rational(cln::pi(cln::float_format(140))) * 2;
   const cln::cl_R angle = two_pi * cln::expt(cln::cl_RA(10), 40) + cln::cl_RA("1/2");
-  // 10^40 turns and 1/2: as Real rounds the angle to 64 digits, 24 are left behind the point.
+  // The angle is 10^40 turns + 1/2. Rounded to 64 digits, it keeps 24 digits after the point.
   const Real difference = sin(Real(angle)) - sin(real("1/2"));
   CHECK(cln::abs(difference.value()) <
         cln::cl_float(cln::expt(cln::cl_RA(10), -22), Real::format()));
@@ -81,7 +81,7 @@ TEST_CASE("large angles keep all digits") {
   CHECK(near(sin(exact_angle) * sin(exact_angle), Real(1) - cos(exact_angle) * cos(exact_angle)));
 }
 
-TEST_CASE("outside of the domain a value is undefined and stays so") {
+TEST_CASE("outside the domain a value is undefined, and so are results computed from it") {
   const Real zero;
   CHECK_FALSE((real("1") / zero).is_defined());
   CHECK_FALSE(sqrt(real("-1")).is_defined());
@@ -96,7 +96,7 @@ TEST_CASE("outside of the domain a value is undefined and stays so") {
   CHECK_FALSE(sin(undefined).is_defined());
 }
 
-TEST_CASE("kinked functions") {
+TEST_CASE("kinked functions have their exact values") {
   CHECK(near(sign(Real()), real("0")));
   CHECK(near(sign(real("-7")), real("-1")));
   CHECK(near(abs(real("-7/2")), real("7/2")));
@@ -104,7 +104,7 @@ TEST_CASE("kinked functions") {
   CHECK(near(max(real("1"), real("2")), real("2")));
 }
 
-TEST_CASE("numbers have an order, which what is undefined has not") {
+TEST_CASE("numbers are ordered, undefined numbers are not") {
   CHECK(real("1") < real("2"));
   CHECK_FALSE(real("2") < real("2"));
   CHECK(real("2") <= real("2"));
@@ -115,7 +115,7 @@ TEST_CASE("numbers have an order, which what is undefined has not") {
   CHECK_FALSE(undefined <= undefined);
 }
 
-TEST_CASE("near numbers differ by less than 1e-40, or by what is asked for") {
+TEST_CASE("near numbers differ by less than 1e-40 or a given tolerance") {
   const Real x = real("1/3");
   const Real apart(cln::expt(cln::cl_RA(10), -30));
   CHECK(is_near(x, x + Real(cln::expt(cln::cl_RA(10), -41))));
@@ -124,7 +124,7 @@ TEST_CASE("near numbers differ by less than 1e-40, or by what is asked for") {
   CHECK_FALSE(is_near(x, Real::undefined()));
 }
 
-TEST_CASE("beyond the range of exponents nothing is defined, and nothing is thrown") {
+TEST_CASE("a number beyond the range of exponents is undefined, and nothing is thrown") {
   Real x(10);
   for (int i = 0; i < 80; ++i) x = x * x;
   CHECK_FALSE(x.is_defined());
@@ -132,7 +132,7 @@ TEST_CASE("beyond the range of exponents nothing is defined, and nothing is thro
   CHECK_FALSE((x + Real(1)).is_defined());
 }
 
-TEST_CASE("1 + 1e-120 - 1 is 0 in 64 digits, and 1e-120 in twice as many") {
+TEST_CASE("1 + 1e-120 - 1 is 0 in 64 digits, and 1e-120 in 128") {
   const cln::cl_RA tiny = cln::expt(cln::cl_RA(10), -120);
   const auto rest = [&] { return (Real(1) + Real(tiny)) - Real(1); };
   CHECK(cln::zerop(rest().value()));

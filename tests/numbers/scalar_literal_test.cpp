@@ -1,4 +1,4 @@
-// scalar_literal: the binary values of exact numbers, known texts, and properties over random ones.
+// scalar_literal: binary values of exact numbers, known texts, and properties of random numbers.
 #include "numbers/scalar_literal.hpp"
 
 #include <cln/float.h>
@@ -29,7 +29,7 @@ cln::cl_RA rational_of(Scalar x) {
   int exponent = 0;
   const Scalar fraction = std::frexp(x, &exponent);
   const auto integer = static_cast<std::int64_t>(std::ldexp(std::abs(fraction), 63));
-  // 63 of at most 64 bits, then what is left.
+  // The leading 63 of at most 64 bits, then the last bit.
   const Scalar rest = std::ldexp(std::abs(fraction), 63) - static_cast<Scalar>(integer);
   cln::cl_RA value = cln::cl_I(integer) + cln::cl_RA(static_cast<int>(rest * 2)) / 2;
   value = exponent >= 63 ? value * cln::ash(1, exponent - 63) : value / cln::ash(1, 63 - exponent);
@@ -51,7 +51,7 @@ void check_limits() {
   CHECK(from<Scalar>(rational_of(Limits::min())) == Limits::min());
   CHECK(from<Scalar>(eta) == smallest);
   CHECK(from<Scalar>(eta * 3 / 2) == 2 * smallest);  // a tie goes to the even neighbour
-  CHECK(from<Scalar>(eta / 2) == 0);                 // likewise
+  CHECK(from<Scalar>(eta / 2) == 0);                 // a tie too
   CHECK(from<Scalar>(eta * 3 / 4) == smallest);
   CHECK(from<Scalar>(-eta * 5 / 4) == -smallest);
   CHECK(from<Scalar>(cln::expt(eta, 3)) == 0);
@@ -67,13 +67,13 @@ void check_limits() {
 
 }  // namespace
 
-TEST_CASE("zero, the largest, the smallest and beyond") {
+TEST_CASE("zero, the largest and smallest numbers, and numbers beyond them") {
   check_limits<float>();
   check_limits<double>();
   check_limits<long double>();
 }
 
-TEST_CASE("decimal literals round as the compiler's do") {
+TEST_CASE("decimal literals are rounded as the compiler rounds them") {
   CHECK(from<double>(cln::cl_RA("980665/100000")) == 9.80665);
   CHECK(from<float>(cln::cl_RA("1/10")) == 0.1F);
   CHECK(from<long double>(cln::cl_RA("-1/3")) == -1.0L / 3.0L);
@@ -83,7 +83,8 @@ TEST_CASE("decimal literals round as the compiler's do") {
   CHECK(from<double>(cln::pi(cln::float_format(60))) == 3.14159265358979323846);
 }
 
-TEST_CASE("every binary value comes back, and a value between two goes to the nearer") {
+TEST_CASE(
+    "every binary value is reproduced, and a value between two binary values goes to the nearer") {
   CHECK(rc::check("double", [](std::uint64_t bits, std::uint16_t weight) {
     double x = 0;
     std::memcpy(&x, &bits, sizeof x);
@@ -110,7 +111,7 @@ TEST_CASE("fit finds overflow and lost digits") {
   CHECK(fit(0, ScalarKind::single_precision) == Fit::fits);
 }
 
-TEST_CASE("only what a float holds is exact in it") {
+TEST_CASE("only numbers with 24 significant bits are exact in float") {
   CHECK(exact_in_float(cl_RA(-1) / 2) == "-0.5");
   CHECK(exact_in_float(16777216) == "16777216.0");
   CHECK_FALSE(exact_in_float(16777217));
@@ -118,7 +119,7 @@ TEST_CASE("only what a float holds is exact in it") {
   CHECK_FALSE(exact_in_float(ten_to(300)));
 }
 
-TEST_CASE("decimals stay, other numbers are the shortest that round to the same") {
+TEST_CASE("decimals stay, other numbers get the shortest decimal with the same rounding") {
   CHECK(scalar_literal(cl_RA(981) / 100, ScalarKind::single_precision) == "9.81");
   CHECK(scalar_literal(1000, ScalarKind::double_precision) == "1000.0");
   CHECK(scalar_literal(cl_RA(1) / 3, ScalarKind::single_precision) == "0.33333334");

@@ -1,4 +1,4 @@
-// Assembly: Newton's method against poses that are known, and where it ends without one.
+// Assembly by Newton's method: known poses, and failures without a pose.
 #include <cln/real.h>
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ using cln::cl_R;
 using cln::cl_RA;
 using Values = std::vector<cl_R>;
 
-/// A point of mass 2 in x and y; `equations` are 0, of positions.
+/// A point with mass 2 and coordinates x and y. Each equation is a constraint `= 0` on positions.
 Model held_point(const std::vector<std::string>& equations) {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").parameter("l", "1").T("x_d^2 + y_d^2");
@@ -42,7 +42,7 @@ const char* const rod = "x^2 + y^2 - l^2";
 
 }  // namespace
 
-TEST_CASE("a state that meets the constraints stays as exact as it is") {
+TEST_CASE("a state that meets the constraints is unchanged") {
   const Model model = held_point({rod});
   const State state = state_at(model, {cl_RA(3) / 5, cl_RA(-4) / 5}, {4, 3});
   const auto assembled = oracle_assembled(model, state);
@@ -51,7 +51,7 @@ TEST_CASE("a state that meets the constraints stays as exact as it is") {
   CHECK(assembled->v == state.v);
 }
 
-TEST_CASE("equal masses move along the rod, and only along it") {
+TEST_CASE("a point with equal masses is projected along the rod's normal") {
   const Model model = held_point({rod});
   const auto assembled = oracle_assembled(model, state_at(model, {3, 4}, {1, 2}));
   REQUIRE(assembled);
@@ -59,7 +59,7 @@ TEST_CASE("equal masses move along the rod, and only along it") {
   check_agree(assembled->v, {cl_RA(-8) / 25, cl_RA(6) / 25});
 }
 
-TEST_CASE("what is kept stays, and the rest follows or is found missing") {
+TEST_CASE("fixed coordinates and rates stay, the others follow or there is no pose") {
   const Model model = held_point({rod});
   const State state = state_at(model, {cl_RA(3) / 5, -1}, {4, 1});
   const auto at = oracle_assembly(model, state, {{true, false}, {false, true}});
@@ -73,7 +73,7 @@ TEST_CASE("what is kept stays, and the rest follows or is found missing") {
   CHECK(torn->state.q == state.q);
 }
 
-TEST_CASE("the first step is that of the output") {
+TEST_CASE("the first step equals the output `projected`") {
   const Model model = held_point({"x^2 + y - l"});
   const State state = state_at(model, {0, 3}, {1, 1});
   const auto assembled = oracle_assembled(model, state);
@@ -83,8 +83,8 @@ TEST_CASE("the first step is that of the output") {
   check_agree(assembled->v, {1, 0});
 }
 
-TEST_CASE("steps that lead away, or out of the domain, are shortened") {
-  // By whole steps from 3 the arc tangent sends x ever further away; log sends it below 0.
+TEST_CASE("a step that increases the residual or leaves the domain is shortened") {
+  // A full Newton step for atan from x = 3 diverges; a full step for log makes x negative.
   const Model bent = held_point({"atan(x)"});
   const auto origin = oracle_assembled(bent, state_at(bent, {3, 5}, {0, 0}));
   REQUIRE(origin);
@@ -95,7 +95,7 @@ TEST_CASE("steps that lead away, or out of the domain, are shortened") {
   check_agree(base->q, {cln::exp1(cln::float_format(90)), 0});
 }
 
-TEST_CASE("redundant equations that agree are met, those that do not are left") {
+TEST_CASE("consistent redundant equations are met, contradictory equations are not") {
   const Model twice = held_point({rod, "3*l^2 - 3*x^2 - 3*y^2"});
   const auto assembled = oracle_assembled(twice, state_at(twice, {3, 4}, {0, 0}));
   REQUIRE(assembled);
@@ -115,17 +115,17 @@ TEST_CASE("a pose may have no consistent rates") {
   CHECK_FALSE(ended->has_rates);
 }
 
-TEST_CASE("a row that is 0 at the start leaves nowhere to go") {
+TEST_CASE("a constraint gradient of 0 at the start gives no direction") {
   const Model model = held_point({rod});
   CHECK_FALSE(oracle_assembled(model, state_at(model, {0, 0}, {0, 0})));
 }
 
-TEST_CASE("an equation without a value is assembled from nowhere") {
+TEST_CASE("a constraint without a value at the start fails") {
   const Model model = held_point({"sqrt(x) - l"});
   CHECK_FALSE(oracle_assembly(model, state_at(model, {-1, 0}, {0, 0})));
 }
 
-TEST_CASE("rates of a constraint on velocities keep what it leaves free") {
+TEST_CASE("velocity constraints change only the constrained combination of rates") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").T("x_d^2 + y_d^2");
   Constraint skate;
@@ -138,7 +138,7 @@ TEST_CASE("rates of a constraint on velocities keep what it leaves free") {
   check_agree(assembled->v, {2, 2});
 }
 
-TEST_CASE("quaternions stay of length 1") {
+TEST_CASE("quaternions keep length 1") {
   ModelBuilder b;
   b.rotation("e").T("e1_d^2 + 3/2*e2_d^2 + 5/2*e3_d^2");
   Constraint tilt;
@@ -151,7 +151,7 @@ TEST_CASE("quaternions stay of length 1") {
   check_agree({e[2], e[3]}, {0, 0});
 }
 
-TEST_CASE("without constraints a state is assembled") {
+TEST_CASE("without constraints any state is assembled") {
   const Model model = held_point({});
   const auto assembled = oracle_assembled(model, state_at(model, {3, 4}, {1, 2}));
   REQUIRE(assembled);

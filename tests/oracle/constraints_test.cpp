@@ -1,4 +1,4 @@
-// Constraints by hand, along motions, and by what they have to fulfil.
+// Constrained dynamics: by hand, along motions, and against their defining equations.
 #include "oracle/constraints.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::vector<cl_R>;
 
-/// A mass 2 on a rod of length l in x and y, driven along x.
+/// A mass 2 at (x, y) on a rod of length l, with an input force along x.
 ModelBuilder on_rod() {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").input("u", 0).parameter("m", "2").parameter("l", "1");
@@ -24,7 +24,7 @@ ModelBuilder on_rod() {
   return b;
 }
 
-/// The same on a rod whose length is given in time, with gains.
+/// A mass on a rod whose length depends on time, with stabilisation gains.
 ModelBuilder on_moving_rod() {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").coordinate("z").input("u", 0).parameter("m", "2");
@@ -34,7 +34,7 @@ ModelBuilder on_moving_rod() {
   return b;
 }
 
-/// A blade on a plane that does not slip sideways.
+/// A blade on a plane that cannot slip sideways.
 ModelBuilder blade() {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").coordinate("psi").T("x_d^2 + y_d^2 + psi_d^2");
@@ -42,7 +42,7 @@ ModelBuilder blade() {
   return b;
 }
 
-/// A body of inertias 2, 3, 5 about its centre of mass, whose point (1/3, 0, -1/2) is held.
+/// A body with inertias 2, 3, 5 about its centre of mass, fixed at its point (1/3, 0, -1/2).
 ModelBuilder hung_body() {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").coordinate("z").rotation("e");
@@ -73,7 +73,7 @@ cl_R product(const Numbers& matrix, std::size_t row, const Numbers& x) {
   return sum;
 }
 
-/// Some entries from the first one on.
+/// `count` entries from `first` on.
 Numbers part(const Numbers& values, std::size_t first, std::size_t count) {
   const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
   return {begin, begin + static_cast<std::ptrdiff_t>(count)};
@@ -84,13 +84,13 @@ std::size_t positions_of(const Model& model) {
       std::ranges::count(model.constraints, true, &Constraint::is_position));
 }
 
-/// The rates of all equations, without the positions before them.
+/// The velocity residuals of all constraints.
 Numbers rates_at(const Model& model, const State& state) {
   return part(entries(model, OutputKind::constraint_residual, state), positions_of(model),
               model.constraints.size());
 }
 
-/// The quaternion after a turn by a small vector in the axes of the body, to second order.
+/// Turns the quaternion by a small rotation vector in body axes, correct to second order.
 void turn(State& state, const Rotation& rotation, const Numbers& by) {
   const std::size_t first = rotation.first_coordinate;
   const Numbers e = part(state.q, first, quaternion_size);
@@ -104,7 +104,7 @@ void turn(State& state, const Rotation& rotation, const Numbers& by) {
   }
 }
 
-/// A time h later, with the acceleration of the state, to second order.
+/// The state a time h later under the acceleration state.a, correct to second order.
 State later(const Model& model, const State& state, const cl_R& h) {
   State next = state;
   next.t = state.t + h;
@@ -123,13 +123,13 @@ State later(const Model& model, const State& state, const cl_R& h) {
   return next;
 }
 
-/// The state with its acceleration that of the motion.
+/// The state with a set to the acceleration of forward dynamics.
 State moving(const Model& model, State state) {
   state.a = part(entries(model, OutputKind::forward_dynamics, state), 0, state.v.size());
   return state;
 }
 
-/// A coordinate, rate or input (fields 0, 1, 2 of derivatives) moved by h.
+/// Adds h to one coordinate, rate or input (field 0, 1, 2 of the derivatives).
 State displaced(const Model& model, State state, std::size_t field, std::size_t j, const cl_R& h) {
   Numbers& moved = field == 0 ? state.q : field == 1 ? state.v : state.u;
   const std::optional<std::uint32_t> rotation =
@@ -162,12 +162,12 @@ State projected_state(const Model& model, const State& state) {
   return next;
 }
 
-/// For differences.
+/// Step of the central differences.
 cl_R small() { return cln::expt(cl_R(10), -15); }
 
 }  // namespace
 
-TEST_CASE("a mass on a rod, by hand") {
+TEST_CASE("forward dynamics of a mass on a rod, by hand") {
   const Model model = on_rod().model;
   State state = nominal_state(model, {});
   state.q = {3, 4};
@@ -182,7 +182,7 @@ TEST_CASE("a mass on a rod, by hand") {
         Numbers{(11 + 6 * lambda) / 2, (8 * lambda - 20) / 2, 1, 1, 1, lambda});
 }
 
-TEST_CASE("r is the rate of f, A its slope by v, and A a + gamma the rate of r") {
+TEST_CASE("r = df/dt, A = dr/dv, and dr/dt = A a + gamma") {
   for (const Model& model : systems_with_constraints()) {
     const State state = random_pose(model, 7);
     const State before = later(model, state, -small());
@@ -207,7 +207,7 @@ TEST_CASE("r is the rate of f, A its slope by v, and A a + gamma the rate of r")
   }
 }
 
-TEST_CASE("a motion fulfils the equations of motion and the stabilised constraints") {
+TEST_CASE("a motion satisfies the equations of motion and the stabilised constraints") {
   for (const Model& model : systems_with_constraints()) {
     const State state = moving(model, random_pose(model, 8));
     const std::size_t n = state.v.size();
@@ -238,7 +238,7 @@ TEST_CASE("a motion fulfils the equations of motion and the stabilised constrain
   }
 }
 
-TEST_CASE("derivatives of a constrained motion are slopes of its accelerations") {
+TEST_CASE("derivatives of constrained forward dynamics are its slopes") {
   for (const Model& model : systems_with_constraints()) {
     const State state = random_pose(model, 9);
     const std::size_t n = state.v.size();
@@ -261,7 +261,7 @@ TEST_CASE("derivatives of a constrained motion are slopes of its accelerations")
   }
 }
 
-TEST_CASE("a projection brings positions down quadratically, and rates to zero there") {
+TEST_CASE("a projection reduces positions quadratically and makes their rates zero") {
   for (const Model& model : {on_rod().model, hung_body().model}) {
     State state = random_pose(model, 10);
     for (int i = 0; i < 12 && largest_gap(model, state) > small(); ++i) {
@@ -274,7 +274,7 @@ TEST_CASE("a projection brings positions down quadratically, and rates to zero t
   }
 }
 
-TEST_CASE("a projection leaves the lengths of quaternions, and coordinates without equations") {
+TEST_CASE("a projection keeps quaternion lengths and unconstrained coordinates") {
   const Model body = hung_body().model;
   const State held = projected_state(body, random_pose(body, 11));
   CHECK(agree(
@@ -285,11 +285,11 @@ TEST_CASE("a projection leaves the lengths of quaternions, and coordinates witho
   const State moved = projected_state(blades, state);
   CHECK(moved.q == state.q);
   CHECK(agree(rates_at(blades, moved)[0], 0, 70, 1));
-  // Along M^-1 A^T: across the blade, and not in psi.
+  // The change is along M^-1 A^T: across the blade, with no part in psi.
   CHECK(agree(moved.v[2], state.v[2], 70, 1));
 }
 
-TEST_CASE("the inverse gives back the inputs of a motion, and says what they cannot make") {
+TEST_CASE("inverse dynamics returns the inputs and multipliers of a motion, without a residual") {
   for (const Model& model : {on_rod().model, on_moving_rod().model}) {
     const State state = moving(model, random_pose(model, 13));
     const std::size_t n = state.v.size();
@@ -305,7 +305,7 @@ TEST_CASE("the inverse gives back the inputs of a motion, and says what they can
   }
 }
 
-TEST_CASE("what is unbalanced moves neither constraints nor inputs") {
+TEST_CASE("the residual force acts neither on constraints nor on inputs") {
   const Model model = on_moving_rod().model;
   ModelBuilder free_of_one = on_moving_rod();
   free_of_one.model.constraints.pop_back();
@@ -318,13 +318,13 @@ TEST_CASE("what is unbalanced moves neither constraints nor inputs") {
     const Numbers jacobian = entries(each, OutputKind::constraint_jacobian, state);
     for (std::size_t k = 0; k < m; ++k) CHECK(agree(product(jacobian, k, x), 0, 70, 1));
     CHECK(agree(x[0], 0, 70, 1));
-    // Where a freedom has no input, something is left.
+    // With two constraints the input balances every force; with one it cannot.
     const bool is_balanced = cln::abs(rest[1]) + cln::abs(rest[2]) < small();
     CHECK(is_balanced == (m == 2));
   }
 }
 
-TEST_CASE("contractions of what constraints give are the sums over all entries") {
+TEST_CASE("contractions of constrained outputs are sums over all entries") {
   const Model model = on_moving_rod().model;
   const State state = random_pose(model, 15);
   for (const OutputKind kind :

@@ -30,7 +30,7 @@ struct Fixture {
 
 }  // namespace
 
-TEST_CASE("leaves and operations") {
+TEST_CASE("leaves and operations have their values") {
   Fixture f;
   CHECK(f.value("x + x_d + x_dd + u + p + t") == 2 + 3 + 5 + 7 + 11 + 13);
   CHECK(f.value("-x*x_d - x_dd/2") == exact("-17/2"));
@@ -39,13 +39,13 @@ TEST_CASE("leaves and operations") {
   CHECK(agree(f.value("cos(pi)"), -1, 90));
 }
 
-TEST_CASE("names stand for their values") {
+TEST_CASE("a name has the value of its definition") {
   Fixture f;
   f.b.definition("twice", "2*x").prescribed("s", "t^2").point("P", {"twice", "s"});
   CHECK(f.value("x(P) + y(P) + z(P)") == 4 + 169);
 }
 
-TEST_CASE("rates along the motion: q -> v, v -> a, t -> 1, inputs and parameters rest") {
+TEST_CASE("rates along the motion: q -> v, v -> a, t -> 1, inputs and parameters -> 0") {
   Fixture f;
   CHECK(f.value("x + 10*x_d + 100*t + u + p", 1) == 3 + 50 + 100);
   CHECK(f.value("x^2", 1) == 12);
@@ -53,7 +53,7 @@ TEST_CASE("rates along the motion: q -> v, v -> a, t -> 1, inputs and parameters
   CHECK(f.value("t^3", 2) == 6 * 13);
 }
 
-TEST_CASE("time derivatives inside expressions, nested and mixed with plain values") {
+TEST_CASE("time derivatives may be nested and combined with values") {
   Fixture f;
   CHECK(f.value("ddt(x^2)") == 12);
   CHECK(f.value("ddt(ddt(x^2))") == 38);
@@ -61,7 +61,7 @@ TEST_CASE("time derivatives inside expressions, nested and mixed with plain valu
   CHECK(f.value("x*ddt(x)", 1) == 9 + 10);
 }
 
-TEST_CASE("directions of differentiation pass through time derivatives") {
+TEST_CASE("directional derivatives pass through time derivatives") {
   Fixture f;
   const ExpressionId id = f.b.expression("ddt(x^3)");  // 3 x^2 v, d/dx = 6 x v
   displace(f.motion.q, unit_direction(1, 0), generator(0));
@@ -69,13 +69,13 @@ TEST_CASE("directions of differentiation pass through time derivatives") {
   CHECK(at.value(id).coefficient(generator(0)) == 36);
 }
 
-TEST_CASE("an expression used with and without its rate keeps both apart") {
+TEST_CASE("the value and the rate of one expression do not mix") {
   Fixture f;
   f.b.definition("c", "x^2");
   CHECK(f.value("c + ddt(c) + c*ddt(c)") == 4 + 12 + 48);
 }
 
-TEST_CASE("what is asked for more often differentiated than before is made again") {
+TEST_CASE("a request for a higher derivative evaluates again") {
   Fixture f;
   const ExpressionId id = f.b.expression("x^2");
   Evaluation at(f.b.model, f.motion);
@@ -84,7 +84,7 @@ TEST_CASE("what is asked for more often differentiated than before is made again
   CHECK(at.rate(id).real() == 12);
 }
 
-TEST_CASE("only what is asked for is evaluated") {
+TEST_CASE("only the requested expression is evaluated") {
   Fixture f;
   f.b.expression("1/(x - 2)");
   CHECK(f.value("x + 1") == 3);
@@ -99,7 +99,7 @@ TEST_CASE("a chain of thousands of links is evaluated without recursion") {
   CHECK(at.rate(b.model.points.back().at[0]).real() == 5000 * exact("0.3"));
 }
 
-TEST_CASE("open functions are Taylor polynomials of the numbers that the state has") {
+TEST_CASE("unknown functions are Taylor polynomials whose coefficients are in the state") {
   const Model model = checked_model(model_text("plane", R"toml([[coordinate]]
 name = "x"
 [[coordinate]]

@@ -1,4 +1,4 @@
-// Jets: a ring with quotients, powers of s, and functions by the chain rule.
+// Jets: ring operations, quotients, powers of s, and functions by the chain rule.
 #include "oracle/jet.hpp"
 
 #include <rapidcheck.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr Generators e0 = generator(0);
 constexpr Generators e1 = generator(1);
 
-/// A jet in three generators with small exact coefficients.
+/// A jet in three generators with small integer coefficients.
 Jet random_jet() {
   Jet jet;
   for (Generators g = 0; g < 8; ++g) jet = jet + Jet(g, cl_R(*rc::gen::inRange(-3, 4)));
@@ -28,8 +28,8 @@ Jet random_jet() {
 
 bool equal(const Jet& x, const Jet& y) { return (x - y).terms().empty(); }
 
-/// f(x + h), f(x - h): the derivative to h^2 by a central difference; arguments inside every
-/// domain.
+/// The directional derivative of f by a central difference with h = 1e-20; the arguments stay in
+/// the domain.
 cl_R difference(FunctionId f, const cl_R& x, const cl_R& y, const cl_R& dx, const cl_R& dy) {
   JetFunctions functions;
   const auto at = [&](const cl_R& s) { return functions.value(f, x + s * dx, y + s * dy).real(); };
@@ -47,20 +47,20 @@ TEST_CASE("generators square to zero") {
   CHECK(square.support() == e0);
 }
 
-TEST_CASE("magnitudes are those of every coefficient") {
+TEST_CASE("magnitudes are the absolute values of all coefficients") {
   const Jet x = (Jet(-3) + Jet(e0, 2) + Jet(e1, -5)).magnitudes();
   CHECK(x.real() == 3);
   CHECK(x.coefficient(e0) == 2);
   CHECK(x.coefficient(e1) == 5);
 }
 
-TEST_CASE("exact zeros are no terms") {
+TEST_CASE("exact zeros are not stored as terms") {
   CHECK(Jet(0).terms().empty());
   CHECK(Jet(e0, 0).terms().empty());
   CHECK((Jet(e0, 1) - Jet(e0, 1)).terms().empty());
 }
 
-TEST_CASE("tangent and without split a jet by a generator") {
+TEST_CASE("tangent and without decompose a jet by a generator") {
   const Jet x = Jet(2) + Jet(e0, 3) + Jet(e1, 5) + Jet(e0 | e1, 7);
   CHECK(equal(x.tangent(e1), Jet(5) + Jet(e0, 7)));
   CHECK(equal(x.without(e1), Jet(2) + Jet(e0, 3)));
@@ -72,13 +72,13 @@ TEST_CASE("second derivative of a quotient: 1/x at x = 2 is 1/4") {
   CHECK((Jet(1) / x).coefficient(e0 | e1) == cl_R(cl_RA(1) / cl_RA(4)));
 }
 
-TEST_CASE("division by zero is outside the domain, for any numerator") {
+TEST_CASE("division by a jet of value 0 throws, for any numerator") {
   CHECK_THROWS_AS(Jet(1) / Jet(0), OutsideDomain);
   CHECK_THROWS_AS(Jet(0) / Jet(0), OutsideDomain);
   CHECK_THROWS_AS(Jet(1) / Jet(e0, 1), OutsideDomain);
 }
 
-TEST_CASE("jets are a commutative ring, and quotients undo products") {
+TEST_CASE("jets are a commutative ring, and division inverts multiplication") {
   CHECK(rc::check("ring laws", [] {
     const Jet x = random_jet();
     const Jet y = random_jet();
@@ -90,7 +90,7 @@ TEST_CASE("jets are a commutative ring, and quotients undo products") {
   }));
 }
 
-TEST_CASE("powers of s beyond the order vanish") {
+TEST_CASE("powers of s above the order vanish") {
   for (unsigned order = 1; order <= 6; ++order) {
     const Jet s(graded_symbol(order), 1);
     Jet power = 1;
@@ -108,7 +108,7 @@ TEST_CASE("the reciprocal of 1 - s is the geometric series") {
   CHECK(with_generator.part(e0).ungraded().real() == 1 + 2 + 3 + 4 + 5 + 6);
 }
 
-TEST_CASE("first derivatives of every smooth function are those of the table") {
+TEST_CASE("first derivatives of smooth functions follow the table") {
   const cl_R x = exact("0.3");
   const cl_R y = 2;
   for (const FunctionRow& row : function_table()) {
@@ -121,7 +121,7 @@ TEST_CASE("first derivatives of every smooth function are those of the table") {
   }
 }
 
-TEST_CASE("second derivatives: the tangent of the tangent") {
+TEST_CASE("second derivatives are tangents of tangents") {
   JetFunctions functions;
   const cl_R x = exact("0.3");
   const Jet moved = Jet(x) + Jet(e0, 1) + Jet(e1, 1);
@@ -139,7 +139,7 @@ TEST_CASE("kinked functions have no derivative") {
   CHECK(functions.value(FunctionId::abs, Jet(-2) + Jet(e0, 1)).support() == 0);
 }
 
-TEST_CASE("powers: whole ones everywhere, broken ones above zero") {
+TEST_CASE("integer powers exist everywhere, fractional powers above zero") {
   JetFunctions functions;
   const Jet minus_two = Jet(-2) + Jet(e0, 1);
   CHECK(functions.power(minus_two, 5).real() == -32);
@@ -151,7 +151,7 @@ TEST_CASE("powers: whole ones everywhere, broken ones above zero") {
   CHECK_THROWS_AS(functions.power(0, 0), OutsideDomain);
 }
 
-TEST_CASE("the square root has a value at zero, and a derivative above it") {
+TEST_CASE("the square root has a value at 0 and a derivative above 0") {
   JetFunctions functions;
   CHECK(functions.power(0, exact("1/2")).real() == 0);
   CHECK_THROWS_AS(functions.power(Jet(e0, 1), exact("1/2")), OutsideDomain);
@@ -159,7 +159,7 @@ TEST_CASE("the square root has a value at zero, and a derivative above it") {
   CHECK(functions.power(Jet(4) + Jet(e0, 1), exact("1/2")).coefficient(e0) == exact("1/4"));
 }
 
-TEST_CASE("a root of a square has no derivative, and its square has the one of the radicand") {
+TEST_CASE("sqrt(x^2 + y^2) at 0 has no derivative, but its square has") {
   JetFunctions functions;
   const cl_RA half = cl_RA(1) / 2;
   const Jet x(e0, 1);
@@ -179,7 +179,7 @@ TEST_CASE("a root of a square has no derivative, and its square has the one of t
   CHECK(functions.power(Jet(4) + x * x, half).coefficient(e0) == 0);
 }
 
-TEST_CASE("a root of a square of a sum without first derivatives has a derivative") {
+TEST_CASE("sqrt(f^2) with df = 0 at 0 has a derivative") {
   JetFunctions functions;
   const cl_RA half = cl_RA(1) / 2;
   const Jet versine = Jet(1) - functions.value(FunctionId::cos, Jet(e0, 1));
@@ -189,7 +189,7 @@ TEST_CASE("a root of a square of a sum without first derivatives has a derivativ
   CHECK_THROWS_AS(functions.power(sine * sine, half).coefficient(e0), OutsideDomain);
 }
 
-TEST_CASE("a jet that does not move has no bend") {
+TEST_CASE("a jet with zero tangent has no kink") {
   JetFunctions functions;
   const Jet still = Jet(e0, 1) * Jet(0);
   CHECK(functions.power(still, cl_RA(1) / 2).coefficient(e0) == 0);
@@ -200,12 +200,12 @@ TEST_CASE("a jet that does not move has no bend") {
 TEST_CASE("functions of s are their Taylor polynomials") {
   JetFunctions functions;
   const Jet s(graded_symbol(4), 1);
-  // At s = 1: 1 - 1/2 + 1/24 and 1 + 1/2 - 1/8 + 1/16 - 5/128.
+  // At s = 1: 1 - 1/2 + 1/24, and 1 + 1/2 - 1/8 + 1/16 - 5/128.
   const Jet cosine = functions.value(FunctionId::cos, s);
   CHECK(cln::abs(cosine.ungraded().real() - cln::cl_RA(13) / 24) < cln::expt(cl_R(10), -50));
   const Jet root = functions.power(Jet(1) + s, cln::cl_RA(1) / 2);
   CHECK(cln::abs(root.ungraded().real() - cln::cl_RA(179) / 128) < cln::expt(cl_R(10), -50));
-  // x^2 s^2 only: cos(s^2) = 1 - s^4/2
+  // cos(s^2) = 1 - s^4/2 at order 4.
   const Jet even = functions.value(FunctionId::cos, s * s);
   CHECK(cln::abs(even.ungraded().real() - cln::cl_RA(1) / 2) < cln::expt(cl_R(10), -50));
 }

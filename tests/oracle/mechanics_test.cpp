@@ -62,7 +62,7 @@ Body body_at(ModelBuilder& b, const std::vector<std::string>& com, const std::st
 
 }  // namespace
 
-TEST_CASE("mass, its gradient and momentum of a quadratic form") {
+TEST_CASE("mass matrix, its gradient and momentum of a quadratic form") {
   const ModelBuilder b = coupled_plane();
   const State state = plane_state(b);
   Mechanics at(b.model, state);  // M = [2, x; x, 2 y]
@@ -75,7 +75,7 @@ TEST_CASE("mass, its gradient and momentum of a quadratic form") {
   CHECK(at.momentum(along_x) == 2 * 5 + 2 * 7);
 }
 
-TEST_CASE("inverse dynamics is Lagrange's equation") {
+TEST_CASE("inverse dynamics equals Lagrange's equation") {
   const ModelBuilder b = coupled_plane();
   const State state = plane_state(b);
   Mechanics at(b.model, state);
@@ -85,7 +85,8 @@ TEST_CASE("inverse dynamics is Lagrange's equation") {
   CHECK(at.inverse_dynamics(along_y, state.a) == 25 + 2 * 11 + 6 * 13 + 49);
 }
 
-TEST_CASE("forces at points do work along the displacement, with their reaction") {
+TEST_CASE(
+    "a force at a point works along its displacement, and the reaction along the other point's") {
   ModelBuilder b = coupled_plane();
   b.point("P", {"x*y", "0"}).point("Q", {"x", "x^2"}).force_at("P", {"10 + 2*u", "1"}, "Q");
   const State state = plane_state(b);
@@ -95,7 +96,7 @@ TEST_CASE("forces at points do work along the displacement, with their reaction"
   CHECK(at.input_force(along_x, {1}) == 2 * (3 - 1));
 }
 
-TEST_CASE("generalized forces, inputs on a coordinate, kinks and dissipation") {
+TEST_CASE("generalised forces, inputs on a coordinate, kinks and dissipation") {
   ModelBuilder b = coupled_plane();
   b.input("w", 1).force_on(0, "-3*sign(x_d)*abs(y_d) + x*u").D("x_d^2*y_d");
   State state = plane_state(b);
@@ -109,7 +110,7 @@ TEST_CASE("generalized forces, inputs on a coordinate, kinks and dissipation") {
   CHECK(at.dissipation_force(along_y) == 25);
 }
 
-TEST_CASE("energies and the gradient of a potential with a part linear in the rates") {
+TEST_CASE("energies and gradients of a potential with terms linear in the rates") {
   ModelBuilder b = coupled_plane();
   b.V("x^2*y + 4*y*x_d");
   const State state = plane_state(b);
@@ -135,7 +136,7 @@ TEST_CASE("written energies and point masses add up, a point without a mass adds
   CHECK(e.L == e.T - e.V);
 }
 
-TEST_CASE("terms of V have magnitudes where they cancel: sums as written, and each weight") {
+TEST_CASE("the magnitude of V adds |terms| as written, and each weight") {
   ModelBuilder b = plane();
   b.V("6*x - 4*y").point("P", {"x", "y"}, "2").point("Q", {"x", "-y"}, "2");
   b.gravity({"0", "-10"});
@@ -146,7 +147,7 @@ TEST_CASE("terms of V have magnitudes where they cancel: sums as written, and ea
   CHECK(energies_of(plane()).terms_of_V == 0);
 }
 
-TEST_CASE("a body: 1/2 m v^2 + 1/2 w.I w with all products of inertia") {
+TEST_CASE("kinetic energy of a body: 1/2 m v^2 + 1/2 w.I w with all products of inertia") {
   ModelBuilder b = plane();
   Body body = body_at(b, {"x", "y", "0"}, "2");
   for (const char* entry : {"1", "2", "3", "4", "5", "6"}) {
@@ -164,7 +165,7 @@ TEST_CASE("an armature adds 1/2 J v^2") {
   CHECK(energies_of(b).T == 2 * 49);
 }
 
-TEST_CASE("a Lagrangian given whole is L") {
+TEST_CASE("a Lagrangian given as L is used as L") {
   ModelBuilder b = plane();
   b.L("x*y_d - y");
   CHECK(energies_of(b).L == 14 - 3);

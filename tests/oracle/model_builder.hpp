@@ -1,4 +1,4 @@
-// Builds Models from short texts, for tests of what reads a Model: independent of the file format.
+// Builds Models from short texts, so that tests do not depend on the file format.
 //
 // Expressions: + - * / ^ ( ), the functions of functions.def, sqrt, ddt(e) for d/dt, x(P) y(P)
 // z(P), t, pi, and names. The rate of coordinate `x` is `x_d`, its acceleration `x_dd`. Exponents
@@ -53,7 +53,7 @@ class ModelBuilder {
     return *this;
   }
 
-  /// The quaternion is `name_w` to `name_z`, the angular velocity `name1_d` to `name3_d`.
+  /// Quaternion `name_w` to `name_z`, angular velocity `name1_d` to `name3_d`.
   ModelBuilder& rotation(const std::string& name) {
     Rotation r;
     r.name = r.identifier = name;
@@ -136,7 +136,7 @@ class ModelBuilder {
     return *this;
   }
 
-  /// The value is 0: of positions, or of velocities.
+  /// Adds the constraint value = 0, on positions or on velocities.
   ModelBuilder& constraint(const std::string& value, bool is_position = true) {
     Constraint c;
     c.name = c.identifier = "c" + std::to_string(model.constraints.size() + 1);
@@ -146,7 +146,7 @@ class ModelBuilder {
     return *this;
   }
 
-  /// The gains of the last constraint.
+  /// Sets the stabilisation gains of the last constraint.
   ModelBuilder& stabilised(const std::string& omega, const std::string& zeta) {
     model.constraints.back().omega = expression(omega);
     model.constraints.back().zeta = expression(zeta);

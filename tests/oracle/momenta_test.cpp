@@ -1,4 +1,4 @@
-// Momenta: what is taken off them before the solve, how they turn, and where there is none.
+// Momenta: terms without rates, rotating bodies, and singular mass matrices.
 #include <catch2/catch.hpp>
 
 #include "oracle/samples.hpp"
@@ -8,7 +8,7 @@ namespace elgen::test {
 
 using Values = std::vector<cln::cl_R>;
 
-TEST_CASE("momenta without motion are taken off: p = M v + b") {
+TEST_CASE("velocities of momenta solve p = M v + b with b subtracted") {
   const ModelBuilder b = charged_particle();
   State state = random_state(b.model, 4);
   const OracleValues p = value_of(b.model, OutputKind::momentum, state);
@@ -35,7 +35,7 @@ TEST_CASE("momenta of a free top follow Euler's equations") {
   CHECK(*rates == expected);
 }
 
-TEST_CASE("where M is singular momenta give no velocities") {
+TEST_CASE("if M is singular, momenta give no velocities") {
   ModelBuilder b;
   b.coordinate("x").T("x*x_d^2");
   State state = nominal_state(b.model, {});

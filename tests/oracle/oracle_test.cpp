@@ -1,4 +1,4 @@
-// The oracle against closed forms, published values and the laws of mechanics.
+// The oracle against closed forms, published values and laws of mechanics.
 #include "elgen/oracle.hpp"
 
 #include <cln/float_io.h>
@@ -64,10 +64,10 @@ void check_published(const std::string& id, const Model& model, const nlohmann::
   }
 }
 
-/// Working precision is 95 digits; a few operations and one cancellation take less than 5 of them.
+/// The working precision is 95 digits. A few operations and one cancellation lose at most 10.
 constexpr int almost_all_digits = 85;
 
-/// Compares an output with closed forms, written with the names of the model.
+/// Compares an output with closed forms in the model's names, at four random states.
 void check_closed_form(ModelBuilder b, OutputKind kind, const std::vector<std::string>& closed) {
   std::vector<ExpressionId> entries;
   for (const std::string& text : closed) entries.push_back(b.expression(text));
@@ -165,7 +165,7 @@ TEST_CASE("forces linear in the rates are drift: the magnetic force -q v x B") {
                     {"m*(x_d^2 + y_d^2 + z_d^2)/2 - c*Bz/2*(x*y_d - y*x_d)"});
 }
 
-TEST_CASE("explicit time is drift: the rotating hoop") {
+TEST_CASE("terms with explicit time are drift: the rotating hoop") {
   const ModelBuilder uniform = rotating_hoop("W*t");
   check_closed_form(uniform, OutputKind::drift, {"-m*R^2*W^2*sin(th)*cos(th)"});
   check_closed_form(uniform, OutputKind::energy_function,
@@ -174,7 +174,7 @@ TEST_CASE("explicit time is drift: the rotating hoop") {
   check_closed_form(spun_up, OutputKind::bias, {"-m*R^2*(W*t)^2*sin(th)*cos(th) + m*g*R*sin(th)"});
 }
 
-TEST_CASE("a Lagrangian that is not quadratic: the relativistic particle") {
+TEST_CASE("a Lagrangian that is not quadratic in the rates: the relativistic particle") {
   const ModelBuilder b = relativistic_particle();
   check_closed_form(b, OutputKind::mass_matrix, {"m*(1 - x_d^2/c^2)^(-3/2)"});
   check_closed_form(b, OutputKind::bias, {"k*x"});
@@ -183,7 +183,7 @@ TEST_CASE("a Lagrangian that is not quadratic: the relativistic particle") {
   check_closed_form(b, OutputKind::forward_dynamics, {"-k*x/m*(1 - x_d^2/c^2)^(3/2)"});
 }
 
-TEST_CASE("a quadratic L given whole: T0 counts as potential energy") {
+TEST_CASE("a quadratic Lagrangian given as L: T0 counts as potential energy") {
   ModelBuilder b;
   b.coordinate("r", "m").parameter("m", "3").parameter("W", "2").parameter("k", "7");
   b.L("m*r_d^2/2 + m*W^2*r^2/2 - k*r^2/2 + m*r*r_d");
@@ -249,7 +249,7 @@ TEST_CASE("law: M is symmetric and (dM/dq v) - 2 C is skew") {
   }
 }
 
-TEST_CASE("law: C v is velocity_force, and C e_j is the polarised h = C v") {
+TEST_CASE("law: C v = velocity_force, and C e_j is the polar form of h(v) = C v") {
   for (const ModelBuilder& b : quadratic_systems()) {
     State state = random_state(b.model, 12);
     const Values v = state.v;
@@ -275,7 +275,7 @@ TEST_CASE("law: C v is velocity_force, and C e_j is the polarised h = C v") {
   }
 }
 
-TEST_CASE("law: projections agree with full outputs, and tau = M a + bias") {
+TEST_CASE("law: contractions agree with full outputs, and tau = M a + bias") {
   for (const ModelBuilder& b : quadratic_systems()) {
     const State state = random_state(b.model, 13);
     const Values w = random_state(b.model, 14).q;
@@ -295,7 +295,7 @@ TEST_CASE("law: projections agree with full outputs, and tau = M a + bias") {
   }
 }
 
-TEST_CASE("law: dE/dt = v.(B u + Q - dD/dv) along the motion of forward dynamics") {
+TEST_CASE("law: dE/dt = v.(B u + Q - dD/dv) under forward dynamics") {
   ModelBuilder b = cart_pole();
   b.D("th_d^2/10 + x_d^2/3").force_on(1, "-tanh(th_d) + abs(x_d)/7");
   const ExpressionId energy =
@@ -317,7 +317,7 @@ TEST_CASE("a chain of 1000 points is evaluated without recursion") {
   w[0] = 1;
   Values y(1000, cl_R(0));
   y[999] = 1;
-  // At rest, straight down: M_ij = (number of masses beyond both) m l^2.
+  // At rest, hanging straight down: M_ij = (number of masses below both) m l^2.
   OutputRequest mass;
   mass.kind = OutputKind::mass_matrix;
   CHECK(*oracle_contraction(b.model, mass, state, {w, w}) == exact("0.2") * 1000 * exact("0.09"));

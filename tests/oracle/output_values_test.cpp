@@ -1,4 +1,5 @@
-// Every output: by hand, as contractions, and derivatives against differences and each other.
+// Every output: by hand, by contractions, and its derivatives against differences and related
+// outputs.
 #include "oracle/output_values.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ ModelBuilder everything() {
   return b;
 }
 
-/// w.x or w.X y from the entries of a field, of which `first` is the first.
+/// w.x or w.X y, from the entries of a field that starts at `first`.
 cl_R contracted(const Values& values, std::size_t first, const Contraction& by) {
   cl_R sum = 0;
   for (std::size_t i = 0; i < by.w.size(); ++i) {
@@ -68,7 +69,7 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
   const State state = random_state(b.model, 3);
   OutputRequest request;
   request.kind = kind;
-  if (output_row(kind).steps) {  // the method with all fields
+  if (output_row(kind).steps) {  // midpoint has all fields
     request.step = StepSpec{.method = StepMethod::midpoint, .iterations = 2};
   }
   const auto values = oracle_values(b.model, request, state);
@@ -76,7 +77,7 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
   CAPTURE(static_cast<int>(kind), by.field);
   REQUIRE(values);
   REQUIRE(number);
-  // A few operations on the oracle's working digits.
+  // A few operations at the oracle's working precision.
   CHECK(agree(*number, contracted(*values, first, by), 85, 1));
 }
 
@@ -125,18 +126,18 @@ TEST_CASE("every output of a particle in polar coordinates, by hand") {
   CHECK(value(OutputKind::hamilton_equations) == Values{5, 7, 194 + 17 - 10, 34 - 3});
 }
 
-TEST_CASE("a user output: value, Jacobian, bias with d2y/dt2 = J a + bias") {
+TEST_CASE("a user output: value, Jacobian, and bias in d2y/dt2 = J a + bias") {
   CHECK(value(OutputKind::user_value) == Values{12, 38});
   CHECK(value(OutputKind::user_jacobian) == Values{12, 4, 19, 0});
   // d2/dt2 (r^2 ph) = 2 dr^2 ph + 4 r dr dph at a = 0; d2/dt2 (t r) = 2 dr
   CHECK(value(OutputKind::user_bias) == Values{150 + 280, 10});
 }
 
-TEST_CASE("the struct of all outputs has no entries of its own") {
+TEST_CASE("the struct of all outputs has no entries") {
   CHECK(value(OutputKind::dynamics).empty());
 }
 
-TEST_CASE("contractions are the sums over all entries, for every field of every output") {
+TEST_CASE("contractions are sums over all entries, for every field of every output") {
   for (const OutputRow& row : output_table()) {
     constexpr std::array others{Need::held, Need::cyclic, Need::constraints};
     const auto needs = [&row](Need need) { return row.needs.has(need); };
@@ -144,7 +145,7 @@ TEST_CASE("contractions are the sums over all entries, for every field of every 
     if (is_of_task || std::ranges::any_of(others, needs)) continue;
     std::size_t first = 0;
     for (std::size_t k = 0; k < row.fields.size(); ++k) {
-      // The pivots of a solve are no contraction.
+      // The pivots of a solve have no contraction.
       if (row.kind == OutputKind::forward_dynamics && k > 0) break;
       Contraction by = directions(row.fields[k]);
       by.field = k;
@@ -178,7 +179,7 @@ TEST_CASE("derivatives of inverse dynamics are slopes of its values") {
       const auto low = *value_of(model, OutputKind::inverse_dynamics, behind);
       for (std::size_t i = 0; i < 2; ++i) {
         const cln::cl_R slope = (high[i] - low[i]) / (2 * step);
-        // The error of a central difference is of the square of its step.
+        // The error of a central difference is O(h^2).
         CHECK(agree(derived[(by_position ? 0 : 4) + 2 * i + j], slope, 50, 1));
       }
     }
@@ -200,7 +201,7 @@ TEST_CASE("a pendulum linearised: A = [0 1, -cos q -d], B = [0, 1]") {
   CHECK(agree(linear[5], 1, 85, 1));
 }
 
-TEST_CASE("the lower half of A and B are the derivatives of forward dynamics") {
+TEST_CASE("the lower halves of A and B are derivatives of forward dynamics") {
   const Model model = damped_cart();
   const State state = random_state(model, 9);
   const auto forward = *value_of(model, OutputKind::forward_dynamics_derivatives, state);

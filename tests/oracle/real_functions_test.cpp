@@ -20,7 +20,7 @@ cl_R value(FunctionId function, const cl_R& x, const cl_R& y = 0) {
 
 }  // namespace
 
-TEST_CASE("exact arguments with exact values stay exact") {
+TEST_CASE("exact arguments with exact results stay exact") {
   CHECK(is_rational(value(FunctionId::sin, 0)));
   CHECK(value(FunctionId::cos, 0) == 1);
   CHECK(value(FunctionId::exp, 0) == 1);
@@ -30,18 +30,18 @@ TEST_CASE("exact arguments with exact values stay exact") {
   CHECK(real_power(exact("9/4"), exact("-3/2")) == exact("8/27"));
 }
 
-TEST_CASE("sines of huge exact angles are right: sin(1e22) is the classical check") {
+TEST_CASE("sines of huge exact angles are correct, such as sin(1e22)") {
   CHECK(agree(value(FunctionId::sin, exact("1e22")), exact("-0.8522008497671888017727058937530294"),
               30));
   const cl_R huge = exact("1e300");
   const cl_R sine = value(FunctionId::sin, huge);
   const cl_R cosine = value(FunctionId::cos, huge);
   CHECK(agree(sine * sine + cosine * cosine, 1, 90));
-  // The doubled angle has other digits of pi to be reduced with.
+  // 2*huge is reduced with other digits of pi, so this check is independent.
   CHECK(agree(value(FunctionId::sin, 2 * huge), 2 * sine * cosine, 90));
 }
 
-TEST_CASE("large angles that are no rationals ask for the digits they have lost") {
+TEST_CASE("large irrational angles request the digits they have lost") {
   const auto sine_of_power = [] {
     return value(FunctionId::sin, value(FunctionId::exp, 1000) * exact("1e-100"));
   };
@@ -61,7 +61,7 @@ TEST_CASE("large angles that are no rationals ask for the digits they have lost"
   CHECK_THROWS_AS(value(FunctionId::sin, as_float(cln::expt(cl_R(10), 7000))), OutsideDomain);
 }
 
-TEST_CASE("inverse functions invert to almost all digits") {
+TEST_CASE("inverse functions undo their functions to almost all digits") {
   const cl_R x = exact("0.37");
   CHECK(agree(value(FunctionId::asin, value(FunctionId::sin, x)), x, 90));
   CHECK(agree(value(FunctionId::acos, value(FunctionId::cos, x)), x, 90));
@@ -74,7 +74,7 @@ TEST_CASE("inverse functions invert to almost all digits") {
   CHECK(agree(value(FunctionId::expm1, -exact("1e10")), -1, 90));
 }
 
-TEST_CASE("kinked functions choose") {
+TEST_CASE("kinked functions select the right branch") {
   CHECK(value(FunctionId::abs, -3) == 3);
   CHECK(value(FunctionId::sign, -3) == -1);
   CHECK(value(FunctionId::sign, 0) == 0);
@@ -82,7 +82,7 @@ TEST_CASE("kinked functions choose") {
   CHECK(value(FunctionId::max, 0, -1) == 0);
 }
 
-TEST_CASE("outside the domain") {
+TEST_CASE("arguments outside the domain throw") {
   CHECK_THROWS_AS(value(FunctionId::log, 0), OutsideDomain);
   CHECK_THROWS_AS(value(FunctionId::log, -1), OutsideDomain);
   CHECK_THROWS_AS(value(FunctionId::asin, exact("1.1")), OutsideDomain);
@@ -92,14 +92,14 @@ TEST_CASE("outside the domain") {
   CHECK_THROWS_AS(real_power(-1, exact("1/2")), OutsideDomain);
 }
 
-TEST_CASE("long rationals become floats, short ones stay") {
+TEST_CASE("long rationals become floats, short rationals stay") {
   CHECK(is_rational(shortened(exact("1/3"))));
   const cl_R lengthy = cln::expt(exact("1/3"), cln::cl_I(5000));
   CHECK_FALSE(is_rational(shortened(lengthy)));
   CHECK(agree(shortened(lengthy), lengthy, 90));
 }
 
-TEST_CASE("pi has more digits where they are asked for") {
+TEST_CASE("pi has as many digits as requested") {
   const auto digits = [] { return cln::float_digits(cln::the<cln::cl_F>(real_pi())); };
   const auto few = digits();
   CHECK(with_digits(64, digits) > few + 200);  // binary

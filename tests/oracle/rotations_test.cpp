@@ -13,7 +13,7 @@ namespace {
 using cln::cl_R;
 using cln::cl_RA;
 
-/// A body of inertias 2, 3, 5 on a spherical joint, its weight 7 at height R_33.
+/// A body with inertias 2, 3, 5 on a spherical joint; its weight has V = 7 R_33.
 Model top() {
   ModelBuilder b;
   b.rotation("e").T("e1_d^2 + 3/2*e2_d^2 + 5/2*e3_d^2");
@@ -54,14 +54,14 @@ TEST_CASE("the rate of a quaternion is normal to it") {
   CHECK(slope == 0);
 }
 
-TEST_CASE("at the identity the quaternion turns by half the angular velocity") {
+TEST_CASE("at the identity the quaternion rate is half the angular velocity") {
   const Model model = top();
   State state = nominal_state(model, {});
   state.v = {2, 4, 6};
   CHECK(values(model, OutputKind::coordinate_rates, state) == std::vector<cl_R>{0, 1, 2, 3});
 }
 
-TEST_CASE("normalized divides by the length") {
+TEST_CASE("`normalized` divides the quaternion by its length") {
   const Model model = top();
   State state = nominal_state(model, {});
   state.q = {0, 3, 0, 4};
@@ -69,7 +69,7 @@ TEST_CASE("normalized divides by the length") {
         std::vector<cl_R>{0, cl_RA(3) / 5, 0, cl_RA(4) / 5});
 }
 
-TEST_CASE("Euler's equations") {
+TEST_CASE("velocity_force of a body is Euler's w x (I w)") {
   const Model model = top();
   const State state = turning(model);
   const auto& w = state.v;
@@ -77,7 +77,7 @@ TEST_CASE("Euler's equations") {
         std::vector<cl_R>{(5 - 3) * w[1] * w[2], (2 - 5) * w[2] * w[0], (3 - 2) * w[0] * w[1]});
 }
 
-TEST_CASE("a weight turns the body about its lever") {
+TEST_CASE("gravity of a body is the moment of its weight") {
   const Model model = top();
   const State state = turning(model);
   const auto& e = state.q;
@@ -116,7 +116,7 @@ TEST_CASE("energy is conserved along the motion") {
   CHECK(cln::abs(oracle_rate(model, energy, state).value()) < cl_R(1e-40));
 }
 
-TEST_CASE("second rates hold what turns the rate") {
+TEST_CASE("second rates include the rotation of the rate") {
   ModelBuilder b;
   b.rotation("e").T("e1_d^2").output({"e_w", "e_z"});
   State state = nominal_state(b.model, {});

@@ -1,4 +1,4 @@
-// Textbook systems and random exact states, for the tests of the oracle and of the inspection.
+// Textbook systems and random exact states for the tests of the oracle and of the inspection.
 #pragma once
 
 #include <random>
@@ -14,7 +14,7 @@ inline OracleValues value_of(const Model& model, OutputKind kind, const State& s
   return oracle_values(model, request, state);
 }
 
-/// Parameters at their values, everything else random fractions in [-2, 2].
+/// Parameters have their values; all other numbers are random fractions in [-2, 2].
 inline State random_state(const Model& model, unsigned seed) {
   std::mt19937 random(seed);
   const auto fraction = [&] {
@@ -80,7 +80,7 @@ inline ModelBuilder charged_particle() {
   return b;
 }
 
-/// A bead on a hoop that turns about the vertical with the prescribed angle phi(t).
+/// A bead on a hoop. The hoop turns about the vertical by the prescribed angle phi(t).
 inline ModelBuilder rotating_hoop(const std::string& angle) {
   ModelBuilder b;
   b.coordinate("th", "rad").parameter("m", "1.2").parameter("R", "0.4").parameter("g", "9.81");
@@ -97,7 +97,7 @@ inline ModelBuilder relativistic_particle() {
   return b;
 }
 
-/// n links of point masses, absolute angles from the downward vertical.
+/// n links with point masses; absolute angles from the downward vertical.
 inline ModelBuilder chain(std::size_t n) {
   ModelBuilder b;
   b.parameter("g", "9.81").parameter("m", "0.2").parameter("l", "0.3").point("p0", {"0", "0"});

@@ -1,4 +1,4 @@
-// Requests of scenes: the force that holds a coordinate, and Taylor polynomials of every output.
+// Outputs of scenes: reaction forces of locked coordinates, and Taylor polynomials of every output.
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"
@@ -12,7 +12,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// T = 1/2 m (dr^2 + r^2 dp^2), V = k r, u on r.
+/// T = 1/2 m (dr^2 + r^2 dp^2), V = k r, input u on r.
 const std::string rotating_pipe = model_text("polar", R"toml(
 [[coordinate]]
 name = "r"
@@ -63,26 +63,26 @@ bool near(const cl_R& x, const cl_R& y) { return cln::abs(x - y) < cln::expt(cl_
 
 }  // namespace
 
-TEST_CASE("the wall of a rotating pipe: m r'' - m r p'^2 + k") {
+TEST_CASE("reaction force in a rotating pipe: m r'' - m r p'^2 + k") {
   const CheckedModel held =
       checked_scene(rotating_pipe, "[lock]\nr = { value = \"t^3\", reaction = true }\n");
   State state = nominal_state(held.model, held.scene);
   state.v = {5};
   state.a = {7};
-  CHECK(state.u.empty());  // the force along the pipe is none of the scene
+  CHECK(state.u.empty());  // the scene has no input along the pipe
   state.t = 2;
   // r = 8, dr/dt = d2r/dt2 = 12: m r'' = 24, m r p'^2 = 400
   const OracleValues force = oracle_values(held.model, {.kind = OutputKind::reaction}, state);
   CHECK(force.value() == std::vector<cln::cl_R>{24 - 400 + 3});
 }
 
-TEST_CASE("a lock without reaction has no row") {
+TEST_CASE("a lock without reaction has no output row") {
   const CheckedModel held = checked_scene(rotating_pipe, "[lock]\nr = { value = 1 }\n");
   const State state = nominal_state(held.model, held.scene);
   CHECK(oracle_values(held.model, {.kind = OutputKind::reaction}, state).value().empty());
 }
 
-TEST_CASE("a locked coordinate carries energy as it moves, its armature too") {
+TEST_CASE("a locked coordinate contributes its energy of motion, including its armature") {
   const CheckedModel held = checked_scene(model_text("arm", R"toml(
 [[coordinate]]
 name = "a"
@@ -109,12 +109,12 @@ V = "a*b"
   CHECK(value(OutputKind::kinetic_energy) == 72 + 12 * 11 * 5 + 121 * 12 + 3 * 72);
 }
 
-TEST_CASE("an exact model has no point") {
+TEST_CASE("an exact model has no expansion point") {
   const CheckedModel checked = checked_model(forced_pendulum);
   CHECK_FALSE(oracle::expansion_point(checked.model, some_state(checked)).has_value());
 }
 
-TEST_CASE("outputs are those of the Taylor polynomials of the energies") {
+TEST_CASE("outputs follow from the Taylor polynomials of the energies") {
   const CheckedModel linear = approximated(forced_pendulum, "order = 1\nabout = { q = 0 }");
   CHECK(near(value(linear, OutputKind::mass_matrix), 2));
   CHECK(near(value(linear, OutputKind::potential_energy), cl_RA(3) / 2 / 25));
@@ -127,7 +127,7 @@ TEST_CASE("outputs are those of the Taylor polynomials of the energies") {
   CHECK(near(value(third, OutputKind::input_matrix), 1 + q + q * q / 2));
 }
 
-TEST_CASE("forces on what is not small are kept to one order more") {
+TEST_CASE("forces on coordinates that are not small keep one more order") {
   const CheckedModel second = approximated(model_text("cart", R"toml(
 [[coordinate]]
 name = "th"
@@ -154,7 +154,7 @@ value = "u*(exp(th) - 1)"
   CHECK(near(found->at(1), th - th * th * th / 6));
 }
 
-TEST_CASE("what is small goes to the point with s, the rest stays") {
+TEST_CASE("small quantities go to the expansion point with s, others stay") {
   const CheckedModel checked = approximated(forced_pendulum, "order = 2\nabout = { q = 1, u = 3 }");
   const State state = some_state(checked);
   const auto point = oracle::expansion_point(checked.model, state);

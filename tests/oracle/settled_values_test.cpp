@@ -1,5 +1,5 @@
-// Settled values: 0 where the value is 0, a small one where it is small, and none where there is
-// none or the digits do not tell.
+// Settled values: exactly 0 if the true value is 0, accurate if it is small. There is no value if
+// none exists or the digits do not suffice.
 #include <cln/real.h>
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using cln::cl_R;
 
 namespace {
 
-/// A model of x and y with this V and `[[output]]` value.
+/// A model with coordinates x and y, potential V and one `[[output]]`.
 CheckedModel of_energy(const std::string& V, const std::string& value = "x") {
   return checked_model(model_text("plane", R"toml(
 [[coordinate]]
@@ -55,7 +55,7 @@ void check_gravity_lacks(const std::string& V) {
   CHECK(force.is_told);
 }
 
-/// Of an `[[output]]`.
+/// The settled value of an `[[output]]`.
 SettledValues value_at(const std::string& value, const cl_R& x) {
   const CheckedModel checked = of_energy("0*k*l*x*y", value);
   return settled_expression(checked.model, checked.model.outputs[0].values[0], at(checked, x));
@@ -68,7 +68,7 @@ void check_share(const SettledValues& settled, const cl_R& truth) {
 
 }  // namespace
 
-TEST_CASE("an energy with a bend has a value at it, and no force") {
+TEST_CASE("an energy with a kink has a value at it, but no force") {
   for (const char* V : {"k*sqrt(x^2 + y^2)", "k*sqrt(x^2) + y", "k*hypot(x, y)", "k*acos(cos(x))",
                         "k*asin(1 - x^2)", "k/2*(sqrt(x^2 + y^2) - l)^2", "exp(sqrt(x^2 + y^2))",
                         "k*sqrt(sin(x)^2 + y^2)", "k*sqrt(x^2/(1 + x^2))",
@@ -80,7 +80,7 @@ TEST_CASE("an energy with a bend has a value at it, and no force") {
   }
 }
 
-TEST_CASE("an energy whose bend has a higher order has the force 0") {
+TEST_CASE("an energy with a kink of higher order has force 0") {
   for (const char* V :
        {"(x^2 + y^2)^(3/2)", "k/2*(sqrt(x^2 + y^2))^2", "k/2*hypot(x, y)^2", "k*sqrt(x^4 + y^4)",
         "k*sqrt((1 - cos(x))^2)", "cos(sqrt(x^2 + y^2))", "k*y*sqrt(x^2)", "x*sqrt(x^2 + y^2)"}) {
@@ -88,13 +88,13 @@ TEST_CASE("an energy whose bend has a higher order has the force 0") {
   }
 }
 
-TEST_CASE("beside the bend there is a force") {
+TEST_CASE("next to the kink the force exists") {
   const SettledValues force = gravity("k*sqrt(x^2 + y^2)", 3, 4);
   REQUIRE(force.values);
   check_share(force, cln::cl_RA(12) / 5);
 }
 
-TEST_CASE("second derivatives at a bend are lacking where first ones are not") {
+TEST_CASE("at a kink second derivatives may be missing if first derivatives exist") {
   const CheckedModel checked = of_energy("k*(x^2)^(3/4)");
   const OutputRequest slopes{.kind = OutputKind::linearization};
   CHECK(gravity("k*(x^2)^(3/4)").values);
@@ -102,7 +102,7 @@ TEST_CASE("second derivatives at a bend are lacking where first ones are not") {
   CHECK(settled_values(checked.model, slopes, at(checked, 1)).values);
 }
 
-TEST_CASE("digits grow until a small value shows") {
+TEST_CASE("precision grows until a small value is known") {
   check_share(value_at("1 - cos(x)", power_of_ten(-100)), power_of_ten(-200) / 2);
   check_share(value_at("1 - cos(x - 1)", 1 + power_of_ten(-100)), power_of_ten(-200) / 2);
   check_share(value_at("(1 - cos(x)^2 - x^2)/x^4", power_of_ten(-150)), -cln::cl_RA(1) / 3);
@@ -114,15 +114,15 @@ TEST_CASE("digits grow until a small value shows") {
   check_share(value_at("expm1(-x)", power_of_ten(10)), -1);
 }
 
-TEST_CASE("a value that stays is not believed while digits hide a part of it") {
-  // In 155 and 215 digits 1 - cos(1e-150) is 0, and k stays.
+TEST_CASE("a value that seems settled is not accepted while a term is still unresolved") {
+  // In 155 and 215 digits 1 - cos(1e-150) is 0, so the sum k seems settled.
   check_share(value_at("1e310*(1 - cos(x)) + k", power_of_ten(-150)), 5'000'000'004);
   const SettledValues untold = value_at("log(exp(x)) - x", power_of_ten(-300));
   CHECK_FALSE(untold.is_told);
   CHECK_FALSE(untold.values);
 }
 
-TEST_CASE("what vanishes at pi is 0, and what is small there stays") {
+TEST_CASE("a value that vanishes at pi is 0, and a small value near it stays") {
   const cl_R pi = cln::pi(cln::float_format(100));
   for (const char* value : {"sin(x)", "k*(1 + cos(x))", "sin(3*x)^2 - l*tan(x)"}) {
     INFO(value);
@@ -135,7 +135,7 @@ TEST_CASE("what vanishes at pi is 0, and what is small there stays") {
   check_share(value_at("sin(x)^2", tiny), tiny * tiny * (1 - tiny * tiny / 3));
 }
 
-TEST_CASE("a sum that cancels on paper is 0") {
+TEST_CASE("a sum that is identically zero is 0") {
   for (const long exponent : {-100, -40, -1, 0, 1, 30}) {
     INFO(exponent);
     const SettledValues zero = value_at("sin(x/3)^2 + cos(x/3)^2 - 1", power_of_ten(exponent));
@@ -144,7 +144,7 @@ TEST_CASE("a sum that cancels on paper is 0") {
   }
 }
 
-TEST_CASE("a value that the digits do not tell from 0 is not told") {
+TEST_CASE("a value that cannot be told from 0 is undecided") {
   for (const auto& [value, x] : {std::pair<std::string, cl_R>{"1 - cos(x)", power_of_ten(-1000)},
                                  {"1 - tanh(x)", 100'000},
                                  {"1 + exp(-x) - 1", 5000},

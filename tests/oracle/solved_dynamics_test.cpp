@@ -1,4 +1,4 @@
-// Symmetric systems, and M a = B u - bias in either order of elimination.
+// Symmetric systems, and M a = B u - bias with both orders of elimination.
 #include "oracle/solved_dynamics.hpp"
 
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ Model coupled() {
   return b.model;
 }
 
-/// A frame that carries two others: elimination starts with the last velocity.
+/// A frame with two child frames, so that elimination starts with the last velocity.
 Model branched(Model model) {
   model.frames.resize(3);
   model.frames[1].parent = model.frames[2].parent = 0;
@@ -33,7 +33,7 @@ Model branched(Model model) {
 
 }  // namespace
 
-TEST_CASE("the mass matrix is symmetric and the solution solves") {
+TEST_CASE("the mass matrix is symmetric and the solution solves the system") {
   const Model model = coupled();
   const State state = random_state(model, 4);
   Mechanics at(model, state);
@@ -43,7 +43,7 @@ TEST_CASE("the mass matrix is symmetric and the solution solves") {
   CHECK(solution.x == Values{1, 1});
 }
 
-TEST_CASE("pivots follow the order of elimination, the solution does not") {
+TEST_CASE("pivots depend on the order of elimination, the solution does not") {
   const Model model = coupled();
   const Model tree = branched(model);
   REQUIRE_FALSE(eliminates_last_first(model));
@@ -66,7 +66,7 @@ TEST_CASE("the acceleration satisfies the equation of motion") {
   }
 }
 
-TEST_CASE("the solution and the relative pivots are exact on exact matrices") {
+TEST_CASE("solutions and relative pivots of rational matrices are exact") {
   const Solution s = solve_symmetric({4, 2, 2, 3}, {2, 5});
   CHECK(s.x == Values{exact("-1/2"), 2});
   CHECK(s.relative_pivots == Values{1, exact("2/3")});
@@ -87,14 +87,14 @@ TEST_CASE("a Hilbert matrix of order 6 is solved exactly") {
   CHECK(solve_symmetric(hilbert, row_sums).x == Values(n, 1));
 }
 
-TEST_CASE("a singular matrix has no solution, exactly or up to rounding") {
+TEST_CASE("a singular matrix has no solution, exactly or within rounding") {
   CHECK_THROWS_AS(solve_symmetric({1, 1, 1, 1}, {1, 1}), OutsideDomain);
   CHECK_THROWS_AS(solve_symmetric({0}, {1}), OutsideDomain);
   const cln::cl_R third = as_float(exact("1/3"));
   CHECK_THROWS_AS(solve_symmetric({third, 1, 1, 3}, {1, 1}), OutsideDomain);
 }
 
-TEST_CASE("pivots are what elimination leaves of the diagonal, or none of a singular matrix") {
+TEST_CASE("relative pivots are D_ii / M_ii of L D L^T, and missing for a singular matrix") {
   CHECK(oracle_relative_pivots({5, 0, 0, 7}, 2) == Values{1, 1});
   // D = (4, 5 - 4/4, 6 - 4/4 - 4/4 = 4)
   CHECK(oracle_relative_pivots({4, 2, 2, 2, 5, 3, 2, 3, 6}, 3) ==

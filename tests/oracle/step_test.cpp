@@ -1,4 +1,4 @@
-// Steps where their values are known in closed form.
+// Steps with values known in closed form.
 #include <catch2/catch.hpp>
 
 #include "elgen/step_methods.hpp"
@@ -17,7 +17,7 @@ Values step_of(const ModelBuilder& b, StepMethod method, const State& state,
   return oracle::step(b.model, request, state);
 }
 
-/// x'' = -x from x = 1 at rest, h = 1/2.
+/// x'' = -x with x = 1 and v = 0 at the start, h = 1/2.
 ModelBuilder spring() {
   ModelBuilder b;
   b.coordinate("x").T("x_d^2/2").V("x^2/2");
@@ -40,14 +40,14 @@ TEST_CASE("rk4 of a linear system is its Taylor polynomial of degree 4") {
   CHECK(step_of(b, StepMethod::rk4, at_one(b)) == expected);
 }
 
-TEST_CASE("verlet kicks, drifts and kicks") {
+TEST_CASE("verlet updates the rate by half a step, the position, and the rate again") {
   const ModelBuilder b = spring();
   // v = -1/4, x = 7/8, v = -1/4 - 7/32
   const Values expected{exact("7/8"), exact("-15/32")};
   CHECK(step_of(b, StepMethod::verlet, at_one(b)) == expected);
 }
 
-TEST_CASE("a composition goes over its parts one after another") {
+TEST_CASE("a composition performs its substeps in order") {
   const ModelBuilder b = spring();
   State part = at_one(b);
   for (const cln::cl_RA& length : step_parts(4)) {
@@ -60,7 +60,7 @@ TEST_CASE("a composition goes over its parts one after another") {
   CHECK(oracle::step(b.model, request, at_one(b)) == Values{part.q[0], part.v[0]});
 }
 
-TEST_CASE("a projected step ends on the constraints of its end") {
+TEST_CASE("a projected step ends on the constraints at its end time") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").T("x_d^2/2 + y_d^2/2").constraint("y - t*x");
   State state = nominal_state(b.model, {});
@@ -68,7 +68,7 @@ TEST_CASE("a projected step ends on the constraints of its end") {
   state.t = 1;
   state.h = exact("1/2");
   const OutputRequest request{.kind = OutputKind::step, .step = StepSpec{.projects = true}};
-  // At t = 3/2, of which y = 3/2 x is the line and dy = x + 3/2 dx that of the rates.
+  // At t = 3/2 the constraint is y = 3/2 x, and its rate dy = x + 3/2 dx.
   const Values next = oracle::step(b.model, request, state);
   CHECK(agree(next[1], next[0] * 3 / 2, 50));
   CHECK(agree(next[3], next[0] + next[2] * 3 / 2, 50));
@@ -76,14 +76,14 @@ TEST_CASE("a projected step ends on the constraints of its end") {
   CHECK_FALSE(agree(drifted[1], drifted[0] * 3 / 2, 5));
 }
 
-TEST_CASE("midpoint substitutes as often as is asked for, and says what is left") {
+TEST_CASE("midpoint iterates as often as requested and returns the residual") {
   const ModelBuilder b = spring();
-  // w = 0, -1/4, -15/64; x in the middle 241/256; w + 1/4 241/256
+  // w = 0, -1/4, -15/64. x at the midpoint is 241/256; the residual is w + 1/4 241/256.
   const Values expected{exact("113/128"), exact("-241/512"), exact("1/1024")};
   CHECK(step_of(b, StepMethod::midpoint, at_one(b), 2) == expected);
 }
 
-TEST_CASE("midpoint keeps quadratic energies, with terms linear in the rates") {
+TEST_CASE("midpoint conserves quadratic energies with terms linear in the rates") {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").T("x_d^2/2 + y_d^2/2").V("-x*y_d");
   State state = nominal_state(b.model, {});
@@ -94,29 +94,30 @@ TEST_CASE("midpoint keeps quadratic energies, with terms linear in the rates") {
   CHECK(agree(next[4], 0, 20, 1));
 }
 
-TEST_CASE("midpoint has forces, dampers and time in the middle of the step") {
+TEST_CASE("midpoint evaluates forces, dampers and time at the midpoint") {
   ModelBuilder b;
   b.coordinate("x").input("u").T("x_d^2/2").V("-t^2*x").D("x_d^2/2").force_on(0, "u");
   State state = nominal_state(b.model, {});
   state.u = {3};
   state.t = 1;
   state.h = 2;
-  // w = 1/2 2 (t_m^2 + u - w), w = 0 before: 7, then 0; x = 0, p = 2 (7 - 0), w - (7 - w) = -7
+  // w = 1/2 2 (t_m^2 + u - w), from w = 0: 7, then 0. x = 0, p = 2 (7 - 0), residual w - (7 - w) =
+  // -7.
   CHECK(step_of(b, StepMethod::midpoint, state, 2) == Values{0, 14, -7});
 }
 
-TEST_CASE("time moves with the step, inputs stay") {
+TEST_CASE("time advances within the step, inputs stay constant") {
   ModelBuilder b;
   b.coordinate("x").input("u").T("x_d^2/2").V("-t^2*x").force_on(0, "u");
   State state = nominal_state(b.model, {});
   state.u = {3};
   state.t = 1;
   state.h = 2;
-  // x'' = t^2 + 3, exactly: int_1^3 (t^2 + 3) dt and int_1^3 (3 - t) (t^2 + 3) dt
+  // x'' = t^2 + 3, integrated exactly: int_1^3 (t^2 + 3) dt and int_1^3 (3 - t) (t^2 + 3) dt
   CHECK(step_of(b, StepMethod::rk4, state) == Values{12, exact("44/3")});
 }
 
-TEST_CASE("a body that spins about one axis turns by half the angle, to fourth order") {
+TEST_CASE("a body spinning about an axis turns its quaternion by half the angle, to order 4") {
   ModelBuilder b;
   b.rotation("e").T("(e1_d^2 + e2_d^2 + e3_d^2)/2");
   State state = nominal_state(b.model, {});

@@ -29,7 +29,7 @@ files with the output of the current elgen. [models/README.md](../models/README.
 
 )";
 
-/// The files of a folder whose names have this ending, sorted.
+/// The files of a folder whose names end in `ending`, sorted.
 std::vector<fs::path> files_of(const fs::path& folder, const std::string& ending) {
   std::vector<fs::path> paths;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -46,7 +46,7 @@ SourcePointer read_source(const fs::path& path) {
   return make_source(path.filename(), read_text(path));
 }
 
-/// The text of a key of the first entry of that name.
+/// The value of a key in the first entry of this name, as text.
 template <class Syntax>
 std::string text_of(const Syntax& syntax, const std::string& entry, const std::string& key) {
   for (const EntrySyntax& one : syntax.entries) {
@@ -155,7 +155,7 @@ TEST_CASE("the sketch is the indented part of the first comment") {
         "   o-->  x\n\n   |\n");
 }
 
-TEST_CASE("the index of generated code is current") {
+TEST_CASE("the index of generated code is up to date") {
   const std::string index = std::string(introduction) + model_rows() + scene_rows() + sketches();
   const fs::path path = source / "generated/README.md";
   if (std::getenv("ELGEN_UPDATE") != nullptr) write_text(path, index);

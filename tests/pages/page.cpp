@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view backticks = "```";
 constexpr std::string_view any_lines = "…";
 
-/// "cpp in out/a.hpp": the file is the last word.
+/// Sets the kind and file of a fence. The file is the last word: "cpp in out/a.hpp".
 void classify(Fence& fence) {
   static const std::regex file(R"(\w[\w+]* ([\w./-]+\.\w+))");
   static const std::regex excerpt(R"(\w[\w+]* in ([\w./-]+\.\w+))");
@@ -32,7 +32,7 @@ void classify(Fence& fence) {
   }
 }
 
-/// The runs of lines between lines "…", the first and the last of them perhaps empty.
+/// Splits the text at lines "…"; the first and the last part may be empty.
 std::vector<std::string> chunks_of(const std::string& expected) {
   std::vector<std::string> chunks(1);
   std::istringstream lines(expected);
@@ -46,7 +46,7 @@ std::vector<std::string> chunks_of(const std::string& expected) {
   return chunks;
 }
 
-/// Where `chunk` stands in `text` from `at` on, at the start of a line.
+/// The position of `chunk` in `text` at or after `at`, at the start of a line.
 std::size_t find_lines(const std::string& text, const std::string& chunk, std::size_t at) {
   std::size_t found = text.find(chunk, at);
   while (found != std::string::npos && found > 0 && text[found - 1] != '\n') {

@@ -1,4 +1,4 @@
-// How pages are read: what a fence is, what agrees with what is expected, where links lead.
+// Tests of the page reader: kinds of fences, comparison of output, and links.
 #include "pages/page.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ FenceKind kind_of(const std::string& info) {
 
 }  // namespace
 
-TEST_CASE("a fence says what it is beside its backticks") {
+TEST_CASE("the info string of a fence determines its kind") {
   CHECK(kind_of("sh") == FenceKind::commands);
   CHECK(kind_of("sh not-run: it takes an hour") == FenceKind::not_run);
   CHECK(kind_of("sh not-run:") == FenceKind::unknown);
@@ -27,7 +27,7 @@ TEST_CASE("a fence says what it is beside its backticks") {
   }
 }
 
-TEST_CASE("a page is prose and fences") {
+TEST_CASE("a page consists of prose and fences") {
   const Page read = read_page("p.md", "before\n```cpp in a/b.hpp\nint a;\n```\nafter\n");
   CHECK(read.prose == "before\nafter\n");
   REQUIRE(read.fences.size() == 1);
@@ -36,7 +36,7 @@ TEST_CASE("a page is prose and fences") {
   CHECK(read.fences.front().text == "int a;\n");
 }
 
-TEST_CASE("a console is commands with what they print") {
+TEST_CASE("a console consists of commands with their output") {
   const std::vector<Exchange> read = exchanges("$ a b\none\ntwo\n$ c\n");
   REQUIRE(read.size() == 2);
   CHECK(read[0].command == "a b");
@@ -44,7 +44,7 @@ TEST_CASE("a console is commands with what they print") {
   CHECK(read[1].output.empty());
 }
 
-TEST_CASE("a line … is any number of lines, and nothing else is left out") {
+TEST_CASE("a line … matches any number of lines, all other lines must be equal") {
   CHECK(agrees("a\nb\n", "a\nb\n"));
   CHECK_FALSE(agrees("a\n", "a\nb\n"));
   CHECK(agrees("a\n…\n", "a\nb\n"));
@@ -55,7 +55,7 @@ TEST_CASE("a line … is any number of lines, and nothing else is left out") {
   CHECK_FALSE(agrees("a\n…\na\n", "a\n"));
 }
 
-TEST_CASE("links, headings and code are found in prose") {
+TEST_CASE("links, anchors and code spans are found in prose") {
   const std::string prose = "# The `model` language\nsee [here](a/b.md#c) and `x/y` or `z`\n";
   CHECK(links(prose) == std::vector<std::string>{"a/b.md#c"});
   CHECK(anchors(prose) == std::vector<std::string>{"the-model-language"});

@@ -1,5 +1,5 @@
-// Pages are true: every command runs, prints what is shown, and reads every file that is
-// shown; every link leads somewhere, and every path that is named is there.
+// Pages are true: every command runs and prints the output shown, every file shown is read by a
+// command, and every link and path exists.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Commands run where the project's files are, but none of them can change these.
+/// Commands run in a copy of the project's files, so that they cannot change the originals.
 void copy_project(const fs::path& folder) {
   for (const char* part :
        {"models", "generated", "include", "src", "templates", "tests", "recipes"}) {
@@ -24,8 +24,8 @@ void copy_project(const fs::path& folder) {
   }
 }
 
-/// Runs a command of a page as if the package were installed; what comes with it is installed where
-/// a command first asks for it.
+/// Runs a command of a page as if the package were installed. The package is installed when a
+/// command first needs it.
 Outcome run_installed(const std::string& command, const fs::path& folder) {
   const std::string package = "/usr/share/elgen";
   if (!mentions(command, package) && !mentions(command, "cmake ")) return shell(command, folder);
@@ -37,7 +37,7 @@ Outcome run_installed(const std::string& command, const fs::path& folder) {
   return shell("export CMAKE_PREFIX_PATH=" + prefix + "\n" + line, folder);
 }
 
-/// Whether a command below the file reads it; CMake reads the file of a folder.
+/// True if a later command reads the file. `cmake -S FOLDER` reads the CMakeLists.txt of a folder.
 bool is_read(const Page& page, const Fence& file) {
   const fs::path path = file.file;
   const std::string name = path.filename() == "CMakeLists.txt" && path.has_parent_path()
@@ -63,7 +63,7 @@ void replay_page(const Page& page) {
   }
 }
 
-/// Whether `anchor` is a heading of a page; of other files nothing is known.
+/// True if `anchor` is a heading of the page at `path`.
 bool has_anchor(const fs::path& path, const std::string& anchor) {
   const std::vector<std::string> known = anchors(read_page("", read_text(path)).prose);
   return std::find(known.begin(), known.end(), anchor) != known.end();
@@ -77,7 +77,7 @@ bool leads_somewhere(const Page& page, const std::string& link) {
   return fs::exists(target) && (hash == link.size() || has_anchor(target, link.substr(hash + 1)));
 }
 
-/// "src/check/" and the like, unless a part of it is to be replaced: "models/NAME.toml".
+/// True for a path such as "src/check/". A path with a placeholder is none: "models/NAME.toml".
 bool is_path(const std::string& code) {
   static const std::regex path(
       R"((src|include|tests|models|templates|recipes|examples|packaging|cmake|\.ci)/[\w./-]*)");
@@ -87,11 +87,11 @@ bool is_path(const std::string& code) {
 
 }  // namespace
 
-TEST_CASE("every command and example of a page does what the page says") {
+TEST_CASE("every command of a page prints the output that the page shows") {
   for (const Page& page : pages()) replay_page(page);
 }
 
-TEST_CASE("commands stand in fences, where they are run") {
+TEST_CASE("commands are in fences, so that they are run") {
   const std::regex indented(R"((^|\n)    (\$ |elgen |\./bootstrap|cmake ))");
   for (const Page& page : pages()) {
     INFO(page.path);
@@ -99,7 +99,7 @@ TEST_CASE("commands stand in fences, where they are run") {
   }
 }
 
-TEST_CASE("every link of a page leads somewhere") {
+TEST_CASE("every link of a page has a target") {
   for (const Page& page : pages()) {
     for (const std::string& link : links(page.prose)) {
       INFO(page.path << ": " << link);
@@ -108,7 +108,7 @@ TEST_CASE("every link of a page leads somewhere") {
   }
 }
 
-TEST_CASE("every path that a page names is there") {
+TEST_CASE("every path that a page names exists") {
   for (const Page& page : pages()) {
     for (const std::string& code : code_spans(page.prose)) {
       if (!is_path(code)) continue;

@@ -1,5 +1,5 @@
 // models/REFERENCE.md is the key table in Markdown. ELGEN_UPDATE=1 writes it, as the CMake target
-// `reference` does; the difference is then reviewed.
+// `reference` does, for review of the difference.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>

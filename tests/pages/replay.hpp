@@ -1,5 +1,5 @@
-// Does what a fence of a page says: writes its file, runs its commands, compares what they print
-// and write.
+// Replays a fence of a page: writes its file, or runs its commands and compares their output and
+// files.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@
 
 namespace elgen::test {
 
-/// Runs a command of a page where the page's files are.
+/// Runs a command of a page in the folder of the page's files.
 using Runner = std::function<Outcome(const std::string& command)>;
 
-/// `folder`: of the files that the commands read and write.
+/// `folder` contains the files that the commands read and write.
 void replay(const Fence& fence, const std::filesystem::path& folder, const Runner& run);
 
 }  // namespace elgen::test

@@ -1,4 +1,4 @@
-// The pages name everything the tables of the code have, so that neither outgrows the other.
+// The pages name every row of the tables in the code.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cctype>
@@ -23,7 +23,7 @@ bool is_part_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// Whether a text has a word that is not part of a longer one.
+/// True if the text contains the word as a whole word.
 bool has_word(const std::string& text, const std::string& word) {
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
@@ -33,14 +33,14 @@ bool has_word(const std::string& text, const std::string& word) {
   return false;
 }
 
-/// The paragraph below a heading.
+/// The text below a heading, up to the next heading.
 std::string section(const std::string& heading) {
   const std::size_t start = language().find("\n" + heading + "\n");
   REQUIRE(start != std::string::npos);
   return language().substr(start, language().find("\n#", start + 1) - start);
 }
 
-/// "-o", "--output-directory" of each line of a help text that explains an option.
+/// The names of each option that a help text explains: "-o", "--output-directory".
 std::vector<std::vector<std::string>> options_of(const std::string& help) {
   std::vector<std::vector<std::string>> options;
   std::istringstream lines(help);
@@ -53,7 +53,7 @@ std::vector<std::vector<std::string>> options_of(const std::string& help) {
   return options;
 }
 
-/// "[lock]" of "scene.lock", "[[point]]" of "point", as a table of entries begins its rows.
+/// The start of an entry's table row: "[lock]" for "scene.lock", "[[point]]" for "point".
 std::string row_start(const EntryRow& row) {
   const bool is_scenes = starts_with(std::string(row.entry), "scene.");
   const std::string name = std::string(row.entry).substr(is_scenes ? 6 : 0);
@@ -62,7 +62,7 @@ std::string row_start(const EntryRow& row) {
 
 }  // namespace
 
-TEST_CASE("the page of the language has every entry of models and of scenes") {
+TEST_CASE("the language page lists every entry of models and scenes") {
   const std::string models = section("### The entries of a model");
   const std::string scenes = section("### The entries of a scene");
   for (const EntryRow& row : entry_table()) {
@@ -73,7 +73,7 @@ TEST_CASE("the page of the language has every entry of models and of scenes") {
   }
 }
 
-TEST_CASE("the page of the language names every function, unit and output") {
+TEST_CASE("the language page names every function, unit and output") {
   for (const FunctionRow& row : function_table()) {
     INFO(row.name);
     CHECK(mentions(language(), "`" + std::string(row.name) + "`"));
@@ -90,7 +90,7 @@ TEST_CASE("the page of the language names every function, unit and output") {
   }
 }
 
-TEST_CASE("the page of the sources has every folder") {
+TEST_CASE("the source page lists every folder") {
   for (const auto& entry : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR "/src")) {
     if (!entry.is_directory()) continue;
     const std::string folder = entry.path().filename();
@@ -99,7 +99,7 @@ TEST_CASE("the page of the sources has every folder") {
   }
 }
 
-TEST_CASE("the page of the sources says of every room what it takes and makes") {
+TEST_CASE("the source page lists every room with its input and output") {
   const std::string& prose = page("src/README.md").prose;
   const std::size_t begin = prose.find("\n| rooms | take | make |\n");
   REQUIRE(begin != std::string::npos);
@@ -113,8 +113,8 @@ TEST_CASE("the page of the sources says of every room what it takes and makes") 
   }
 }
 
-TEST_CASE("the page of the command line has the words of show --what, in the order of its help") {
-  // However the help is broken into lines.
+TEST_CASE("the command-line page lists the words of show --what in the order of its help") {
+  // Line breaks of the help text are ignored.
   const std::string help =
       std::regex_replace(Workspace().run("elgen show --help").output, std::regex("\\s+"), " ");
   std::smatch list;
@@ -132,7 +132,7 @@ TEST_CASE("the page of the command line has the words of show --what, in the ord
   CHECK(words == listed);
 }
 
-TEST_CASE("every option of the command line is on its page") {
+TEST_CASE("the command-line page lists every option") {
   const Workspace workspace;
   for (const std::string command : {"", "generate", "show", "verify", "import", "explain"}) {
     const std::string help = workspace.run("elgen " + command + " --help").output;

@@ -1,4 +1,5 @@
-// Decimals are exact, limits are noticed before any big arithmetic, and texts come back.
+// Decimals are exact, limits are checked before any big arithmetic, and printed decimals are read
+// back.
 #include "parse/decimal.hpp"
 
 #include <cln/integer.h>
@@ -23,7 +24,7 @@ cln::cl_RA ratio(int numerator, int denominator) {
 
 }  // namespace
 
-TEST_CASE("numbers end where the grammar says", "[parse]") {
+TEST_CASE("numbers end according to the grammar", "[parse]") {
   struct Row {
     std::string_view text;
     std::size_t end;
@@ -33,7 +34,7 @@ TEST_CASE("numbers end where the grammar says", "[parse]") {
       {"12", 2, true},
       {"0.5*x", 3, true},
       {"1e-3", 4, true},
-      {"2exp(x)", 1, true},  // two times exp, without the operator
+      {"2exp(x)", 1, true},  // 2*exp(x) without the operator
       {"2e3x", 3, true},
       {"1e", 2, false},
       {"1e+", 3, false},

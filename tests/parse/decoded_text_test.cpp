@@ -1,4 +1,4 @@
-// TOML strings of the four forms: what they say, and where each part of it stands in the file.
+// TOML strings of all four forms: their decoded text, and the span of each part in the file.
 #include "parse/decoded_text.hpp"
 
 #include <toml++/toml.h>
@@ -16,7 +16,7 @@ struct Decoded {
   DecodedText text;
 };
 
-/// `token` behind three bytes of something else.
+/// Decodes `token`, which starts at byte 3 of its source.
 Decoded decode(const std::string& token) {
   SourcePointer source = make_source("test", "v =" + token);
   const auto end = static_cast<std::uint32_t>(source->text.size());
@@ -24,14 +24,14 @@ Decoded decode(const std::string& token) {
   return {std::move(source), std::move(text)};
 }
 
-/// The bytes of the file behind decoded bytes [begin, end).
+/// The source text of the decoded bytes [begin, end).
 std::string behind(const Decoded& decoded, std::size_t begin, std::size_t end) {
   return std::string(covered_text(decoded.text.span(begin, end)));
 }
 
 }  // namespace
 
-TEST_CASE("a plain string is itself", "[parse]") {
+TEST_CASE("a plain string decodes to itself", "[parse]") {
   const Decoded decoded = decode("\"x + y\"");
   CHECK(decoded.text.text == "x + y");
   CHECK(decoded.text.pieces.size() == 1);
@@ -39,7 +39,7 @@ TEST_CASE("a plain string is itself", "[parse]") {
   CHECK(behind(decoded, 0, 5) == "x + y");
 }
 
-TEST_CASE("escapes decode, and stand or fall as a whole", "[parse]") {
+TEST_CASE("an escape decodes to one piece with one span", "[parse]") {
   const Decoded decoded = decode(R"("a\u002ab\t\"\\\U0001F600c")");
   CHECK(decoded.text.text == "a*b\t\"\\\U0001F600c");
   CHECK(behind(decoded, 0, 1) == "a");
@@ -65,14 +65,14 @@ TEST_CASE("multi-line strings lose their first line end", "[parse]") {
   CHECK(decode("''''''").text.text.empty());
 }
 
-TEST_CASE("a backslash at the line end swallows the white space after it", "[parse]") {
+TEST_CASE("a backslash at the line end removes the white space after it", "[parse]") {
   const Decoded decoded = decode("\"\"\"a + \\  \n\n   b\"\"\"");
   CHECK(decoded.text.text == "a + b");
   CHECK(behind(decoded, 4, 5) == "b");
   CHECK(behind(decoded, 3, 4) == " ");
 }
 
-TEST_CASE("nothing lies just behind the last thing", "[parse]") {
+TEST_CASE("the empty span at the end of the text is just after the last character", "[parse]") {
   const Decoded decoded = decode("\"\"\"x\\\n   \"\"\"");
   const Span nothing = decoded.text.span(1, 1);
   CHECK(nothing.begin == 7);
@@ -81,7 +81,7 @@ TEST_CASE("nothing lies just behind the last thing", "[parse]") {
   CHECK(empty.text.span(0, 0).begin == 4);
 }
 
-TEST_CASE("strings say what toml++ says they do", "[parse]") {
+TEST_CASE("strings decode as toml++ decodes them", "[parse]") {
   CHECK(rc::check("one decoder, another decoder", [] {
     const auto pieces = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
         "x", "é", "\\t", "\\\"", "\\\\", "\\u00e9", "\\U0001F600", " ", "'", "π", "\\n"));

@@ -1,5 +1,5 @@
-// The trees of expressions: precedence, chains, places, depth, and print -> parse -> the same tree;
-// and the messages of the grammar: code, column, what was met, and what to write.
+// Expression trees: precedence, chains, spans, depth, and printing and parsing back. Messages of
+// the grammar: code, column, the token found, and a hint.
 #include "parse/expression_parser.hpp"
 
 #include <rapidcheck.h>
@@ -35,7 +35,7 @@ bool same_tree(const ExpressionSyntax& a, const ExpressionSyntax& b) {
   return true;
 }
 
-/// Random text of the grammar.
+/// A random expression of the grammar.
 std::string random_expression(int depth) {
   const int choice = *rc::gen::inRange(0, depth > 0 ? 9 : 3);
   const auto inner = [&] { return random_expression(depth - 1); };
@@ -105,7 +105,7 @@ TEST_CASE("precedence and associativity", "[parse]") {
   CHECK(expression_answer(row.input) == row.tree);
 }
 
-TEST_CASE("every node knows its place", "[parse]") {
+TEST_CASE("every node knows its span", "[parse]") {
   const SourcePointer source = make_source("test", " (a + b)^2 - sin( x )");
   const ExpressionSyntax sum = parsed(source);
   CHECK(covered_text(sum.span) == "(a + b)^2 - sin( x )");
@@ -126,7 +126,7 @@ TEST_CASE("depth counts brackets, calls, indices, signs, powers and quotients", 
     std::string opening;
     std::string middle;
     std::string closing;
-    std::string past;  ///< where the fourth level is noticed
+    std::string past;  ///< place of the error for the fourth level
   };
   const auto row = GENERATE(values<Row>({
       {"(", "x", ")", "E902 1:4"},
@@ -144,31 +144,31 @@ TEST_CASE("depth counts brackets, calls, indices, signs, powers and quotients", 
   CHECK(expression_answer(nested(4), depth(3)) == row.past);
 }
 
-TEST_CASE("levels on both sides of a quotient are counted together", "[parse]") {
+TEST_CASE("levels on both sides of a quotient add up", "[parse]") {
   CHECK(expression_answer("((x)/y/y)", depth(4)) != "E902 1:7");
   CHECK(expression_answer("((x)/y/y)", depth(3)) == "E902 1:7");
 }
 
-TEST_CASE("the default depth holds at 200", "[parse]") {
+TEST_CASE("the default limit of depth is 200", "[parse]") {
   CHECK(expression_answer(repeated("(", 200) + "x" + repeated(")", 200)) == "x");
   CHECK(expression_answer(repeated("(", 201) + "x" + repeated(")", 201)) == "E902 1:201");
 }
 
-TEST_CASE("a raised limit ends before the stack does", "[parse]") {
+TEST_CASE("a raised limit is capped before the stack overflows", "[parse]") {
   const Limits limits = depth(1'000'000);
   const auto most = deepest_expression;
   CHECK(expression_answer(repeated("(", most) + "x" + repeated(")", most), limits) == "x");
   CHECK(expression_answer(repeated("-f(", 100'000), limits) == "E902 1:1501");
 }
 
-TEST_CASE("sums and products of any length are one node", "[parse]") {
+TEST_CASE("a sum or a product of any length is one node", "[parse]") {
   const SourcePointer source = make_source("test", repeated("x - ", 99'999) + "x");
   CHECK(parsed(source).operands.size() == 100'000);
   const SourcePointer product = make_source("test", repeated("x*", 99'999) + "x");
   CHECK(parsed(product).operands.size() == 100'000);
 }
 
-TEST_CASE("print, parse: the same tree", "[parse]") {
+TEST_CASE("a printed tree is parsed to the same tree", "[parse]") {
   CHECK(rc::check("print, parse", [] {
     const SourcePointer source = make_source("test", random_expression(5));
     const auto tree = parse_expression(source, {});
@@ -180,7 +180,7 @@ TEST_CASE("print, parse: the same tree", "[parse]") {
   }));
 }
 
-TEST_CASE("random bytes are answered with a tree or an error inside them", "[parse]") {
+TEST_CASE("random bytes give a tree or an error inside the text", "[parse]") {
   CHECK(rc::check("random bytes", [] {
     const auto characters =
         rc::gen::element<char>('x', '1', '.', 'e', '+', '-', '*', '/', '^', '(', ')', '[', ']', ',',
@@ -195,7 +195,7 @@ TEST_CASE("random bytes are answered with a tree or an error inside them", "[par
   }));
 }
 
-TEST_CASE("errors of the grammar say what was met and what to write", "[parse]") {
+TEST_CASE("a syntax error names the token found and suggests a correction", "[parse]") {
   const auto row = GENERATE(values<GrammarRow>({
       {"x +", Code::E302, 3, "expression ends where an operand is expected", ""},
       {"x+*y", Code::E302, 2, "`*` where an operand is expected", ""},
@@ -229,7 +229,7 @@ TEST_CASE("errors of the grammar say what was met and what to write", "[parse]")
   CHECK(error.hint == row.hint);
 }
 
-TEST_CASE("an unbalanced bracket says where it opened", "[parse]") {
+TEST_CASE("an unbalanced bracket is reported where it opened", "[parse]") {
   struct Bracket {
     std::string input;
     std::uint32_t begin;
@@ -254,6 +254,6 @@ TEST_CASE("an unbalanced bracket says where it opened", "[parse]") {
   CHECK(error.related_message == "opened here");
 }
 
-TEST_CASE("a decimal comma inside a call is an argument more", "[parse]") {
+TEST_CASE("a decimal comma inside a call is parsed as one more argument", "[parse]") {
   CHECK(testing::expression_answer("sin(1,5)") == "sin(1, 5)");
 }

@@ -14,7 +14,7 @@ Json properties_of(FileKind kind) { return Json::parse(file_schema(kind)).at("pr
 
 }  // namespace
 
-TEST_CASE("what must be there is required, and nothing else may be") {
+TEST_CASE("the schema lists required keys and forbids unknown keys") {
   CHECK(file_schema(FileKind::model)
             .starts_with("{\n  \"$schema\": \"http://json-schema.org/draft-07/schema#\",\n  "
                          "\"title\": \"model of elgen\",\n"));
@@ -25,18 +25,18 @@ TEST_CASE("what must be there is required, and nothing else may be") {
   CHECK(scene.at("required") == Json{"format", "model", "name"});
 }
 
-TEST_CASE("entries that repeat are lists, others are objects") {
+TEST_CASE("repeated entries are arrays, other entries are objects") {
   const Json model = properties_of(FileKind::model);
   CHECK(model.at("coordinate").at("type") == "array");
   CHECK(model.at("gravity").at("type") == "object");
   CHECK(model.at("gravity").at("required") == Json{"vector"});
 }
 
-TEST_CASE("what is not supported yet is left out") {
+TEST_CASE("keys that are not supported yet are left out") {
   CHECK_FALSE(properties_of(FileKind::scene).at("numeric").at("properties").contains("check"));
 }
 
-TEST_CASE("names that a file chooses have the schema of the row `*`") {
+TEST_CASE("keys with free names have the schema of the row `*`") {
   const Json model = properties_of(FileKind::model);
   const Json& parameter = model.at("parameters").at("additionalProperties");
   CHECK(parameter.at("description") ==
@@ -48,7 +48,7 @@ TEST_CASE("names that a file chooses have the schema of the row `*`") {
   CHECK(model.at("define").at("additionalProperties").at("type") == Json{"number", "string"});
 }
 
-TEST_CASE("defaults that are values of TOML are those of the schema") {
+TEST_CASE("defaults that are TOML values become defaults of the schema") {
   const Json model = properties_of(FileKind::model);
   const Json& coordinate = model.at("coordinate").at("items").at("properties");
   CHECK(coordinate.at("kind").at("default") == "scalar");
@@ -58,7 +58,7 @@ TEST_CASE("defaults that are values of TOML are those of the schema") {
   CHECK(model.at("expect").at("items").at("properties").at("within").at("default") == 1e-12);
 }
 
-TEST_CASE("scenes offer the outputs by their names") {
+TEST_CASE("scenes list the outputs by name") {
   const Json outputs = properties_of(FileKind::scene).at("outputs");
   const Json& mass = outputs.at("properties").at("mass_matrix");
   CHECK(mass.at("description") == "Mass matrix, symmetric.");

@@ -1,4 +1,5 @@
-// Keys of one table: unknown, missing, unsupported, words out of a choice, and repetitions.
+// Keys of one table: unknown, missing and unsupported keys, words outside a choice, and
+// repetitions.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -32,7 +33,7 @@ std::string condition(std::string_view value) {
   return begin == std::string::npos ? all : all.substr(begin + 7, all.size() - begin - 8);
 }
 
-/// The codes that one key of an entry gets, missing neighbours aside.
+/// The codes reported for one key of an entry, without E105 for other missing keys.
 std::vector<Code> codes_of(const KeyRow& row, const std::string& value) {
   const std::string key = row.key == "*" ? "any_name" : std::string(row.key);
   const SourcePointer source = make_source("test", key + " = " + value);
@@ -50,7 +51,7 @@ std::vector<Code> codes_of(const KeyRow& row, const std::string& value) {
   return codes;
 }
 
-/// Values by what they are; each type takes some of them.
+/// One sample value of each kind; each key type accepts some of them.
 struct Samples {
   std::string number = "1.5";
   std::string integer = "3";
@@ -63,7 +64,7 @@ struct Samples {
   std::string table = "{}";
 };
 
-/// The samples that are values of the type.
+/// The samples that this type accepts.
 std::vector<std::string> accepted_by(KeyType type) {
   const Samples s;
   switch (type) {
@@ -101,7 +102,7 @@ std::vector<std::string> accepted_by(KeyType type) {
       return {s.name, s.expression, s.repetition, s.table};
     case KeyType::choice:
     case KeyType::choice_list:
-      return {};  // no sample is one of their words
+      return {};  // no sample is a word of a choice
     case KeyType::turns:
       return {};  // no sample is a list of pairs
     case KeyType::condition:
@@ -119,7 +120,7 @@ std::vector<std::string> all_samples() {
 
 }  // namespace
 
-TEST_CASE("every key takes the values of its type and refuses all others", "[parse]") {
+TEST_CASE("every key accepts the values of its type and rejects all others", "[parse]") {
   for (const KeyRow& row : key_table()) {
     const std::vector<std::string> accepted = accepted_by(row.type);
     for (const std::string& value : all_samples()) {
@@ -135,7 +136,7 @@ TEST_CASE("every key takes the values of its type and refuses all others", "[par
   }
 }
 
-TEST_CASE("every word of a choice is taken", "[parse]") {
+TEST_CASE("every word of a choice is accepted", "[parse]") {
   for (const ChoiceRow& choice : choice_table()) {
     const auto row = std::find_if(key_table().begin(), key_table().end(), [&](const KeyRow& r) {
       return r.entry == choice.entry && r.key == choice.key;
@@ -148,7 +149,7 @@ TEST_CASE("every word of a choice is taken", "[parse]") {
   }
 }
 
-TEST_CASE("an unknown key is named, with the nearest one", "[parse]") {
+TEST_CASE("an unknown key is reported with the nearest known key", "[parse]") {
   const std::string text = model("ragne = [0, 1]\nnonsense = 1\n");
   CHECK(model_answer(text) == "E103 5:1\nE103 6:1");
   const Diagnostic error = testing::first_error(text);
@@ -157,7 +158,7 @@ TEST_CASE("an unknown key is named, with the nearest one", "[parse]") {
   CHECK(model_answer(model("[parameters]\nm = {valeu = 1}\n")) == "E105 6:1\nE103 6:6");
 }
 
-TEST_CASE("a missing key is reported at the header", "[parse]") {
+TEST_CASE("a missing key is reported at the header of its table", "[parse]") {
   CHECK(model_answer(model("[[input]]\nunit = \"N\"\n")) == "E105 5:1");
   CHECK(testing::first_error(model("[[input]]\n")).message == "no `name` in `[[input]]`");
   CHECK(model_answer(model("[[point]]\nname = \"P\"\n[[point]]\nat = [1, 2]\n")) ==
@@ -166,12 +167,13 @@ TEST_CASE("a missing key is reported at the header", "[parse]") {
   CHECK(scene_answer(scene("[approximate]\n")) == "E105 4:1\nE105 4:1");
 }
 
-TEST_CASE("keys that come later say so, and nothing they would replace is missed", "[parse]") {
+TEST_CASE("an unsupported key is reported, and keys that it would replace are not missed",
+          "[parse]") {
   CHECK(scene_answer(scene("[numeric]\nform = \"closed\"\ncheck = {}\n")) == "E108 6:1");
   CHECK(scene_answer(scene("[outputs]\nbias = {form = \"shut\"}\n")) == "E104 5:17");
 }
 
-TEST_CASE("choices take the words of the table", "[parse]") {
+TEST_CASE("a choice accepts only the words of its table", "[parse]") {
   CHECK(model_answer(model("kind = \"scalar\"")).find("kind = \"scalar\"") != std::string::npos);
   const std::string text = model("[parameters]\nm = {value = 1, assume = \"positiv\"}\n");
   CHECK(model_answer(text) == "E104 6:27");
@@ -210,14 +212,14 @@ TEST_CASE("fixed is `all` or a table", "[parse]") {
   CHECK(scene_answer(scene("[parameters]\nfixed = [1]\n")) == "E104 5:9");
 }
 
-TEST_CASE("a repetition is an index and its bounds", "[parse]") {
+TEST_CASE("a repetition consists of an index and its bounds", "[parse]") {
   CHECK(repetition("\"i in 1..n\"") == "[{index = i, low = 1, high = n}]");
   CHECK(repetition("\"i in 0 .. 2*n - 1\"") == "[{index = i, low = 0, high = ((2 * n) + (-1))}]");
   CHECK(repetition("[\"i in 1..n\", \"j in i..n\"]") ==
         "[{index = i, low = 1, high = n}, {index = j, low = i, high = n}]");
 }
 
-TEST_CASE("malformed repetitions are refused where they are", "[parse]") {
+TEST_CASE("malformed repetitions are rejected at their span", "[parse]") {
   CHECK(repetition("\"i in 1:n\"") == "E210 5:8");
   CHECK(repetition("\"i = 1..n\"") == "E210 5:8");
   CHECK(repetition("\"1..n\"") == "E210 5:8");
@@ -229,7 +231,7 @@ TEST_CASE("malformed repetitions are refused where they are", "[parse]") {
   CHECK(repetition("\"i\\u0020in 1..2n\"") == "E303 5:22");
 }
 
-TEST_CASE("each part of a repetition has its place", "[parse]") {
+TEST_CASE("each part of a repetition has its span", "[parse]") {
   const SourcePointer source = make_source("test", model("for = \"i in 1..n\""));
   const auto parsed = parse_model(source, {});
   REQUIRE(parsed);
@@ -242,13 +244,13 @@ TEST_CASE("each part of a repetition has its place", "[parse]") {
   CHECK(covered_text(parts[2].value.expression.span) == "n");
 }
 
-TEST_CASE("a condition is two expressions and the sign between them", "[parse]") {
+TEST_CASE("a condition consists of two expressions and a comparison", "[parse]") {
   CHECK(condition("\"R*Omega^2 > g\"") == "{left = (R * (Omega^2)), sign = \">\", right = g}");
   CHECK(condition("\"a<=b + 1\"") == "{left = a, sign = \"<=\", right = (b + 1)}");
   CHECK(condition("\"a >= 0\"") == "{left = a, sign = \">=\", right = 0}");
 }
 
-TEST_CASE("malformed conditions are refused where they are", "[parse]") {
+TEST_CASE("malformed conditions are rejected at their span", "[parse]") {
   CHECK(condition("\"a\"") == "E320 8:9");
   CHECK(condition("\"a = b\"") == "E320 8:9");
   CHECK(condition("\"\"") == "E320 8:9");

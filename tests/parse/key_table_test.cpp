@@ -1,5 +1,5 @@
-// Laws of the key table: no row twice, every row belongs to an entry, choices belong to choice
-// keys, and every key is in the text of a syntax tree with its value.
+// Rules of the key table: no duplicate rows, an entry for each row, words for each choice. The text
+// of a syntax tree contains every key with its value.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -39,7 +39,7 @@ std::string inside(const KeyRow& row) { return fmt::format("{}.{}", row.entry, r
 
 std::string table_of(const KeyRow& row, bool has_more);
 
-/// Two values of the type of a key.
+/// One of two different values of the key's type, selected by `which`.
 std::string value_of(const KeyRow& row, std::size_t which) {
   const auto either = [which](const char* first, const char* second) {
     return std::string(which == 0 ? first : second);
@@ -84,7 +84,7 @@ std::string value_of(const KeyRow& row, std::size_t which) {
   return {};
 }
 
-/// The keys that an entry cannot do without; `text` stands for the key of `row`.
+/// The required keys of an entry, with `text` in place of the key of `row`.
 Lines keys_of(std::string_view entry, const KeyRow& row, const std::string& text) {
   Lines keys;
   for (const KeyRow& other : key_table()) {
@@ -110,7 +110,7 @@ std::string section(const EntryRow& entry, const std::string& name, const Lines&
                      fmt::join(keys, "\n"));
 }
 
-/// The smallest file with `text` for the key of `row`, which may stand in a table that is a value.
+/// The smallest file in which the key of `row` is set by `text`, possibly in an inline table.
 std::string file_with(const KeyRow& row, const std::string& text) {
   for (const KeyRow& outer : key_table()) {
     if (inside(outer) != row.entry) continue;
@@ -169,7 +169,7 @@ TEST_CASE("the reference has a section for every entry and a row for every key",
   CHECK(reference.find("\n- `zeta`") == std::string::npos);  // its path is `stabilise.zeta`
 }
 
-TEST_CASE("every row hangs on an entry or on a key that is a table", "[parse]") {
+TEST_CASE("every row belongs to an entry or to a key that is a table", "[parse]") {
   for (const KeyRow& row : key_table()) {
     INFO(row.entry << "." << row.key);
     const bool top = row.entry.empty() || row.entry == "scene";
@@ -182,7 +182,7 @@ TEST_CASE("every row hangs on an entry or on a key that is a table", "[parse]") 
   }
 }
 
-TEST_CASE("every supported entry has keys, every choice its words", "[parse]") {
+TEST_CASE("every supported entry has keys, and every choice has words", "[parse]") {
   for (const EntryRow& entry : entry_table()) {
     const bool has_keys = std::any_of(key_table().begin(), key_table().end(),
                                       [&](const KeyRow& k) { return k.entry == entry.entry; });
@@ -198,7 +198,7 @@ TEST_CASE("every supported entry has keys, every choice its words", "[parse]") {
   }
 }
 
-TEST_CASE("a model prints in file order whatever its blanks", "[parse]") {
+TEST_CASE("a model prints in file order, whatever its white space", "[parse]") {
   CHECK(testing::model_answer("format = 1\n\n[model]\nname = \"m\"\ntitle = \"a \\\"b\\\"\\nc\"\n"
                               "[[coordinate]]\nname = \"q[i]\"\nfor = \"i in 1..2\"\nwrap = true\n"
                               "start = {value = \"pi/4\"}\n") ==
@@ -207,16 +207,16 @@ TEST_CASE("a model prints in file order whatever its blanks", "[parse]") {
         "  wrap = true\n  start = {value = (pi / 4)}\n");
 }
 
-TEST_CASE("a scene prints likewise", "[parse]") {
+TEST_CASE("a scene prints in file order", "[parse]") {
   CHECK(testing::scene_answer("format = 1\nmodel = \"../m.toml\"\nname = \"s\"\n[outputs]\n"
                               "bias = true\ngravity = {rename = \"g\"}\n[sizes]\nn = 3\n") ==
         "[]\n  format = 1\n  model = \"../m.toml\"\n  name = s\n[outputs]\n"
         "  bias = true\n  gravity = {rename = g}\n[sizes]\n  n = 3\n");
 }
 
-TEST_CASE("every key of the table is in the text with its value, blanks and comments are not") {
+TEST_CASE("the text contains every key with its value, but no white space or comments") {
   for (const KeyRow& row : key_table()) {
-    if (!row.supported || row.key == "format") continue;  // a format has one value
+    if (!row.supported || row.key == "format") continue;  // `format` has only one value
     INFO(inside(row));
     const std::string file = file_with(row, assigned(row, value_of(row, 0)));
     const std::string text = dumped(row, file);

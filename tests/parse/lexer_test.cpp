@@ -1,4 +1,4 @@
-// Tokens and their places, and what the lexer says of everything that is no token.
+// Tokens and their spans, and the lexer's messages for text that is no token.
 #include "parse/lexer.hpp"
 
 #include <catch2/catch.hpp>
@@ -8,7 +8,7 @@ using namespace elgen;
 namespace {
 
 struct Lexed {
-  std::string tokens;  ///< each in brackets
+  std::string tokens;  ///< each token in brackets
   std::optional<Diagnostic> problem;
 };
 
@@ -27,7 +27,7 @@ Lexed lex(const std::string& input) {
 
 }  // namespace
 
-TEST_CASE("expressions are cut into tokens", "[parse]") {
+TEST_CASE("expressions are split into tokens", "[parse]") {
   CHECK(lex("a+b_1*2.5e-3").tokens == "[a][+][b_1][*][2.5e-3]");
   CHECK(lex("-x^2 / (y)").tokens == "[-][x][^][2][/][(][y][)]");
   CHECK(lex("p[i-1], \n\t q").tokens == "[p][[][i][-][1][]][,][q]");
@@ -35,7 +35,7 @@ TEST_CASE("expressions are cut into tokens", "[parse]") {
   CHECK(lex("").tokens.empty());
 }
 
-TEST_CASE("the end stands just behind the last token", "[parse]") {
+TEST_CASE("the end token is just after the last token", "[parse]") {
   const SourcePointer source = make_source("test", "x   ");
   const DecodedText text = copied_text({source.get(), 0, 4});
   Lexer lexer(text, 0, 4);
@@ -45,7 +45,7 @@ TEST_CASE("the end stands just behind the last token", "[parse]") {
   CHECK(end.begin == 1);
 }
 
-TEST_CASE("what is no token is named", "[parse]") {
+TEST_CASE("text that is no token is reported", "[parse]") {
   struct Row {
     std::string input;
     Code code;
@@ -89,7 +89,7 @@ TEST_CASE("what is no token is named", "[parse]") {
   CHECK(lexed.problem->hint == row.hint);
 }
 
-TEST_CASE("a lexer knows the token it is at and the one before", "[parse]") {
+TEST_CASE("a lexer knows its current token and the previous token", "[parse]") {
   const SourcePointer source = make_source("test", "a + 1");
   const DecodedText text = copied_text({source.get(), 0, 5});
   Lexer tokens(text, 0, 5);
@@ -105,7 +105,7 @@ TEST_CASE("a lexer knows the token it is at and the one before", "[parse]") {
   CHECK_FALSE(tokens.problem());
 }
 
-TEST_CASE("a copy of a lexer looks ahead without moving it", "[parse]") {
+TEST_CASE("a copy of a lexer looks ahead without moving the original", "[parse]") {
   const SourcePointer source = make_source("test", "1,5");
   const DecodedText text = copied_text({source.get(), 0, 3});
   const Lexer tokens(text, 0, 3);

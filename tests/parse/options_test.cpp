@@ -1,4 +1,4 @@
-// Options as keys, every piece with its place in the option.
+// Command-line options parsed as keys, with the span of each piece in its option.
 #include <catch2/catch.hpp>
 
 #include "parse_testing.hpp"
@@ -6,7 +6,7 @@
 namespace elgen::testing {
 namespace {
 
-/// "name 1: value, value", with columns of names; then the places and messages of what is wrong.
+/// One line per key, "name column: value, value", then the places and messages of the diagnostics.
 std::string answer(const std::vector<std::string>& texts, KeyType type) {
   std::vector<SourcePointer> options;
   for (const std::string& text : texts) options.push_back(make_source("command line", text));
@@ -38,7 +38,7 @@ std::vector<std::string> words_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("words are split at commas outside of brackets, without blanks around them") {
+TEST_CASE("words are split at commas outside brackets, and surrounding blanks are removed") {
   CHECK(words_of("a, b c ,d") == std::vector<std::string>{"a", "b c", "d"});
   CHECK(words_of("a,") == std::vector<std::string>{"a", ""});
   CHECK(words_of("e=[1, 0], x=max(1, (2)),y") ==
@@ -46,19 +46,19 @@ TEST_CASE("words are split at commas outside of brackets, without blanks around 
   CHECK(option_words({}).empty());
 }
 
-TEST_CASE("words are keys with expressions, and names lose their blanks") {
+TEST_CASE("words are parsed as keys with values, and blanks in names are removed") {
   CHECK(answer({"m = 1/2 ,dot( x )=-3", "k=2"}, KeyType::expression) ==
         "m 1: (1 / 2)\ndot(x) 10: (-3)\nk 1: 2\n");
   CHECK(answer({"g, m=1"}, KeyType::boolean_or_expression) == "g 1: true\nm 4: 1\n");
 }
 
-TEST_CASE("a list is one where there may be one") {
+TEST_CASE("a list is accepted if the key type permits lists") {
   CHECK(answer({"e=[1, 0],x=2"}, KeyType::expression_or_list) == "e 1: 1 0 as a list\nx 10: 2\n");
   CHECK(answer({"q=-1 .. pi/2"}, KeyType::range) == "q 1: -1 pi/2 as a list\n");
   CHECK(answer({"e=[1,0]"}, KeyType::expression).starts_with("E30"));
 }
 
-TEST_CASE("words that are no keys are E606, and leave the others") {
+TEST_CASE("a word that is no key is E606, and the other words are kept") {
   CHECK(answer({"x,y=1"}, KeyType::expression) == "y 3: 1\nE606 1 `x` has no value\n");
   for (const KeyType type : {KeyType::expression, KeyType::boolean_or_expression, KeyType::range}) {
     CHECK(answer({"x="}, type) == "E606 1 `x=` has no value\n");
@@ -68,7 +68,7 @@ TEST_CASE("words that are no keys are E606, and leave the others") {
   CHECK(answer({"q=1"}, KeyType::range) == "E606 3 `1` is no range\n");
 }
 
-TEST_CASE("a mistake in an expression is answered where it stands") {
+TEST_CASE("a mistake in an expression is reported at its place") {
   CHECK(answer({"x=1, y=2*"}, KeyType::expression).starts_with("x 1: 1\nE302 "));
   CHECK(answer({"q=1.."}, KeyType::range).starts_with("E310 "));
 }

@@ -1,4 +1,4 @@
-// Answers of the parser as text.
+// Results of the parser as text.
 #include "parse_testing.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ std::string scene_answer(std::string_view text) {
 
 namespace {
 
-/// Diagnostics point into their source; those of a test only lend their texts.
+/// The source of a test's diagnostic does not outlive the call, so the span loses its source.
 Diagnostic without_source(const Diagnostics& diagnostics) {
   REQUIRE_FALSE(diagnostics.empty());
   Diagnostic result = diagnostics.front();

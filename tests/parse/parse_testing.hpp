@@ -1,5 +1,4 @@
-// Helpers of the tests of parse: answers as one line of text, so that tables of cases stay
-// readable.
+// Helpers of the parser tests: results as short text, so that tables of cases stay readable.
 #pragma once
 
 #include <string>
@@ -9,23 +8,23 @@
 
 namespace elgen::testing {
 
-/// "E303 17:9", one line each, in the order given.
+/// One line per diagnostic, such as "E303 17:9", in the order given.
 [[nodiscard]] std::string places(const Diagnostics& diagnostics);
 
-/// The tree of an expression, or "E303 1:9".
+/// The tree of an expression, or the places of its errors, such as "E303 1:9".
 [[nodiscard]] std::string expression_answer(std::string_view text, const Limits& limits = {});
 
 /// dump() of a model or scene, or the places of its errors.
 [[nodiscard]] std::string model_answer(std::string_view text, const Limits& limits = {});
 [[nodiscard]] std::string scene_answer(std::string_view text);
 
-/// The first diagnostic of a model file, which must have one.
+/// The first diagnostic of a model file; there must be one.
 [[nodiscard]] Diagnostic first_error(std::string_view model_text);
 
-/// The first diagnostic of an expression, which must have one.
+/// The first diagnostic of an expression; there must be one.
 [[nodiscard]] Diagnostic expression_error(std::string_view text);
 
-/// `text` as [energy] V of the smallest model, in the quotes it brings; the value stands in line 6.
+/// The smallest model, with `quoted_text` (including its quotes) as [energy] V in line 6.
 [[nodiscard]] std::string with_potential(std::string_view quoted_text);
 
 /// `text` repeated `count` times.

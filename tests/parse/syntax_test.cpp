@@ -1,5 +1,4 @@
-// Whole files: size, encoding, format, and errors inside strings at the exact character of the
-// file.
+// Whole files: size, encoding, format, and errors inside strings at the exact character.
 #include "elgen/syntax.hpp"
 
 #include <rapidcheck.h>
@@ -12,7 +11,7 @@ using namespace elgen;
 using testing::model_answer;
 using testing::with_potential;
 
-TEST_CASE("errors inside strings stand at the character of the file", "[parse]") {
+TEST_CASE("an error inside a string is reported at its character in the file", "[parse]") {
   struct Row {
     std::string value;  ///< starts at 6:5
     std::string place;
@@ -42,12 +41,12 @@ TEST_CASE("errors inside strings stand at the character of the file", "[parse]")
   CHECK(model_answer(with_potential(row.value)) == row.place);
 }
 
-TEST_CASE("columns count code points before the error", "[parse]") {
+TEST_CASE("columns of errors count code points, not bytes", "[parse]") {
   CHECK(model_answer("format = 1\nmodel = {name = \"m\", title = \"\u03C0\u03C0\", nmae = 1}\n"
                      "[[coordinate]]\nname = \"x\"\n") == "E103 2:36");
 }
 
-TEST_CASE("files with carriage returns have the same places", "[parse]") {
+TEST_CASE("line ends with carriage returns give the same places", "[parse]") {
   std::string text = with_potential("\"x + 2x\"") + "D = \"(\"\n";
   std::string converted;
   for (const char c : text) converted += c == '\n' ? std::string("\r\n") : std::string(1, c);
@@ -55,13 +54,13 @@ TEST_CASE("files with carriage returns have the same places", "[parse]") {
   CHECK(model_answer(converted) == model_answer(text));
 }
 
-TEST_CASE("all independent errors of a file come in one run, in order", "[parse]") {
+TEST_CASE("all independent errors of a file are reported in one run, in order", "[parse]") {
   CHECK(model_answer("format = 1\n[model]\ntitle = 3\n[[coordinate]]\nname = \"x\"\nunti = \"m\"\n"
                      "[energy]\nT = \"2x\"\nV = \"(x\"\n[[constraint]]\n[extra]\n") ==
         "E105 2:1\nE104 3:9\nE103 6:1\nE303 8:7\nE304 9:8\nE105 10:1\nE106 11:1");
 }
 
-TEST_CASE("the format is 1", "[parse]") {
+TEST_CASE("the format must be 1", "[parse]") {
   CHECK(model_answer("format = 2\nanything = 3\n") == "E102 1:10");
   CHECK(model_answer("format = 1.5\n") == "E102 1:10");
   CHECK(model_answer("[model]\nname = \"m\"\n[[coordinate]]\nname = \"x\"\n") == "E105 1:1");
@@ -69,7 +68,7 @@ TEST_CASE("the format is 1", "[parse]") {
         "E104 1:10");
 }
 
-TEST_CASE("files may be as large as the limit, not one byte more", "[parse]") {
+TEST_CASE("a file of exactly the size limit is accepted, one more byte is not", "[parse]") {
   const std::string text = with_potential("0");
   Limits limits;
   limits.file_bytes = text.size();
@@ -78,7 +77,7 @@ TEST_CASE("files may be as large as the limit, not one byte more", "[parse]") {
   CHECK(model_answer(text, limits) == "E901 1:1");
 }
 
-TEST_CASE("bytes that are not UTF-8 are refused where they are", "[parse]") {
+TEST_CASE("bytes that are not UTF-8 are rejected at their place", "[parse]") {
   CHECK(model_answer("format = 1\n# caf\xE9\n") == "E110 2:6");
   CHECK(model_answer(with_potential("\"x\xFF\"")) == "E110 6:7");
 }
@@ -93,7 +92,7 @@ TEST_CASE("a sum of 100 000 terms fits a file", "[parse]") {
   CHECK(model_answer(with_potential("\"" + terms + "\"")).size() > terms.size());
 }
 
-TEST_CASE("damaged files are answered with a tree or errors inside them", "[parse]") {
+TEST_CASE("damaged files give a tree or errors inside the file", "[parse]") {
   CHECK(rc::check("damaged files", [] {
     std::string text = with_potential("\"1/2*k*x^2\"") + "[[expect]]\nbias = [\"(x)\", 1e3]\n";
     const auto position = *rc::gen::inRange<std::size_t>(0, text.size());
@@ -105,7 +104,7 @@ TEST_CASE("damaged files are answered with a tree or errors inside them", "[pars
   }));
 }
 
-TEST_CASE("a part of a text keeps its place in the whole") {
+TEST_CASE("a part of a source keeps its place in the whole source") {
   const SourcePointer source = make_source("command line", "g = 1 + h");
   const auto expression = parse_expression(Span{source.get(), 4, 9}, {});
   REQUIRE(expression);
@@ -114,7 +113,7 @@ TEST_CASE("a part of a text keeps its place in the whole") {
   CHECK(covered_text(expression->operands[1].token) == "h");
 }
 
-TEST_CASE("errors of a part point into the whole") {
+TEST_CASE("errors in a part have spans in the whole source") {
   const SourcePointer source = make_source("command line", "g=(1+2");
   const auto expression = parse_expression(Span{source.get(), 2, 6}, {});
   REQUIRE(expression.diagnostics.size() == 1);

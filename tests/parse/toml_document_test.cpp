@@ -1,4 +1,4 @@
-// TOML trees: file order, the exact place of every key and value, and what is malformed.
+// TOML trees: file order, the exact span of every key and value, and malformed files.
 #include "parse/toml_document.hpp"
 
 #include <rapidcheck.h>
@@ -12,7 +12,7 @@ using testing::repeated;
 
 namespace {
 
-/// Keys and values as the file spells them, depth first.
+/// Keys and values as written in the file, depth first.
 std::string spelled(const TomlValue& value) {
   std::string result;
   for (const TomlEntry& entry : value.entries) {
@@ -32,7 +32,7 @@ std::string spelled(const std::string& text) {
   return spelled(*root);
 }
 
-/// The message of the error, or nothing for a file that is read.
+/// The message of the error, or "" if the file is read.
 std::string toml_message(const std::string& text) {
   const SourcePointer source = make_source("test", text);
   const auto root = read_toml(*source);
@@ -45,7 +45,7 @@ TEST_CASE("entries come in file order", "[parse]") {
   CHECK(spelled("z = 1\na = 2\nm = 3\n") == "z:1;a:2;m:3;");
 }
 
-TEST_CASE("values and keys stand where they stand", "[parse]") {
+TEST_CASE("the spans of values and keys cover their source text", "[parse]") {
   CHECK(spelled("a = [ 1, \"two\",\n  +1_0.5 ]") ==
         "a:[ 1, \"two\",\n  +1_0.5 ];1;\"two\";+1_0.5;");
   CHECK(spelled("\"a b\" = { c = true, d.e = 'x' }") ==
@@ -55,7 +55,7 @@ TEST_CASE("values and keys stand where they stand", "[parse]") {
                 "a = 1\nb = 2") == "a:1;b:2;");
 }
 
-TEST_CASE("tables stand at their headers", "[parse]") {
+TEST_CASE("the span of a table is its header", "[parse]") {
   CHECK(spelled("[p.m]\nv = 1\n[p]\nq = 2\n") == "p:[p];m:[p.m];v:1;q:2;");
   const SourcePointer source = make_source("test", "[[c]]\na = 1\n\n  [[c]]\na = 2\n");
   const auto root = read_toml(*source);
@@ -65,7 +65,7 @@ TEST_CASE("tables stand at their headers", "[parse]") {
   CHECK(array.items.at(1).span.begin == 15);
 }
 
-TEST_CASE("numbers are told from what only looks like one", "[parse]") {
+TEST_CASE("numbers are distinguished from values that only resemble numbers", "[parse]") {
   const SourcePointer source = make_source(
       "test", "a = -1_0.5e+3\nb = +0\nc = 0x1E\nd = inf\ne = -nan\nf = 1979-05-27\ng = 0b1\n");
   const auto root = read_toml(*source);
@@ -75,7 +75,7 @@ TEST_CASE("numbers are told from what only looks like one", "[parse]") {
   }
 }
 
-TEST_CASE("random files are answered with a tree or one error inside them", "[parse]") {
+TEST_CASE("random files give a tree or one error inside the file", "[parse]") {
   CHECK(rc::check("random files", [] {
     const auto pieces = rc::gen::element<std::string>(
         "a", "=", "1", "\"", "'", "\"\"\"", "[", "]", "[[", "]]", "{", "}", ",", ".", "\n", "\r\n",
@@ -89,7 +89,7 @@ TEST_CASE("random files are answered with a tree or one error inside them", "[pa
   }));
 }
 
-TEST_CASE("malformed TOML is reported once, where it is", "[parse]") {
+TEST_CASE("malformed TOML is reported once, at its place", "[parse]") {
   struct Row {
     std::string input;
     std::string place;
@@ -120,13 +120,13 @@ TEST_CASE("malformed TOML is reported once, where it is", "[parse]") {
   CHECK(result.diagnostics.at(0).hint == row.hint);
 }
 
-TEST_CASE("numbers of more digits than toml++ reads are told so", "[parse]") {
+TEST_CASE("a number with too many digits for toml++ is rejected", "[parse]") {
   const std::string digits(200, '7');
   CHECK(testing::model_answer("a = " + digits) == "E109 1:5");
   CHECK(testing::model_answer("a = [-0." + digits + "]") == "E109 1:6");
 }
 
-TEST_CASE("keys may have as many parts as toml++ can free, not one more", "[parse]") {
+TEST_CASE("a key may have 100 parts, which toml++ can still free, but no more", "[parse]") {
   constexpr std::size_t most = 100;
   const std::string endless = "key of more than 100 parts";
   CHECK(toml_message(repeated("a.", most - 1) + "a = 1").empty());
@@ -136,7 +136,7 @@ TEST_CASE("keys may have as many parts as toml++ can free, not one more", "[pars
   CHECK(toml_message("[" + repeated("a . ", 200) + "a]") == endless);
   CHECK(toml_message("x = {" + repeated("\"=,\\\"\".", 200) + "a = 1}") == endless);
   CHECK(toml_message(repeated("'\"'.", 200) + "a = 1") == endless);
-  // Points elsewhere are none of keys.
+  // Points outside keys do not count.
   CHECK(toml_message("# " + repeated(".", 1000)).empty());
   CHECK(toml_message("a = [" + repeated("1.5, ", 1000) + "]").empty());
   CHECK(toml_message(repeated("[[a.b]]\n", 1000)).empty());

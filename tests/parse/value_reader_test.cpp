@@ -1,5 +1,5 @@
-// Values by type: what is accepted, what is E104, E109, E205 or a limit, each at its place. Every
-// row is one key of an otherwise sound model, in line 5.
+// Values by type: accepted values, and E104, E109, E205 and limits, each at its span. Every row is
+// one key in line 5 of a valid model.
 #include "parse/value_reader.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@ using testing::model_answer;
 
 namespace {
 
-/// The model with one more key in its coordinate, which has line 5.
+/// A model with one more key in its coordinate, in line 5.
 std::string coordinate_with(std::string_view line) {
   return "format = 1\nmodel.name = \"m\"\n[[coordinate]]\nname = \"x\"\n" + std::string(line) +
          "\n";
@@ -39,7 +39,7 @@ TEST_CASE("expressions are strings or bare decimals", "[parse]") {
   CHECK(key_answer("armature = \"\"") == "E310 5:13");
 }
 
-TEST_CASE("what is no decimal is refused wherever it stands", "[parse]") {
+TEST_CASE("malformed decimals are rejected everywhere", "[parse]") {
   CHECK(key_answer("armature = 0x10") == "E109 5:12");
   CHECK(key_answer("armature = inf") == "E109 5:12");
   CHECK(key_answer("armature = -nan") == "E109 5:12");
@@ -57,7 +57,7 @@ TEST_CASE("bare numbers obey the limits of literals", "[parse]") {
   CHECK(key_answer("armature = \"1e401\"") == "E904 5:13");
 }
 
-TEST_CASE("names have one optional index", "[parse]") {
+TEST_CASE("names have at most one index", "[parse]") {
   const auto named = [](const std::string& name) {
     return model_answer("format = 1\nmodel.name = \"m\"\n[[coordinate]]\nname = " + name + "\n");
   };
@@ -73,14 +73,14 @@ TEST_CASE("names have one optional index", "[parse]") {
   CHECK(named("1") == "E104 4:8");
 }
 
-TEST_CASE("lists have expressions, ranges two of them", "[parse]") {
+TEST_CASE("lists contain expressions, ranges contain two", "[parse]") {
   CHECK(key_answer("range = [\"-pi\", 3]") == "range = [(-pi), 3]");
   CHECK(key_answer("range = [1]") == "E104 5:9");
   CHECK(key_answer("range = 1") == "E104 5:9");
   CHECK(key_answer("range = [\"(\", \"2x\"]") == "E302 5:12\nE303 5:17");
 }
 
-TEST_CASE("texts, booleans, tables", "[parse]") {
+TEST_CASE("texts, booleans and tables are accepted in all forms", "[parse]") {
   CHECK(key_answer("doc = 'a \"b\" \\'") == "doc = \"a \\\"b\\\" \\\\\"");
   CHECK(key_answer("doc = 3") == "E104 5:7");
   CHECK(key_answer("wrap = true") == "wrap = true");
@@ -89,7 +89,7 @@ TEST_CASE("texts, booleans, tables", "[parse]") {
   CHECK(key_answer("start = 1") == "E104 5:9");
 }
 
-TEST_CASE("a wrong type says what was met and what is expected", "[parse]") {
+TEST_CASE("a wrong type is reported with the type found and the type expected", "[parse]") {
   const auto message = [](std::string_view line) {
     return testing::first_error(coordinate_with(line)).message;
   };
@@ -99,7 +99,7 @@ TEST_CASE("a wrong type says what was met and what is expected", "[parse]") {
   CHECK(message("armature = 0x1F") == "`0x1F` is not a decimal number");
 }
 
-TEST_CASE("integers are bare and whole", "[parse]") {
+TEST_CASE("integers are bare whole numbers", "[parse]") {
   const auto size = [](const std::string& value) {
     return model_answer(
         "format = 1\nmodel.name = \"m\"\n[[coordinate]]\nname = \"x\"\n[sizes]\nn = " + value);
@@ -111,7 +111,7 @@ TEST_CASE("integers are bare and whole", "[parse]") {
 
 namespace {
 
-/// The dump of `rotate` in a frame, where it stands in line 8, or the first error.
+/// The dump of `rotate`, which is in line 8 of the file, or the first error.
 std::string turns_answer(const std::string& turns) {
   const std::string text =
       "format = 1\nmodel.name = \"m\"\n[[coordinate]]\nname = \"q\"\n[[frame]]\nname = \"f\"\n"
@@ -125,14 +125,14 @@ std::string turns_answer(const std::string& turns) {
 
 }  // namespace
 
-TEST_CASE("turns are pairs of an axis and an angle", "[parse]") {
+TEST_CASE("rotations are pairs of an axis and an angle", "[parse]") {
   CHECK(turns_answer("[[\"x\", \"q\"], [[\"1\",\"2\",0], \"a\"]]") ==
         "[[\"x\", q], [[1, 2, 0], a]]");
   CHECK(turns_answer("[[\"z\", 0.5]]") == "[[\"z\", 0.5]]");
   CHECK(turns_answer("[]") == "[]");
 }
 
-TEST_CASE("turns of another shape say what is expected", "[parse]") {
+TEST_CASE("malformed rotations are reported with the expected shape", "[parse]") {
   CHECK(turns_answer("\"x\"") == "E104 8:10 string `x` where a list of [axis, angle] is expected");
   CHECK(turns_answer("[\"x\"]") == "E104 8:11 string `x` where [axis, angle] is expected");
   CHECK(turns_answer("[[\"x\"]]") == "E104 8:11 list where [axis, angle] is expected");
@@ -149,7 +149,7 @@ TEST_CASE("turns of another shape say what is expected", "[parse]") {
 
 namespace {
 
-/// The part of a symbol that is a mistake, and what is wrong with it.
+/// The wrong part of a symbol and its message; "" if the symbol is right.
 std::string symbol_mistake(const std::string& symbol) {
   const std::string text = coordinate_with("latex = '''" + symbol + "'''");
   if (model_answer(text).find("E114") == std::string::npos) return "";
@@ -159,7 +159,7 @@ std::string symbol_mistake(const std::string& symbol) {
 
 }  // namespace
 
-TEST_CASE("symbols of books have no mistake", "[parse]") {
+TEST_CASE("symbols from books are accepted", "[parse]") {
   for (const char* const symbol : {"m_2", "\\theta", "J_{2zz}", "\\dot{\\varphi}_{\\mathrm{max}}",
                                    "\\ell_0", "x'", "\\hat{\\boldsymbol{e}}_1", "q^{(2)}", "μ",
                                    "\\tilde x", "k_\\text{left arm}", "a\\,b", "\\mathrm{A\\&B}"}) {
@@ -169,8 +169,9 @@ TEST_CASE("symbols of books have no mistake", "[parse]") {
   }
 }
 
-TEST_CASE("a symbol is not empty, its braces match, its commands and characters are listed",
-          "[parse]") {
+TEST_CASE(
+    "a symbol must be non-empty, with matching braces and only listed commands and characters",
+    "[parse]") {
   CHECK(symbol_mistake("") == ": the symbol is empty");
   CHECK(symbol_mistake(" \n") == " \n: the symbol is empty");
   CHECK(symbol_mistake("\\input{/etc/passwd}") ==

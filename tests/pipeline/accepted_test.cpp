@@ -1,6 +1,6 @@
-// Right models that a check of elgen's own once refused, and energies that no textbook has: nested
-// calls, roots of roots, quotients, high powers, odd angles. Every check of verify has to
-// hold, in whichever form a function is emitted.
+// Correct models that a check of elgen once rejected, and energies beyond textbooks: nested calls,
+// nested roots, quotients, high powers, odd angles. Every check of verify must hold, whichever form
+// of a function is emitted.
 #include <catch2/catch.hpp>
 
 #include "pipeline/pipeline_testing.hpp"
@@ -46,8 +46,8 @@ std::string awkward_model(const EnergyTexts& energies) {
          energies.T + "\"\nV = \"" + energies.V + "\"\n";
 }
 
-/// A frame turned by an angle, whose acceleration vanishes on paper, with a potential that grows
-/// beyond all numbers at large negative times.
+/// A frame rotated by an angle; the acceleration vanishes on paper. The potential exceeds every
+/// number at large negative times.
 constexpr const char* boundless_drive = R"toml(format = 1
 [model]
 name = "swing"
@@ -79,7 +79,7 @@ jacobian = true
 
 }  // namespace
 
-TEST_CASE("powers of calls have the rounding of every call") {
+TEST_CASE("a power of a call has the rounding of every factor") {
   const std::string y = "[[coordinate]]\nname = \"y\"\n";
   const std::string T = "1/2*m*(dot(x)^2 + dot(y)^2)";
   check_accepted(energies("[[coordinate]]\nname = \"x\"\nrange = [0.1, 10]\n" + y, T,
@@ -87,12 +87,12 @@ TEST_CASE("powers of calls have the rounding of every call") {
   check_accepted(energies("[[coordinate]]\nname = \"x\"\n" + y, T, "(1 + cosh(x)^10)*cos(y)"));
 }
 
-TEST_CASE("a proved 0 is no mistake where the oracle's terms leave rounding") {
+TEST_CASE("a proved 0 is right although the oracle's terms leave a rounding error") {
   check_accepted(energies("[[coordinate]]\nname = \"x\"\nrange = [-3, 3]\n", "1/2*m*dot(x)^2",
                           "k*(sqrt(x^2 + 1)^2*exp(x) - x^2*exp(x) - exp(x))"));
 }
 
-TEST_CASE("a definition that holds the one before it twice is no explosion") {
+TEST_CASE("definitions that each use the previous one twice do not explode") {
   std::string text = "[define]\nd1 = \"x*sin(x)\"\n";
   for (int i = 2; i <= 12; ++i) {
     const std::string last = "d" + std::to_string(i - 1);
@@ -103,7 +103,7 @@ TEST_CASE("a definition that holds the one before it twice is no explosion") {
       text);
 }
 
-TEST_CASE("an arm of numbers whose last link is axisymmetric has a column of zeros") {
+TEST_CASE("an arm with fixed parameters and an axisymmetric last link has a column of zeros") {
   const Products products =
       check_accepted(model_file("ur5"),
                      "[parameters]\nfixed = \"all\"\n[outputs]\nlinearization = true\n"
@@ -118,7 +118,7 @@ TEST_CASE("an arm of numbers whose last link is axisymmetric has a column of zer
   }
 }
 
-TEST_CASE("rates beyond the speed of light are outside of the domain, and drawn anew") {
+TEST_CASE("states with rates above the speed of light are outside the domain and redrawn") {
   check_accepted(model_file("relativistic_particle"), "[parameters]\nfixed = { c = 1 }\n");
   const Products products = check_accepted(model_text("slow_light", R"toml([[coordinate]]
 name = "x"
@@ -132,7 +132,7 @@ L = "-m*c^2*sqrt(1 - dot(x)^2/c^2)"
   CHECK(products.self_check->outside > 0);
 }
 
-TEST_CASE("awkward energies hold in every check") {
+TEST_CASE("awkward energies pass every check") {
   const std::vector<EnergyTexts> all{
       {"1/2*(2+sin(sin(x)))*dot(x)^2 + 1/2*a*dot(y)^2", "cos(x*cos(y))"},
       {"1/2*sqrt(1+x^2)*dot(x)^2 + 1/2*sqrt(a+sqrt(1+y^2))*dot(y)^2", "sqrt(x^2+y^2)"},
@@ -152,11 +152,11 @@ TEST_CASE("awkward energies hold in every check") {
   }
 }
 
-TEST_CASE("motion that vanishes on paper holds where forces have no value") {
+TEST_CASE("motion that vanishes on paper is right where forces have no value") {
   check_accepted(boundless_drive);
 }
 
-TEST_CASE("angles, ranges and masses of any size raise no false alarm") {
+TEST_CASE("angles, ranges and masses of any size raise no false error") {
   const auto errors = [](const std::string& extra, const std::string& energy) {
     const std::string text =
         "format = 1\n[model]\nname = \"large\"\n[[coordinate]]\nname = \"x\"\n" + extra +

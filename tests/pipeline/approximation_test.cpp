@@ -1,5 +1,5 @@
-// Scenes that expand about an equilibrium: the equations are the truncated exact ones, order by
-// order.
+// Scenes that expand about an equilibrium: their equations are the exact equations, truncated order
+// by order.
 #include <catch2/catch.hpp>
 
 #include "derive/formulate/written_out.hpp"
@@ -15,7 +15,7 @@ namespace {
 using cln::cl_R;
 using cln::cl_RA;
 
-/// A model of the project, with a scene if `lines` has any.
+/// Products of a model in models/, with a scene unless `lines` is empty.
 Products near_products(const std::string& model, const std::string& output,
                        const std::string& lines) {
   return derived(inputs_of(model_file(model), lines), output, {Goal::self_check});
@@ -38,7 +38,7 @@ std::vector<Real> values(const Products& products, const Arguments<Real>& at) {
   return evaluate(*products.program, products.program->functions.front(), at);
 }
 
-/// M a + bias written out, by the whole derivation.
+/// M a + bias without definitions, through the whole derivation.
 struct WrittenOut {
   explicit WrittenOut(const CheckedModel& checked)
       : lagrangian(*specialise(*formulate(checked.model), checked)) {
@@ -66,7 +66,7 @@ GiNaC::ex truncated(const GiNaC::ex& row, const Symbols& symbols, int order) {
   return GiNaC::series_to_poly(along.series(s == 0, order + 1)).subs(s == 1);
 }
 
-/// One leaf of either side is another symbol on the other.
+/// Maps each symbol of `from` to the symbol for the same leaf in `to`.
 GiNaC::exmap renaming(const Symbols& from, const Symbols& to) {
   GiNaC::exmap map{{from.t, to.t}};
   const auto add = [&](const std::vector<GiNaC::ex>& x, const std::vector<GiNaC::ex>& y) {
@@ -89,7 +89,7 @@ void check_truncation(const std::string& model, const std::string& about, int or
     const GiNaC::ex expected = truncated(exact.rows[i], exact.lagrangian.symbols, order);
     const GiNaC::ex derived = expanded.rows[i].subs(names, GiNaC::subs_options::no_pattern);
     GiNaC::ex difference = (derived - expected).expand();
-    // Squares of sines and cosines of the time are left.
+    // sin^2 and cos^2 of the time remain, so sin^2 = 1 - cos^2 is applied.
     const GiNaC::ex wildcard = GiNaC::wild();
     difference = difference.subs(pow(sin(wildcard), 2) == 1 - pow(cos(wildcard), 2)).expand();
     INFO(model << " row " << i << ": " << difference);
@@ -97,7 +97,7 @@ void check_truncation(const std::string& model, const std::string& about, int or
   }
 }
 
-/// A force by the angle of a pole on its cart, which may be anywhere.
+/// A force that depends on the angle of the pole; the cart may be anywhere.
 const std::string pushed_cart = R"toml(format = 1
 [model]
 name = "model"
@@ -119,14 +119,14 @@ cl_R size(const Real& x) { return cln::abs(x.value()); }
 
 }  // namespace
 
-TEST_CASE("third order near the bottom is the truncated equation, term by term") {
+TEST_CASE("the expansion near the bottom is the truncated equation, term by term") {
   check_truncation("simple_pendulum", "theta", 3);
   check_truncation("rotating_hoop", "theta", 3);
   check_truncation("rotating_hoop", "theta", 5);
   check_truncation("cart_pole", "x = 0, theta", 2);
 }
 
-TEST_CASE("first order about the upright is the linearization there") {
+TEST_CASE("the first-order expansion about the upright equals the linearization") {
   const std::string lines = "[approximate]\norder = 1\nabout = { x = 0, theta = 0 }\n";
   const Products exact = near_products("cart_pole", "linearization", "");
   const Products linear = near_products("cart_pole", "linearization", lines);
@@ -144,7 +144,7 @@ TEST_CASE("first order about the upright is the linearization there") {
   CHECK(cln::abs(anywhere[3 * 4 + 1].value() - g * 11 / 5) < cln::expt(cl_R(10), -50));
 }
 
-TEST_CASE("with one small coordinate the error falls by the power promised") {
+TEST_CASE("with one small coordinate the error has the promised order") {
   const std::string lines =
       "[parameters]\nfixed = { g = 0 }\n"
       "[approximate]\norder = 2\nabout = { q2 = 0 }\nsmall = [\"q2\"]\n";
@@ -164,7 +164,7 @@ TEST_CASE("with one small coordinate the error falls by the power promised") {
   CHECK(coarse[0] / fine[0] > 9990);
 }
 
-TEST_CASE("a force on what is not small is right to one order more, everywhere it is told") {
+TEST_CASE("the force on a coordinate that is not small keeps one more order in all texts") {
   const Workspace workspace;
   workspace.write("model.toml", pushed_cart);
   workspace.write("near.scene.toml",

@@ -1,4 +1,4 @@
-// The benchmark bicycle: its linear equations and eigenvalues against the published ones.
+// The benchmark bicycle: its linear equations and eigenvalues against published values.
 //
 // Meijaard, Papadopoulos, Ruina, Schwab, Proceedings of the Royal Society A 463 (2007), 1955-1982:
 //
@@ -23,7 +23,7 @@ constexpr Block stiffness{-80.95, -2.59951685249872, -2.59951685249872, -0.80329
 constexpr Block centrifugal{0, 76.59734589573222, 0, 2.65431523794604};
 constexpr double gravity = 9.81;
 
-/// Numbers of velocities, which are those of coordinates.
+/// Indices of velocities, equal to the indices of coordinates.
 constexpr std::size_t x = 0;
 constexpr std::size_t y = 1;
 constexpr std::size_t z = 2;
@@ -40,7 +40,7 @@ Block solved(const Block& m, const Block& b) {
           (m[0] * b[2] - m[2] * b[0]) / determinant, (m[0] * b[3] - m[2] * b[1]) / determinant};
 }
 
-/// Accelerations of lean and steer by (lean, steer), then by their rates.
+/// Derivatives of the accelerations of (lean, steer) by (lean, steer) and by their rates.
 struct Linear {
   Block by_position{};
   Block by_rate{};
@@ -56,7 +56,7 @@ Linear published(double v) {
   return {solved(mass, k), solved(mass, c)};
 }
 
-/// Upright on the line of heading psi, at the speed v, the wheels turned by an angle.
+/// The bicycle upright at speed v along heading psi; `turned` is the angle of the wheels.
 State riding(const Constrained& system, double v, double heading, double turned) {
   const auto exact = [](double value) { return cln::cl_R(cln::rational(cln::cl_DF(value))); };
   State state = system.nominal();
@@ -70,8 +70,8 @@ State riding(const Constrained& system, double v, double heading, double turned)
   return state;
 }
 
-/// By perturbations that the wheels allow: the centre of the rear wheel goes along with the lean,
-/// and the frame yaws by (v delta + c d(delta)/dt) cos(lambda)/w.
+/// Derivatives along perturbations that the wheels allow. The centre of the rear wheel moves
+/// sideways with the lean, and the frame yaws by (v delta + c d(delta)/dt) cos(lambda)/w.
 Linear computed(const Constrained& system, double v, double heading, double turned) {
   const State state = riding(system, v, heading, turned);
   const std::vector<double> a = system.in_double(OutputKind::linearization, "A", state);
@@ -79,7 +79,7 @@ Linear computed(const Constrained& system, double v, double heading, double turn
   const auto response = [&](std::size_t row, std::size_t column, bool is_rate) {
     std::array<double, 2 * count> change{};
     change[is_rate ? count + column : column] = 1;
-    const double lean = column == phi ? 0.3 : 0;  // displacement of the centre for one rad
+    const double lean = column == phi ? 0.3 : 0;  // displacement of the centre per rad of lean
     change[(is_rate ? count : 0) + x] = -lean * std::sin(heading);
     change[(is_rate ? count : 0) + y] = lean * std::cos(heading);
     if (column == delta) change[count + psi] = yawing * (is_rate ? 0.08 : v);
@@ -108,7 +108,7 @@ void check_same(const Block& found, const Block& expected) {
   }
 }
 
-/// det(s^2 - s C - K), and its slope.
+/// det(s^2 - s C - K) and its derivative by s.
 std::pair<Complex, Complex> determinant(const Linear& linear, Complex s) {
   const auto& [k, c] = linear;
   const auto entry = [&](std::size_t i) { return (i % 3 == 0 ? s * s : 0.0) - s * c[i] - k[i]; };
@@ -135,7 +135,7 @@ const std::string& bicycle() {
 
 }  // namespace
 
-TEST_CASE("the bicycle's linear equations are the published ones") {
+TEST_CASE("the bicycle's linear equations are the published equations") {
   const Constrained system(bicycle(), "linearization");
   for (const double v : {0.0, 1.0, 4.6, 10.0}) {
     INFO("v = " << v);
@@ -148,7 +148,7 @@ TEST_CASE("the bicycle's linear equations are the published ones") {
   }
 }
 
-TEST_CASE("the bicycle's eigenvalues are the published ones") {
+TEST_CASE("the bicycle's eigenvalues are the published eigenvalues") {
   const Constrained system(bicycle(), "linearization");
   for (const auto& [v, poles] : published_poles) {
     const Linear found = computed(system, v, 0, 0);

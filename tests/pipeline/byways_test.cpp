@@ -1,5 +1,5 @@
-// By-ways: the step of a scene stands behind what was chosen, and costs what it executes; the
-// derivation as it is read.
+// The step of a scene, which follows the chosen functions and costs its executed operations; and
+// the derivation as text.
 #include "pipeline/byways.hpp"
 
 #include <algorithm>
@@ -39,14 +39,14 @@ TEST_CASE("a step alone needs no other output") {
   CHECK(products.program->functions.size() == 1);
 }
 
-TEST_CASE("a method that does not apply ends the pipeline before anything is emitted") {
+TEST_CASE("a method that does not apply stops the pipeline before it emits anything") {
   const Products products = cart_with("step = { method = \"verlet\" }\n");
   CHECK_FALSE(products.files);
   REQUIRE_FALSE(products.diagnostics.empty());
   CHECK(products.diagnostics.front().code == Code::E622);
 }
 
-TEST_CASE("a page that fails stops no code, and says that it has the forms of code") {
+TEST_CASE("if a page fails, code is emitted, and a note says that the page has the forms of code") {
   const Products products = derived(inputs_of(model_file("cart_pole")), "gravity");
   const Result<Book> book =
       book_or_code(*products.program, []() -> Book { throw std::logic_error("a wheel came off"); });
@@ -58,7 +58,7 @@ TEST_CASE("a page that fails stops no code, and says that it has the forms of co
         "elgen: note[E915]: the page shows the forms of code: a wheel came off\n");
 }
 
-TEST_CASE("a page has no derivation where no row is short enough to be read") {
+TEST_CASE("a page has no derivation if all rows are too long to read") {
   const auto has_derivation = [](int links, const std::string& output) {
     PipelineOptions options;
     options.scene.sizes = {make_source("--size", "n=" + std::to_string(links))};
@@ -76,7 +76,7 @@ TEST_CASE("a page has no derivation where no row is short enough to be read") {
   }
 }
 
-TEST_CASE("dL/dq and d/dt dL/dv are steps of their own") {
+TEST_CASE("dL/dq and d/dt dL/dv are separate steps") {
   PipelineOptions options;
   options.goals = {Goal::steps};
   const Products products = run_pipeline(inputs_of(model_file("simple_pendulum")), options);
@@ -104,7 +104,7 @@ TEST_CASE("dL/dq and d/dt dL/dv are steps of their own") {
 
 namespace {
 
-/// The derivation of a model as text.
+/// The text of a model's derivation.
 std::string steps_of(const std::string& text) {
   PipelineOptions options;
   options.goals = {Goal::steps};
@@ -120,7 +120,7 @@ bool says(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a derivation says which masses it leaves out: those that frames carry") {
+TEST_CASE("a derivation names the omitted masses: masses on frames") {
   const std::string governor = R"toml(format = 1
 [model]
 name = "governor"
@@ -168,7 +168,7 @@ mass = "M"
       "L = T - V. Omitted, because the energies use the motion of the frames: left, right.\n"));
 }
 
-TEST_CASE("a derivation says which rows are too long for its equations of motion") {
+TEST_CASE("a derivation names the rows that are too long for its equations of motion") {
   const std::string text = steps_of(model_file("body_on_springs"));
   CHECK(says(text, "\n  Omitted rows, too long to read in one piece: roll, pitch. "));
   CHECK(says(text,

@@ -1,5 +1,4 @@
-// Common mistakes in written derivations: each is caught with its own message, or cannot be
-// written.
+// Common mistakes in written derivations: each is found with its own message, or cannot be written.
 #include <catch2/catch.hpp>
 
 #include "pipeline/pipeline_testing.hpp"
@@ -43,7 +42,7 @@ std::string found(const std::string& text) {
   return format(run_pipeline(inputs_of(text), options).diagnostics);
 }
 
-/// The wrong entries of [[expect]], as `verify` finds them.
+/// The diagnostics of `verify` for wrong entries of [[expect]].
 std::string disproved(const std::string& text) {
   PipelineOptions options;
   options.goals = {Goal::emit};
@@ -58,7 +57,7 @@ std::string disproved(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("too many coordinates: the direction is named") {
+TEST_CASE("too many coordinates: the direction without kinetic energy is reported") {
   const std::string text = found(R"toml(format = 1
 [model]
 name = "rod"
@@ -74,7 +73,8 @@ mass = 2
   CHECK(mentions(text, "error[E501]: the motion `q1 : q2 = 1 : -1` has no kinetic energy"));
 }
 
-TEST_CASE("too many coordinates: a direction that turns is named where it is") {
+TEST_CASE(
+    "too many coordinates: a configuration-dependent direction is reported at one configuration") {
   const std::string text = found(R"toml(format = 1
 [model]
 name = "twice"
@@ -94,7 +94,7 @@ mass = 1
                  "error[E501]: rank 2 of 3 at every sampled configuration: the motion `x : r : "));
 }
 
-TEST_CASE("velocities without the chain rule cannot be given to a point") {
+TEST_CASE("a velocity without the chain rule cannot be written for a point") {
   const std::string text = found(cart_pole + R"toml([[point]]
 name = "bob"
 at = ["x + l*sin(theta)*dot(theta)", "l*cos(theta)"]
@@ -115,7 +115,7 @@ mass_matrix = [["M + m", "m*l*cos(theta)"], ["m*l*cos(theta)", "m*l^2"]]
   CHECK(mentions(text, " by this form, 0 as derived, "));
 }
 
-TEST_CASE("the same by points holds, and is proved") {
+TEST_CASE("the same system written with points is proved") {
   CHECK(disproved(cart_pole + R"toml([[point]]
 name = "cart"
 at = ["x", "0"]
@@ -130,7 +130,7 @@ mass_matrix = [["M + m", "m*l*cos(theta)"], ["m*l*cos(theta)", "m*l^2"]]
             .empty());
 }
 
-TEST_CASE("a rail known by its curve: the slope as a function holds, as the message says") {
+TEST_CASE("a rail given by a curve: its slope as an open function works, as the message suggests") {
   const std::string rail = R"toml(format = 1
 [model]
 name = "rail"
@@ -166,7 +166,7 @@ velocity_force = ["2*m*slope*slope_1*dot(s)^2 - m*l*slope*sin(th)*dot(th)^2", "m
             .empty());
 }
 
-TEST_CASE("a commanded acceleration: the force -m*a holds, as the message says") {
+TEST_CASE("a commanded acceleration: the force -m*a works, as the message suggests") {
   const std::string text = found(cart_pole + R"toml([[point]]
 name = "bob"
 at = ["x + l*sin(theta)", "l*cos(theta)"]
@@ -194,7 +194,7 @@ equations = ["l*dot(dot(theta)) = -g*sin(theta) - acc*cos(theta)"]
             .empty());
 }
 
-TEST_CASE("the sign of the potential: a mass that is pushed up is noted") {
+TEST_CASE("the sign of the potential: a mass pushed upwards is noted") {
   CHECK(mentions(found(pendulum + "[energy]\nV = \"-m*g*y(bob)\"\n"),
                  "note[E512]: V falls as `bob` rises"));
   CHECK(mentions(found(pendulum + "[gravity]\nvector = [\"0\", \"g\"]\n"),

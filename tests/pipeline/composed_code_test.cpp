@@ -1,5 +1,5 @@
-// Derivatives of ten velocities and more, whose code has a loop over columns: the compilers'
-// vectors and plain numbers, C++, C99 and Eigen give the bits of the evaluator.
+// Derivatives for ten or more velocities, whose code loops over columns. Vectorised and scalar code
+// in C++, C99 and Eigen gives the same bits as the evaluator.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -62,7 +62,7 @@ PLAIN  return 0;
 }
 )source";
 
-/// The sines of `Counted` are those of the library: values agree to their rounding.
+/// `Counted` uses the library's sines, so values agree only up to rounding.
 constexpr std::string_view plain = R"source(  const auto counted = values<compiled::Counted>();
   for (std::size_t i = 0; i < n * n; ++i) {
     const double error = counted.by_position[i].x - packs.by_position[i];
@@ -99,13 +99,13 @@ void check_sides(const std::string& scalar) {
              "/tests/support -isystem /usr/include/eigen3 sides.cpp -o sides && ./sides");
   }
   if (scalar != "double") return;
-  // Code against the evaluator, bit by bit, and against the oracle.
+  // Compares the code with the evaluator, bit by bit, and with the oracle.
   succeeds("elgen verify --build native --samples 2 c.scene.toml cpp.scene.toml");
 }
 
 }  // namespace
 
-TEST_CASE("loops over columns have the bits of straight lines in every language") {
+TEST_CASE("loops over columns give the same bits as straight-line code in every language") {
   check_sides("double");
   check_sides("float");
 }

@@ -1,5 +1,5 @@
-// Irrational constants the whole way: what is shown, emitted, compiled and proved says the same
-// number, and different numbers never become one.
+// Irrational constants through the whole pipeline: shown, emitted, compiled and proved values are
+// the same number, and different numbers never become equal.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -11,7 +11,7 @@ namespace {
 
 struct Row {
   const char* potential;
-  const char* gravity;  ///< dV/dq1 by hand
+  const char* gravity;  ///< dV/dq1, derived by hand
 };
 
 std::string model_of(const Row& row) {
@@ -22,7 +22,7 @@ std::string model_of(const Row& row) {
          row.potential + "\"\n[[expect]]\ngravity = [\"" + row.gravity + "\"]\n";
 }
 
-/// The verdict of `verify --quick` on the expectation, compiled code and all else.
+/// The result of `verify --quick` for the expectation, the compiled code and all other checks.
 Outcome verdict(const Row& row) {
   const Workspace folder;
   folder.write("constants.toml", model_of(row));
@@ -49,7 +49,7 @@ TEST_CASE("irrational constants are proved equal to themselves") {
   CHECK(mentions(outcome.output, "proved: both have the same canonical sum"));
 }
 
-TEST_CASE("another number is refused, however alike it is written") {
+TEST_CASE("a different number is rejected, even if it is written similarly") {
   const Row row = GENERATE(values<Row>({{"(a + b)*q1", "1 + cos(1) - exp(1)"},
                                         {"(a - 2)*q1", "1 + cos(1)"},
                                         {"(a - 2)*q1", "cos(1) - 1"},
@@ -62,13 +62,13 @@ TEST_CASE("another number is refused, however alike it is written") {
   CHECK(mentions(outcome.output, "FAILS"));
 }
 
-TEST_CASE("what agrees to 45 digits is not proved equal") {
+TEST_CASE("agreement to 45 digits is no proof of equality") {
   const Outcome outcome = verdict({"cos(1e-60)*q1", "1"});
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "sampled, no proof"));
 }
 
-TEST_CASE("what is shown has the sign and the brackets that it needs") {
+TEST_CASE("printed constants have the signs and brackets that they need") {
   const Workspace folder;
   const auto shown = [&](const char* potential) {
     folder.write("constants.toml", model_of({potential, "0"}));
@@ -79,7 +79,7 @@ TEST_CASE("what is shown has the sign and the brackets that it needs") {
   CHECK(mentions(shown("(a + b)*q1^2/2"), "gravity = (1 - exp(1))*q1 - q1*cos(1)\n"));
 }
 
-TEST_CASE("different constants have functions of their own in emitted code") {
+TEST_CASE("different constants have different functions in emitted code") {
   const Workspace folder;
   folder.write("constants.toml",
                model_of({"(2 + pi)*q1^3/3 + pi*q1^2 + 2*cos(1)*q1 + (2 + cos(1))*q1^4", "0"}));
@@ -91,7 +91,7 @@ TEST_CASE("different constants have functions of their own in emitted code") {
   }
 }
 
-TEST_CASE("a parameter that is fixed at an irrational value keeps its form") {
+TEST_CASE("a parameter fixed at an irrational value keeps its form") {
   const Workspace folder;
   folder.write("fixed.toml",
                "format = 1\n[model]\nname = \"fixed\"\n[[coordinate]]\nname = \"q1\"\n"
@@ -112,7 +112,7 @@ TEST_CASE("a parameter that is fixed at an irrational value keeps its form") {
   CHECK(mentions(verified.output, "proved: both have the same canonical sum"));
 }
 
-TEST_CASE("a slide in an oblique frame has one Coriolis matrix") {
+TEST_CASE("a slide in an oblique frame has a single Coriolis matrix") {
   const Workspace folder;
   folder.write("slide.toml", R"toml(format = 1
 [model]

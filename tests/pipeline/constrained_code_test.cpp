@@ -1,4 +1,4 @@
-// Emitted code of models with constraints at work: a robot with a closed loop that follows a circle
+// Emitted code of models with constraints in use: a robot with a closed loop that follows a circle
 // by computed torque, and Andrews' mechanism for 0.03 s.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -11,7 +11,7 @@
 namespace elgen::test {
 namespace {
 
-/// Two arms of two links, driven at their pivots, that hold one pin.
+/// Two arms of two links, driven at their pivots, joined at one pin.
 const std::string two_arms = R"toml(format = 1
 [model]
 name = "two_arms"
@@ -83,7 +83,7 @@ name = "pin"
 coincide = ["P", "Q"]
 )toml";
 
-/// Classical Runge-Kutta with inputs held; what both programs begin with.
+/// Classical Runge-Kutta with constant inputs; the common start of both programs.
 constexpr const char* runge_kutta = R"cpp(
 #include <algorithm>
 #include <array>
@@ -137,10 +137,10 @@ constexpr const char* runge_kutta = R"cpp(
   }  // namespace
 )cpp";
 
-/// The pin goes on a circle of 0.08 m about (0, 0.4 m) once a second, for four turns; every
-/// millisecond the torques are tau - A^T lambda of the motors' rows. Arguments: the sign of lambda,
-/// and whether the plant is projected. Prints the largest errors of the motors, of the pin, and of
-/// M a + bias = B u + A^T lambda in the plant.
+/// The pin follows a circle of radius 0.08 m about (0, 0.4 m), four turns at one turn per second.
+/// Every millisecond the torques are set to the motors' rows of tau - A^T lambda. Arguments: the
+/// sign of lambda, and whether the plant is projected. Prints the largest errors of the motors, of
+/// the pin, and of M a + bias = B u + A^T lambda in the plant.
 constexpr const char* tracking = R"cpp(
   namespace {
 
@@ -149,7 +149,7 @@ constexpr const char* tracking = R"cpp(
     V v, a;
   };
 
-  /// One arm, of coordinates k and k + 1, `side` -1 or 1 of the middle.
+  /// The arm with coordinates k and k + 1; its pivot is at x = side * w, `side` = -1 or 1.
   void bend(double t, double side, std::size_t k, Wanted& to) {
     const double turn = 2 * std::acos(-1.0), c = 0.08 * std::cos(turn * t);
     const double s = 0.08 * std::sin(turn * t);
@@ -233,7 +233,7 @@ constexpr const char* tracking = R"cpp(
 )cpp";
 
 /// Andrews' mechanism from START for 0.03 s. Argument: whether it is projected. Prints the largest
-/// gap, then the coordinates at the end.
+/// constraint residual, then the final coordinates.
 constexpr const char* squeezing = R"cpp(
   int main(int, char** arguments) {
     const bool projects = std::atoi(arguments[1]) != 0;
@@ -256,7 +256,7 @@ std::string with_words(std::string text, const std::string& word, const std::str
   return text;
 }
 
-/// A folder with a program on the emitted header of a model, compiled as `main`.
+/// A folder with a program `main`, compiled with the emitted header of a model.
 class Compiled {
  public:
   Compiled(const std::string& model, const std::vector<std::string>& outputs,
@@ -306,7 +306,8 @@ double largest_distance(const std::vector<double>& found, const nlohmann::json& 
 
 }  // namespace
 
-TEST_CASE("two arms follow a circle by computed torque, and not with another sign or unprojected") {
+TEST_CASE(
+    "two arms follow a circle by computed torque, but not with the wrong sign or unprojected") {
   const Compiled arms(two_arms,
                       {"inverse_dynamics", "forward_dynamics", "constraint_residual",
                        "constraint_jacobian", "projected", "constrained_inverse_dynamics"},
@@ -325,7 +326,7 @@ TEST_CASE("two arms follow a circle by computed torque, and not with another sig
   CHECK(unprojected[1] > 1e-12);
 }
 
-TEST_CASE("Andrews' mechanism starts as published, in at most 800 operations") {
+TEST_CASE("Andrews' mechanism starts with the published values, in at most 800 operations") {
   const Constrained system(model_file("andrews"), "forward_dynamics");
   CHECK(operations(system.function(OutputKind::forward_dynamics)) <= 800);
   const nlohmann::json published = reference();
@@ -340,7 +341,7 @@ TEST_CASE("Andrews' mechanism starts as published, in at most 800 operations") {
   }
 }
 
-TEST_CASE("Andrews' mechanism keeps together for 0.03 s, and without projection does not") {
+TEST_CASE("Andrews' mechanism meets its constraints for 0.03 s, but not without projection") {
   const nlohmann::json published = reference();
   std::string start;
   for (const auto& q : published["start"]) start += q.get<std::string>() + ", ";

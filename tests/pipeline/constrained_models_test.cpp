@@ -1,5 +1,5 @@
-// Whole models with constraints: closed forms that are proved, poles, published numbers, and code
-// in all languages.
+// Whole models with constraints: proved closed forms, poles, published numbers, and code in all
+// languages.
 #include <array>
 #include <catch2/catch.hpp>
 
@@ -11,7 +11,7 @@ namespace {
 
 using cln::cl_R;
 
-/// A mass m on a rod of length l in x and y; `more` goes on with the constraint.
+/// A mass m at (x, y) on a rod of length l; `more` continues the constraint.
 std::string mass_on_rod(const std::string& parameters, const std::string& more = {}) {
   return "format = 1\n[model]\nname = \"rod\"\n[[coordinate]]\nname = \"x\"\n"
          "start = { value = 0, rate = 3.9 }\n[[coordinate]]\nname = \"y\"\n"
@@ -27,8 +27,8 @@ const std::string symbols_of_rod =
     "m = { value = 1.5, assume = \"positive\" }\nl = { value = 1.3, assume = \"positive\" }\n"
     "g = { value = 9.81, assume = \"positive\" }\n";
 
-/// A wheel of radius r, inertias J about its axle and K about the vertical, with other names than
-/// the disc of models/.
+/// A rolling wheel of radius r, with inertia J about its axle and K about the vertical. Its names
+/// differ from the disc in models/.
 const std::string wheel = R"toml(format = 1
 [model]
 name = "wheel"
@@ -59,7 +59,7 @@ kind = "velocity"
 equation = ["dot(east) = r*cos(yaw)*dot(roll)", "dot(north) = r*sin(yaw)*dot(roll)"]
 )toml";
 
-/// A position and a velocity, gains, and time.
+/// A position constraint and a velocity constraint, with gains and time.
 const std::string both_kinds = R"toml(format = 1
 [model]
 name = "both_kinds"
@@ -89,7 +89,7 @@ kind = "velocity"
 equation = "dot(y) = x*dot(z) + t"
 )toml";
 
-/// The evidence of each [[expect]] row, and how many are wrong.
+/// The evidence for each [[expect]] row, and the number of wrong rows.
 struct JudgedForms {
   std::vector<Evidence> evidence = {};
   std::size_t wrong = 0;
@@ -113,7 +113,7 @@ void check_proved(const std::string& text, std::size_t entries) {
   CHECK(forms.evidence == std::vector<Evidence>(entries, Evidence::proof));
 }
 
-/// The coefficients c_0, …, c_n = 1 of det(s - A), by Faddeev and Leverrier.
+/// The coefficients c_0, ..., c_n = 1 of det(s - A), by the Faddeev-LeVerrier algorithm.
 template <class Number>
 std::vector<Number> characteristic(const std::vector<Number>& a, std::size_t n) {
   std::vector<Number> coefficients(n + 1, Number(0));
@@ -137,14 +137,14 @@ std::vector<Number> characteristic(const std::vector<Number>& a, std::size_t n) 
   return coefficients;
 }
 
-/// (s^2 + k) (s^2 + 2 zeta omega s + omega^2), lowest first.
+/// The coefficients of (s^2 + k) (s^2 + 2 zeta omega s + omega^2), lowest first.
 ExactNumbers two_factors(const cl_R& k, const cl_R& omega, const cl_R& zeta) {
   const cl_R damping = 2 * zeta * omega;
   const cl_R square = omega * omega;
   return {k * square, k * damping, k + square, damping, 1};
 }
 
-/// The second and third coordinate move by these so that A (0, db, dc) = right, A 2 x 3.
+/// Solves A (0, db, dc) = right for the second and third coordinate; A is 2 x 3.
 std::array<cl_R, 2> followers(const ExactNumbers& a, const ExactNumbers& right) {
   const cl_R determinant = a[1] * a[5] - a[2] * a[4];
   return {(right[0] * a[5] - a[2] * right[1]) / determinant,
@@ -156,7 +156,8 @@ ExactNumbers negatives(ExactNumbers values) {
   return values;
 }
 
-/// The pose of a four-bar at its first angle, near that of the state, with consistent rates.
+/// The pose of a four-bar linkage at its first angle, near the pose of `state`, with consistent
+/// rates.
 State closed_loop(const Constrained& system, State state) {
   const auto jacobian = [&] { return system.truth(OutputKind::constraint_jacobian, "", state); };
   for (int i = 0; i < 8; ++i) {
@@ -172,7 +173,7 @@ State closed_loop(const Constrained& system, State state) {
   return state;
 }
 
-/// To the digits they are written in, 18 after the point.
+/// Compares with the 18 digits after the point in the texts.
 void check_places(const ExactNumbers& found, const std::vector<std::string>& texts) {
   REQUIRE(found.size() == texts.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -186,7 +187,8 @@ const std::string dynamics_and_constraints =
 
 }  // namespace
 
-TEST_CASE("the force in a rod is proved, with and without gains, and not with another sign") {
+TEST_CASE(
+    "the force in a rod is proved with and without gains, and disproved with the other sign") {
   const std::string expect = "[[expect]]\nmultipliers = [\"";
   const std::string lambda = "m*(dot(x)^2 + dot(y)^2 - g*y)/(2*(x^2 + y^2))";
   const std::string gains = symbols_of_rod + "w = 7\nzeta = 0.9\n";
@@ -215,7 +217,7 @@ multipliers = [
   check_proved(wheel + forces + accelerations, 6);
 }
 
-TEST_CASE("at rest a rod has the poles of the pendulum and those of its gains") {
+TEST_CASE("a rod at rest has the poles of the pendulum and of its gains") {
   const Constrained rod(mass_on_rod(symbols_of_rod + "w = 7\nzeta = 0.9\n",
                                     "stabilise = { omega = \"w\", zeta = \"zeta\" }\n"),
                         "linearization,forward_dynamics");
@@ -229,7 +231,7 @@ TEST_CASE("at rest a rod has the poles of the pendulum and those of its gains") 
               1e-12);
 }
 
-TEST_CASE("without the slope of A^T lambda the pendulum at rest would not swing") {
+TEST_CASE("without the derivative of A^T lambda a pendulum at rest would not swing") {
   const Constrained rod(mass_on_rod(symbols_of_rod + "w = 7\nzeta = 0.9\n",
                                     "stabilise = { omega = \"w\", zeta = \"zeta\" }\n"),
                         "linearization,forward_dynamics");
@@ -237,12 +239,12 @@ TEST_CASE("without the slope of A^T lambda the pendulum at rest would not swing"
   state.q[1] = -state.parameters[1];
   ExactNumbers a = rod.exactly(OutputKind::linearization, "A", state);
   const cl_R lambda = rod.exactly(OutputKind::forward_dynamics, "multipliers", state)[0];
-  // d(A^T lambda)/dq = 2 lambda, of which the rod leaves the way across it, over m.
+  // d(A^T lambda)/dq = 2 lambda. The rod leaves only the motion across it, with mass m.
   a[2 * 4 + 0] = a[2 * 4 + 0] - 2 * lambda / state.parameters[0];
   check_digits(characteristic(a, 4), two_factors(0, 7, exact("0.9")), 55);
 }
 
-TEST_CASE("a four-bar linkage has the pose, accelerations and forces that are known of it") {
+TEST_CASE("a four-bar linkage has its known pose, accelerations and forces") {
   const Constrained system(model_file("four_bar"), dynamics_and_constraints);
   State state = system.nominal();
   state.q = {1, exact("0.5"), exact("1.2")};

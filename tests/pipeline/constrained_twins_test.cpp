@@ -1,5 +1,5 @@
-// Models with constraints against twins in coordinates that need none, with numbers and names of
-// their own: accelerations and energies.
+// Models with constraints against equivalent models in minimal coordinates, with their own numbers
+// and names: accelerations and energies.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -53,7 +53,7 @@ jacobian = true
 [parameters]
 )toml" + hanging;
 
-/// A crank and rocker of point masses and of rods, whose coordinates are to follow.
+/// A crank and rocker of point masses and rods; the coordinates are appended.
 const std::string linkage = R"toml(
 [parameters]
 r1 = { value = 0.3, assume = "positive" }
@@ -163,7 +163,7 @@ T = """1/2*mass*(dot(east)^2 + dot(north)^2) + 1/2*axle*dot(rolled)^2
   + 1/2*vertical*dot(heading)^2"""
 )toml";
 
-/// The forces that hold the wheel do no work, and have no moments left.
+/// The forces that hold the wheel do no work and have no moment.
 const std::string wheel_of_two_angles = R"toml(format = 1
 [model]
 name = "two_angles"
@@ -175,7 +175,7 @@ name = "rolled"
 T = "1/2*(axle + mass*radius^2)*dot(rolled)^2 + 1/2*vertical*dot(heading)^2"
 )toml";
 
-/// A top as a free body, hung up at a point of its axis.
+/// A top as a free body that is fixed at a point of its axis.
 const std::string hung_top = R"toml(format = 1
 [model]
 name = "hung_top"
@@ -231,8 +231,8 @@ ExactNumbers times(const ExactNumbers& matrix, const ExactNumbers& x) {
   return result;
 }
 
-/// The state of the constrained model, with its accelerations, that a state of its twin is: the
-/// output `twin` are its coordinates.
+/// The state and acceleration of the constrained model for a state of its minimal model. The output
+/// `twin` of the minimal model gives the constrained model's coordinates.
 State lifted(const Constrained& bound, const Constrained& free, const State& state) {
   State result = bound.nominal();
   result.u = state.u;
@@ -275,7 +275,7 @@ cl_R rate_at(const Constrained& system, ExpressionId expression, const State& st
   return oracle_rate(system.model(), expression, state).value();
 }
 
-/// The quaternion of the Euler angles phi, theta, psi about z, x, z.
+/// The quaternion of the Euler angles phi, theta, psi about the axes z, x, z.
 ExactNumbers quaternion_of(const ExactNumbers& angles) {
   const Real half = Real(exact("1/2"));
   const Real sum = half * Real(angles[0] + angles[2]);
@@ -287,20 +287,21 @@ ExactNumbers quaternion_of(const ExactNumbers& angles) {
 
 }  // namespace
 
-TEST_CASE("a mass on a rod has the accelerations of a pendulum by its angle") {
+TEST_CASE("a mass on a rod has the accelerations of a pendulum with an angle") {
   check_twins(pendulum_on_rod, pendulum_by_angle,
               {motion({exact("0.7")}, {exact("-1.9")}, {}), motion({exact("2.8")}, {4}, {}),
                motion({0}, {1}, {})});
 }
 
-TEST_CASE("a four-bar linkage of three angles moves as the one of its crank's angle") {
+TEST_CASE(
+    "a four-bar linkage with three angles moves like the linkage with the crank's angle only") {
   check_twins(linkage_of_three_angles, linkage_of_one_angle,
               {motion({exact("0.8")}, {exact("2.5")}, {exact("0.6")}),
                motion({exact("-1.1")}, {exact("-3.5")}, {exact("-1.5")}),
                motion({exact("2.9")}, {0}, {0})});
 }
 
-TEST_CASE("a wheel rolls as its two angles say") {
+TEST_CASE("a wheel rolls like the model with two angles") {
   const Constrained bound(wheel_on_plane, "forward_dynamics");
   const Constrained free(wheel_of_two_angles, "forward_dynamics");
   State state = free.nominal();
@@ -320,11 +321,11 @@ TEST_CASE("a wheel rolls as its two angles say") {
               {a[0], east * a[1] - north * turning, a[1], north * a[1] + east * turning});
 }
 
-TEST_CASE("a free body that is hung up at a point moves as the heavy top does") {
+TEST_CASE("a free body fixed at a point moves like the heavy top") {
   const Constrained bound(hung_top, "forward_dynamics,total_energy,constraint_residual");
   const Constrained top(model_file("heavy_top"), "forward_dynamics,total_energy");
   State state = top.nominal();
-  state.parameters[1] = exact("0.15");  // h, as in the other
+  state.parameters[1] = exact("0.15");  // h, as in the other model
   state.q = {exact("0.4"), exact("0.9"), exact("-1.7")};
   state.v = {exact("1.3"), exact("-0.8"), exact("11.5")};
   state.a = top.truth(OutputKind::forward_dynamics, "acceleration", state);

@@ -1,4 +1,4 @@
-// The same bytes from every process, whatever its addresses, locale and working folder.
+// Every process writes the same bytes, whatever its addresses, locale and working directory.
 #include <catch2/catch.hpp>
 
 #include "support/shell.hpp"
@@ -15,7 +15,7 @@ std::string differences(const std::string& left, const std::string& right,
   return shell("diff -r " + left + " " + right, folder).output;
 }
 
-/// The arms take more than a second each.
+/// The arms need more than a second each.
 const std::string arms = "$(ls " + all_inputs + " | grep -e panda7 -e ur5)";
 const std::string others = "$(ls " + all_inputs + " | grep -v -e panda7 -e ur5)";
 
@@ -32,12 +32,12 @@ void repeat(int processes, const std::string& inputs) {
 
 }  // namespace
 
-TEST_CASE("fresh processes write the same bytes") {
+TEST_CASE("different processes write the same bytes") {
   repeat(3, others);
   repeat(2, arms);
 }
 
-TEST_CASE("a comma-decimal locale and another working folder change nothing") {
+TEST_CASE("a locale with decimal commas and another working directory change nothing") {
   const Workspace workspace;
   const std::string german = "LOCPATH=$PWD/locales LC_ALL=de_DE.UTF-8 ";
   REQUIRE(workspace
@@ -46,7 +46,7 @@ TEST_CASE("a comma-decimal locale and another working folder change nothing") {
                    german + "/usr/bin/printf %.1f 2,5")
               .output == "2,5");
 
-  // All models are written by the same few functions.
+  // Two models suffice, because the same few functions write all models.
   workspace.prepare("mkdir models && cp " + models + "/cart_pole.toml " + models +
                     "/simple_pendulum.toml models && elgen generate -q -o plain models/*.toml");
   const Outcome outcome = workspace.run(

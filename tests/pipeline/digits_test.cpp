@@ -1,4 +1,4 @@
-// Digits that models keep in code, however their energies were written.
+// The digits that emitted code keeps, however the energies are written.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Generated {
   }
 };
 
-/// The largest loss of an output in double, in u R, with extremes.
+/// The largest loss of an output in double, in u R, including extreme states.
 double loss_of(const Generated& g, OutputKind kind) {
   VerifyOptions options;
   options.quick = true;
@@ -44,12 +44,13 @@ Generated generated(const std::string& text, const std::string& scene = {}) {
   return {derived(inputs_of(text, scene), options)};
 }
 
-/// The same for speed.
+/// The same, with `prefer = "speed"`.
 Generated generated_for_speed(const std::string& text) {
   return generated(text, "[numeric]\nprefer = \"speed\"\n");
 }
 
-/// The largest error of a function's first entries, by the true values, in units of `epsilon/2`.
+/// The largest relative error of a function's first entries against exact values, in units of
+/// `epsilon`.
 template <class Scalar>
 double worst_ulps(const Generated& g, OutputKind kind, const Arguments<Scalar>& at,
                   std::size_t entries) {
@@ -111,7 +112,7 @@ vector = ["0", "-g"]
 
 }  // namespace
 
-TEST_CASE("m g l (1 - cos(x)) keeps its digits at all angles, written in either way") {
+TEST_CASE("m g l (1 - cos(x)) keeps its digits at all angles, in both ways of writing") {
   for (const char* potential : {"m*g*l*(1 - cos(x))", "2*m*g*l*sin(x/2)^2"}) {
     INFO(potential);
     const Generated g = generated(one_coordinate(potential));
@@ -122,7 +123,7 @@ TEST_CASE("m g l (1 - cos(x)) keeps its digits at all angles, written in either 
   }
 }
 
-TEST_CASE("a spring's extension keeps its digits where the spring hardly extends") {
+TEST_CASE("a spring's extension keeps its digits if the extension is small") {
   const Generated g = generated(one_coordinate("k/2*(sqrt(l^2 + x^2) - l)^2"));
   for (double x = 0.75e8; x > 0.75e-75; x *= 0.37) {
     INFO(x);
@@ -130,7 +131,7 @@ TEST_CASE("a spring's extension keeps its digits where the spring hardly extends
   }
 }
 
-TEST_CASE("accelerations of two nearly aligned links keep their digits where one is heavy") {
+TEST_CASE("accelerations of two nearly aligned links keep their digits if one link is heavy") {
   const Generated g = generated(double_pendulum, "[numeric]\nscalar = [\"float\"]\n");
   Arguments<float> at = leaves_of<float>(
       g.model(), [](Opcode, const auto&) { return 0.F; }, [](Opcode) { return 0.F; });
@@ -143,7 +144,7 @@ TEST_CASE("accelerations of two nearly aligned links keep their digits where one
   }
 }
 
-TEST_CASE("balance keeps digits that speed loses at the extremes") {
+TEST_CASE("balance keeps digits that speed loses at extreme states") {
   const std::string cosine = one_coordinate("m*g*l*(1 - cos(x))");
   CHECK(loss_of(generated(cosine), OutputKind::potential_energy) <= 64);
   CHECK(loss_of(generated_for_speed(cosine), OutputKind::potential_energy) > 1e6);
@@ -151,7 +152,7 @@ TEST_CASE("balance keeps digits that speed loses at the extremes") {
   CHECK(loss_of(generated_for_speed(double_pendulum), OutputKind::forward_dynamics) > 64);
 }
 
-TEST_CASE("sqrt(x^2 + l^2) - x has no way for both signs of x: a figure") {
+TEST_CASE("sqrt(x^2 + l^2) - x has no accurate form for both signs of x, and a loss is reported") {
   const Generated g = generated(one_coordinate("k*l*(sqrt(x^2 + l^2) - x)"));
   CHECK(loss_of(g, OutputKind::potential_energy) > 64);
 }

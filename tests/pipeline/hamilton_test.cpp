@@ -1,5 +1,5 @@
 // Hamilton's functions of whole models: against momenta, energies and accelerations to 50 digits,
-// in all languages, and as pages.
+// in all languages, and on pages.
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* hamiltons_functions = "hamiltonian,velocities_of_momenta,hamilton_equations";
 
-/// In the axes of a table that turns at the rate Omega, which have b = m Omega (-y, x).
+/// A point in the axes of a table that turns at rate Omega: b = m Omega (-y, x).
 const std::string turntable = R"toml(format = 1
 [model]
 name = "turntable"
@@ -45,8 +45,8 @@ V = "1/2*k*x^2"
 D = "1/2*d*dot(y)^2"
 )toml";
 
-/// One in turning axes, one on a hoop that turns, one in a magnetic field, two that are driven, one
-/// that is damped, one with a rotation, and charts that are coupled.
+/// Ten models: rotating axes, a rotating hoop, a magnetic field, inputs, damping, a rotation, and
+/// coupled charts.
 std::vector<std::string> ten_models() {
   std::vector<std::string> texts{turntable};
   for (const char* name :
@@ -61,7 +61,7 @@ Subject subject_of(const Products& products) {
   return {products.checked->model, products.checked->scene, *products.program};
 }
 
-/// Somewhere, with the momenta of its velocities.
+/// A random state, with the momenta of its velocities.
 State moving_state(const Subject& subject, Sampler& draw) {
   State state = nominal_state(subject.model, subject.scene);
   draw_motion(subject.model, draw, 0, state);
@@ -71,7 +71,7 @@ State moving_state(const Subject& subject, Sampler& draw) {
   return state;
 }
 
-/// To 50 digits of the largest entry.
+/// Compares to 50 digits of the largest entry.
 void check_values(const std::vector<Real>& values, const std::vector<cln::cl_R>& expected) {
   REQUIRE(values.size() == expected.size());
   cln::cl_R scale = 0;
@@ -90,7 +90,7 @@ std::vector<cln::cl_R> numbers(const std::vector<Real>& values) {
   return *defined;
 }
 
-/// dq/dt and d/dt dL/dv where the oracle's accelerations act.
+/// dq/dt and d/dt dL/dv under the oracle's accelerations.
 std::vector<cln::cl_R> rates_along_motion(const Subject& subject, const ExactValues& at) {
   const OracleValues a =
       oracle_values(subject.model, {.kind = OutputKind::forward_dynamics}, at.state());
@@ -107,7 +107,7 @@ std::vector<cln::cl_R> rates_along_motion(const Subject& subject, const ExactVal
 
 }  // namespace
 
-TEST_CASE("H is E, v that of p, and dp/dt that of the motion, to 50 digits") {
+TEST_CASE("H = E, v and dp/dt agree with momenta and motion to 50 digits") {
   for (const std::string& text : ten_models()) {
     const Products products =
         derived(inputs_of(text), std::string("momentum,") + hamiltons_functions);
@@ -151,7 +151,7 @@ TEST_CASE("Hamilton's functions are emitted in all languages, compared and balan
   }
 }
 
-TEST_CASE("functions of momenta are given by name only") {
+TEST_CASE("functions of momenta are emitted only if they are named") {
   const Workspace folder;
   folder.write("model.toml", model_file("simple_pendulum"));
   folder.prepare("elgen generate -q -o all model.toml");
@@ -165,7 +165,7 @@ TEST_CASE("functions of momenta are given by name only") {
   CHECK_FALSE(mentions(dynamics.substr(0, dynamics.find("};")), "hamiltonian"));
 }
 
-TEST_CASE("pages write H as books do") {
+TEST_CASE("pages print H as books do") {
   const Workspace folder;
   folder.write("model.toml", model_file("simple_pendulum"));
   const Outcome latex =

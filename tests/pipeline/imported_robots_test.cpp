@@ -1,6 +1,6 @@
-// Imported arms against numbers that do not come from elgen: three independent programs of rigid
-// body dynamics agree on them to all digits given. The state is q_i = 0.3 + 0.1 i,
-// v_i = -0.2 + 0.15 i, a_i = 0.5 - 0.1 i for i = 0, 1, ...
+// Imported arms against external numbers: three independent programs of rigid body dynamics agree
+// on all given digits. The state is q_i = 0.3 + 0.1 i, v_i = -0.2 + 0.15 i, a_i = 0.5 - 0.1 i for i
+// = 0, 1, ...
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -32,7 +32,7 @@ State state_of(const CheckedModel& checked) {
   return state;
 }
 
-/// The values of an output of the model, as many as are expected.
+/// Compares the first entries of an output with the expected values.
 void check_output(const CheckedModel& checked, const std::string& name,
                   const std::vector<double>& expected) {
   for (const OutputRequest& output : checked.scene.outputs) {
@@ -43,7 +43,7 @@ void check_output(const CheckedModel& checked, const std::string& name,
     for (std::size_t i = 0; i < expected.size(); ++i) {
       INFO(name << " " << i);
       const double scale = std::max(1.0, std::abs(expected[i]));
-      // Half a unit of the twelfth digit, in which the numbers below end.
+      // Half a unit of the twelfth digit, the last digit of the numbers below.
       CHECK(std::abs(cln::double_approx((*values)[i]) - expected[i]) <= 5e-12 * scale);
     }
     return;

@@ -1,5 +1,5 @@
-// A model with every function that keeps digits: its derivatives are those by hand, the emitted
-// code is verified, and C99 compiles without a warning.
+// A model with every digit-keeping function: derivatives as by hand, verified code, and C99 code
+// without compiler warnings.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -53,7 +53,7 @@ TEST_CASE("functions that keep digits are derived, emitted and verified") {
   CHECK_FALSE(mentions(header, "sign, min and max of ordered scalars"));
 }
 
-TEST_CASE("C99 has functions of its own for what its library lacks") {
+TEST_CASE("C99 code defines the functions that its library lacks") {
   const Workspace folder;
   folder.write("kept.toml", kept_model);
   folder.write("kept_c.scene.toml", kept_c_scene);

@@ -1,5 +1,5 @@
-// Energies and forces that are another function on the other side of some point: nothing of them
-// vanishes, and values and slopes are right on both sides.
+// Energies and forces with a different branch on each side of a kink: no branch is lost, and values
+// and derivatives are right on both sides.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
@@ -19,7 +19,7 @@ double positive_part(double x) { return std::max(x, 0.0); }
 double sign(double x) { return x < 0 ? -1 : 1; }
 double step(double x) { return x < 0 ? 0 : 1; }
 
-/// On both sides of all kinks below.
+/// Positions on both sides of every kink below.
 const std::vector<double> places{-2.7, -1.3, -0.4, 0.3, 0.7, 1.4, 1.8, 2.9};
 
 Products products_of(const std::string& rest, const std::string& scene = {}) {
@@ -34,7 +34,7 @@ Products products_of(const std::string& rest, const std::string& scene = {}) {
   return products;
 }
 
-/// The only entry of an output, or of one of its fields.
+/// The first entry of an output.
 double value(const Products& products, const std::string& output, double x, double v) {
   const Program& program = *products.program;
   const auto function = std::ranges::find(program.functions, output, &Function::name);
@@ -107,7 +107,7 @@ const std::vector<KinkedEnergy> kinked_energies{
 
 struct KinkedForce {
   const char* value;
-  Curve force;  ///< of x at v = 2 x
+  Curve force;  ///< of x, with v = 2 x
 };
 
 const std::vector<KinkedForce> forces{
@@ -126,7 +126,7 @@ void check_near(double x, double truth) { CHECK(x == Approx(truth).margin(1e-12)
 
 }  // namespace
 
-TEST_CASE("a potential with another branch keeps its force and its stiffness") {
+TEST_CASE("a potential with two branches keeps its force and its stiffness") {
   for (const auto& [V, force, slope] : kinked_energies) {
     const Products products =
         products_of(std::string("[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"") + V + "\"\n");
@@ -138,7 +138,7 @@ TEST_CASE("a potential with another branch keeps its force and its stiffness") {
   }
 }
 
-TEST_CASE("a force with a kink keeps both sides") {
+TEST_CASE("a force with a kink keeps both branches") {
   for (const auto& [text, force] : forces) {
     const Products products =
         products_of(std::string("[energy]\nT = \"1/2*m*dot(x)^2\"\n[[force]]\non = \"x\"\n") +
@@ -150,7 +150,7 @@ TEST_CASE("a force with a kink keeps both sides") {
   }
 }
 
-TEST_CASE("a mass and a damper with another branch keep it") {
+TEST_CASE("a mass and a damper with two branches keep both") {
   const Products products = products_of(
       "[energy]\nT = \"1/2*(m + k*(x + sqrt(x^2)))*dot(x)^2\"\n"
       "D = \"1/8*k*(dot(x) + sqrt(dot(x)^2))^2\"\n");
@@ -162,7 +162,7 @@ TEST_CASE("a mass and a damper with another branch keep it") {
   }
 }
 
-TEST_CASE("a stop at a parameter that is fixed stays") {
+TEST_CASE("a stop at a fixed parameter keeps both branches") {
   const Products products =
       products_of("[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"1/8*k*(x - s + sqrt((x - s)^2))^2\"\n",
                   "[parameters]\nfixed = \"all\"\n");

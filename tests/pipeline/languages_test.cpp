@@ -1,5 +1,5 @@
-// The same scenes in C++, in C99 and on types of Eigen, compiled by both compilers without a
-// warning: all give the same bits, row-major and column-major, and Eigen allocates nothing.
+// The same scenes in C++, C99 and Eigen, compiled by both compilers without warnings. All give the
+// same bits, in row-major and column-major order, and Eigen allocates no memory.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -26,7 +26,7 @@ scalar = ["{2}"]
 {4}
 )toml";
 
-/// NAME, CAPITALS and SCALAR are replaced; the arrays are large enough for every model here.
+/// NAME, CAPITALS and SCALAR are replaced. The arrays are large enough for every model here.
 constexpr std::string_view c_side = R"source(#include "NAME_c/NAME_c.h"
 void c_side(const SCALAR *q, const SCALAR *v, const SCALAR *a, const SCALAR *u, SCALAR *to);
 void c_side(const SCALAR *q, const SCALAR *v, const SCALAR *a, const SCALAR *u, SCALAR *to) {
@@ -198,7 +198,7 @@ TEST_CASE("C++, C99 and Eigen give the same bits") {
   for (const char* model : {"cart_pole", "two_link_arm", "quadrotor"}) {
     for (const char* scalar : {"double", "float"}) compare(model, scalar);
   }
-  compare("chain", "double", "[sizes]\nn = 20\n");  // long enough to be cut into parts
+  compare("chain", "double", "[sizes]\nn = 20\n");  // long enough to be split into parts
 }
 
 }  // namespace elgen::test

@@ -1,5 +1,5 @@
-// An arm with all joints but one locked: the numbers of the whole arm at that pose, for a fraction
-// of its operations.
+// An arm with all joints but one locked gives the numbers of the whole arm at this pose, in a
+// fraction of its operations.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -40,7 +40,7 @@ const Function& function_of(const Products& products, OutputKind kind) {
   throw std::logic_error("no such function");
 }
 
-/// The whole arm at the pose of the locks, everything else the same.
+/// The state of the whole arm at the locked pose, with all other quantities of `state`.
 Arguments<Real> whole(Arguments<Real> state) {
   const auto among_zeros = [](const std::vector<Real>& free) {
     std::vector<Real> all(joints);
@@ -64,7 +64,7 @@ bool agree(const Real& x, const Real& y) {
 
 }  // namespace
 
-TEST_CASE("six joints of seven locked", "[lock]") {
+TEST_CASE("six of seven locked joints leave the equations of the free joint", "[lock]") {
   const Products arm = locked_products("");
   const Products one = locked_products(locks_text());
   const auto value = [](const Products& of, OutputKind kind, const Arguments<Real>& state) {
@@ -80,7 +80,7 @@ TEST_CASE("six joints of seven locked", "[lock]") {
     state.q = {number()};
     state.v = {number()};
     state.a = {number()};
-    state.u = {number()};  // the motors of locked joints are no inputs
+    state.u = {number()};  // motors of locked joints are no inputs
     const Arguments<Real> all = whole(state);
     const auto tau = value(arm, OutputKind::inverse_dynamics, all);
     CHECK(agree(value(one, OutputKind::inverse_dynamics, state)[0], tau[free_joint]));
@@ -97,7 +97,7 @@ TEST_CASE("six joints of seven locked", "[lock]") {
   }
 }
 
-TEST_CASE("a motor's inertia moves with the joint that is locked", "[lock]") {
+TEST_CASE("a motor's inertia moves with the locked joint", "[lock]") {
   const Workspace workspace;
   workspace.write("arm.toml", R"toml(format = 1
 [model]
@@ -137,14 +137,14 @@ q2 = { value = "t^2", reaction = true }
   CHECK(shown.status == 0);
   CHECK(mentions(shown.output, "1/2*J1*cos(t)^2"));
   CHECK(mentions(shown.output, "2*J2*t^2"));
-  // Rows of the full Lagrangian: J1 times the acceleration of the first lock, J2 of the second.
+  // Rows of the full Lagrangian: J1 times the acceleration of q1, J2 times the acceleration of q2.
   CHECK(mentions(shown.output, "J1*sin(t)"));
   CHECK(mentions(shown.output, "2*J2"));
   CHECK(workspace.run("elgen generate -q held.scene.toml -o out").status == 0);
   CHECK(workspace.run("elgen verify --build written --samples 16 held.scene.toml").status == 0);
 }
 
-TEST_CASE("a locked elbow costs what it costs by hand", "[lock]") {
+TEST_CASE("an arm with a locked elbow costs as much as the hand-written formula", "[lock]") {
   const auto counts = [](const std::string& lock, OutputKind kind) {
     PipelineOptions options;
     options.goals = {Goal::choose};
@@ -164,7 +164,7 @@ TEST_CASE("a locked elbow costs what it costs by hand", "[lock]") {
         OperationCounts{.add = 2, .mul = 3, .sincos = 1});
 }
 
-TEST_CASE("what is locked costs nothing", "[lock]") {
+TEST_CASE("locked joints cost nothing", "[lock]") {
   const Products arm = locked_products("");
   const Products one = locked_products(locks_text());
   const auto share = [&](OutputKind kind) {
@@ -175,7 +175,7 @@ TEST_CASE("what is locked costs nothing", "[lock]") {
   };
   INFO("of the whole arm: M " << share(OutputKind::mass_matrix) << ", tau "
                               << share(OutputKind::inverse_dynamics));
-  // One entry of 49, and one row of 7 in which one joint moves.
+  // M has 1 entry instead of 49; tau has 1 row instead of 7, with 1 moving joint.
   CHECK(share(OutputKind::mass_matrix) < 0.35);
   CHECK(share(OutputKind::inverse_dynamics) < 0.5);
 }

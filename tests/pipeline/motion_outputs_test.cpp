@@ -1,5 +1,5 @@
 // Outputs of the motion: an accelerometer and the force in a rod as functions of the state and the
-// inputs, their total derivatives, and what is refused.
+// inputs, their total derivatives, and refused outputs.
 #include <catch2/catch.hpp>
 
 #include "numbers/exact_number.hpp"
@@ -22,7 +22,8 @@ std::string said(const std::string& model) {
 
 }  // namespace
 
-TEST_CASE("an accelerometer has the rows of the dynamics and of their derivatives") {
+TEST_CASE(
+    "an accelerometer's values and derivatives are rows of the dynamics and their derivatives") {
   const Constrained system(
       model_file("cart_pole") + output_of("[\"dot(dot(x))\", \"dot(dot(theta)) + dot(theta)^2\"]"),
       "sensor,sensor_derivatives,forward_dynamics,forward_dynamics_derivatives");
@@ -51,7 +52,7 @@ TEST_CASE("the force in a rod is a function of the state") {
   const std::size_t l = 1;
   REQUIRE(system.model().parameters[l].name == "l");
   check_field(system, OutputKind::user_value, "", state, {2 * state.parameters[l] * lambda[0]});
-  // lambda = -m (v.v - g y)/(2 q.q) - m (zeta omega q.v/q.q + …)
+  // lambda = -m (v.v - g y)/(2 q.q) - m (zeta omega q.v/q.q + ...)
   const cl_R m = state.parameters[0];
   const cl_R gain = state.parameters[3] * state.parameters[4];
   const auto slope = [&](std::size_t i) {
@@ -61,7 +62,7 @@ TEST_CASE("the force in a rod is a function of the state") {
                {slope(0), slope(1)}, 50);
 }
 
-TEST_CASE("outputs of the motion are those of the oracle") {
+TEST_CASE("outputs of the motion agree with the oracle") {
   for (const auto& [name, value] :
        {std::pair("four_bar", "[\"lambda(pin_x)*cos(a)\", \"dot(dot(b))\"]"),
         std::pair("rolling_disc", "\"lambda(roll_1)*dot(psi)\""),
@@ -72,14 +73,14 @@ TEST_CASE("outputs of the motion are those of the oracle") {
   }
 }
 
-TEST_CASE("the acceleration of a locked coordinate is that of its law") {
+TEST_CASE("the acceleration of a locked coordinate is the second derivative of its law") {
   const Constrained system(model_file("two_link_arm") + output_of("\"dot(dot(q1))\"", ""), "sensor",
                            "[outputs]\nsensor = true\n[lock]\nq1 = { value = \"3*t^2 + t\" }\n");
   const State state = some_state(system);
   check_field(system, OutputKind::user_value, "", state, {6});
 }
 
-TEST_CASE("multipliers stand in outputs of the motion alone") {
+TEST_CASE("multipliers are allowed only in outputs of the motion") {
   using Catch::Contains;
   CHECK_THAT(said(model_file("cart_pole") + output_of("\"lambda(rod)\"")),
              Contains("E201") && Contains("unknown constraint `rod`"));

@@ -1,4 +1,4 @@
-// Code that an emitter with a fault would write: verify detects every fault.
+// Code as a faulty emitter would write it: verify detects every fault.
 #include <catch2/catch.hpp>
 #include <regex>
 
@@ -8,7 +8,7 @@
 namespace elgen::test {
 namespace {
 
-/// One fault: the first match in the header is replaced, behind kernels, which are not compiled.
+/// A fault replaces the first match in the header after the kernels, which are not compiled.
 struct Fault {
   const char* what;
   const char* pattern;
@@ -26,7 +26,7 @@ const std::vector<Fault> faults_of_batches{
     {"an argument", R"(<Velocities<Scalar>>\(v, at\))", "<Velocities<Scalar>>(q, at)"},
 };
 
-/// In C, and on types of Eigen.
+/// Faults in C code, and in code with Eigen.
 const std::vector<Fault> faults_of_steps{
     {"an entry", R"((result(?:->|\.)coordinates[\[(]1[\])] = ))", "$1-"},
     {"the length of a step", R"(\+ h \* )", "- h * "},
@@ -78,7 +78,7 @@ std::string with_fault(const std::string& header, const Fault& fault) {
   return changed;
 }
 
-/// Whether the code compiles under strict flags, and verify finds nothing wrong with it.
+/// True if the code compiles under strict flags and verify finds no fault.
 bool passes(const Products& products, const EmittedFiles& files,
             const std::vector<Build>& builds = {Build::as_written}) {
   const auto& [model, scene] = *products.checked;
@@ -90,7 +90,7 @@ bool passes(const Products& products, const EmittedFiles& files,
   return holds(verify(model, scene, *products.program, *compiled, options).certificate);
 }
 
-/// With a fault in the file of this ending.
+/// The files with a fault in each file of this ending.
 EmittedFiles files_with(const Products& products, const std::string& ending, const Fault& fault) {
   EmittedFiles files = *products.files;
   for (auto& [path, text] : files.files) {
@@ -106,7 +106,7 @@ Products products_in_packs() {
                       {});
 }
 
-/// Without a fault the code passes; with one of them in the file of this ending it does not.
+/// The code without faults passes; with each fault in the file of this ending it fails.
 void expect_all_caught(const Products& products, const std::string& ending,
                        const std::vector<Fault>& list) {
   REQUIRE(products.files);
@@ -127,7 +127,7 @@ TEST_CASE("verify catches a sign, a digit, an index and a term of the emitted co
   expect_all_caught(run_pipeline(inputs, {}), ".hpp", faults);
 }
 
-TEST_CASE("verify catches a sign, a digit, an order and a default of a module in Python") {
+TEST_CASE("verify catches a sign, a digit, an order and a default of a Python module") {
   const Inputs inputs =
       inputs_of(model_file("two_link_arm"),
                 "[outputs]\ngravity = true\nbias = true\nforward_dynamics = true\n"
@@ -139,7 +139,7 @@ TEST_CASE("verify catches a stride, a digit, a domain and an argument of a batch
   expect_all_caught(products_in_packs(), "_batch.hpp", faults_of_batches);
 }
 
-TEST_CASE("verify catches an entry, a length and an index of a step in C and with Eigen") {
+TEST_CASE("verify catches an entry, a step length and an index of a step in C and with Eigen") {
   const auto stepped = [](const std::string& emission) {
     return run_pipeline(inputs_of(model_file("two_body_plane"),
                                   "[outputs]\nstep = { method = \"verlet\" }\n[emit]\n" + emission),
@@ -149,14 +149,14 @@ TEST_CASE("verify catches an entry, a length and an index of a step in C and wit
   expect_all_caught(stepped("eigen = true\n"), "_eigen.hpp", faults_of_steps);
 }
 
-TEST_CASE("verify catches what is wrong in packs as wide as the registers of this machine") {
+TEST_CASE("verify catches faults in packs as wide as this machine's registers") {
   const Products products = products_in_packs();
   REQUIRE(products.files);
   const std::vector<Build> builds{Build::as_written, Build::native, Build::as_users};
   CHECK(passes(products, *products.files, builds));
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx") == 0) return;
-  // Code for any machine of this kind has registers of 16 bytes.
+  // Portable code uses registers of 16 bytes only, so it does not show this fault.
   const EmittedFiles files = files_with(
       products, "_batch.hpp",
       {"a sign", R"(\(quadrant & 2\) << 62)", "(quadrant & 2) << (sizeof(Native) > 16 ? 61 : 62)"});
@@ -165,7 +165,7 @@ TEST_CASE("verify catches what is wrong in packs as wide as the registers of thi
 #endif
 }
 
-TEST_CASE("verify catches a value, a limit and an order that the header declares") {
+TEST_CASE("verify catches a wrong value, limit and order that the header declares") {
   expect_all_caught(run_pipeline(inputs_of(model_file("cart_pole")), {}), "cart_pole.hpp",
                     faults_of_declarations);
 }

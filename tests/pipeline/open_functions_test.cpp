@@ -1,5 +1,5 @@
-// Functions left open in whole models: proofs, pages, and code that is called with the numbers of a
-// potential, in all languages.
+// Open functions in whole models: proofs, pages, and code in all languages that is called with the
+// values of a potential.
 #include <catch2/catch.hpp>
 
 #include "pipeline/pipeline_testing.hpp"
@@ -12,7 +12,7 @@ constexpr const char* wanted_outputs =
     "[outputs]\ninverse_dynamics = true\npotential_energy = true\n"
     "inverse_dynamics_derivatives = true\n";
 
-/// The largest differences between V = -k/r by hand and the closed model, by language.
+/// Compares V = -k/r by hand with the closed model and prints `equal` or not for each language.
 constexpr const char* comparison = R"source(
 #include "central_force_open_c/central_force_open_c.h"
 #include "central_force_open_closed/central_force_open_closed.hpp"
@@ -84,7 +84,7 @@ std::string scene_of(const std::string& name, const std::string& rest) {
   return "format = 1\nmodel = \"model.toml\"\nname = \"" + name + "\"\n" + wanted_outputs + rest;
 }
 
-/// Proved rows of [[expect]], and all of them.
+/// The number of proved [[expect]] rows, and of sampled rows without a proof.
 std::pair<std::size_t, std::size_t> proved_rows(const std::string& model) {
   const Workspace folder;
   folder.write("model.toml", model_file(model));
@@ -96,7 +96,7 @@ std::pair<std::size_t, std::size_t> proved_rows(const std::string& model) {
 
 }  // namespace
 
-TEST_CASE("closed forms over open functions are proved by the chain rule alone") {
+TEST_CASE("closed forms with open functions are proved by the chain rule alone") {
   for (const char* model : {"central_force_open", "particle_in_potential"}) {
     const auto [proved, sampled] = proved_rows(model);
     INFO(model);
@@ -105,7 +105,7 @@ TEST_CASE("closed forms over open functions are proved by the chain rule alone")
   }
 }
 
-TEST_CASE("what holds of one potential only is no closed form of an open one") {
+TEST_CASE("an identity of one particular potential is no closed form of an open potential") {
   const Workspace folder;
   const std::string zero_of_sample = "drift = [\"V_11*r + 2*V_1\", \"0\"]\n";
   folder.write("model.toml", model_file("central_force_open") + zero_of_sample);
@@ -114,7 +114,7 @@ TEST_CASE("what holds of one potential only is no closed form of an open one") {
   CHECK(mentions(outcome.errors, "E510"));
 }
 
-TEST_CASE("code that is called with the numbers of a potential equals the closed model") {
+TEST_CASE("code called with the values of a potential equals the closed model") {
   const Workspace folder;
   folder.write("model.toml", model_file("central_force_open"));
   folder.write("cpp.scene.toml", scene_of("cpp", "[emit]\neigen = true\nbatch = true\n"));
@@ -130,7 +130,7 @@ TEST_CASE("code that is called with the numbers of a potential equals the closed
   CHECK(outcome.output == "V V_1 V_11 equal equal equal equal equal ");
 }
 
-TEST_CASE("pages write derivatives of open functions as books do") {
+TEST_CASE("pages print derivatives of open functions as books do") {
   const auto page_of = [](const char* model) {
     const Workspace folder;
     folder.write("model.toml", model_file(model));
@@ -152,7 +152,7 @@ TEST_CASE("the sidecar lists open functions and their values") {
   CHECK(mentions(json, R"({"name": "V_1", "unit": "N", "function": "V", "by": [1]})"));
 }
 
-TEST_CASE("models without open functions do not speak of them") {
+TEST_CASE("files of models without open functions do not mention them") {
   const Workspace folder;
   folder.write("model.toml", model_file("simple_pendulum"));
   folder.prepare("elgen generate -q -o . --outputs gravity model.toml");
@@ -163,7 +163,7 @@ TEST_CASE("models without open functions do not speak of them") {
   }
 }
 
-TEST_CASE("runs take the sample of an open function") {
+TEST_CASE("runs use the sample of an open function") {
   const Workspace folder;
   folder.write("model.toml", model_file("central_force_open"));
   const Outcome outcome =

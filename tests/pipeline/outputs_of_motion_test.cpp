@@ -1,5 +1,4 @@
-// Outputs of rates, accelerations and inputs: their values, derivatives, arguments, and what is
-// refused.
+// Outputs of rates, accelerations and inputs: values, derivatives, arguments, and refused outputs.
 #include <catch2/catch.hpp>
 
 #include "model/requests.hpp"
@@ -10,7 +9,7 @@
 namespace elgen::test {
 namespace {
 
-/// A pendulum on a cart that carries an IMU with axes of its own; `more` follows.
+/// A pendulum on a cart that carries an IMU with its own axes; `output` is appended.
 std::string carried(const std::string& output) {
   return R"toml(format = 1
 [model]
@@ -91,7 +90,7 @@ std::vector<double> rounded(const std::vector<cln::cl_R>& values) {
   return result;
 }
 
-/// What is refused when these outputs are asked for.
+/// The diagnostics for a request of these outputs.
 std::string refusal(const std::string& outputs) {
   PipelineOptions options;
   options.scene.outputs = {make_source("--outputs", outputs)};
@@ -122,7 +121,7 @@ TEST_CASE("outputs of rates, accelerations and inputs have the oracle's values a
   CHECK(compared == 7);
 }
 
-TEST_CASE("the derivatives of an output are those by what it may depend on") {
+TEST_CASE("an output has derivatives by all its possible arguments") {
   const Products products = derived(inputs_of(carried(sensors)), "power_derivatives");
   const Function& function = products.program->functions.front();
   REQUIRE(function.fields.size() == 4);
@@ -135,7 +134,7 @@ TEST_CASE("the derivatives of an output are those by what it may depend on") {
   CHECK(entries == expected);
 }
 
-TEST_CASE("functions of motion take what their text names") {
+TEST_CASE("functions of outputs take only the arguments that they need") {
   const Products products = derived(inputs_of(carried(sensors)));
   REQUIRE(products.files);
   std::string header;
@@ -147,7 +146,7 @@ TEST_CASE("functions of motion take what their text names") {
   CHECK(mentions(header, "y = y(q, v, u)"));
 }
 
-TEST_CASE("derivatives of outputs that are refused") {
+TEST_CASE("derivatives that do not exist are refused") {
   CHECK(mentions(refusal("gyro_jacobian"),
                  "`gyro_jacobian` needs an output of positions; an output of rates, accelerations "
                  "or inputs has `gyro_derivatives`"));

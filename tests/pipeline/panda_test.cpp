@@ -1,5 +1,5 @@
-// The arm of seven joints: written with frames and imported from a URDF it has the same equations,
-// and no more operations than a recursion written by hand for it; what a scene does not need costs
+// The arm with seven joints. Written with frames or imported from URDF it has the same equations,
+// and no more operations than a handwritten recursion. Quantities that a scene does not need cost
 // nothing.
 #include <catch2/catch.hpp>
 #include <map>
@@ -25,7 +25,7 @@ std::size_t operations_of(const std::string& text, const std::string& output) {
   return operations(derived(inputs_of(text), output).program->functions.front());
 }
 
-/// Rational numbers between -3 and 3, the same in every run.
+/// Reproducible rational numbers between -3 and 3.
 std::vector<Real> random_numbers(std::size_t count, std::mt19937& generator) {
   std::vector<Real> numbers;
   for (std::size_t i = 0; i < count; ++i) {
@@ -47,7 +47,7 @@ Arguments<Real> state_of(const Products& products, std::mt19937 generator) {
   return state;
 }
 
-/// The inertias said to be about the origins of the frames.
+/// The model text with inertias declared about the origins of the frames.
 std::string about_origins(std::string text) {
   const std::string before = "\ninertia = ";
   for (std::size_t at = text.find(before); at != std::string::npos;
@@ -80,7 +80,7 @@ TEST_CASE("frames and URDF give equal entries at 64 random states, to 50 digits"
 }
 
 TEST_CASE("operations of the arm with inertias about the origins of its frames") {
-  // Customised recursions and composite inertias; parameters stay symbolic.
+  // Limits of customised recursions with composite inertias; parameters stay symbolic.
   const std::map<std::string, std::size_t> most{
       {"inverse_dynamics", 800}, {"mass_matrix", 420},
       {"gravity", 250},          {"forward_dynamics", 1400},
@@ -93,7 +93,7 @@ TEST_CASE("operations of the arm with inertias about the origins of its frames")
 }
 
 TEST_CASE("operations of the arm with inertias about the centres of its links") {
-  // About 15 operations a link bring an inertia to the origin of its frame.
+  // Shifting an inertia to the origin of its frame costs about 15 operations per link.
   const std::map<std::string, std::size_t> most{
       {"inverse_dynamics", 800}, {"mass_matrix", 470},
       {"gravity", 250},          {"forward_dynamics", 1420},
@@ -104,7 +104,7 @@ TEST_CASE("operations of the arm with inertias about the centres of its links") 
   }
 }
 
-TEST_CASE("gravity alone has no velocities") {
+TEST_CASE("gravity alone has no velocity arguments") {
   const Products products = derived(inputs_of(frames_text()), "gravity", {Goal::self_check});
   CHECK(operations(products.program->functions.front()) <= 250);
   CHECK(dump(*products.program).find("velocity") == std::string::npos);

@@ -1,4 +1,4 @@
-// The stages run in their order, stop where they should, and hand over what they made.
+// The stages run in order, stop at an error, and pass on their products.
 #include "elgen/pipeline.hpp"
 
 #include <algorithm>
@@ -20,11 +20,11 @@ std::vector<std::string> stages(const Products& products) {
 
 }  // namespace
 
-TEST_CASE("all stages run in their order and give a checked program and its files") {
+TEST_CASE("all stages run in order and give a checked program and its files") {
   const Products products = run_pipeline(model("cart_pole"), {});
   REQUIRE(products.self_check.has_value());
   CHECK(products.self_check->failure.empty());
-  CHECK(products.self_check->states >= 1);  // more of them where the machine is not busy
+  CHECK(products.self_check->states >= 1);  // more if the machine is idle
   CHECK(products.files->files.size() == 3);
   CHECK(check_invariants(*products.program).empty());
   std::vector<std::string> expected;
@@ -36,7 +36,7 @@ TEST_CASE("all stages run in their order and give a checked program and its file
   CHECK(stages(products) == expected);
 }
 
-TEST_CASE("a program for a page knows t where only what is conserved names it") {
+TEST_CASE("a page's program knows t if only its conserved quantities name t") {
   for (const char* const name : {"atwood", "free_body", "relativistic_particle",
                                  "triatomic_molecule", "two_body", "two_particles"}) {
     INFO(name);
@@ -51,7 +51,7 @@ TEST_CASE("a program for a page knows t where only what is conserved names it") 
   }
 }
 
-TEST_CASE("a mistake of a stage leaves what the stages before it found") {
+TEST_CASE("a fault of a stage keeps the findings of earlier stages") {
   const std::string text =
       "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[parameters]\nm = 1\n"
       "unused = 2\n[energy]\nT = \"m*dot(x)^2\"\n";
@@ -69,7 +69,7 @@ TEST_CASE("a mistake of a stage leaves what the stages before it found") {
   CHECK_FALSE(products.program.has_value());
 }
 
-TEST_CASE("a goal runs what it needs, each once and in order, and nothing else") {
+TEST_CASE("a goal runs the stages it needs, each once and in order, and no others") {
   const auto& all = goal_names;
   for (const std::string_view goal : all) {
     PipelineOptions options;
@@ -91,37 +91,37 @@ TEST_CASE("a goal runs what it needs, each once and in order, and nothing else")
   }
 }
 
-TEST_CASE("inspect judges what some goal needs, whatever other goals there are") {
+TEST_CASE("inspect checks the needs of each goal, whatever the other goals are") {
   const auto codes = [](const std::string& text, const std::vector<Goal>& goals) {
     PipelineOptions options;
     options.goals = goals;
     std::vector<Code> found;
     for (const Diagnostic& each : run_pipeline(test::inputs_of(text), options).diagnostics) {
-      if (each.code != Code::E520) found.push_back(each.code);  // no units
+      if (each.code != Code::E520) found.push_back(each.code);  // E520: no units
     }
     return found;
   };
   using Codes = std::vector<Code>;
   const std::string head = "format = 1\n[model]\nname = \"row\"\n[[coordinate]]\nname = \"x\"\n";
-  // A kink takes derivatives away: who sees outputs is told which.
+  // A kink prevents derivatives. A note lists them if outputs are requested.
   const std::string kinked =
       head + "[energy]\nT = \"dot(x)^2\"\n[[force]]\non = \"x\"\nvalue = \"-sign(dot(x))\"\n";
   CHECK(codes(kinked, {Goal::steps}) == Codes{});
   CHECK(codes(kinked, {Goal::steps, Goal::steps}) == Codes{});
   CHECK(codes(kinked, {Goal::steps, Goal::lower}) == Codes{Code::E619});
   CHECK(codes(kinked, {Goal::lower, Goal::steps}) == Codes{Code::E619});
-  // The elimination of M = (0, 1; 1, 0) fails: outputs that divide by M have no value.
+  // Elimination of M = (0, 1; 1, 0) fails, so outputs that divide by M have no value.
   const std::string crossed =
       head + "[[coordinate]]\nname = \"y\"\n[energy]\nT = \"dot(x)*dot(y)\"\n";
   CHECK(codes(crossed, {Goal::symmetries}) == Codes{});
   CHECK(codes(crossed, {Goal::symmetries, Goal::symmetries}) == Codes{});
-  CHECK(codes(crossed, {Goal::base_parameters}) == Codes{Code::E603});  // there are no bodies
+  CHECK(codes(crossed, {Goal::base_parameters}) == Codes{Code::E603});  // the model has no bodies
   CHECK(codes(crossed, {Goal::symmetries, Goal::base_parameters}) == Codes{Code::E603});
   CHECK(codes(crossed, {Goal::symmetries, Goal::steps}) == Codes{Code::E501});
   CHECK(codes(crossed, {Goal::lower, Goal::symmetries}) == Codes{Code::E501});
 }
 
-TEST_CASE("constraints are refused by each analysis that does not know of them") {
+TEST_CASE("each analysis that does not support constraints refuses them") {
   const std::string slope =
       "format = 1\n[model]\nname = \"slope\"\n[[coordinate]]\nname = \"x\"\n[[coordinate]]\n"
       "name = \"y\"\n[energy]\nT = \"dot(x)^2 + dot(y)^2\"\n[[constraint]]\nname = \"guide\"\n"
@@ -142,7 +142,7 @@ TEST_CASE("constraints are refused by each analysis that does not know of them")
   CHECK(refused.size() == 3);
 }
 
-TEST_CASE("what two goals need is made once") {
+TEST_CASE("a stage needed by two goals runs once") {
   PipelineOptions options;
   options.goals = {Goal::emit, Goal::choose, Goal::steps};
   const Products products = run_pipeline(model("cart_pole"), options);
@@ -153,7 +153,7 @@ TEST_CASE("what two goals need is made once") {
   CHECK(std::adjacent_find(run.begin(), run.end()) == run.end());
 }
 
-TEST_CASE("an output alone is derived from what was checked") {
+TEST_CASE("a single output is derived from the checked model") {
   const Products products = run_pipeline(model("cart_pole"), {});
   std::vector<std::string> run;
   for (const StageTime& time : times_alone(*products.checked, 1, {})) run.push_back(time.stage);
@@ -161,7 +161,7 @@ TEST_CASE("an output alone is derived from what was checked") {
                                         "present", "choose"});
 }
 
-TEST_CASE("each stage is told before it runs, and equations and programs are dumped") {
+TEST_CASE("each stage is announced before it runs, and equations and programs are dumped") {
   for (const std::string_view name : goal_names) {
     PipelineOptions options;
     options.dump = goal_named(name);

@@ -1,4 +1,4 @@
-// Helpers of the tests of the pipeline: models of the project, and runs of generated headers.
+// Helpers of the pipeline tests: inputs from models, and runs of generated headers.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ inline std::string model_file(const std::string& name) {
   return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
 }
 
-/// A model alone, or in a scene of which `rest` is what follows the name.
+/// A model, and a scene of it unless `rest` is empty. `rest` follows the scene's name.
 inline Inputs inputs_of(const std::string& text, const std::string& rest = {}) {
   Inputs inputs{make_source("model.toml", text)};
   if (!rest.empty()) {
@@ -23,7 +23,7 @@ inline Inputs inputs_of(const std::string& text, const std::string& rest = {}) {
   return inputs;
 }
 
-/// As far as the goals of a run lead, with a program.
+/// Runs the pipeline to the goals of `options`. Fails unless there is a program.
 inline Products derived(const Inputs& inputs, const PipelineOptions& options = {}) {
   Products products = run_pipeline(inputs, options);
   INFO(format(products.diagnostics));
@@ -31,7 +31,7 @@ inline Products derived(const Inputs& inputs, const PipelineOptions& options = {
   return products;
 }
 
-/// Likewise, of the outputs named.
+/// Runs the pipeline for these outputs. Fails unless there is a program.
 inline Products derived(const Inputs& inputs, const std::string& outputs,
                         const std::vector<Goal>& goals = {Goal::choose}) {
   PipelineOptions options;
@@ -45,7 +45,7 @@ inline std::size_t operations(const Function& function) {
   return counts.add + counts.mul + counts.div;
 }
 
-/// The output of a program that includes headers in the folder or those of the project.
+/// The output of a program that includes headers of the folder or of generated/.
 inline std::string printed(const Workspace& folder, const std::string& program) {
   folder.write("main.cpp", program);
   const std::string include = std::string(ELGEN_SOURCE_DIR) + "/generated";

@@ -1,5 +1,5 @@
-// Quotients that are 0/0 where a coordinate is 0: they have values there, outputs too, and pages
-// print them as they are typed.
+// Quotients that are 0/0 at a coordinate of 0: they have values at 0, outputs have values too, and
+// pages print the quotients as typed.
 #include <cmath>
 
 #include "elgen/oracle.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double nothing = 1e300;
 
-/// A potential, and its value at q = 0, r = 1/2, or nothing where it has none there.
+/// A potential and its value at q = 0, r = 1/2; `nothing` if it has no value.
 struct QuotientRow {
   std::string potential;
   double at_zero;
@@ -93,7 +93,7 @@ std::string steps_of(const std::string& at) {
 
 }  // namespace
 
-TEST_CASE("quotients of sines and cosines have values at 0, and the same elsewhere") {
+TEST_CASE("quotients of sines and cosines have values at 0 and do not change elsewhere") {
   for (const auto& [potential, at_zero] :
        std::vector<QuotientRow>{{"sin(q)/q", 1},
                                 {"L*sin(2*q)/q", 0.5},
@@ -134,7 +134,7 @@ TEST_CASE("quotients of sines and cosines have values at 0, and the same elsewhe
     for (const cln::cl_RA& q : {cln::cl_RA(-7) / 5, cln::cl_RA(3) / 10}) {
       const auto right = potential_at(typed, q);
       REQUIRE(right);
-      // 60 digits, rounded once more to double.
+      // 60 digits, then rounded once more to double.
       CHECK(potential_at(model, q).value_or(nothing) == Approx(*right).epsilon(1e-15).margin(0));
     }
     const std::string text = to_string(model, *model.energies.V);
@@ -143,7 +143,7 @@ TEST_CASE("quotients of sines and cosines have values at 0, and the same elsewhe
   }
 }
 
-TEST_CASE("quotients that stay 0/0, that have poles or other arguments are left alone") {
+TEST_CASE("quotients that stay 0/0, have poles or different arguments are not changed") {
   for (const std::string potential :
        {"sin(q)/q^2", "cos(q)/q", "(1 + cos(q))/q", "(2 - cos(q))/q", "sin(r)/q", "sin(q + r)/q",
         "sin(b)/b", "sin(L)/L", "(1 - cos(q))/q^3", "q/sin(q)", "tan(q)/q", "sin(q^2)/q",
@@ -154,7 +154,7 @@ TEST_CASE("quotients that stay 0/0, that have poles or other arguments are left 
   }
 }
 
-TEST_CASE("a soft arm that is typed by quotients moves through q = 0") {
+TEST_CASE("a soft arm typed with quotients moves through q = 0") {
   const Products products = derived(inputs_of(soft + by_quotients + "\n"), PipelineOptions{});
   const Model& model = products.checked->model;
   const State straight = start_state(model, products.checked->scene);
@@ -166,13 +166,13 @@ TEST_CASE("a soft arm that is typed by quotients moves through q = 0") {
   }
 }
 
-TEST_CASE("pages print quotients where these are typed, and functions where those are") {
+TEST_CASE("pages print quotients if quotients are typed, and functions if functions are typed") {
   const std::string typed = steps_of(by_quotients);
   CHECK(typed.find("tip = (L*(1 - cos(q))/q, -L/q*sin(q))") != std::string::npos);
   CHECK(typed.find("stumpff") == std::string::npos);
   const std::string named = steps_of(by_functions);
   CHECK(named.find("tip = (L*q*cosc(q), -L*sinc(q))") != std::string::npos);
-  // A function that only an [[output]] names would be printed as its quotient.
+  // A function that only an [[output]] names would otherwise be printed as its quotient.
   const std::string in_output = "\n[[output]]\nname = \"s\"\nvalue = \"stumpff(q, 3)\"";
   const std::string mixed = steps_of(by_quotients + in_output);
   CHECK(mixed.find("tip = (L*q*cosc(q), -L*sinc(q))") != std::string::npos);

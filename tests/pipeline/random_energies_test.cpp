@@ -1,7 +1,7 @@
 // Random energies of 2 to 12 nodes over 1 to 3 coordinates: all functions, parameters of value 1, 0
-// and else, irrational constants. Each gives code and a page, or an error with a place; none
-// crashes, and no page falls back to the forms of code. $ELGEN_SEEDS of them from
-// $ELGEN_FIRST_SEED on, with all outputs where $ELGEN_ALL_OUTPUTS is set.
+// and others, irrational constants. Each gives code and a page, or an error with a place. None
+// crashes. $ELGEN_SEEDS sets their number, $ELGEN_FIRST_SEED the first seed. $ELGEN_ALL_OUTPUTS
+// requests all outputs.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t usual_count = 1000;
 constexpr std::uint64_t largest = 12;
 
-/// Energies of this rate that are read: fewer would show that the generator draws nonsense.
+/// The share of energies that must be accepted. Fewer would mean that the generator draws nonsense.
 constexpr double least_accepted = 0.6;
 
 std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
@@ -26,8 +26,8 @@ std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-/// Functions of one argument and without kinks. The order of the first ones keeps the energies of
-/// all seeds.
+/// Functions of one argument without kinks. The order of the first six must stay, because it
+/// determines the energies of all seeds.
 std::vector<std::string> functions_of_energies() {
   std::vector<std::string> names{"sin", "cos", "sqrt", "tan", "exp", "log"};
   for (const FunctionRow& row : function_table()) {
@@ -71,7 +71,8 @@ class EnergyText {
   [[nodiscard]] std::string call(std::uint64_t nodes) {
     static const std::vector<std::string> functions = functions_of_energies();
     const std::uint64_t drawn = below(functions.size() + 4);
-    // Roots, sines and cosines are in most energies.
+    // The modulus makes the first functions more frequent: roots, sines and cosines are in most
+    // energies.
     return functions.at(drawn % functions.size()) + ("(" + tree(nodes - 1) + ")");
   }
 
@@ -94,7 +95,7 @@ class EnergyText {
   std::uint64_t coordinate_count_;
 };
 
-/// Empty where the products are right: files, or errors that have a place.
+/// Empty if the products are right: files, or an error with a place.
 std::string fault_of(const Products& products) {
   for (const Diagnostic& diagnostic : products.diagnostics) {
     if (code_row(diagnostic.code).severity != Severity::error) continue;

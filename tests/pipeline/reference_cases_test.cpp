@@ -1,7 +1,7 @@
-// The whole path, in double, against published values: model text -> program -> numbers.
+// The whole path in double against published values: model text -> program -> numbers.
 //
-// Each entry is within 4 ulp of the exact value for the same binary inputs, or, where its terms
-// cancel, within u E, E the running error.
+// Each entry is within 4 ulp of the exact value for the same binary inputs. If its terms cancel, it
+// is within u E instead, with the running error E.
 #include <cln/real.h>
 
 #include <catch2/catch.hpp>
@@ -71,7 +71,7 @@ BinaryState binary_state(const Model& model, const json& given) {
   return result;
 }
 
-/// Distance from the exact value in units of the last place of its nearest double.
+/// The distance from the exact value, in ulps of its nearest double.
 double ulps(double x, const cln::cl_R& value) {
   const double nearest = ScalarTraits<double>::from_real(value);
   const double step = std::nextafter(std::fabs(nearest), std::numeric_limits<double>::infinity()) -
@@ -104,7 +104,7 @@ void check_state(const Products& products, const json& given) {
 
 }  // namespace
 
-TEST_CASE("static values of textbook systems in double") {
+TEST_CASE("static values of textbook systems are right in double") {
   std::ifstream file(ELGEN_SOURCE_DIR "/tests/pipeline/reference_cases.json");
   const json cases = json::parse(file);
   REQUIRE(cases["cases"].size() == 9);

@@ -1,6 +1,6 @@
-// Regressors: Y pi + rest = tau of every model that has one, closed forms, names, what a reference
-// velocity changes, and what is refused. Values are compared with the oracle's by every pipeline
-// (E911), and by `verify`.
+// Regressors: Y pi + rest = tau for every model with a regressor, closed forms, names, reference
+// velocities, and refused models. Every pipeline (E911) and `verify` compare the values with the
+// oracle's.
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -12,7 +12,7 @@
 namespace elgen::test {
 namespace {
 
-/// Y pi + rest - tau, of the largest entry of tau or of a term.
+/// max |Y pi + rest - tau|, relative to the largest term of Y pi.
 double imbalance(const Constrained& system, OutputKind kind, const State& state,
                  const ExactNumbers& forces) {
   const ExactNumbers y = system.exactly(kind, "matrix", state);
@@ -96,7 +96,7 @@ TEST_CASE("the regressor times its parameters is the inverse dynamics") {
   CHECK(count > 30);
 }
 
-TEST_CASE("a reference velocity takes the place of one velocity in C v") {
+TEST_CASE("a reference velocity replaces one velocity in C v") {
   for (const char* const name : {"two_link_arm", "panda7", "free_body", "heavy_top", "cart_pole"}) {
     INFO(name);
     const Constrained system(
@@ -123,7 +123,7 @@ TEST_CASE("a reference velocity takes the place of one velocity in C v") {
   }
 }
 
-TEST_CASE("scenes that lock and fix have regressors of what is left") {
+TEST_CASE("scenes with locks and fixed parameters have regressors of the remaining model") {
   for (const auto& [name, rest] :
        {std::pair("panda7", "[lock]\nq3 = { value = \"0.4 + 0.2*t\" }\nq5 = { value = 1 }\n"),
         std::pair("ur5", "[parameters]\nfixed = \"all\"\n"),
@@ -132,7 +132,7 @@ TEST_CASE("scenes that lock and fix have regressors of what is left") {
     const std::string wanted =
         "[outputs]\nregressor = true\nregressor_reference = true\nregressor_parameters = true\n";
     PipelineOptions options;
-    options.goals = {Goal::self_check};  // compares with the oracle
+    options.goals = {Goal::self_check};  // this goal compares with the oracle
     const Products products = run_pipeline(inputs_of(model_file(name), wanted + rest), options);
     INFO(format(products.diagnostics));
     REQUIRE(products.self_check);
@@ -164,7 +164,7 @@ TEST_CASE("parameters of a regressor have names, units and an order") {
   CHECK(to_string(*inertial_parameters(model)[2].unit) == "kg/s^2");
 }
 
-TEST_CASE("forces that are not affine in parameters of a regressor are refused") {
+TEST_CASE("regressor parameters in which the forces are not affine are refused") {
   const auto message = [](const std::string& parameters, const std::string& more = "") {
     return format(products_of("[regressor]\nparameters = " + parameters +
                                   "\n[outputs]\nregressor = true\n" + more,

@@ -1,5 +1,5 @@
-// Scenes that take cyclic coordinates out: the equations of what is left are those of the whole
-// model at the momenta held, and its rates are those of the whole.
+// Scenes that remove cyclic coordinates: the reduced equations are the whole model's equations at
+// constant momenta, and the cyclic rates are the whole model's rates.
 #include <catch2/catch.hpp>
 
 #include "elgen/simulate.hpp"
@@ -38,7 +38,8 @@ OracleValues truth_at(const Model& model, OutputKind kind, const State& state) {
   return oracle_values(model, {.kind = kind}, state);
 }
 
-/// A state of the reduced model in the whole one, at accelerations that leave the momenta.
+/// The whole model's state for a state of the reduced model, with cyclic accelerations that keep
+/// the momenta constant.
 std::optional<State> whole_state(const Model& reduced, const State& state) {
   const Model& whole = *reduced.variant.whole;
   const OracleValues rates = truth_at(reduced, OutputKind::cyclic_rates, state);
@@ -70,7 +71,7 @@ std::optional<State> whole_state(const Model& reduced, const State& state) {
   return moving;
 }
 
-/// The forces of the whole model, without those on what was taken out.
+/// The forces of the whole model, without the rows of the cyclic coordinates, which must be 0.
 std::optional<Numbers> forces_left(const Model& reduced, const State& state) {
   const std::optional<State> moving = whole_state(reduced, state);
   if (!moving) return std::nullopt;
@@ -105,7 +106,7 @@ Products reduced_products(const Reduction& reduction, const std::string& value =
       options);
 }
 
-/// r at the end of ten turns about the centre.
+/// r after ten revolutions about the centre.
 double last_distance(const std::string& rest) {
   const Inputs inputs = inputs_of(model_file("kepler_polar"), rest);
   PipelineOptions options;
@@ -125,7 +126,7 @@ const Parameter& last_parameter(const Products& products) {
 
 }  // namespace
 
-TEST_CASE("what is left moves as the whole does at its momenta") {
+TEST_CASE("the reduced model moves like the whole model at its momenta") {
   for (const Reduction& reduction : reductions) {
     INFO(reduction.model << ": " << reduction.routh);
     const Products products = reduced_products(reduction);
@@ -148,17 +149,17 @@ TEST_CASE("what is left moves as the whole does at its momenta") {
   }
 }
 
-TEST_CASE("what is left runs as the whole does, over ten turns") {
+TEST_CASE("a run of the reduced model agrees with the whole model over ten revolutions") {
   CHECK(last_distance("[routh]\nphi = true\n") == Approx(last_distance("")).epsilon(1e-7));
 }
 
-TEST_CASE("a momentum is that at the start, as it is written, or as an option says") {
+TEST_CASE("a momentum has its start value, the value in the scene, or the option's value") {
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"})).name == "p_phi");
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"})).value ==
         cln::cl_RA(3) / 5);
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = \"0.7\"\n"})).value ==
         cln::cl_RA(7) / 10);
-  // m has twice its value.
+  // m = 1 is twice its value in the file.
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"}, "m=1")).value ==
         cln::cl_RA(6) / 5);
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"}, "p_phi=2")).value == 2);
@@ -170,7 +171,7 @@ TEST_CASE("a momentum is that at the start, as it is written, or as an option sa
   CHECK(known("p_phi=2") == 2);
 }
 
-TEST_CASE("a momentum may be fixed, and what is left locked or expanded") {
+TEST_CASE("a momentum may be fixed, and remaining coordinates may be locked or expanded") {
   const auto checked = [](const std::string& rest) {
     PipelineOptions options;
     options.goals = {Goal::self_check};
@@ -185,7 +186,7 @@ TEST_CASE("a momentum may be fixed, and what is left locked or expanded") {
   CHECK(checked("[routh]\nphi = true\n[lock]\ntheta = { value = \"pi/3\" }\n"));
 }
 
-TEST_CASE("outputs that contain what is taken out are not to be had") {
+TEST_CASE("outputs that contain a removed coordinate are unavailable") {
   const std::string text = model_file("kepler_polar") +
                            "\n[[output]]\nname = \"place\"\nvalue = [\"x(body)\", \"r\"]\n"
                            "[[output]]\nname = \"height\"\nvalue = \"2*r\"\n";

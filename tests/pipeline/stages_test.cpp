@@ -1,4 +1,4 @@
-// A stage runs once, after what it needs, and its mistakes become diagnostics.
+// A stage runs once, after the stages it needs, and its faults become diagnostics.
 #include "pipeline/stages.hpp"
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ Result<Number> one() { return Number{1}; }
 
 }  // namespace
 
-TEST_CASE("a stage runs when it is first asked for, and only then") {
+TEST_CASE("a stage runs when it is first needed, and only then") {
   PipelineOptions options;
   options.dump = Goal::check;
   StageRunner run(options);
@@ -38,7 +38,7 @@ TEST_CASE("a stage runs when it is first asked for, and only then") {
   CHECK(run.times[1].stage == "check");
 }
 
-TEST_CASE("a stage is reached by its goal") {
+TEST_CASE("a goal runs its stage") {
   const PipelineOptions options;
   StageRunner run(options);
   Stage<Number> first(run, Goal::parse, std::tie(), one);
@@ -48,7 +48,7 @@ TEST_CASE("a stage is reached by its goal") {
   CHECK(second.product);
 }
 
-TEST_CASE("a stage whose product is set makes none") {
+TEST_CASE("a stage with a given product does not run") {
   const PipelineOptions options;
   StageRunner run(options);
   Stage<Number> first(run, Goal::parse, std::tie(), one);
@@ -58,7 +58,7 @@ TEST_CASE("a stage whose product is set makes none") {
   CHECK(run.times.empty());
 }
 
-TEST_CASE("a stage that wants the limits gets them after what it needs") {
+TEST_CASE("a stage may take the limits as its last argument") {
   PipelineOptions options;
   options.limits.seconds = 5;
   StageRunner run(options);
@@ -71,7 +71,7 @@ TEST_CASE("a stage that wants the limits gets them after what it needs") {
   CHECK(second.product->value == 6);
 }
 
-TEST_CASE("what a stage throws is said with its name, and ends the run") {
+TEST_CASE("an exception of a stage is reported with the stage's name and ends the run") {
   const PipelineOptions options;
   StageRunner run(options);
   const auto fail = []() -> Result<Number> { throw std::logic_error("a wheel came off"); };
@@ -84,7 +84,7 @@ TEST_CASE("what a stage throws is said with its name, and ends the run") {
   CHECK(later.get() == nullptr);
 }
 
-TEST_CASE("numbers that CLN cannot hold are not a mistake of ours") {
+TEST_CASE("numbers too large for CLN are no internal error") {
   const PipelineOptions options;
   StageRunner run(options);
   const auto fail = []() -> Result<Number> {
@@ -96,7 +96,7 @@ TEST_CASE("numbers that CLN cannot hold are not a mistake of ours") {
   CHECK(run.diagnostics.front().code == Code::E910);
 }
 
-TEST_CASE("memory that is used up is not a mistake of ours") {
+TEST_CASE("exhausted memory is no internal error") {
   const PipelineOptions options;
   StageRunner run(options);
   const auto fail = []() -> Result<Number> { throw std::bad_alloc(); };

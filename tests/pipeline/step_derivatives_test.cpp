@@ -1,6 +1,6 @@
-// Derivatives of a step: of linear systems powers of A, of symplectic methods symplectic, of
-// rotations along rotation vectors. Every self-check compares them with differences of the oracle's
-// steps in 205 digits.
+// Derivatives of a step: powers of A for linear systems, symplectic for symplectic methods, and
+// along rotation vectors for rotations. Every self-check compares them with differences of the
+// oracle's steps in 205 digits.
 #include <catch2/catch.hpp>
 
 #include "numbers/exact_number.hpp"
@@ -21,7 +21,7 @@ Products checked_products(const std::string& model, const std::string& scene) {
   return run_pipeline(inputs_of(model, scene), options);
 }
 
-/// The program's values at the state of a scene, in 64 digits: A, then B.
+/// The program's values at the state, in 64 digits: A, then B.
 ExactNumbers values_at(const Products& products, const State& state) {
   const Program& program = *products.program;
   const Function& function = program.functions.front();
@@ -54,7 +54,7 @@ on = "x"
 
 }  // namespace
 
-TEST_CASE("the derivatives of a step of a linear system are a polynomial of its matrix") {
+TEST_CASE("the derivatives of a linear system's step are a polynomial of its matrix") {
   const Products products = checked_products(oscillator, stepping("\"rk4\""));
   INFO(format(products.diagnostics));
   REQUIRE(products.self_check);
@@ -63,7 +63,7 @@ TEST_CASE("the derivatives of a step of a linear system are a polynomial of its 
   state.v = {2};
   state.u = {3};
   state.h = cln::cl_RA(1) / 10;
-  // A = [0 1; -k/m -d/m]: I + hA + (hA)^2/2 + (hA)^3/6 + (hA)^4/24; B: its integral times [0; 1/m].
+  // A = [0 1; -k/m -d/m]: I + hA + (hA)^2/2 + (hA)^3/6 + (hA)^4/24. B: its integral times [0; 1/m].
   const cln::cl_RA c = cln::cl_RA(-3) / 2;
   const cln::cl_RA e = cln::cl_RA(-1) / 4;
   std::array<cln::cl_RA, 4> power{1, 0, 0, 1};
@@ -95,7 +95,7 @@ TEST_CASE("steps of symplectic methods have symplectic derivatives") {
   }
 }
 
-TEST_CASE("a body that spins about its axis carries deviations with it") {
+TEST_CASE("a spinning body rotates deviations along with it") {
   const Products products = checked_products(model_file("free_body"), stepping("\"rk4\""));
   INFO(format(products.diagnostics));
   REQUIRE(products.self_check);
@@ -110,19 +110,19 @@ TEST_CASE("a body that spins about its axis carries deviations with it") {
   const auto entry = [&](std::size_t i, std::size_t j) {
     return double_of(a[(first + i) * columns + first + j]);
   };
-  // exp(-[w]x h), to the order of the method
+  // exp(-[w]x h), up to the order of the method.
   CHECK(entry(0, 0) == Approx(std::cos(0.03)).margin(1e-9));
   CHECK(entry(0, 1) == Approx(std::sin(0.03)).margin(1e-9));
   CHECK(entry(1, 0) == Approx(-std::sin(0.03)).margin(1e-9));
   CHECK(entry(2, 2) == Approx(1).margin(1e-15));
 }
 
-TEST_CASE("derivatives of steps are those of the oracle's differences") {
+TEST_CASE("derivatives of steps agree with differences of the oracle's steps") {
   for (const auto& [name, method] :
        {std::pair("double_pendulum", "\"midpoint\", iterations = 3"),
         std::pair("cart_pole", "\"rk4\""), std::pair("quadrotor", "\"rk4\""),
         std::pair("pendulum_in_lift", "\"rk4\""), std::pair("two_link_arm", "\"rk4\""),
-        // Steps of these negate values.
+        // These steps contain negations.
         std::pair("simple_pendulum", "\"midpoint\""), std::pair("elastic_pendulum", "\"midpoint\""),
         std::pair("chain", "\"midpoint\", order = 4, iterations = 2")}) {
     INFO(name);
@@ -133,7 +133,7 @@ TEST_CASE("derivatives of steps are those of the oracle's differences") {
   }
 }
 
-TEST_CASE("derivatives of steps that there are not are refused") {
+TEST_CASE("derivatives of steps that do not exist are refused") {
   using Catch::Contains;
   const auto message = [](const std::string& name, const std::string& scene) {
     return format(checked_products(model_file(name), scene).diagnostics);

@@ -1,5 +1,5 @@
-// Equations of motion along an output, the inverse of M, slopes of forces of inputs, and rates that
-// constraints complete: closed forms, what defines them, and what is refused.
+// Equations of motion along an output, the inverse of M, derivatives of input forces, and rates
+// completed by constraints: closed forms, defining equations, and refused requests.
 #include <catch2/catch.hpp>
 
 #include "numbers/exact_number.hpp"
@@ -44,7 +44,7 @@ ExactNumbers identity(std::size_t n) {
   return result;
 }
 
-/// To so many digits of 1.
+/// Compares to an absolute tolerance of 10^-digits.
 void check_equal(const ExactNumbers& found, const ExactNumbers& expected, int digits = 45) {
   REQUIRE(found.size() == expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -93,7 +93,7 @@ TEST_CASE("a particle in polar coordinates has its mass and weight along Cartesi
               {1 / m, 0, 0, 1 / (m * r * r)});
 }
 
-TEST_CASE("forces along a twist move it as the equation along it says") {
+TEST_CASE("forces along a twist accelerate it as the equation along the twist says") {
   const Constrained system(model_file("panda7") + hand,
                            "hand_operational,hand_jacobian,hand_bias,inverse_mass_matrix,"
                            "mass_matrix,bias");
@@ -116,7 +116,7 @@ TEST_CASE("forces along a twist move it as the equation along it says") {
   check_equal(sum(product(inertia, rate, k), system.exactly(kind, "bias", state)), force, 40);
 }
 
-TEST_CASE("forces of inputs turn with what they act on") {
+TEST_CASE("forces of inputs rotate with their point") {
   const Constrained system(R"toml(format = 1
 [model]
 name = "pushed"
@@ -142,7 +142,7 @@ at = "bob"
   check_field(system, OutputKind::input_force_derivatives, "", state, {expected});
 }
 
-TEST_CASE("rates and accelerations are completed as constraints allow") {
+TEST_CASE("constraints complete rates and accelerations") {
   const std::string outputs = "completed,constraint_residual,constraint_jacobian,constraint_bias";
   for (const auto& [name, names] :
        {std::pair("five_bar", "[\"a1\", \"a2\"]"), std::pair("five_bar", "[\"b1\", \"a2\"]"),
@@ -173,7 +173,7 @@ TEST_CASE("rates and accelerations are completed as constraints allow") {
   }
 }
 
-TEST_CASE("velocities that do not determine the others are refused") {
+TEST_CASE("independent velocities that do not determine the others are refused") {
   using Catch::Contains;
   const std::string linkage = model_file("five_bar");
   CHECK_THAT(
@@ -193,7 +193,7 @@ TEST_CASE("velocities that do not determine the others are refused") {
              Contains("E603") && Contains("needs a `[[constraint]]`"));
 }
 
-TEST_CASE("outputs with dependent rows, or under constraints, have no equation of motion") {
+TEST_CASE("outputs with dependent rows or under constraints have no equation of motion") {
   using Catch::Contains;
   const std::string twice =
       "[[output]]\nname = \"y\"\nvalue = [\"q1\", \"2*q1\"]\njacobian = true\n";

@@ -1,5 +1,5 @@
-// Quaternions that are not of length 1: emitted code scales them back whatever their length, and
-// what it computes at them is still one mechanics.
+// Quaternions whose length is not 1: emitted code normalises every length, and its functions stay
+// consistent with each other.
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -8,7 +8,7 @@
 namespace elgen::test {
 namespace {
 
-/// Prints how far, in epsilons, unit quaternions are from (1, -2, 2, 4)/5.
+/// Prints `right` if normalised quaternions are within 4 epsilon of (1, -2, 2, 4)/5.
 constexpr const char* lengths = R"cpp(
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,9 @@ constexpr const char* lengths = R"cpp(
   }
 )cpp";
 
-/// At |q| = 1.1, in 64 epsilons (some twenty roundings of numbers up to 40): p - M v, 2 T - v.p,
-/// tau(a) - tau(0) - M a, and m g at rest.
+/// At |q| = 1.1 prints the largest of p - M v, 2 T - v.p, tau(a) - tau(0) - M a and the weight at
+/// rest minus m g, in units of 64 epsilon. 64 epsilon is about twenty rounding errors of numbers up
+/// to 40.
 constexpr const char* drifted = R"cpp(
 #include <algorithm>
 #include <cmath>
@@ -80,8 +81,8 @@ std::string with_name(std::string text, const std::string& name) {
   return text;
 }
 
-/// `normalized` keeps the quaternion of length 1, and what theory conserves is conserved as far as
-/// the integrator goes. Classical Runge-Kutta of order 4, step 1e-4 s, 100 s; prints the largest
+/// `normalized` keeps the quaternion at length 1, and conserved quantities drift only by the
+/// integrator's error. Classical Runge-Kutta of order 4, step 1e-4 s, 100 s. Prints the largest
 /// drifts.
 constexpr const char* tumbling = R"cpp(
 #include <algorithm>
@@ -133,7 +134,7 @@ constexpr const char* tumbling = R"cpp(
 
   int main() {
     body::Parameters<double> p{};
-    p.g = 0;  // falling 50 km would drown what is conserved
+    p.g = 0;  // a fall of 50 km would hide the drift of the energy
     State x{{0, 0, 0, 1, 0, 0, 0}, {1, 2, 3, 0.1, 5, 0.1}};
     const double energy = body::energy_function(p, x.q, x.v);
     const double momentum = spin(p, x);
@@ -150,18 +151,18 @@ constexpr const char* tumbling = R"cpp(
 
 }  // namespace
 
-TEST_CASE("a quaternion of length 1.1 leaves T, momentum and forces those of M") {
+TEST_CASE("with a quaternion of length 1.1, T, momentum and forces are consistent with M") {
   const Workspace folder;
   CHECK(printed(folder, with_name(drifted, "free_body")) == "0");
   CHECK(printed(folder, with_name(drifted, "quadrotor")) == "0");
 }
 
-TEST_CASE("quaternions of extreme length are scaled to length 1") {
+TEST_CASE("quaternions of extreme length are normalised") {
   const Workspace folder;
   CHECK(printed(folder, lengths) == "right\nright\n");
 }
 
-TEST_CASE("a free body tumbles for a million steps") {
+TEST_CASE("a free body tumbles for a million steps without drift") {
   const Workspace folder;
   const std::string output = printed(folder, tumbling);
   double length = 1;

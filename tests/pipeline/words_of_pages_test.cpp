@@ -1,5 +1,5 @@
-// No page of any model has what no book prints: names of the generator, formulas that are not
-// simplified, macros that pandoc or GitHub lack, units as they are typed.
+// No page of any model contains text that no book prints: names of the generator, formulas that are
+// not simplified, macros that pandoc or GitHub lack, units as typed.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -13,15 +13,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Texts that are nowhere on a page.
+/// Texts that no page may contain.
 constexpr std::array forbidden{std::to_array<std::string_view>({
-    // macros
+    // macros that pandoc or GitHub lack
     "\\operatorname",
     "\\thinspace",
-    // names in the place of what they stand for
+    // names instead of formulas
     "numerator",
     "denominator",
-    // the rate of something is d/dt
+    // a rate is printed as d/dt
     "d/(d t)",
     "d/d t",
     "{d t}",
@@ -39,19 +39,19 @@ constexpr std::array forbidden{std::to_array<std::string_view>({
     "\\sin \\frac{\\pi}{6}",
     "1 + \\sinh^{2}",
     "1 + sinh²",
-    // units
+    // units as typed
     "m/s^2",
     "kg*m",
     "N*m",
     "\\textasciicircum{}2",
-    // what a heading says already, and names of the model in it
+    // the model's name of an output, or a repetition of the heading
     "(`bias`)",
     "Bias: bias",
 })};
 
 bool is_hex(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); }
 
-/// t_4f2a, t_{\mathrm{4f2a}}, t_{12345}: the name that a definition has in code.
+/// True for t_4f2a, t_{\mathrm{4f2a}}, t_{12345}: names of definitions in code.
 bool has_hash_name(const std::string& text) {
   for (std::size_t at = text.find("t_"); at != std::string::npos; at = text.find("t_", at + 1)) {
     if (at > 0 && std::isalpha(static_cast<unsigned char>(text[at - 1])) != 0) continue;
@@ -65,7 +65,7 @@ bool has_hash_name(const std::string& text) {
   return false;
 }
 
-/// "φ̇) φ̇)": a rate is a factor of a bracket that ends with it.
+/// True for "φ̇) φ̇)": a rate is a factor of a bracket that ends with the same rate.
 bool has_doubled_rate(const std::string& text) {
   for (std::size_t at = text.find(") "); at != std::string::npos; at = text.find(") ", at + 1)) {
     const std::size_t begin = text.find_last_of(" (", at) + 1;
@@ -77,7 +77,7 @@ bool has_doubled_rate(const std::string& text) {
   return false;
 }
 
-/// "2 \frac{1}{a}": a number beside a fraction, which would be a part of it.
+/// True for "2 \frac{1}{a}": the number should be in the numerator.
 bool has_number_beside_fraction(const std::string& text) {
   const std::string fraction = " \\frac{1}{";
   for (std::size_t at = text.find(fraction); at != std::string::npos;
@@ -90,7 +90,7 @@ bool has_number_beside_fraction(const std::string& text) {
   return false;
 }
 
-/// Everything that a page should not have.
+/// All forbidden texts on a page.
 std::vector<std::string> found_on(const std::string& page) {
   std::vector<std::string> found;
   for (const std::string_view text : forbidden) {
@@ -121,7 +121,7 @@ Products products_for(const SourcePointer& model, Goal goal) {
 
 }  // namespace
 
-TEST_CASE("no page of any model has what no book prints") {
+TEST_CASE("no page of any model contains text that no book prints") {
   for (const auto& file : fs::directory_iterator(std::string(ELGEN_SOURCE_DIR) + "/models")) {
     if (file.path().extension() != ".toml") continue;
     INFO(file.path());
@@ -138,7 +138,7 @@ TEST_CASE("no page of any model has what no book prints") {
   }
 }
 
-TEST_CASE("no page of an analysis has it either") {
+TEST_CASE("no page of an analysis contains text that no book prints") {
   for (const char* const name : {"double_pendulum", "rotating_hoop", "elastic_pendulum"}) {
     INFO(name);
     const SourcePointer model = make_source("model.toml", model_file(name));
@@ -154,7 +154,7 @@ TEST_CASE("no page of an analysis has it either") {
   }
 }
 
-TEST_CASE("what no book prints is found") {
+TEST_CASE("text that no book prints is found") {
   for (const char* const text :
        {"t_4f2a0", "t_{\\mathrm{da04d}}", "t_{71571}", "(ψ̇ + φ̇) φ̇)",
         "(a + \\dot{\\varphi}) \\dot{\\varphi})", "2 \\frac{1}{a} x", "c = (3 \\frac{1}{a})"}) {

@@ -1,5 +1,5 @@
-// Inputs that are wrenches on frames, or forces on points: their block of B is the Jacobian of the
-// frame's twist, transposed; names, units and axes, locks, and what is refused.
+// Inputs that are wrenches on frames or forces on points: their block of B is the transposed
+// Jacobian of the frame's twist; names, units, axes, locks, and refused inputs.
 #include <catch2/catch.hpp>
 
 #include "pipeline/constrained_testing.hpp"
@@ -15,7 +15,7 @@ std::string output(const std::string& axes) {
          "\"\n";
 }
 
-/// Two links in a plane; what acts on them follows.
+/// A planar leg of two links; `more` adds its inputs.
 std::string leg(const std::string& more) {
   return R"toml(format = 1
 [model]
@@ -65,7 +65,7 @@ std::string messages(const std::string& model, const std::string& scene = "") {
 
 }  // namespace
 
-TEST_CASE("the columns of a wrench are the Jacobian of the twist, transposed") {
+TEST_CASE("the columns of a wrench are the transposed Jacobian of the twist") {
   for (const std::string axes : {"world", "link7"}) {
     INFO(axes);
     const Constrained system(armed("\n[[input]]\nname = \"f\"\nwrench = \"link7\"\nin = \"" + axes +
@@ -87,7 +87,7 @@ TEST_CASE("the columns of a wrench are the Jacobian of the twist, transposed") {
   }
 }
 
-TEST_CASE("in a plane a torque has one component and a force two") {
+TEST_CASE("in a plane a torque has one component and a force has two") {
   const Constrained system(leg("[[input]]\nname = \"w\"\nwrench = \"shank\"\n[[input]]\nname = "
                                "\"g\"\nat = \"toe\"\n"),
                            "input_matrix");
@@ -114,7 +114,7 @@ TEST_CASE("in a plane a torque has one component and a force two") {
     CHECK(found[i] == Approx(expected[i]).margin(1e-15));
 }
 
-TEST_CASE("components that act on locked coordinates alone leave, and say so") {
+TEST_CASE("components that act only on locked coordinates are removed, with a note") {
   const std::string model =
       leg("[[input]]\nname = \"w\"\nwrench = \"thigh\"\n[[input]]\nname = "
           "\"g\"\nat = \"toe\"\n");
@@ -125,12 +125,12 @@ TEST_CASE("components that act on locked coordinates alone leave, and say so") {
   CHECK_THAT(told, !Contains("`g[1]` acts on what"));
 }
 
-TEST_CASE("a wrench whose frame moves keeps all components") {
+TEST_CASE("a wrench on a moving frame keeps all components") {
   const std::string model = leg("[[input]]\nname = \"w\"\nwrench = \"thigh\"\n");
   CHECK(messages(model, "[lock]\nknee = { value = 0.4 }\n").find("E616") == std::string::npos);
 }
 
-TEST_CASE("wrenches that are none are refused") {
+TEST_CASE("invalid wrenches are refused") {
   using Catch::Contains;
   const auto input = [](const std::string& keys) {
     return messages(leg("[[input]]\nname = \"w\"\n" + keys));

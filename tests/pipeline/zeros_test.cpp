@@ -1,4 +1,5 @@
-// Entries that are identically zero are emitted as 0, and those not proved to be zero are reported.
+// Entries that are identically zero are emitted as 0. Zeros that are sampled but not proved are
+// reported.
 #include <catch2/catch.hpp>
 #include <regex>
 
@@ -7,7 +8,7 @@
 namespace elgen::test {
 namespace {
 
-/// Prints the largest |x| of what is zero on paper.
+/// Prints the largest |x| of entries that are zero on paper.
 constexpr const char* furuta = R"cpp(
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ constexpr const char* furuta = R"cpp(
   }
 )cpp";
 
-/// Prints the largest of the diagonal entries of C that vanish.
+/// Prints the largest diagonal entry of C. All of them vanish.
 constexpr const char* chain = R"cpp(
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ constexpr const char* chain = R"cpp(
   }
 )cpp";
 
-/// M is constant, so that C v = 0; the v^2 terms cancel by cos(0.7), cos(0.5) and sqrt(2)/2 alone.
+/// M is constant, so C v = 0. The v^2 terms cancel only through cos(0.7), cos(0.5) and sqrt(2)/2.
 constexpr const char* tilted = R"toml(format = 1
 [model]
 name = "tilted"
@@ -75,7 +76,7 @@ com = ["-0.43", "p4", "0.25"]
 vector = ["0", "0", "-9.81"]
 )toml";
 
-/// Prints C v and C, at a rate where 1e-17 v^2 would be 10.
+/// Prints C v and C at a rate with 1e-17 v^2 = 10.
 constexpr const char* fast = R"cpp(
 #include <cstdio>
 
@@ -88,7 +89,7 @@ constexpr const char* fast = R"cpp(
   }
 )cpp";
 
-/// Prints whether M is regular: at ordinary states, and where an entry of its diagonal vanishes.
+/// Prints whether M is regular, at ordinary states and with a vanishing diagonal entry.
 constexpr const char* regular = R"cpp(
 #include <cstdio>
 
@@ -110,10 +111,11 @@ constexpr const char* regular = R"cpp(
   int main() { std::printf("%d%d%d %d%d", cart(1), cart(1e-100), cart(0), orbit(2), orbit(0)); }
 )cpp";
 
-/// Prints for an arm whose centre c2 is 10^k times as far, k = 0 to 9, at how many of 2000 states
-/// accelerations are off by more than 20 * 10^-digits_left, if any digits are left. For k = 8: if
-/// more than 1600 states are regular and off by more than 1 %, and if all of these have fewer than
-/// two digits left. Then the digits of pivots (1, NaN), (1, 0) and (1, 100 n epsilon).
+/// For an arm with the centre c2 multiplied by 10^k, k = 0 to 9: prints at how many of 2000 states
+/// the accelerations are off by more than 20 * 10^-digits_left, if any digits are left. For k = 8
+/// prints whether more than 1600 states are regular and off by more than 1 %, and whether all of
+/// these have fewer than two digits left. Then prints the digits of pivots (1, NaN), (1, 0) and (1,
+/// 100 n epsilon).
 constexpr const char* digits = R"cpp(
 #include <algorithm>
 #include <cmath>
@@ -166,8 +168,7 @@ constexpr const char* digits = R"cpp(
   }
 )cpp";
 
-/// Prints how much the accelerations of an expanded cart and pole change with the speed of the
-/// cart.
+/// Prints the change of an expanded cart and pole's accelerations with the speed of the cart.
 constexpr const char* expanded = R"cpp(
 #include <cstdio>
 
@@ -188,7 +189,7 @@ TEST_CASE("derivatives by a cyclic coordinate are 0 in emitted code") {
   CHECK(printed(folder, furuta) == "0");
 }
 
-TEST_CASE("entries of C that vanish are 0 in emitted code") {
+TEST_CASE("vanishing entries of C are 0 in emitted code") {
   const Workspace folder;
   const std::string output = printed(folder, chain);
   CAPTURE(output);
@@ -196,18 +197,18 @@ TEST_CASE("entries of C that vanish are 0 in emitted code") {
   CHECK(output != "0 0");
 }
 
-TEST_CASE("a vanishing diagonal entry of M is singular") {
+TEST_CASE("M with a vanishing diagonal entry is singular") {
   const Workspace folder;
   CHECK(printed(folder, regular) == "110 10");
 }
 
-TEST_CASE("digits_left bounds the digits of accelerations where is_regular says yes") {
+TEST_CASE("digits_left bounds the digits of accelerations if is_regular is true") {
   const Workspace folder;
-  // Up to k = 2 forces that cancel, not M, lose more at a few states.
+  // Up to k = 2, cancelling forces lose more digits than M at a few states.
   CHECK_THAT(printed(folder, digits), Catch::Matches("[0-3] [0-3] [0-3] 0 0 0 0 0 0 0 1 1 0 0 2"));
 }
 
-TEST_CASE("what cancels by irrational constants alone leaves no noise") {
+TEST_CASE("terms that cancel only through irrational constants leave no noise") {
   const Workspace folder;
   folder.write("tilted.toml", tilted);
   const Outcome generated = folder.run("elgen generate -o out --fix m tilted.toml");
@@ -220,7 +221,7 @@ TEST_CASE("what cancels by irrational constants alone leaves no noise") {
   CHECK(folder.run("elgen verify --build written --samples 16 tilted.toml").status == 0);
 }
 
-TEST_CASE("a term that cancels in the sum beside it leaves no rounding") {
+TEST_CASE("a term that cancels in a neighbouring sum leaves no rounding error") {
   const Workspace folder;
   const std::string model = std::string(ELGEN_SOURCE_DIR) + "/models/cart_pole.toml";
   folder.write("near.scene.toml", "format = 1\nmodel = '" + model +
@@ -228,11 +229,11 @@ TEST_CASE("a term that cancels in the sum beside it leaves no rounding") {
                                       "[approximate]\norder = 3\nabout = { x = 0, theta = 0 }\n");
   REQUIRE(folder.run("elgen generate -o out near.scene.toml").status == 0);
   CHECK(printed(folder, expanded) == "0 0");
-  // Far from the point the expanded M is indefinite, with pivots of 1e29.
+  // Far from the expansion point the expanded M is indefinite, with pivots of 1e29.
   CHECK(folder.run("elgen verify --quick --samples 64 near.scene.toml").status == 0);
 }
 
-TEST_CASE("what was sampled and not proved is said by generate and verify") {
+TEST_CASE("generate and verify report zeros that are sampled and not proved") {
   const Workspace folder;
   const std::string model = std::string(ELGEN_SOURCE_DIR) + "/models/furuta_pendulum.toml";
   const Outcome generated = folder.run("elgen generate -o out '" + model + "'");

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Opens pages that move in a headless Chromium, and compares them with `elgen simulate`.
+"""Opens animated pages in a headless Chromium, and compares them with `elgen simulate`.
 
-    pages.py ELGEN MODEL...    one line each; exit 1 where a state differs or a page complains
+    pages.py ELGEN MODEL...    one line per model; exit code 1 if a state differs or a page logs a message
 
-A page that is opened with #test=T runs T seconds at once and shows its state in all digits. That is
-the state of rk4 in steps of the same length to 1e-10, relative to the largest coordinate or rate:
-the sines of a browser are not those of the C library, and chaotic systems double such differences.
-Those are compared after half a second.
+A page opened with #test=T runs T seconds at once and shows its state in all digits. The reference is
+rk4 with the same step size. The tolerance is 1e-10, relative to the largest coordinate or rate,
+because a browser's sines differ from the C library's. Chaotic systems amplify such differences, so
+they are compared after half a second.
 """
 
 import html.parser
@@ -21,15 +21,15 @@ import sys
 import tempfile
 
 TOLERANCE = 1e-10
-USUAL = (2.5, 0.002)  # seconds that are run, and the length of a step
+USUAL = (2.5, 0.002)  # seconds of each run, and the step size
 CHAOTIC = (0.5, 0.002)
 CHAOS = ["acrobot", "chain", "chain_rope", "double_pendulum", "panda7", "panda7_calibrated", "panda7_gravity",
          "panda7_rollouts", "swinging_atwood", "triple_pendulum"]
-RUNS = {"andrews": (0.03, 1e-5), "five_bar": (0.25, 0.002)} | {name: CHAOTIC for name in CHAOS}  # two stop soon after
+RUNS = {"andrews": (0.03, 1e-5), "five_bar": (0.25, 0.002)} | {name: CHAOTIC for name in CHAOS}  # both stop soon after
 
 
 class State(html.parser.HTMLParser):
-    """The text of the output #state."""
+    """The text of the element <output id="state">."""
 
     def __init__(self, text):
         super().__init__()
@@ -55,7 +55,7 @@ def run(command, seconds=120):
 
 
 def opened(page, time):
-    """The state that the page shows, and what it said on its console."""
+    """The state that the page shows, and its console messages."""
     command = [browser(), "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
                "--enable-logging=stderr", "--virtual-time-budget=5000", "--dump-dom", f"file://{page}#test={time}"]
     shown = run(command)
@@ -67,7 +67,7 @@ def opened(page, time):
 
 
 def expected(elgen, model, time, step):
-    """Coordinates and rates at the end; angles that wrap are in (-pi, pi]."""
+    """Coordinates and rates at the end of the run; angles that wrap are in (-pi, pi]."""
     command = [elgen, "simulate", "-q", "--method", "rk4", "--step", str(step), "--time", str(time), "--every", str(time)]
     shown = run([*command, "--format", "json", model])
     if shown.returncode != 0:
@@ -79,8 +79,8 @@ def expected(elgen, model, time, step):
 
 
 def difference(shown, wanted):
-    """The largest one, relative to the largest coordinate or rate; whole turns apart is none."""
-    wanted = wanted[:len(shown)]  # inputs and multipliers follow
+    """The largest difference, relative to the largest coordinate or rate. Whole turns of an angle do not count."""
+    wanted = wanted[:len(shown)]  # inputs and multipliers follow the state
     turn = 2 * math.pi
     apart = [abs(a - b) if abs(a - b) < 3 else abs(math.remainder(a - b, turn)) for a, b in zip(shown, wanted)]
     return max(apart) / (max(abs(x) for x in wanted) or 1.0)

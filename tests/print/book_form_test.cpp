@@ -1,4 +1,4 @@
-// What a book's form keeps of a typed model, and where it stops.
+// The book form of a typed model: typed sums are kept, up to its limits.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -19,7 +19,7 @@ struct Typed {
   SceneOptions scene = {};
 };
 
-/// The derivation of one mass on a line.
+/// The text of the derivation of a mass on a line.
 std::string derivation(const Typed& typed) {
   const std::string text = model_text("typed", R"toml(
 [[coordinate]]
@@ -48,7 +48,7 @@ std::string with_potential(const std::string& potential) {
   return derivation({kinetic + "V = \"" + potential + "\"\n"});
 }
 
-/// Of T and V: the page of a model of x, y and p, and its derivation.
+/// The page and the derivation of a model with coordinates x and y, parameter p and these energies.
 Products irrational(const std::string& T, const std::string& V) {
   const std::string text = model_text("irrational",
                                       "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n"
@@ -59,20 +59,21 @@ Products irrational(const std::string& T, const std::string& V) {
   return run_pipeline({make_source("irrational.toml", text), nullptr}, options);
 }
 
-/// The entries of a function, as it was derived and as it is read.
+/// Compares the derived entries of a function with its readable entries.
 void check_meaning(const Program& program, std::size_t function, const Arguments<double>& at) {
   INFO(program.functions[function].name);
   const std::vector<double> derived = evaluate(program, program.functions[function], at);
   const std::vector<double> read = evaluate(program, program.readable[function], at);
   REQUIRE(read.size() == derived.size());
   for (std::size_t i = 0; i < read.size(); ++i) {
-    CHECK(read[i] == Approx(derived[i]).epsilon(1e-9).margin(1e-9));  // rounding, of sums to 100
+    CHECK(read[i] ==
+          Approx(derived[i]).epsilon(1e-9).margin(1e-9));  // rounding error of sums up to 100
   }
 }
 
 }  // namespace
 
-TEST_CASE("each summand of an energy stands as it was typed") {
+TEST_CASE("each summand of an energy is printed as typed") {
   struct PotentialRow {
     const char* typed;
     const char* energy;
@@ -99,14 +100,14 @@ TEST_CASE("each summand of an energy stands as it was typed") {
   }
 }
 
-TEST_CASE("what cancels in a sum is typed, and has no force") {
+TEST_CASE("terms that cancel in a typed sum are printed, and have no force") {
   const std::string text = with_potential("a*x + b - a*x");
   CHECK(has(text, "  V = a*x + b - a*x\n"));
   CHECK(has(text, "  L does not contain x, so p_x"));
   CHECK(has(text, "  m*dot(dot(x)) = 0\n"));
 }
 
-TEST_CASE("what is 0 as a whole has no force and no rate, pair by pair or not") {
+TEST_CASE("a potential that is 0 as a whole has no force and no rate") {
   const std::string text = with_potential("a*x + k*l*x - (a + k*l)*x");
   CHECK(has(text, "  L does not contain x, so p_x"));
   CHECK(has(text, "  m*dot(dot(x)) = 0\n"));
@@ -114,12 +115,12 @@ TEST_CASE("what is 0 as a whole has no force and no rate, pair by pair or not") 
   CHECK(has(turned, "  L does not contain t, so E is conserved\n"));
 }
 
-TEST_CASE("a sum that is typed in two orders is written in the first") {
+TEST_CASE("a sum typed in two orders is printed in the first order") {
   const std::string text = with_potential("1/2*k*(x - l)^2 + 1/4*k*(l - x)^2");
   CHECK(has(text, "  V = 1/2*k*(x - l)^2 + 1/4*k*(x - l)^2\n"));
 }
 
-TEST_CASE("L as a whole, and no V") {
+TEST_CASE("a Lagrangian given as L is printed as L, and a missing V as 0") {
   CHECK(has(derivation({"L = \"1/2*m*dot(x)^2 - 1/2*k*(x - l)^2\"\n"}),
             "  L = 1/2*m*dot(x)^2 - 1/2*k*(x - l)^2\n"));
   const std::string free = derivation({kinetic});
@@ -127,14 +128,14 @@ TEST_CASE("L as a whole, and no V") {
   CHECK(has(free, "  dot(dot(x)) = 0\n"));
 }
 
-TEST_CASE("a rate in V is a part of the momentum") {
+TEST_CASE("a rate in V contributes to the momentum") {
   const std::string text = with_potential("c*x*dot(x) + a*x");
   CHECK(has(text, "  V = c*x*dot(x) + a*x\n"));
   CHECK(has(text, "  dL/d(dot(x)) = m*dot(x) - c*x\n"));
   CHECK(has(text, "  m*dot(dot(x)) + a = 0\n"));
 }
 
-TEST_CASE("definitions of parameters have their names, others are filled in") {
+TEST_CASE("definitions of parameters keep their names, other definitions are substituted") {
   const std::string text = derivation(
       {kinetic + "V = \"1/2*k*e^2 + a*e + 1/2*mu*x^2\"\n", "e = \"x - l\"\nmu = \"k + a/l\"\n"});
   CHECK(has(text, "  V = 1/2*k*(x - l)^2 + a*(x - l) + 1/2*mu*x^2\n"));
@@ -144,7 +145,7 @@ TEST_CASE("definitions of parameters have their names, others are filled in") {
   CHECK(has(rates, "  T = 1/2*m*c^2*dot(x)^2\n"));
 }
 
-TEST_CASE("a long definition keeps its name, and is given once in a section") {
+TEST_CASE("a long definition keeps its name") {
   std::string sum = "x^13";
   for (int power = 1; power < 13; ++power) sum += " + c*x^" + std::to_string(power);
   const std::string text = derivation({kinetic + "V = \"a*e^2\"\n", "e = \"" + sum + "\"\n"});
@@ -152,7 +153,7 @@ TEST_CASE("a long definition keeps its name, and is given once in a section") {
   CHECK(has(text, "  V = a*e^2\n"));
 }
 
-TEST_CASE("what a scene fixes is a number in the sum that was typed") {
+TEST_CASE("a parameter fixed by a scene is a number in the typed sum") {
   SceneOptions scene;
   scene.fixed = {make_source("--fix", "l=1/2")};
   const std::string text = derivation({kinetic + "V = \"1/2*k*(x - l)^2\"\n", "", scene});
@@ -160,7 +161,7 @@ TEST_CASE("what a scene fixes is a number in the sum that was typed") {
   CHECK(has(text, "  dot(dot(x)) = -k*(x - 1/2)/m\n"));
 }
 
-TEST_CASE("sums, products and quotients of irrational numbers are written as what they are") {
+TEST_CASE("sums, products and quotients of irrational numbers keep their value in readable form") {
   const std::string plain = "dot(x)^2 + 1/2*dot(y)^2";
   for (const auto& [T, V] : std::vector<std::pair<std::string, std::string>>{
            {plain, "x + ((exp(1)*x) + ((pi - 1)*x))"},

@@ -1,5 +1,5 @@
-// Textbook systems are printed as books print them: every line of tests/print/books stands in the
-// derivation, symbol by symbol but for the order of terms.
+// Textbook systems are printed as in books: every line in tests/print/books occurs in the
+// derivation, symbol by symbol, except for the order of terms.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -17,7 +17,7 @@ using namespace elgen;
 
 namespace {
 
-/// A line that is printed in another way on purpose.
+/// A line that is printed differently on purpose.
 struct BookException {
   std::string system;
   std::string line;
@@ -28,7 +28,7 @@ constexpr std::size_t most_exceptions = 3;
 
 std::vector<BookException> book_exceptions() { return {}; }
 
-/// Of the bracket at `open`; the end of the text where none closes it.
+/// The position of the bracket that closes the bracket at `open`, or the end of the text.
 std::size_t closing_bracket(std::string_view text, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < text.size(); ++i) {
@@ -39,7 +39,7 @@ std::size_t closing_bracket(std::string_view text, std::size_t open) {
   return text.size();
 }
 
-/// A sum with its terms in one order, and those of the sums in its brackets.
+/// A sum with sorted terms; sums in its brackets are sorted too.
 std::string sum_in_order(std::string_view sum) {
   std::vector<std::string> terms{sum.starts_with('-') ? "-" : "+"};
   for (std::size_t i = sum.starts_with('-') ? 1 : 0; i < sum.size(); ++i) {
@@ -61,7 +61,7 @@ std::string sum_in_order(std::string_view sum) {
   return text;
 }
 
-/// "LEFT = RIGHT"; another line as it is.
+/// Sorts both sides of "LEFT = RIGHT". Other lines are returned unchanged.
 std::string equation_in_order(const std::string& line) {
   const std::size_t equal = line.find(" = ");
   if (equal == std::string::npos) return line;
@@ -69,7 +69,7 @@ std::string equation_in_order(const std::string& line) {
   return sum_in_order(text.substr(0, equal)) + " = " + sum_in_order(text.substr(equal + 3));
 }
 
-/// The lines of the energies and of the equations of motion, without their margin.
+/// The lines of the sections "Energies" and "Equations of motion", without their indent.
 std::vector<std::string> read_sections(const std::string& text) {
   std::vector<std::string> lines;
   bool is_wanted = false;
@@ -99,7 +99,7 @@ std::vector<std::string> printed_lines(const std::filesystem::path& path) {
   return read_sections(text_of(steps_sections(products.checked->model, *products.steps)));
 }
 
-/// The lines of a book that are not printed so.
+/// The lines of a book that the derivation does not contain.
 std::vector<std::string> missing_lines(const std::vector<std::string>& book,
                                        const std::vector<std::string>& printed) {
   std::set<std::string> known;
@@ -111,7 +111,7 @@ std::vector<std::string> missing_lines(const std::vector<std::string>& book,
   return missing;
 }
 
-/// Takes out what is printed otherwise on purpose; an exception that is none fails.
+/// Removes the intended exceptions. Fails if an exception has no reason or is not needed.
 void drop_exceptions(const std::string& system, std::vector<std::string>& missing) {
   for (const BookException& exception : book_exceptions()) {
     if (exception.system != system) continue;
@@ -123,7 +123,7 @@ void drop_exceptions(const std::string& system, std::vector<std::string>& missin
 
 }  // namespace
 
-TEST_CASE("textbook systems are printed as books print them") {
+TEST_CASE("textbook systems are printed as in books") {
   CHECK(book_exceptions().size() <= most_exceptions);
   std::string failures;
   for (const std::filesystem::path& path :
@@ -142,7 +142,7 @@ TEST_CASE("textbook systems are printed as books print them") {
   CHECK(failures.empty());
 }
 
-TEST_CASE("terms may stand in any order, factors may not") {
+TEST_CASE("terms may be in any order, factors may not") {
   CHECK(equation_in_order("a + b*c - d = 0") == equation_in_order("-d + b*c + a = 0"));
   CHECK(equation_in_order("a*(b - c)^2 = x") == equation_in_order("a*(-c + b)^2 = x"));
   CHECK(equation_in_order("a*b = 0") != equation_in_order("b*a = 0"));

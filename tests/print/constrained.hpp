@@ -1,4 +1,5 @@
-// Systems with constraints: a mass on a rod in x and y, and a disc that rolls upright on a plane.
+// Systems with constraints: a mass on a rod with coordinates x and y, and an upright disc that
+// rolls on a plane.
 #pragma once
 
 #include <string>

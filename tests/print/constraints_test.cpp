@@ -1,4 +1,4 @@
-// Pages on constraints: equations as typed, multipliers with their units, gains.
+// Constraints on pages: equations as typed, multipliers with their units, gains.
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -33,7 +33,7 @@ const PageSection& section_titled(const Page& page, const std::string& title) {
 
 }  // namespace
 
-TEST_CASE("a constraint is a line of its sides, its kind and its gains") {
+TEST_CASE("the line of a constraint has its sides, its kind and its gains") {
   CHECK(constraint_lines(checked_model(rod_text()).model) ==
         Cells{"rod (position): (x^2 + y^2)/2 = l^2/2, omega = 2*omega, zeta = 1"});
   CHECK(constraint_lines(checked_model(disc_text()).model) ==
@@ -46,7 +46,7 @@ TEST_CASE("a constraint is a line of its sides, its kind and its gains") {
             .empty());
 }
 
-TEST_CASE("points that coincide stand by their names") {
+TEST_CASE("coinciding points are printed by their names") {
   const std::string crank = model_text("crank", R"toml([[coordinate]]
 name = "a"
 [[coordinate]]
@@ -70,7 +70,7 @@ equation = "x(P) = x(Q)"
   CHECK(latex_of(section_titled(page, "Constraints").table.cells.at(3)) == "x_{P} = x_{Q}");
 }
 
-TEST_CASE("rates obey what the gains ask for, and nothing else") {
+TEST_CASE("the constraint equation has exactly the terms of its gains") {
   CHECK(text_of(constraint_equation(checked_model(rod_text()).model)) ==
         "A a = -gamma - 2 zeta omega r - omega^2 f");
   CHECK(text_of(constraint_equation(checked_model(disc_text()).model)) == "A a = -gamma");
@@ -79,7 +79,7 @@ TEST_CASE("rates obey what the gains ask for, and nothing else") {
         "A a = -gamma - 2 zeta omega r");
 }
 
-TEST_CASE("pages have a table of constraints, and each multiplier by its symbol") {
+TEST_CASE("a page has a table of constraints with the symbols of their multipliers") {
   const Page page = typeset_page(rod_text());
   const PageSection& section = section_titled(page, "Constraints");
   CHECK(has(section.doc, " rod: massless."));
@@ -96,7 +96,7 @@ TEST_CASE("pages have a table of constraints, and each multiplier by its symbol"
   CHECK(has(markdown_page(page), "| $\\lambda_{\\mathrm{rod}}$ | kg/s\u00b2 | position | $"));
 }
 
-TEST_CASE("the page of text lists constraints below the variables") {
+TEST_CASE("a text page lists constraints below the variables") {
   const Chosen c = chosen(rod_text());
   CHECK(has(text_page(c.checked.model, c.checked.scene, c.choice.program),
             "  lambda = (lambda_rod [kg/s^2])\n"
@@ -104,7 +104,7 @@ TEST_CASE("the page of text lists constraints below the variables") {
             "constraints\n  rod (position): "));
 }
 
-TEST_CASE("what holds for forces without constraints is not said of those with some") {
+TEST_CASE("statements that hold only without constraints are omitted in models with constraints") {
   const Chosen c = chosen(rod_text());
   for (const Function& function : c.choice.program.functions) {
     if (function.kind == OutputKind::energy_function) {

@@ -1,4 +1,4 @@
-// Displays of formulas: how wide they are, and how they are broken.
+// Displayed formulas: their width and their line breaks.
 #include "print/display.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ SetEquation equation(const std::string& left, std::uint32_t rows, std::uint32_t 
   return result;
 }
 
-/// The displays of a number.
+/// The displays of an equation a = `number`.
 std::vector<Display> displays_of(const std::string& number) {
   return displays(equation("a", 1, 1, {number}));
 }
@@ -38,7 +38,8 @@ std::string left_of(const Display& display) { return latex(display.left); }
 
 }  // namespace
 
-TEST_CASE("a fraction wider than the page stands in front of the lines of its numerator") {
+TEST_CASE(
+    "a fraction wider than the page becomes 1/denominator before the lines of its numerator") {
   const auto parts = displays_of("-\\frac{" + sum_of(60) + "}{m + l}");
   REQUIRE(parts.size() == 1);
   CHECK(parts[0].rows.size() > 2);
@@ -51,7 +52,7 @@ TEST_CASE("a fraction wider than the page stands in front of the lines of its nu
   CHECK(terms == 60);
 }
 
-TEST_CASE("so does one in a product of a sum") {
+TEST_CASE("a wide fraction inside a product of a sum is split too") {
   const std::string wide = "\\frac{" + sum_of(60) + "}{m_{1} + l}";
   const std::string number = "k \\left( \\frac{1}{m} - " + wide + " \\right)";
   REQUIRE(displays_of(number).size() == 1);
@@ -59,7 +60,7 @@ TEST_CASE("so does one in a product of a sum") {
       "k \\left( \\frac{1}{m} - \\frac{1}{m_{1} + l} \\left( x + x"));
 }
 
-TEST_CASE("the factors in front of a last bracket stay above the fraction") {
+TEST_CASE("factors before the last bracket of a numerator stay in the fraction") {
   const std::string sum = "(" + sum_of(60) + ")";
   const std::vector<std::pair<std::string, std::string>> rows{
       {"g l " + sum, "\\frac{g l}{m} (x + x"},
@@ -72,7 +73,7 @@ TEST_CASE("the factors in front of a last bracket stay above the fraction") {
   }
 }
 
-TEST_CASE("one over what is wider than the page is a power") {
+TEST_CASE("the reciprocal of a term wider than the page becomes a power") {
   const std::string number = "c - \\frac{1}{" + sum_of(60) + "} b";
   CHECK(first_line(number).starts_with("c - \\left( x + x"));
   CHECK(last_line(number).ends_with("+ x \\right)^{-1} b"));
@@ -81,7 +82,7 @@ TEST_CASE("one over what is wider than the page is a power") {
   CHECK(last_line("\\frac{1}{\\sqrt{" + sum_of(60) + "}}").ends_with("+ x \\right)^{-1/2}"));
 }
 
-TEST_CASE("equations are one block, aligned at their signs") {
+TEST_CASE("equations are one block, aligned at their equals signs") {
   const auto blocks =
       aligned_blocks({equation("T", 1, 1, {"a"}), equation("\\dot{x}", 2, 1, {"b", "c"})});
   REQUIRE(blocks.size() == 1);
@@ -90,7 +91,7 @@ TEST_CASE("equations are one block, aligned at their signs") {
         "\\end{aligned}");
 }
 
-TEST_CASE("a left side that takes most of a line stands alone, and is broken") {
+TEST_CASE("a left side that fills most of a line gets its own block and is broken") {
   const auto blocks = aligned_blocks(
       {equation("T", 1, 1, {"a"}), equation(sum_of(40), 1, 1, {"0"}), equation("V", 1, 1, {"b"})});
   REQUIRE(blocks.size() == 3);
@@ -100,7 +101,7 @@ TEST_CASE("a left side that takes most of a line stands alone, and is broken") {
   CHECK(latex_block(blocks[2]) == "V = b");
 }
 
-TEST_CASE("lines of a block have room beside its longest left side") {
+TEST_CASE("lines of a block leave room for its longest left side") {
   const auto blocks =
       aligned_blocks({equation("T", 1, 1, {sum_of(20)}), equation(sum_of(6), 1, 1, {"a"})});
   REQUIRE(blocks.size() == 1);
@@ -117,16 +118,18 @@ TEST_CASE("vectors are bold, their components are not") {
   CHECK(left_of(displays(equation("\\mathbf{g}", 2, 1, {"x", "y"})).at(0)) == "\\mathbf{g}");
 }
 
-TEST_CASE("a fraction that fits stays one") { CHECK(displays_of("\\frac{x}{m + l}").size() == 1); }
+TEST_CASE("a fraction that fits is not split") {
+  CHECK(displays_of("\\frac{x}{m + l}").size() == 1);
+}
 
-TEST_CASE("what does not fit as a matrix is written entry by entry, without zeros") {
+TEST_CASE("a matrix that does not fit is printed entry by entry, without zeros") {
   const auto parts = displays(equation("M", 2, 2, {sum_of(30), "0", "0", "m"}));
   REQUIRE(parts.size() == 2);
   CHECK(left_of(parts[0]) == "M_{1, 1}");
   CHECK(left_of(parts[1]) == "M_{2, 2}");
 }
 
-TEST_CASE("a matrix that fits is one") {
+TEST_CASE("a matrix that fits is printed as a matrix") {
   const auto parts = displays(equation("M", 2, 2, {"a", "b", "b", "c"}));
   REQUIRE(parts.size() == 1);
   CHECK(latex_block(parts) == "M = \\begin{pmatrix}\na & b \\\\\nb & c\n\\end{pmatrix}");

@@ -1,4 +1,4 @@
-// The equation of motion with its variables, and the headings of outputs.
+// The equation of motion with its variables, and headings of outputs.
 #include <catch2/catch.hpp>
 
 #include "choose/chosen.hpp"
@@ -31,7 +31,7 @@ Lines lines_of(const std::string& text, const SceneOptions& options = {}) {
 
 }  // namespace
 
-TEST_CASE("terms that are zero, or that a model cannot have, are left out") {
+TEST_CASE("terms that are zero or impossible in a model are omitted") {
   const Chosen c = chosen(cart_pole_text());
   const Formula equation = equation_of_motion(c.checked.model, c.choice.program);
   CHECK(text_of(equation) == "M(q) a + C(q,v) v + g(q) = B(q) u");
@@ -41,7 +41,7 @@ TEST_CASE("terms that are zero, or that a model cannot have, are left out") {
         "\\mathbf{g}(\\mathbf{q}) = B(\\mathbf{q}) \\mathbf{u}");
 }
 
-TEST_CASE("where nothing moves, the equation is that at rest") {
+TEST_CASE("without functions of motion the equation at rest is printed") {
   Chosen c = chosen(cart_pole_text());
   auto& functions = c.choice.program.functions;
   const auto moves = [](const Function& f) { return f.kind != OutputKind::gravity; };
@@ -54,21 +54,21 @@ TEST_CASE("where nothing moves, the equation is that at rest") {
   CHECK(at_rest() == "drift(q,0) + g(q) = B(q) u");
 }
 
-TEST_CASE("where rotations turn the rates are v") {
+TEST_CASE("with rotations the rates are v") {
   const Chosen c = chosen(tumbler_text());
   CHECK(latex_of(equation_of_motion(c.checked.model, c.choice.program)) ==
         "M(\\mathbf{q}) \\mathbf{a} + C(\\mathbf{q},\\mathbf{v}) \\mathbf{v} = B(\\mathbf{q}) "
         "\\mathbf{u}");
 }
 
-TEST_CASE("a term nothing is known of stays") {
+TEST_CASE("a term without information is kept") {
   elgen::testing::Subject subject = cart_pole();
   CHECK(equation(subject) == "M(q) a + C(q,v) v + g(q) = B(q) u");
   subject.model.may_drift = true;
   CHECK(equation(subject) == "M(q) a + C(q,v) v + drift(q,v) + g(q) = B(q) u");
 }
 
-TEST_CASE("what is zero in the program is left out, and a side without terms is 0") {
+TEST_CASE("a term that is zero in the program is omitted, and a side without terms is 0") {
   elgen::testing::Subject subject = cart_pole();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = constant 0\n  result 2 1 = 0 0\n"
@@ -78,7 +78,7 @@ TEST_CASE("what is zero in the program is left out, and a side without terms is 
   CHECK(equation(subject) == "M(q) a + C(q,v) v = 0");
 }
 
-TEST_CASE("dissipation, other forces and time") {
+TEST_CASE("dissipation, other forces and time have their terms") {
   elgen::testing::Subject subject = cart_pole();
   subject.model.energies.D = 0;
   subject.model.forces.emplace_back();
@@ -87,13 +87,13 @@ TEST_CASE("dissipation, other forces and time") {
         "M(q,t) a + C(q,v,t) v + drift(q,v,t) + g(q,t) + dD/dv = B(q,t) u + Q(q,v,t)");
 }
 
-TEST_CASE("an L that is not quadratic has a bias only") {
+TEST_CASE("an L that is not quadratic in the rates has a bias only") {
   elgen::testing::Subject subject = cart_pole();
   subject.model.quadratic = false;
   CHECK(equation(subject) == "M(q,v) a + bias(q,v) = B(q) u");
 }
 
-TEST_CASE("multipliers act beside the inputs") {
+TEST_CASE("multipliers are on the right side, after the inputs") {
   const Chosen rod = chosen(rod_text());
   const Formula equation = equation_of_motion(rod.checked.model, rod.choice.program);
   CHECK(text_of(equation) == "M(q) a + g(q) = A(q)^T lambda");
@@ -106,7 +106,7 @@ TEST_CASE("multipliers act beside the inputs") {
                                        "A a = -gamma, (f, r) = constraint_residual"});
 }
 
-TEST_CASE("constraints that stand still keep E, and momenta along which none acts") {
+TEST_CASE("time-independent constraints conserve E, and momenta that none of them changes") {
   const auto conserved = [](const std::string& text) {
     const Chosen c = chosen(text);
     Lines names;
@@ -128,24 +128,24 @@ TEST_CASE("constraints that stand still keep E, and momenta along which none act
   CHECK(conserved(std::string(disc).erase(disc.find(input), input.size())) == Lines{"p(psi)"});
 }
 
-TEST_CASE("coordinates, velocities as their rates, inputs") {
+TEST_CASE("variable lines show coordinates, velocities as rates, and inputs") {
   CHECK(lines_of(cart_pole_text()) == Lines{"q = (x, theta)", "v = dq/dt, a = dv/dt", "u = (u)"});
 }
 
-TEST_CASE("many names are the first two and the last") {
+TEST_CASE("a long list of names is abbreviated to the first two and the last") {
   const Chosen c = chosen(cart_pole_text());
   Model model = c.checked.model;
   for (int i = 0; i < 20; ++i) model.coordinates.push_back(model.coordinates[1]);
   CHECK(variable_lines(model, c.choice.program).front() == "q = (x, theta, ..., theta)");
 }
 
-TEST_CASE("where no function knows of motion all is at rest") {
+TEST_CASE("without functions of motion the variables say `at rest`") {
   SceneOptions options;
   options.outputs = {make_source("command line", "gravity")};
   CHECK(lines_of(cart_pole_text(), options).at(1) == "at rest");
 }
 
-TEST_CASE("velocities that are no rates have names") {
+TEST_CASE("velocities that are not rates have names") {
   const Lines lines = lines_of(tumbler_text());
   REQUIRE(lines.size() >= 3);
   CHECK(lines[1].rfind("v = (", 0) == 0);
@@ -161,7 +161,7 @@ TEST_CASE("every output of the table has a symbol and a sentence") {
   }
 }
 
-TEST_CASE("a model without a title has its name as one") {
+TEST_CASE("a model without a title uses its name as title") {
   Model model;
   model.name = "double_pendulum";
   CHECK(page_title(model) == "Double pendulum");
@@ -169,7 +169,7 @@ TEST_CASE("a model without a title has its name as one") {
   CHECK(page_title(model) == "two rods");
 }
 
-TEST_CASE("where rotations turn the rates are v, and the equations those of v") {
+TEST_CASE("with rotations definitions use v, a and N instead of rates") {
   const auto definition_of = [](const std::string& text, OutputKind kind) {
     const Chosen c = chosen(text);
     for (const Function& function : c.choice.program.functions) {

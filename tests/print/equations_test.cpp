@@ -9,13 +9,14 @@ using namespace elgen;
 
 namespace {
 
-/// The first function, by the names of code.
+/// The equations of the first function, with the names used in code.
 FunctionEquations equations_of(const Program& program) {
   const Function& function = program.functions[0];
   return equations(program, function, temporary_names(program, function));
 }
 
-/// Leaves: 0 = m, 1 = x, 2 = y, 3 = dot(x), 4 = dot(dot(x)), 5 = u, 6 = t, 7 = 1/2
+/// Instructions 0 ... 7 are: 0 = m, 1 = x, 2 = y, 3 = dot(x), 4 = dot(dot(x)), 5 = u, 6 = t, 7 =
+/// 1/2.
 std::string entry(const std::string& instructions, int result) {
   const Program program = testing::read_program(
       "parameters m\ncoordinates x y\ninputs u\ntime\n"
@@ -28,7 +29,7 @@ std::string entry(const std::string& instructions, int result) {
 
 }  // namespace
 
-TEST_CASE("leaves are written as in the model") {
+TEST_CASE("leaves are printed as in the model") {
   CHECK(entry("", 0) == "m");
   CHECK(entry("", 3) == "dot(x)");
   CHECK(entry("", 4) == "dot(dot(x))");
@@ -37,7 +38,7 @@ TEST_CASE("leaves are written as in the model") {
   CHECK(entry("", 7) == "1/2");
 }
 
-TEST_CASE("brackets stand only where precedence asks for them") {
+TEST_CASE("brackets are printed only if precedence needs them") {
   struct Row {
     std::string instructions;
     int result;
@@ -67,7 +68,7 @@ TEST_CASE("brackets stand only where precedence asks for them") {
   CHECK(entry(row.instructions, row.result) == row.text);
 }
 
-TEST_CASE("a short entry is written out, a long one over the definitions it needs") {
+TEST_CASE("a short entry is written out, a long entry uses definitions") {
   std::string text =
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = sin 0\n  2 = coordinate y\n"
       "  3 = sin 2\n";
@@ -83,7 +84,7 @@ TEST_CASE("a short entry is written out, a long one over the definitions it need
   CHECK(text_of(result.entries.at(0).at(1)) == text_of(result.definitions[4].name) + "*sin_x^7");
 }
 
-TEST_CASE("guards of pivots are for code: pages do not show them") {
+TEST_CASE("guards of pivots are for code: pages omit them") {
   const Program program = testing::read_program(
       "parameters m\ncoordinates x\nfunction forward_dynamics\n"
       "  0 = parameter m\n  1 = coordinate x\n  2 = constant 1\n  3 = constant 0\n"
@@ -95,7 +96,7 @@ TEST_CASE("guards of pivots are for code: pages do not show them") {
   CHECK(texts_of(shown.entries.at(0)) == std::vector<std::string>{"x + 1/m"});
 }
 
-TEST_CASE("products are read with powers, and closed forms over their names") {
+TEST_CASE("products are printed with powers, and closed forms with their names") {
   Program program = testing::read_program(
       "parameters m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
       "  2 = multiply 1 1\n  3 = multiply 0 2\n  4 = cos 3\n  5 = constant 1/2\n"

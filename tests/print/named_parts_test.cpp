@@ -1,5 +1,5 @@
-// Named parts: what they are called follows from what they are made of, and pages say how bodies
-// in frames move in the place of equations that nobody reads.
+// Named parts: their names follow from their content. If equations are too long to read, pages
+// describe how bodies in frames move instead.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
@@ -18,7 +18,7 @@ using testing::latex_of;
 
 namespace {
 
-/// Two links about crossed axes, nothing of which shares a parameter with the other.
+/// Two links about crossed axes; no two quantities share a parameter.
 const Chosen& two_links() {
   static const Chosen all = chosen(model_text("two_links", R"toml(
 [[coordinate]]
@@ -66,13 +66,13 @@ inertia_about = "origin"
   return all;
 }
 
-/// That of the program before there are closed forms: all of it is made of parts.
+/// The text page of the program before closed forms are chosen, so that it consists of named parts.
 std::string recursive_page() {
   const Chosen& c = two_links();
   return text_page(c.checked.model, c.checked.scene, c.recursive);
 }
 
-/// The leaves, "dot" for rates, that each named part is made of.
+/// For each named part: the leaves that it depends on, with "dot" for rates.
 std::map<std::string, std::set<std::string>> made_of(const std::string& page) {
   static const std::regex word("[A-Za-z_]\\w*");
   std::map<std::string, std::set<std::string>> parts;
@@ -111,7 +111,7 @@ Page page_of_parts() {
 
 }  // namespace
 
-TEST_CASE("a part is called after its frame and its kind, as in code") {
+TEST_CASE("a part is named after its frame and its kind, as in code") {
   const auto parts = made_of(recursive_page());
   std::size_t told = 0;
   std::size_t counted = 0;
@@ -121,7 +121,7 @@ TEST_CASE("a part is called after its frame and its kind, as in code") {
     if (std::regex_match(name, std::regex("part(_[0-9]*)?"))) ++counted;
     if (name.find("_lower_") == std::string::npos) continue;
     ++told;
-    // Others are motions at the accelerations that forces give.
+    // Other parts contain accelerations due to forces.
     const bool moves = std::regex_match(name, std::regex("(minus_)?motion_lower_[xyz]"));
     if (moves) CHECK_FALSE(has_any(leaves, {"m1", "m2", "c1", "c2", "d2", "A", "B", "C", "D"}));
   }
@@ -129,7 +129,7 @@ TEST_CASE("a part is called after its frame and its kind, as in code") {
   CHECK(10 * counted <= parts.size());
 }
 
-TEST_CASE("a part that several functions need stands once, above them") {
+TEST_CASE("a part that several functions need is printed once, before them") {
   const std::string page = recursive_page();
   CHECK(page.find("\nnamed parts\n") < page.find("\nmass_matrix\n"));
   const std::string sine = "  sin_q2 = sin(q2)\n";
@@ -138,7 +138,7 @@ TEST_CASE("a part that several functions need stands once, above them") {
   CHECK(page.find(sine, first + 1) == std::string::npos);
 }
 
-TEST_CASE("what has no form to read stands by its definition, below the frames") {
+TEST_CASE("an output without a readable form is printed by its definition, after the frames") {
   const Page page = page_of_parts();
   CHECK(text_of(page.sections.front().title) == "Named parts");
   for (const PageSection& each : page.sections) {
@@ -165,13 +165,13 @@ TEST_CASE("what has no form to read stands by its definition, below the frames")
   CHECK(std::ranges::count(latex_of(last), "A_{1, 1}") == 1);
 }
 
-TEST_CASE("closed forms stand without parts") {
+TEST_CASE("closed forms have no named parts") {
   const Chosen& c = two_links();
   const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program);
   CHECK(text_of(page.sections.front().title) == "Mass matrix");
 }
 
-TEST_CASE("a terminal shows definitions, and its overview too") {
+TEST_CASE("a terminal page and its overview show definitions") {
   const Page page = page_of_parts();
   CHECK(screen_page(page, {80, Alphabet::unicode}).find("× ") != std::string::npos);
   CHECK(overview(page, {80, Alphabet::ascii}).find("  M = ") != std::string::npos);

@@ -1,4 +1,4 @@
-// Pages and sentences: what they hold; each language escapes what is its markup.
+// Pages and sentences: their content, and the escaping of markup in each language.
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -21,7 +21,7 @@ std::vector<std::string> notes(const std::string& scene) {
 
 }  // namespace
 
-TEST_CASE("text is escaped in every language, vectors are columns") {
+TEST_CASE("text is escaped in every language, and vectors are columns") {
   struct PageRow {
     std::string (*page)(const Page& page);
     std::string part;
@@ -44,7 +44,7 @@ TEST_CASE("text is escaped in every language, vectors are columns") {
   CHECK(has(row.page(small_page()), row.part));
 }
 
-TEST_CASE("sections of what is empty are absent") {
+TEST_CASE("empty sections are omitted") {
   const std::string page = markdown_page(small_page());
   CHECK(has(page, "\n## Gravity\n"));
   CHECK(has(page, "M \\ddot{q} = 0"));
@@ -53,13 +53,13 @@ TEST_CASE("sections of what is empty are absent") {
   CHECK_FALSE(has(markdown_page(without), "| "));
 }
 
-TEST_CASE("text of several lines, with dollars and back-ticks, stays in its row") {
+TEST_CASE("text with line breaks, dollars and back-ticks stays in its table row") {
   Page page = small_page();
   page.parameters.front().doc = "one\ntwo for $5 and `six`";
   CHECK(has(markdown_page(page), "| kg | one two for \\$5 and \\`six\\` |\n"));
 }
 
-TEST_CASE("units, titles with formulas and lines of prose and formulas") {
+TEST_CASE("units, titles with formulas, and lines mixing prose and formulas are printed") {
   Page mixed = small_page();
   mixed.parameters.front().unit = "kg*m^2/s^(1/2)";
   const PageSection equation{
@@ -90,7 +90,7 @@ TEST_CASE("units, titles with formulas and lines of prose and formulas") {
   }
 }
 
-TEST_CASE("aligned equations and lines that are some are one block in every language") {
+TEST_CASE("aligned equations and lines that are equations form one block in every language") {
   Page page = small_page();
   PageSection section{.title = prose("Action"), .is_aligned = true};
   section.equations.push_back({typed_formula("T"), 1, 1, {typed_formula("b")}});
@@ -116,14 +116,14 @@ TEST_CASE("blocks of many lines break across pages") {
   CHECK(has(latex_document(page), "\\begin{align*}\na &= b \\\\\na &= b"));
 }
 
-TEST_CASE("links and images of titles are text") {
+TEST_CASE("links and images in titles are plain text") {
   Page page = small_page();
   page.title = prose("[here](http://a) ![](http://b/c.png) <img src=x> &#33;");
   CHECK(has(markdown_page(page),
             "# \\[here\\](http://a) !\\[\\](http://b/c.png) \\<img src=x> \\&#33;\n"));
 }
 
-TEST_CASE("a page holds what is worth reading") {
+TEST_CASE("a page has variables and parameters, but no drift and no struct of all outputs") {
   const Chosen c = chosen(cart_pole_text());
   const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program);
   CHECK(page.coordinates.size() == 2);
@@ -135,7 +135,7 @@ TEST_CASE("a page holds what is worth reading") {
   }
 }
 
-TEST_CASE("zeros are shown, and long outputs left out, where that is asked for") {
+TEST_CASE("zeros are shown and long outputs omitted on request") {
   const Chosen c = chosen(cart_pole_text());
   const auto count = [&](const PageOptions& options) {
     const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program, options);
@@ -147,7 +147,7 @@ TEST_CASE("zeros are shown, and long outputs left out, where that is asked for")
   CHECK(count({false, 2}) < count({}));
 }
 
-TEST_CASE("the page in the model language") {
+TEST_CASE("a text page is in the model language") {
   const Chosen c = chosen(cart_pole_text());
   const std::string page = text_page(c.checked.model, c.checked.scene, c.choice.program);
   CHECK(has(page, "  q = (x, theta)\n  v = dq/dt, a = dv/dt\n"));
@@ -158,7 +158,7 @@ TEST_CASE("the page in the model language") {
             "  drift[2] = 0\n"));
 }
 
-TEST_CASE("a page ends with what is conserved, where nothing acts") {
+TEST_CASE("a page ends with the conserved quantities") {
   const auto orbit = [](const std::string& more) {
     return chosen(model_text("orbit", R"toml([[coordinate]]
 name = "r"
@@ -188,7 +188,7 @@ T = "1/2*(dot(r)^2 + r^2*dot(phi)^2)"
   CHECK_FALSE(has(text(orbit("V = \"sin(phi - t)\"\n")), "conserved"));
 }
 
-TEST_CASE("costs of both forms, the emitted one marked") {
+TEST_CASE("a cost page lists both forms and marks the emitted form") {
   FormCosts row{.function = "bias", .recursive = {.add = 2}, .closed = OperationCounts{.mul = 1}};
   row.chosen = Form::closed;
   row.closed_loss = 0;
@@ -202,7 +202,7 @@ TEST_CASE("costs of both forms, the emitted one marked") {
   CHECK(has(cost_page({row}), "  asked for\n"));
 }
 
-TEST_CASE("what a model leaves out, and whether it can be had") {
+TEST_CASE("notes list outputs left out of full, and how to get them") {
   Scene scene;
   scene.left_out = {{LeftOutReason::too_many_entries, {"mass_matrix", "linearization"}},
                     {LeftOutReason::kinked_force, {"forward_dynamics_derivatives"}}};
@@ -214,18 +214,18 @@ TEST_CASE("what a model leaves out, and whether it can be had") {
             "forward_dynamics_derivatives."});
 }
 
-TEST_CASE("what a scene fixes and locks") {
+TEST_CASE("notes list what a scene fixes and locks") {
   CHECK(notes("") == std::vector<std::string>{});
   CHECK(notes("doc = \"Upright.\"\n[parameters]\nfixed = { l = \"1/2\", g = 9.81 }\n"
               "[lock]\nx = { value = \"sin(2*t)\" }\n") ==
         std::vector<std::string>{"Upright.", "Fixed: l = 0.5, g = 9.81.", "Locked: x = sin(2*t)."});
 }
 
-TEST_CASE("exact equations say nothing") {
+TEST_CASE("exact equations have no note about an expansion") {
   CHECK(expansion_text(checked_model(cart_pole_text()).model).empty());
 }
 
-TEST_CASE("the point and the order are named, inputs where they are small") {
+TEST_CASE("a note names the expansion point and order, and inputs if they are small") {
   const CheckedModel all =
       approximated(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }");
   CHECK(scene_notes(all.model, all.scene) == std::vector<std::string>{expansion_text(all.model)});

@@ -10,7 +10,7 @@ using namespace elgen::testing;
 
 namespace {
 
-/// M = [ long  b ; b  1 ] and a long sum.
+/// M = [ long  b ; b  1 ] and a vector with a long sum.
 Page wide_page() {
   Formulas terms;
   for (int i = 1; i < 20; ++i) {
@@ -50,14 +50,14 @@ TEST_CASE("a screen shows variables and matrices") {
         "  g = ⎡  0   ⎤\n      ⎣ m₁ g ⎦\n");
 }
 
-TEST_CASE("a matrix too wide gives names to what is wider than a name") {
+TEST_CASE("in a matrix that is too wide, long entries get names") {
   const std::string page = screen_page(wide_page(), {60, Alphabet::unicode});
   CHECK(has(page, "  M = ⎡ M₁₁   b ⎤\n      ⎣  b    1 ⎦\n  M₁₁ = m₁ l + m₂ l"));
   CHECK(has(page, "  g₁ = m₁ l + m₂ l"));
   CHECK(has(page, "  all other entries are 0\n"));
 }
 
-TEST_CASE("signs of aligned equations stand below each other, titles have formulas") {
+TEST_CASE("aligned equations share the column of their equals signs, titles may have formulas") {
   PageSection section{.title = row_of({prose("Equation of"), typed_formula("\\theta_{1}")}),
                       .is_aligned = true};
   section.equations = {
@@ -77,7 +77,7 @@ TEST_CASE("signs of aligned equations stand below each other, titles have formul
         "           ⎣ y ⎦\n");
 }
 
-TEST_CASE("no screen is exceeded") {
+TEST_CASE("no line is wider than the screen") {
   for (const std::size_t columns : std::vector<std::size_t>{40, 60, 80, 132}) {
     INFO(columns);
     CHECK(widest_line(screen_page(wide_page(), {columns, Alphabet::unicode})) <= columns);
@@ -86,7 +86,7 @@ TEST_CASE("no screen is exceeded") {
   }
 }
 
-TEST_CASE("the overview folds what does not fit, and says how long it is") {
+TEST_CASE("the overview abbreviates long entries and shows their length") {
   CHECK(overview(wide_page(), {60, Alphabet::unicode}) ==
         "Wide\n\n  M(q) q̈ = 0\n  q = (θ₁ [rad])\n\n  M = ⎡ …140   b ⎤\n      ⎣  b     1 ⎦\n\n"
         "  g = ⎡ …140 ⎤\n      ⎣  0   ⎦\n");

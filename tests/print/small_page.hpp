@@ -1,4 +1,4 @@
-// A page with what needs care in every notation.
+// A page with all content that needs special treatment in some notation.
 #pragma once
 
 #include <string>

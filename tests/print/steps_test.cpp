@@ -1,4 +1,4 @@
-// A derivation as text and as a page.
+// Derivations as text and as pages.
 #include "print/steps.hpp"
 
 #include <catch2/catch.hpp>
@@ -36,7 +36,7 @@ struct Derivation {
 
 }  // namespace
 
-TEST_CASE("the order of a textbook") {
+TEST_CASE("the steps are in the order of a textbook") {
   const Derivation d(cart_pole_text());
   const std::string text = d.text();
   std::size_t last = 0;
@@ -54,7 +54,7 @@ TEST_CASE("the order of a textbook") {
   CHECK(has(d.text(energies_title), "  V = m*g*l*cos(theta)\n"));
 }
 
-TEST_CASE("dissipation, forces and explicit time are steps of their own") {
+TEST_CASE("dissipation, forces and explicit time are separate steps") {
   const Derivation d(everything_text());
   const std::string text = d.text();
   CHECK(has(text, "  dD/d(dot(r)) = "));
@@ -72,7 +72,7 @@ TEST_CASE("the page has one section per step") {
         "\\frac{\\partial L}{\\partial \\dot{\\theta}}");
 }
 
-TEST_CASE("it begins with the action, its variation by parts and its ends") {
+TEST_CASE("a derivation begins with the action, its variation by parts and the end points") {
   const Derivation free(
       model_text("block", "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"dot(x)^2\"\n"));
   CHECK(free.text().find(R"(
@@ -93,7 +93,7 @@ Energies
   CHECK(has(text, "for every delta q, so d/dt dL/dv - dL/dq + dD/dv = Q\n"));
 }
 
-TEST_CASE("what L does not contain has a line of Noether's, in symbols on a page") {
+TEST_CASE("a cyclic coordinate has a line about Noether's theorem, with symbols on a page") {
   const Derivation d(cart_pole_text());
   CHECK(has(d.text(),
             "  L does not contain x, so p_x = dL/d(dot(x)) is conserved if no force and no "
@@ -111,7 +111,7 @@ TEST_CASE("what L does not contain has a line of Noether's, in symbols on a page
   CHECK(has(screen, "  L does not contain t, so E is conserved if forces"));
 }
 
-TEST_CASE("a multiplier joins L, and acts where the slope of its equation is") {
+TEST_CASE("a multiplier is added to L, and acts on coordinates in its equation") {
   const Derivation d(rod_text());
   const std::string text = d.text();
   INFO(text);
@@ -130,7 +130,7 @@ TEST_CASE("a multiplier joins L, and acts where the slope of its equation is") {
   CHECK_FALSE(has(text, "  dot(dot(x)) = "));
 }
 
-TEST_CASE("constraints on velocities do virtual work, and leave L as it is") {
+TEST_CASE("velocity constraints do virtual work and do not change L") {
   const Derivation d(disc_text());
   const std::string text = d.text();
   INFO(text);
@@ -149,7 +149,7 @@ TEST_CASE("constraints on velocities do virtual work, and leave L as it is") {
             "  dot(x) - R*dot(phi)*cos(psi) = 0\n"));
 }
 
-TEST_CASE("multipliers have their symbols on a page of steps, and its heading has them") {
+TEST_CASE("a page of steps prints multipliers by their symbols, also in its heading") {
   const Derivation d(rod_text());
   const Page page = d.page();
   CHECK(has(latex_of(page.equation_of_motion), "= \\mathbf{Q} + A^{\\top} \\boldsymbol{\\lambda}"));
@@ -157,7 +157,7 @@ TEST_CASE("multipliers have their symbols on a page of steps, and its heading ha
         "\\lambda_{\\mathrm{rod}} x");
 }
 
-TEST_CASE("the lines of every derivation are printed as they are read") {
+TEST_CASE("the fixed lines of every derivation are printed as they are read") {
   for (const std::string_view line :
        {variation_lines[0], variation_lines[1], variation_lines[2], variation_lines[3], stationary,
         virtual_work, balanced_forces, lagrange, constrained_work, constraint_forces,
@@ -167,7 +167,7 @@ TEST_CASE("the lines of every derivation are printed as they are read") {
   }
 }
 
-TEST_CASE("a prescribed angle with a root in it stands by its name, a short one written out") {
+TEST_CASE("a prescribed angle with a root keeps its name, a short angle is substituted") {
   const auto orbit = [](const std::string& angle) {
     return R"toml(format = 1
 [model]

@@ -1,4 +1,4 @@
-// Values that are analytic, and those that are variables of their own.
+// Values that are analytic in the leaves, and values treated as independent variables (unknowns).
 #include "program/network/analytic.hpp"
 
 #include <catch2/catch.hpp>
@@ -9,8 +9,8 @@ using namespace elgen;
 
 namespace {
 
-/// Whether the last instruction, or one that it is made of, is an unknown. The leaves are
-/// 0 = p (positive), 1 = k (no assumption), 2 = x, 3 = y.
+/// True if the last instruction or one of its operands is an unknown. The leaves are 0 = p
+/// (positive), 1 = k (no assumption), 2 = x, 3 = y.
 bool has_unknown(const std::string& code) {
   const Program program = testing::read_program(
       "parameters p k\npositive p\ncoordinates x y\nfunction gravity\n"
@@ -28,7 +28,7 @@ TEST_CASE("the root of a square is an unknown") {
                   "  result 1 1 = 6\n"));
 }
 
-TEST_CASE("roots, logarithms and angles of what is positive are analytic") {
+TEST_CASE("roots, logarithms and angles of positive values are analytic") {
   const std::string squares = "  4 = multiply 2 2\n  5 = constant 2\n  6 = add 4 5\n";
   CHECK_FALSE(has_unknown(squares + "  7 = square_root 6\n  result 1 1 = 7\n"));
   CHECK_FALSE(has_unknown(squares + "  7 = log 6\n  result 1 1 = 7\n"));
@@ -60,13 +60,13 @@ TEST_CASE("squares are found in products of any order") {
   CHECK(has_unknown(product + "  7 = add 5 6\n  8 = square_root 7\n  result 1 1 = 8\n"));
 }
 
-TEST_CASE("a parameter is positive by assumption only") {
+TEST_CASE("a parameter is positive only if assumed") {
   CHECK_FALSE(has_unknown("  4 = square_root 0\n  result 1 1 = 4\n"));
   CHECK(has_unknown("  4 = square_root 1\n  result 1 1 = 4\n"));
   CHECK(has_unknown("  4 = multiply 1 1\n  5 = square_root 4\n  result 1 1 = 5\n"));
 }
 
-TEST_CASE("what has poles is analytic, but no root, logarithm or atan is taken of it") {
+TEST_CASE("values with poles are analytic, but roots, logarithms and atan of them are unknowns") {
   const std::string inverse = "  4 = constant 1\n  5 = divide 4 2\n";
   CHECK_FALSE(has_unknown(inverse + "  6 = exp 5\n  7 = tan 6\n  result 1 1 = 7\n"));
   CHECK(has_unknown(inverse + "  6 = atan 5\n  result 1 1 = 6\n"));
@@ -76,7 +76,7 @@ TEST_CASE("what has poles is analytic, but no root, logarithm or atan is taken o
   CHECK_FALSE(has_unknown("  4 = atan 2\n  5 = tan 4\n  result 1 1 = 5\n"));
 }
 
-TEST_CASE("kinks, asin and acos are unknowns, and smooth as such") {
+TEST_CASE("kinked functions, asin and acos are unknowns, functions of them are not") {
   for (const char* const name : {"abs", "sign", "asin", "acos"}) {
     INFO(name);
     CHECK(has_unknown("  4 = " + std::string(name) + " 2\n  result 1 1 = 4\n"));

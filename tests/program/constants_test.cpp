@@ -1,4 +1,4 @@
-// Constants: their forms, as formulas and read again, and their values.
+// Constants: their forms, formulas, reading back, and values.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -37,7 +37,7 @@ double value(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("forms are written with the brackets that they need") {
+TEST_CASE("forms are printed with the brackets that they need") {
   const ConstantForm cosine = call(FunctionId::cos, number("1"));
   CHECK(text_of(sum({{number("1"), 1}, {cosine, -1}})) == "1 - cos(1)");
   CHECK(text_of(sum({{number("1"), 1}, {sum({{number("2"), 1}, {pi, 1}}), -1}})) == "1 - (2 + pi)");
@@ -52,7 +52,7 @@ TEST_CASE("forms are written with the brackets that they need") {
   CHECK(text_of(call(FunctionId::log, number("1/2"))) == "log(1/2)");
 }
 
-TEST_CASE("a sign moves inside, and back again") {
+TEST_CASE("a sign moves into a form and back") {
   const ConstantForm difference = sum({{number("1"), 1}, {pi, -1}});
   CHECK(text_of(negated(difference)) == "-1 + pi");
   CHECK(negated(negated(difference)) == difference);
@@ -63,7 +63,7 @@ TEST_CASE("a sign moves inside, and back again") {
   CHECK(negated(negated(pi)) == pi);
 }
 
-TEST_CASE("what forms say is what they are worth") {
+TEST_CASE("the text of a form is read back to the same form and value") {
   for (const char* text :
        {"1-cos(1)", "2+pi", "2*pi", "exp(-1-cos(1))", "exp(-1+cos(1))", "(1+pi)^2*pi^(-1)",
         "-log(1/2)", "sqrt(2+sqrt(3))", "atan2(-1,-pi)", "1/2*sqrt(3)"}) {
@@ -89,7 +89,7 @@ TEST_CASE("constants are found by form, never by value") {
   CHECK(constants.size() == 3);
 }
 
-TEST_CASE("exact constants in both notations") {
+TEST_CASE("exact constants are printed in both notations") {
   struct Notations {
     const char* text;
     const char* latex;
@@ -133,7 +133,7 @@ TEST_CASE("constants are read in the form that the graph gives them") {
   CHECK(text_of(constant->form) == row.form);
 }
 
-TEST_CASE("what is no constant is not read") {
+TEST_CASE("expressions that are not constants are rejected") {
   CHECK_FALSE(test::read_constant("x"));
   CHECK_FALSE(test::read_constant("1/0"));
   CHECK_FALSE(test::read_constant("2^pi"));
@@ -168,8 +168,8 @@ TEST_CASE("calls have the values of the C library") {
   }
 }
 
-TEST_CASE("the error is bounded: 1000 digits more agree within it") {
-  // sin(10^30) needs thirty digits for its angle alone, 1 - cos(1e-60) loses a hundred and twenty.
+TEST_CASE("200 correct digits despite cancellation") {
+  // The angle of sin(10^30) needs 30 digits; 1 - cos(1e-60) loses 120.
   for (const char* text : {"sin(1000000000000000000000000000000)",
                            "1-cos(1/1000000000000000000000000000000000000000000000000000000000000)",
                            "exp(1)*pi-tan(7/5)"}) {
@@ -182,7 +182,7 @@ TEST_CASE("the error is bounded: 1000 digits more agree within it") {
   }
 }
 
-TEST_CASE("what cancels is not told from 0, and what is exact is") {
+TEST_CASE("a sum that cancels has an unknown sign, an exact zero has sign 0") {
   const auto noise = test::read_constant("sqrt(2)*sqrt(3)-sqrt(6)");
   REQUIRE(noise);
   CHECK(cln::zerop(noise->value));
@@ -191,7 +191,7 @@ TEST_CASE("what cancels is not told from 0, and what is exact is") {
   CHECK(sign_of(*enclosure_of(rational_form(0))) == 0);
 }
 
-TEST_CASE("what has no real value has none") {
+TEST_CASE("constants without a real value have none") {
   CHECK_FALSE(enclosure_of(call(FunctionId::log, number("0"))));
   CHECK_FALSE(enclosure_of(call(FunctionId::log, number("-1"))));
   CHECK_FALSE(enclosure_of(call(FunctionId::asin, number("2"))));

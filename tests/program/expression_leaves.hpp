@@ -1,4 +1,4 @@
-// Expressions over coordinates a, b, c, d, e: read from text, and written again.
+// Expressions over coordinates a, b, c, d, e: read from text and printed again.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -22,14 +22,14 @@ inline Ref value_of(Graph& graph, const std::string& text) {
   return *value;
 }
 
-/// The sums and products of the texts as they have them: a bracket is a node of its own.
+/// Reads sums and products as typed: a bracket is a node of its own.
 inline Expressions expressions_of(const Texts& texts) {
   Expressions result;
   for (const std::string& text : texts) result.values.push_back(value_of(result.graph, text));
   return result;
 }
 
-/// The leaves themselves.
+/// The five coordinates as leaves of a graph.
 struct ExpressionLeaves {
   Expressions expressions = {};
   Graph& graph = expressions.graph;
@@ -40,7 +40,7 @@ struct ExpressionLeaves {
   Ref e = graph.leaf(Opcode::coordinate, 4);
 };
 
-/// The values as one program, in order.
+/// A program with one field that lists the values in order.
 inline Program program_of(const Network& network) {
   Program program;
   program.leaves.q = program.leaves.v = program.leaves.a = {"a", "b", "c", "d", "e"};
@@ -56,7 +56,7 @@ inline Program program_of(const Network& network) {
   return program;
 }
 
-/// The first value at a point.
+/// The first value at this point.
 inline Real value_of(const Expressions& expressions, const Arguments<Real>& point) {
   const Program program = program_of(make_network(expressions));
   return evaluate(program, program.functions[0], point).at(0);

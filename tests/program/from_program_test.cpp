@@ -1,4 +1,4 @@
-// Instructions as sums and products again.
+// Conversion of instructions back to sums and products.
 #include <catch2/catch.hpp>
 
 #include "program/graph/rebuild.hpp"
@@ -17,7 +17,7 @@ const char* const text =
 
 Program program() { return testing::read_program(text); }
 
-/// `wanted` of the program, lowered again.
+/// Converts the wanted instructions of the program to a graph, and lowers them again.
 std::string again(const std::vector<std::uint32_t>& wanted, const std::vector<bool>& zeros = {}) {
   Program result = program();
   const Function function = result.functions[0];
@@ -33,18 +33,18 @@ std::string again(const std::vector<std::uint32_t>& wanted, const std::vector<bo
 
 }  // namespace
 
-TEST_CASE("wanted values come back as they were computed") {
+TEST_CASE("wanted values are lowered to the same instructions") {
   CHECK(again({3}).find("  0 = coordinate x\n  1 = sin 0\n") != std::string::npos);
   const std::string whole = again({7, 3});
   CHECK(whole.find("divide") != std::string::npos);
   CHECK(whole.find("negate") != std::string::npos);
 }
 
-TEST_CASE("zeros are gone from what used them") {
+TEST_CASE("instructions known to be zero are removed from their users") {
   std::vector<bool> zeros(8, false);
   zeros[3] = true;
   const std::string left = again({7, 3}, zeros);
   CHECK(left.find("sin") == std::string::npos);
   CHECK(left.find("divide") == std::string::npos);
-  CHECK(left.find("negate") != std::string::npos);  // -m
+  CHECK(left.find("negate") != std::string::npos);  // -m remains
 }

@@ -15,7 +15,7 @@ struct EqualRow {
   const char* same;
 };
 
-/// Over one graph.
+/// All rows share one graph.
 void check_equal(const std::vector<EqualRow>& rows) {
   Graph graph;
   for (const EqualRow& row : rows) {
@@ -30,7 +30,7 @@ const Node& node_of(Graph& graph, const char* text) {
 
 }  // namespace
 
-TEST_CASE("stumpff is even in its first argument alone") {
+TEST_CASE("stumpff is even only in its first argument") {
   Graph graph;
   CHECK(value_of(graph, "stumpff(-a, -4)") == value_of(graph, "stumpff(a, -4)"));
   CHECK_FALSE(value_of(graph, "stumpff(a, -4)") == value_of(graph, "stumpff(a, 4)"));
@@ -38,7 +38,7 @@ TEST_CASE("stumpff is even in its first argument alone") {
         testing::Texts{"stumpff(a, -4)"});
 }
 
-TEST_CASE("equal nodes are one node") {
+TEST_CASE("equal nodes are shared") {
   Graph graph;
   const Ref x = graph.leaf(Opcode::coordinate, 0);
   const Ref y = graph.leaf(Opcode::coordinate, 1);
@@ -48,7 +48,7 @@ TEST_CASE("equal nodes are one node") {
   CHECK(graph.rational(-2) == -graph.rational(2));
 }
 
-TEST_CASE("sums merge equal terms with exact coefficients, and a sign outside") {
+TEST_CASE("sums merge equal terms with exact coefficients, and factor out a sign") {
   check_equal({{"b - a + 2*a", "a + b"},
                {"1/3*a + 2/3*a", "a"},
                {"a - a", "0"},
@@ -62,7 +62,7 @@ TEST_CASE("sums merge equal terms with exact coefficients, and a sign outside") 
   CHECK(node_of(graph, "2*a + 3*b").kind == NodeKind::sum);
 }
 
-TEST_CASE("a term meets its opposite in a sum beside it") {
+TEST_CASE("a term cancels with its opposite in a nested sum") {
   check_equal({{"a + (b - a)", "b"},
                {"a - (a - b)", "b"},
                {"2*(a + b + c) - 2*a", "2*(b + c)"},
@@ -71,7 +71,7 @@ TEST_CASE("a term meets its opposite in a sum beside it") {
   CHECK(node_of(graph, "a + (a + b)").operands.size() == 2);
 }
 
-TEST_CASE("products merge equal bases up to sign, coefficients meet, and zero swallows") {
+TEST_CASE("products merge equal bases up to sign and their coefficients, and 0 gives 0") {
   check_equal({{"(a - b)*(b - a)", "-((a - b)^2)"},
                {"a^3*a^(-2)", "a"},
                {"a^2*a^(-2)", "1"},
@@ -96,7 +96,7 @@ TEST_CASE("the square of a square root is its radicand") {
                {"sqrt(2)^2", "2"}});
 }
 
-TEST_CASE("the squares of sine and cosine of one angle add up") {
+TEST_CASE("the squares of sine and cosine of one angle add up to 1") {
   check_equal({{"sin(a)^2 + cos(a)^2", "1"},
                {"b*sin(a)^2 + c + b*cos(a)^2", "b + c"},
                {"-(b*sin(a)^2) + b - b*cos(a)^2", "0"}});
@@ -105,7 +105,7 @@ TEST_CASE("the squares of sine and cosine of one angle add up") {
   CHECK(node_of(graph, "sin(a)^2 + cos(b)^2").operands.size() == 2);
 }
 
-TEST_CASE("odd functions give up the sign of their argument, even ones drop it") {
+TEST_CASE("odd functions factor out the sign of their argument, even functions drop it") {
   Graph graph;
   for (const FunctionRow& row : function_table()) {
     if (row.arity != 1) continue;
@@ -132,7 +132,7 @@ TEST_CASE("min and max commute, atan2 does not") {
   CHECK(value_of(graph, "atan2(a, b)").node != value_of(graph, "atan2(b, a)").node);
 }
 
-TEST_CASE("the order: kinds of leaves, then birth, then structure") {
+TEST_CASE("nodes are ordered by kind of leaf, then birth, then structure") {
   Graph graph;
   const Ref time = graph.leaf(Opcode::time, 0);
   const Ref velocity = graph.leaf(Opcode::velocity, 0);
@@ -156,7 +156,7 @@ TEST_CASE("the order: kinds of leaves, then birth, then structure") {
   }
 }
 
-TEST_CASE("only what outputs need is reachable, and uses are counted by operand") {
+TEST_CASE("only nodes that outputs need are reachable, and uses are counted per operand") {
   Graph graph;
   const Ref x = graph.leaf(Opcode::coordinate, 0);
   const Ref y = graph.leaf(Opcode::coordinate, 1);
@@ -171,7 +171,7 @@ TEST_CASE("only what outputs need is reachable, and uses are counted by operand"
   CHECK(uses[unused.node] == 0);
 }
 
-TEST_CASE("the first name of a node stays, and belongs to its positive value") {
+TEST_CASE("a node keeps its first name, which belongs to its positive value") {
   Graph graph;
   const Ref x = graph.leaf(Opcode::coordinate, 0);
   const Ref sine = graph.call(FunctionId::sin, {x});
@@ -184,7 +184,7 @@ TEST_CASE("the first name of a node stays, and belongs to its positive value") {
   CHECK(graph.node(x.node).name.empty());
 }
 
-TEST_CASE("calls and roots of constants are constants, and numbers only where they are exact") {
+TEST_CASE("calls and roots of constants are constants, and rationals only if exact") {
   check_equal({{"cos(0)", "1"}, {"log(1)", "0"}, {"sqrt(4)", "2"}});
   Graph graph;
   const Ref cosine = value_of(graph, "cos(1/1000000000000)");
@@ -195,7 +195,7 @@ TEST_CASE("calls and roots of constants are constants, and numbers only where th
   CHECK_FALSE(graph.is_constant(graph.sum({graph.leaf(Opcode::coordinate, 0), cosine}).node));
 }
 
-TEST_CASE("abs, sign, min and max of constants are one of them, or a sign") {
+TEST_CASE("abs, sign, min and max of constants are evaluated") {
   check_equal({{"max(3, pi)", "pi"},
                {"min(pi, 3)", "3"},
                {"min(3, -pi)", "-pi"},
@@ -213,7 +213,7 @@ TEST_CASE("different constants are different nodes, however close their values a
   CHECK(value_of(graph, "1 + cos(1)") != value_of(graph, "1 - cos(1)"));
 }
 
-TEST_CASE("a constant product is one node, however it came about") {
+TEST_CASE("a constant product is one node, however it was built") {
   Graph graph;
   const auto number = [&graph](const char* text) { return graph.rational(cln::cl_RA(text)); };
   const Ref logarithm = graph.call(FunctionId::log, {number("2")});
@@ -224,7 +224,7 @@ TEST_CASE("a constant product is one node, however it came about") {
                    graph.product({{number("5/2")}, {square}})}) == scaled);
 }
 
-TEST_CASE("a constant of shared parts has no form before its tree is too large") {
+TEST_CASE("a constant built from shared nodes has no form if its tree is too large") {
   Graph graph;
   Ref x = graph.pi();
   for (int i = 0; i < 60; ++i) {

@@ -1,5 +1,5 @@
-// From Graph to Function: the network, what is shared and turned in it, its instructions, and which
-// form is cheapest.
+// Lowering a Graph to a Function: the network, shared operations, signs, instructions, and the
+// cheapest form.
 #include "program/network/network.hpp"
 
 #include <catch2/catch.hpp>
@@ -29,13 +29,13 @@ std::size_t cheapest_cost(const Texts& texts) {
 
 }  // namespace
 
-TEST_CASE("powers are repeated factors, denominators one division") {
+TEST_CASE("powers are repeated factors, and denominators form one division") {
   const Network network = network_of({"a^2*b*c^(-1)*d^(-2)"});
   CHECK(texts_of(network) == Texts{"a^2*b/(c*d^2)"});
   CHECK(counts_of(network) == OperationCounts{.mul = 4, .div = 1});
   // A divisor of two products becomes a reciprocal.
   CHECK(counts_of(network_of({"a*c^(-1)", "b*c^(-1)"})) == OperationCounts{.mul = 2, .div = 1});
-  // High powers are squared repeatedly: a * ((a^2)^2)^3.
+  // High powers use repeated squaring: a * ((a^2)^2)^3.
   CHECK(counts_of(network_of({"a^13"})).mul == 5);
   CHECK(texts_of(network_of({"a^13"})) == Texts{"a^13"});
 }
@@ -44,11 +44,11 @@ TEST_CASE("the constants of a sum or product are folded into one number") {
   const Network network = network_of({"2*pi*cos(1)*a", "2 - pi + a", "-(1 - exp(2))"});
   CHECK(counts_of(network) == OperationCounts{.add = 1, .mul = 1});
   CHECK(texts_of(network) == Texts{"2*pi*cos(1)*a", "a - (-2 + pi)", "-1 + exp(2)"});
-  // A constant without a value stays an operation.
+  // A constant without a value remains an operation.
   CHECK(texts_of(network_of({"2*log(-1)*a"})) == Texts{"2*log(-1)*a"});
 }
 
-TEST_CASE("a constant has one form, whatever its parts were shared with") {
+TEST_CASE("a constant has one form, even if its parts are shared") {
   const Texts texts =
       texts_of(network_of({"(4 + pi) + (40 - cos(4 + pi)) + a", "(4 + pi)*b",
                            "(40 - cos(4 + pi))*c", "pi + (40 - cos(4 + pi)) + (4 + pi) + d"}));
@@ -56,7 +56,7 @@ TEST_CASE("a constant has one form, whatever its parts were shared with") {
   CHECK(texts[3] == "44 + 2*pi - cos(4 + pi) + d");
 }
 
-TEST_CASE("joined numbers: those that multiply a sum go into it, and meet there") {
+TEST_CASE("joined numbers: factors of a sum move into it and merge with its numbers") {
   struct JoinedRow {
     const char* what;
     const char* text;
@@ -87,7 +87,7 @@ TEST_CASE("joined numbers: those that multiply a sum go into it, and meet there"
         Approx(evaluate(before, before.functions[0], arguments)[0]).epsilon(1e-14));
 }
 
-TEST_CASE("joined numbers: a sum that something else needs stays, and its number with it") {
+TEST_CASE("joined numbers: a sum with other users stays, and so does its factor") {
   const Expressions shared =
       expressions_of({"3*a - 2*(sin(1)*b - cos(1)*a)", "c*(sin(1)*b - cos(1)*a)"});
   CHECK(counts_of(make_network(shared, Numbers::joined)) == counts_of(make_network(shared)));
@@ -104,7 +104,7 @@ TEST_CASE("operations follow their operands in canonical order") {
   CHECK(leaves == std::vector<std::uint32_t>{0, 4, 2, 3});
 }
 
-TEST_CASE("common sub-sums and sub-products are computed once, and no value changes") {
+TEST_CASE("common sub-sums and sub-products are computed once without changing values") {
   struct SharedRow {
     Texts texts;
     std::size_t add;
@@ -112,9 +112,9 @@ TEST_CASE("common sub-sums and sub-products are computed once, and no value chan
   };
   const SharedRow row = GENERATE(values<SharedRow>({
       {{"a*b*c", "a*b*d", "a*b*e"}, 0, 4},
-      // b - c in the first and last; the second has b + c and c - d.
+      // b - c occurs in the first and the last; the second has b + c and c - d.
       {{"a + b - c", "b + c - d", "-b - d + c + e"}, 6, 0},
-      // An operation that is the pair serves the others.
+      // An operation that equals the pair serves the others.
       {{"a*c", "a*b*c"}, 0, 2},
       {{"a^2", "a^2*b", "a^4"}, 0, 3},
       {{"a*b + c - d", "d - a*b + e", "c - d + a*b + e", "(a*b)*c*d"}, 4, 3},
@@ -126,12 +126,12 @@ TEST_CASE("common sub-sums and sub-products are computed once, and no value chan
   CHECK(check_invariants(after) == "");
   CHECK(counts_of(network) == OperationCounts{.add = row.add, .mul = row.mul});
   Arguments<double> arguments;
-  arguments.q = {2, 3, 5, 7, 11};  // integers: every order of evaluation is exact
+  arguments.q = {2, 3, 5, 7, 11};  // with integers every order of evaluation is exact
   CHECK(evaluate(before, before.functions[0], arguments) ==
         evaluate(after, after.functions[0], arguments));
 }
 
-TEST_CASE("long sums are shared with their neighbours only, and correctly") {
+TEST_CASE("long sums are shared only with neighbouring sums") {
   Network network;
   std::vector<Ref> terms;
   for (std::uint32_t i = 0; i < 200; ++i) {
@@ -147,7 +147,7 @@ TEST_CASE("long sums are shared with their neighbours only, and correctly") {
   CHECK(counts_of(network).add == 200);
 }
 
-TEST_CASE("turn_signs: what is only needed negative is computed negative") {
+TEST_CASE("turn_signs: a value needed only negated is computed negated") {
   struct TurnedRow {
     const char* what;
     Texts before;
@@ -172,7 +172,7 @@ TEST_CASE("turn_signs: what is only needed negative is computed negative") {
   CHECK(texts_of(network) == row.after);
 }
 
-TEST_CASE("linearise: operands come before use, terms and factors left to right") {
+TEST_CASE("linearise: operands precede their users, terms and factors from left to right") {
   CHECK(dump(program_of(network_of({"a - b + c*d"}))) ==
         "coordinates a b c d e\n"
         "function bias\n"
@@ -186,7 +186,7 @@ TEST_CASE("linearise: operands come before use, terms and factors left to right"
         "  result 1 1 = 6\n");
 }
 
-TEST_CASE("linearise: signs become subtractions, and negations where there is no minuend") {
+TEST_CASE("linearise: signs become subtractions, or negations without a minuend") {
   CHECK(dump(program_of(network_of({"-(a*b)", "exp(-a)", "sqrt(-b)"}))) ==
         "coordinates a b c d e\n"
         "function bias\n"
@@ -201,7 +201,7 @@ TEST_CASE("linearise: signs become subtractions, and negations where there is no
         "  result 1 3 = 3 5 7\n");
 }
 
-TEST_CASE("linearise: a sum starts from its first positive term, if it has one") {
+TEST_CASE("linearise: a sum starts with its first positive term, if any") {
   Network network;
   network.operations = {{.kind = OperationKind::leaf, .leaf = Opcode::coordinate, .index = 0},
                         {.kind = OperationKind::leaf, .leaf = Opcode::coordinate, .index = 1},
@@ -211,7 +211,7 @@ TEST_CASE("linearise: a sum starts from its first positive term, if it has one")
   CHECK(texts_of(network) == Texts{"b - a", "-a - b"});
 }
 
-TEST_CASE("linearise: what turns out equal is computed once, and names are kept") {
+TEST_CASE("linearise: equal operations are computed once, and names are kept") {
   Network network;
   network.operations = {{.kind = OperationKind::leaf, .leaf = Opcode::coordinate, .index = 0},
                         {.kind = OperationKind::product, .operands = {{0}, {0}}},
@@ -224,11 +224,12 @@ TEST_CASE("linearise: what turns out equal is computed once, and names are kept"
   CHECK(program_of(network_of({"3*a", "3 + b"})).constants.size() == 1);
 }
 
-TEST_CASE("the cheapest form collects factors, and takes angles apart whose parts are there") {
+TEST_CASE("the cheapest form collects factors, and expands sums of angles whose parts occur") {
   CHECK(cheapest_cost({"a*b*c + a*b*d"}) == 3);  // a*b*(c + d)
   CHECK(cheapest_cost({"cos(a + b)"}) == 1 + 20);
   CHECK(cheapest_cost({"cos(a + b)", "cos(a)", "cos(b)"}) == 3 + 2 * 20);
-  // A number among the parts; 5*cos(a) + 2*cos(a + 7/10) = (5 + 2*cos(7/10))*cos(a) - ...*sin(a).
+  // A number is one of the parts. 5*cos(a) + 2*cos(a + 7/10) = (5 + 2*cos(7/10))*cos(a) -
+  // ...*sin(a).
   CHECK(cheapest_cost({"cos(a + 7/10)", "cos(a)"}) == 3 + 20);
   CHECK(cheapest_cost({"5*cos(a) + 2*cos(a + 7/10)"}) == 3 + 20);
 }

@@ -6,7 +6,7 @@
 
 using namespace elgen;
 
-TEST_CASE("a program is printed with the names of the model, and reads back") {
+TEST_CASE("a program is printed with the names of the model and read back") {
   const std::string text =
       "parameters m l[2]\n"
       "positive m\n"
@@ -68,7 +68,7 @@ TEST_CASE("a program is printed with the names of the model, and reads back") {
   CHECK(program.functions.at(7).step == StepSpec{.method = StepMethod::rk4, .projects = true});
 }
 
-TEST_CASE("comments and empty lines are passed over, names are kept") {
+TEST_CASE("comments and empty lines are ignored, names are kept") {
   const Program program = testing::read_program(
       "; a comment\n\ncoordinates x\nfunction gravity\n  0 = coordinate x ; position of it\n"
       "  result 1 1 = 0\n");
@@ -102,7 +102,7 @@ TEST_CASE("mistakes are reported with the span of their line") {
   CHECK(covered_text(program.diagnostics.at(0).span) == row.line);
 }
 
-TEST_CASE("instructions belong to functions") {
+TEST_CASE("an instruction outside a function is an error") {
   const auto program = test::parse_program(make_source("program", "  0 = time\n"));
   REQUIRE_FALSE(program);
   CHECK(program.diagnostics.at(0).message == "`0` outside of a function");

@@ -1,4 +1,4 @@
-// The passes from Graph to Graph: rebuild, factor, flatten and angle_sums, and prune of a Program.
+// Passes from Graph to Graph (rebuild, factor, flatten, angle_sums), and pruning of a Program.
 #include <catch2/catch.hpp>
 
 #include "program/expression_leaves.hpp"
@@ -34,7 +34,7 @@ Program program_of(const std::string& function) {
 
 }  // namespace
 
-TEST_CASE("an unchanging rule copies values, names and births, and leaves out what is unused") {
+TEST_CASE("an identity rule copies values, names and births, and omits unused nodes") {
   testing::ExpressionLeaves l;
   l.graph.set_birth(3);
   const Ref root = l.graph.square_root(l.graph.sum({l.a, -l.b}));
@@ -44,7 +44,7 @@ TEST_CASE("an unchanging rule copies values, names and births, and leaves out wh
   l.expressions.values = {-l.graph.product({{call, 2}, {pi}, {l.d, -1}})};
   const Expressions copied = rebuild(l.expressions, copy);
   CHECK(texts_of(copied) == texts_of(l.expressions));
-  CHECK(copied.graph.size() < l.graph.size());  // e is used by nothing
+  CHECK(copied.graph.size() < l.graph.size());  // e is unused
   std::size_t named = 0;
   for (NodeId id = 0; id < copied.graph.size(); ++id) {
     const Node& node = copied.graph.node(id);
@@ -55,7 +55,7 @@ TEST_CASE("an unchanging rule copies values, names and births, and leaves out wh
   CHECK(named == 1);
 }
 
-TEST_CASE("a rule may turn signs: users see the renewed operand") {
+TEST_CASE("a rule may change signs: users see the changed operand") {
   const auto turn_b = [](Graph& graph, const RebuildStep& step) {
     const Ref same = copy(graph, step);
     return same == graph.leaf(Opcode::coordinate, 1) ? -same : same;
@@ -63,7 +63,7 @@ TEST_CASE("a rule may turn signs: users see the renewed operand") {
   CHECK(texts_of(rebuild(expressions_of({"a + b", "a*b"}), turn_b)) == Texts{"a - b", "-a*b"});
 }
 
-TEST_CASE("a copy in another graph meets what is there") {
+TEST_CASE("copying into another graph reuses its equal nodes") {
   const Expressions one = expressions_of({"-(a + b)"});
   Expressions other;
   const Ref first = copied(other.graph, one);
@@ -92,12 +92,12 @@ TEST_CASE("factor: common factors are multiplied once") {
         {"sqrt(2)*(c + sqrt(2)*a*b)"}},
        {"a common factor keeps its power", {"a*b^2*c^2 + a*b^2*d^2"}, {"a*b^2*(c^2 + d^2)"}}},
       factor);
-  // The rest is factored again, inside and outside: a*(e + b*(c + d)) + c*(d + e).
+  // The remaining sums are factored again, inside and outside: a*(e + b*(c + d)) + c*(d + e).
   CHECK(counts_of(factor(expressions_of({"a*b*c + a*b*d + a*e + c*d + c*e"}))) ==
         OperationCounts{.add = 4, .mul = 3});
 }
 
-TEST_CASE("flatten: what is used once is written out where it is used") {
+TEST_CASE("flatten: a value used once is merged into its user") {
   const auto used_once = [](const Expressions& before) { return flatten(before); };
   check_rows({{"sums in sums and products in products",
                {"(b + d) - c", "(b*e)*c"},
@@ -106,12 +106,12 @@ TEST_CASE("flatten: what is used once is written out where it is used") {
                {"c - (a - b)", "a + (a + d)"},
                {"-(a - b - c)", "d + 2*a"}}},
              used_once);
-  // A node used twice stays, and powers of a product are not written out.
+  // A node used twice stays, and powers of a product are not expanded.
   CHECK(counts_of(flatten(expressions_of({"(a + b) + c", "(a + b) + d"}))).add == 3);
   CHECK(counts_of(flatten(expressions_of({"(a*b)^2*c"}))).mul == 3);
 }
 
-TEST_CASE("flatten, all products: written out wherever they stand, so that factors meet") {
+TEST_CASE("flatten, all products: every product is merged into its users, so that factors meet") {
   const auto all = [](const Expressions& x) { return flatten(x, Flattened::all_products); };
   check_rows(
       {{"two products that are used again",
@@ -120,7 +120,7 @@ TEST_CASE("flatten, all products: written out wherever they stand, so that facto
       all);
 }
 
-TEST_CASE("angle_sums: an angle is taken apart into others that occur") {
+TEST_CASE("angle_sums: an angle is expanded into other angles that occur") {
   check_rows(
       {{"sums",
         {"cos(a + b)", "sin(a + b)", "cos(a)", "sin(b)"},
@@ -135,8 +135,8 @@ TEST_CASE("angle_sums: an angle is taken apart into others that occur") {
       [](const Expressions& before) { return expand_angle_sums(before).value(); });
 }
 
-TEST_CASE("angle_sums: angles that stay whole") {
-  // Parts that do not occur; parts in which something cancels; differences, which may be small.
+TEST_CASE("angle_sums: some angles are not expanded") {
+  // Parts that do not occur, parts with cancelling terms, and differences, which may be small.
   CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + b)", "sin(a)"})));
   CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + 5*c)", "sin(a - b)", "cos(b + 5*c)"})));
   const Expressions difference = expressions_of({"sin(a - b)", "sin(a)", "sin(b)"});
@@ -147,7 +147,7 @@ TEST_CASE("angle_sums: angles that stay whole") {
 TEST_CASE("angle_sums: a chain of splits grows with its length, not with its number of paths") {
   testing::ExpressionLeaves l;
   const auto cosine = [&l](Ref x) { return l.graph.call(FunctionId::cos, {x}); };
-  // S_k = S_(k-1) + x^k, each part an angle too: 2^19 paths lead from the last to the first.
+  // S_k = S_(k-1) + x^k, and each part is an angle too: 2^19 paths lead from the last to the first.
   constexpr int length = 20;
   Ref sum = l.a;
   l.expressions.values = {cosine(l.a)};
@@ -159,11 +159,11 @@ TEST_CASE("angle_sums: a chain of splits grows with its length, not with its num
   }
   const auto expanded = expand_angle_sums(l.expressions);
   REQUIRE(expanded);
-  // Of each link two sums of two products, and the four calls they are made of.
+  // Each link has two sums of two products and four calls.
   CHECK(expanded->graph.size() < 12 * length);
 }
 
-TEST_CASE("what an entry needs") {
+TEST_CASE("the needed instructions of an entry are found") {
   const Program program = program_of(
       "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0\n  3 = add 2 1\n"
       "  result 1 1 = 3\n");
@@ -174,7 +174,7 @@ TEST_CASE("what an entry needs") {
   CHECK(cone_of(program.functions[0], {3}, 2).size() == 3);
 }
 
-TEST_CASE("instructions that nothing needs are gone, the others renumbered") {
+TEST_CASE("unused instructions are removed, and the others renumbered") {
   Program program = program_of(
       "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0  ; square\n  3 = add 2 1\n"
       "  result 1 1 = 3\n");
@@ -185,7 +185,7 @@ TEST_CASE("instructions that nothing needs are gone, the others renumbered") {
         dump(program_of("  0 = parameter m\n  1 = multiply 0 0  ; square\n  result 1 1 = 1\n")));
 }
 
-TEST_CASE("instructions become the entries of one field") {
+TEST_CASE("selected instructions become the entries of one field") {
   const Program program = program_of(
       "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0\n  3 = add 2 1\n"
       "  result 1 1 = 3\n");
@@ -193,7 +193,7 @@ TEST_CASE("instructions become the entries of one field") {
         dump(program_of("  0 = parameter m\n  1 = multiply 0 0\n  result 2 1 = 1 0\n")));
 }
 
-TEST_CASE("names stay with their instructions, moved or not") {
+TEST_CASE("names stay with their instructions") {
   Program program = program_of(
       "  0 = parameter m\n  1 = multiply 0 0  ; square\n  2 = parameter l\n"
       "  3 = multiply 1 0  ; cube\n  result 1 1 = 3\n");
@@ -201,7 +201,7 @@ TEST_CASE("names stay with their instructions, moved or not") {
   CHECK(program.functions[0].names == std::vector<std::string>{"", "square", "cube"});
 }
 
-TEST_CASE("another order computes the same") {
+TEST_CASE("reordered instructions compute the same values") {
   Program program = program_of(
       "  0 = parameter m\n  1 = multiply 0 0  ; square\n  2 = parameter l\n  3 = add 1 2\n"
       "  result 1 1 = 3\n");

@@ -1,4 +1,4 @@
-// Programs: their entries, invariants, and instructions that are added once.
+// Programs: entries, invariants, and instructions added without duplicates.
 #include "elgen/program.hpp"
 
 #include <catch2/catch.hpp>
@@ -36,7 +36,8 @@ TEST_CASE("operations are counted as the emitted function executes them") {
       "  13 = atan2 12 0\n"
       "  result 1 1 = 13\n");
   const OperationCounts counts = count_operations(program.functions[0]);
-  // sin x and cos x are one angle, cos y another; tan and atan2 are other calls; negation is free.
+  // sin x and cos x share one angle, cos y is another; tan and atan2 are other calls; negation is
+  // free.
   CHECK(counts ==
         OperationCounts{.add = 2, .mul = 1, .div = 1, .sqrt = 1, .sincos = 2, .other = 2});
   CHECK(cost(counts) == 2 + 1 + 4 + 8 + 2 * 20 + 2 * 16);
@@ -50,7 +51,7 @@ TEST_CASE("operand counts follow the opcode and the function's arity") {
   CHECK(operand_count({.opcode = Opcode::call, .function = FunctionId::atan2}) == 2);
 }
 
-TEST_CASE("what is found is where it stands first, also where something stands twice") {
+TEST_CASE("an instruction that occurs twice is found at its first place") {
   Function function;
   const Instruction m{.opcode = Opcode::parameter, .a = 0};
   const Instruction l{.opcode = Opcode::parameter, .a = 1};
@@ -62,7 +63,7 @@ TEST_CASE("what is found is where it stands first, also where something stands t
   CHECK(instructions.add({.opcode = Opcode::parameter, .a = 2}) == 3);
 }
 
-TEST_CASE("what is there already is found, what is not comes last") {
+TEST_CASE("adding an existing instruction returns it, a new instruction is appended") {
   Program program = testing::read_program(
       "parameters m l\nfunction gravity\n  0 = parameter m\n  1 = multiply 0 0\n"
       "  result 1 1 = 1\n");
@@ -77,7 +78,7 @@ TEST_CASE("what is there already is found, what is not comes last") {
 
 namespace {
 
-/// A sound program, broken in one place.
+/// Breaks a valid function in one place, and the message that it must cause.
 struct BrokenRow {
   void (*damage)(Function& function);
   const char* broken;
@@ -85,7 +86,7 @@ struct BrokenRow {
 
 }  // namespace
 
-TEST_CASE("every invariant is watched, and names function and instruction") {
+TEST_CASE("every invariant is checked, and messages name function and instruction") {
   const BrokenRow row = GENERATE(values<BrokenRow>({
       {[](Function& f) { f.instructions[0].a = 1; }, "instruction 0: there is no leaf 1"},
       {[](Function& f) { f.instructions[0].opcode = Opcode::time; },
@@ -119,7 +120,7 @@ TEST_CASE("every invariant is watched, and names function and instruction") {
   CHECK_THROWS_MATCHES(require_invariants(program), std::logic_error, Catch::Message(broken));
 }
 
-TEST_CASE("repetitions do the same on operands of their own") {
+TEST_CASE("repetitions perform the same operations on different operands") {
   const std::string text =
       "coordinates x y z\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = coordinate z\n  3 = multiply 0 1\n  4 = subtract 3 0\n  5 = multiply 0 2\n"
@@ -151,7 +152,7 @@ TEST_CASE("repetitions do the same on operands of their own") {
   CHECK(check_invariants(program) == std::string("function `bias`: ") + row.broken);
 }
 
-TEST_CASE("only repetitions compute a value twice") {
+TEST_CASE("only repetitions may compute a value twice") {
   Program program = testing::read_program(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = multiply 0 0\n"
       "  2 = multiply 0 0\n  result 2 1 = 1 2\n");
@@ -160,7 +161,7 @@ TEST_CASE("only repetitions compute a value twice") {
   CHECK(check_invariants(program) == "");
 }
 
-TEST_CASE("repetitions stay where all of them stay at the end") {
+TEST_CASE("repetitions are kept if all of them remain at the end") {
   Program program = testing::read_program(
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = multiply 0 0\n  3 = multiply 0 1\n  result 2 1 = 2 3\n");

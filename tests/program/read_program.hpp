@@ -1,4 +1,4 @@
-// Reads the text form of a program, or fails the test with the diagnostics.
+// Reads the text form of a program. Fails the test with the diagnostics if that is impossible.
 #pragma once
 
 #include <catch2/catch.hpp>

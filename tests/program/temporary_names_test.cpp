@@ -37,19 +37,19 @@ const std::string angles =
 
 }  // namespace
 
-TEST_CASE("sines and cosines of sums of leaves are named after them") {
+TEST_CASE("sines and cosines of sums of leaves are named after the sums") {
   const std::vector<std::string> names = names_of(angles);
   CHECK(names[7] == "sin_q_1");
   CHECK(names[8] == "cos_q_1_minus_q_2");
   CHECK(names[9] == "sin_q_1_minus_q_2_alpha");
-  CHECK(names[10].empty());  // used once: written out
+  CHECK(names[10].empty());  // used once, so substituted
   CHECK(names[11] == "cos_t");
   CHECK(names[0].empty());
   CHECK(names[4] == "q_1_minus_q_2");
   CHECK(names[5].empty());
 }
 
-TEST_CASE("a sum of leaves too long to spell has a hash") {
+TEST_CASE("a sum of leaves too long for a name gets a hash") {
   std::string coordinates = "coordinates";
   std::string sums;
   for (int i = 1; i <= 9; ++i) coordinates += fmt::format(" angle{}", i);
@@ -63,7 +63,7 @@ TEST_CASE("a sum of leaves too long to spell has a hash") {
   CHECK(names[17].substr(0, 2) == "t_");  // no sum to be named after
 }
 
-TEST_CASE("a sine and a cosine of one angle have names, for one call computes both") {
+TEST_CASE("a sine and a cosine of one angle have names, because one call computes both") {
   const std::string head =
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n";
   const auto both =
@@ -74,7 +74,7 @@ TEST_CASE("a sine and a cosine of one angle have names, for one call computes bo
   CHECK(one[3].empty());
 }
 
-TEST_CASE("names of its own are neither spelt, nor told, nor hashes, however they begin") {
+TEST_CASE("own names are neither derived from the value, nor named intermediates, nor hashes") {
   const Program program = testing::read_program(
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = multiply 0 1\n  3 = sin 2\n  4 = cos 2\n  5 = multiply 3 4  ; t_work\n"
@@ -88,7 +88,7 @@ TEST_CASE("names of its own are neither spelt, nor told, nor hashes, however the
   CHECK(own == std::vector<std::string>{"", "", "", "", "", "t_work", "", "", ""});
 }
 
-TEST_CASE("a name of its own is kept unless something else is called so") {
+TEST_CASE("an own name is kept unless it clashes with another name") {
   const std::string head = "parameters m\ncoordinates bob\nfunction bias\n  0 = coordinate bob\n";
   CHECK(names_of(head + "  1 = tan 0  ; bob_x\n  result 1 1 = 1\n").back() == "bob_x");
   CHECK(names_of(head + "  1 = tan 0  ; bob\n  result 1 1 = 1\n").back() == "bob_");
@@ -99,7 +99,7 @@ TEST_CASE("a name of its own is kept unless something else is called so") {
   CHECK(twice == std::vector<std::string>{"", "y", "y_", "y_2"});
 }
 
-TEST_CASE("what is used twice has a hash of its content, the same wherever it stands") {
+TEST_CASE("a value used twice gets a hash of its content, wherever it occurs") {
   const std::string head = "coordinates x y\nfunction bias\n  0 = coordinate x\n";
   const auto alone =
       names_of(head + "  1 = multiply 0 0\n  2 = exp 1\n  3 = multiply 2 2\n  result 1 1 = 3\n");
@@ -112,7 +112,7 @@ TEST_CASE("what is used twice has a hash of its content, the same wherever it st
   CHECK(among[2].empty());
 }
 
-TEST_CASE("negations are written out, and what they negate is computed once") {
+TEST_CASE("negations are substituted, and their operands are computed once") {
   const auto names = names_of(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = exp 0\n  2 = negate 1\n"
       "  result 1 2 = 2 2\n");
@@ -120,12 +120,12 @@ TEST_CASE("negations are written out, and what they negate is computed once") {
   CHECK(names[2].empty());
 }
 
-TEST_CASE("long expressions are broken up") {
+TEST_CASE("long expressions are split") {
   std::string text = "coordinates x\nfunction bias\n  0 = coordinate x\n";
   for (int i = 1; i <= 30; ++i) text += fmt::format("  {} = exp {}\n", i, i - 1);
   const auto names = names_of(text + "  result 1 1 = 30\n");
   std::set<std::string> distinct(names.begin(), names.end());
-  CHECK(distinct.size() == 3);  // "", and one name after every 13 operations
+  CHECK(distinct.size() == 3);  // "", and a name after every 13 operations
   CHECK_FALSE(names[13].empty());
   CHECK_FALSE(names[26].empty());
 }
@@ -145,7 +145,7 @@ std::string name_of(const std::string& instructions, int last) {
 
 }  // namespace
 
-TEST_CASE("what is made of a few names is spelt") {
+TEST_CASE("a value of few named operands is named after them") {
   CHECK(name_of("  9 = multiply 1 2\n", 9) == "m_l");
   CHECK(name_of("  9 = multiply 8 1\n  10 = multiply 9 2\n", 10) == "l_m_cos_theta");
   CHECK(name_of("  9 = divide 3 2\n", 9) == "x_over_l");
@@ -155,13 +155,13 @@ TEST_CASE("what is made of a few names is spelt") {
   CHECK(name_of("  9 = multiply 5 5\n", 9) == "theta_dot_theta_dot");
 }
 
-TEST_CASE("what would read as something else, hide it or be too long has a hash") {
+TEST_CASE("an ambiguous, hiding or long name is replaced by a hash") {
   for (const char* const text : {
-           "  9 = subtract 8 3\n",                  // the cosine of theta - x
-           "  9 = multiply 1 2\n  10 = sin 9\n",    // the sine of m + l
-           "  9 = add 0 1\n  10 = multiply 9 2\n",  // M + m*l
-           "  9 = multiply 0 0\n",                  // M_M is like a macro
-           "  9 = multiply 1 1\n  10 = multiply 9 9\n  11 = multiply 10 1\n",  // five names
+           "  9 = subtract 8 3\n",                  // could mean cos(theta - x)
+           "  9 = multiply 1 2\n  10 = sin 9\n",    // could mean sin(m + l)
+           "  9 = add 0 1\n  10 = multiply 9 2\n",  // could mean M + m*l
+           "  9 = multiply 0 0\n",                  // M_M resembles a macro
+           "  9 = multiply 1 1\n  10 = multiply 9 9\n  11 = multiply 10 1\n",  // five factors
        }) {
     INFO(text);
     const std::string lines = text;
@@ -176,7 +176,7 @@ TEST_CASE("what would read as something else, hide it or be too long has a hash"
   CHECK(names[5].starts_with("t_"));
 }
 
-TEST_CASE("two values that one name is for have hashes") {
+TEST_CASE("two values with the same derived name get hashes") {
   const auto names = names_of(
       "parameters a b a_b c\ncoordinates x\nfunction bias\n  0 = parameter a\n"
       "  1 = parameter a_b\n  2 = parameter c\n  3 = parameter b\n  4 = multiply 0 3\n"
@@ -185,7 +185,7 @@ TEST_CASE("two values that one name is for have hashes") {
   CHECK(names[6].starts_with("t_"));
 }
 
-TEST_CASE("told values are words of others, and what they are made of are parts") {
+TEST_CASE("names of named intermediates occur in other names, and their operands are parts") {
   const auto names = names_of(
       "parameters m\ncoordinates x y\nfunction bias\n  0 = parameter m\n  1 = coordinate x\n"
       "  2 = coordinate y\n  3 = exp 1\n  4 = tan 3\n  5 = multiply 4 4\n"

@@ -1,4 +1,4 @@
-// Names are found again by values, however these are written.
+// Named intermediates are recognised by value, however a program computes them.
 #include "program/network/told_values.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 
 using namespace elgen;
 
-TEST_CASE("what values of a graph are called is told of instructions with that value") {
+TEST_CASE("instructions with the value of a named intermediate get its name") {
   Expressions told;
   Graph& graph = told.graph;
   const Ref m = graph.leaf(Opcode::parameter, 0);
@@ -25,7 +25,8 @@ TEST_CASE("what values of a graph are called is told of instructions with that v
         std::vector<std::string>{"", "", "~minus_turn", "", "", "", "~moment", "own", ""});
 }
 
-TEST_CASE("a told name gives way to others, not to told ones") {
+TEST_CASE(
+    "a named intermediate's name is replaced by an own name, but by no other intermediate's") {
   std::string name;
   take_name(name, "~first");
   take_name(name, "~second");

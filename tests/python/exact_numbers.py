@@ -1,4 +1,5 @@
-"""Numbers that no double is, by `on(sympy)` and `on(mpmath)`: large and small ones, long decimals, several with one double."""
+"""Numbers that no double represents, with `on(sympy)` and `on(mpmath)`: large and small numbers, long decimals,
+different numbers with the same double."""
 import pathlib
 import tempfile
 from fractions import Fraction
@@ -26,7 +27,7 @@ V = "{V}"
 
 
 def check_text(module):
-    """Entries are integers, or a decimal; names are those of numbers of the module and of parameters."""
+    """Entries are integers or a decimal. Names belong to numbers of the module or to parameters."""
     for key, value in module.exact.items():
         if isinstance(value, tuple):
             assert all(type(part) in (int, bool) for part in value) and len(value) in (2, 3), (key, value)
@@ -40,7 +41,7 @@ def check_text(module):
 
 
 def check_potential(name, parameters, text, V, named=0):
-    """V and its slope are those that were typed."""
+    """V and dV/dx equal the typed formulas."""
     module = written(head.format(name=name, parameters=parameters, V=text))
     check_text(module)
     assert sum(isinstance(key, str) for key in module.exact) == named, module.exact
@@ -68,7 +69,7 @@ def check_large_and_small():
 
 
 def check_long_decimals():
-    """3 times thirty-four threes is not 1, which m is."""
+    """Three times 0.333... (34 digits) is not equal to m = 1."""
     third = "0.3333333333333333333333333333333333"
     V = (
         R("2.71828182845904523536028747135266") * x**2
@@ -85,7 +86,7 @@ def check_long_decimals():
         f"k*x^2 + {third}*x^3 + 12345678901234567890123456789*x^4 + big*x + 1e25*x^5 + 1.5e-30*x^6"
         " + 100000000000000000000001*x^7/3",
         V,
-        named=2,  # 0.99… and twice it, as 1 and 2 are there
+        named=2,  # 0.99... and its double; 1 and 2 exist already
     )
     assert p.m == 1 and p.big == 123456789012345678901234567890
 
@@ -97,7 +98,7 @@ def check_parameters_with_one_double():
         f"m = 1\na = {tenth}\nb = 0.1\nc = {{ size = 3, value = [0.1, {tenth}, -0.1] }}",
         "a*x^2 + b*x^3 + c[1]*x^4 + c[2]*x^5 + c[3]*x^6",
         R(tenth) * x**2 + R(1, 10) * x**3 + R(1, 10) * x**4 + R(tenth) * x**5 - R(1, 10) * x**6,
-        named=3,  # b, c[1] and c[3], behind a
+        named=3,  # b, c[1] and c[3]; a exists already
     )
     assert (p.a, p.b, p.c) == (R(tenth), R(1, 10), (R(1, 10), R(tenth), R(-1, 10)))
     root = written(head.format(name="root", parameters='m = 1\nk = "sqrt(2)"', V="k*x^2")).on(sympy)
@@ -146,7 +147,7 @@ p15 = 0.296
 
 
 def check_forms_of_one_number():
-    """2/9 sin(pi/2) + 2/3 cos(pi/2) is 2/9, and one number with it."""
+    """2/9 sin(pi/2) + 2/3 cos(pi/2) = 2/9, and the module has one number for both."""
     module = written(tilted)
     check_text(module)
     assert module.exact[2 / 3] == (2, 3) and module.exact[2 / 9] == (2, 9)
@@ -154,7 +155,7 @@ def check_forms_of_one_number():
 
 
 def check_composed_steps():
-    """The weights of a composed step have 26 decimals, and their sum is exactly 1."""
+    """The weights of a composed step have 26 decimals, and add up to exactly 1."""
     folder = pathlib.Path(tempfile.mkdtemp())
     (folder / "model.toml").write_text(head.format(name="spring", parameters="m = 1\nk = 0.3", V="1/2*k*x^2"))
     scene = folder / "composed.scene.toml"
@@ -182,7 +183,7 @@ def check_composed_steps():
 
 
 def check_doubles():
-    """The functions themselves have the doubles of these numbers."""
+    """The functions in double use the nearest doubles of these numbers."""
     module = written(head.format(name="near", parameters="m = 1", V="0.99999999999999999999*x + x^2/2"))
     assert list(module.exact) == ["_number_1"] and module._number_1 == 1.0
     assert all(value_at(each, state(module, 1)) for each in functions_of(module))

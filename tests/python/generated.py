@@ -1,4 +1,4 @@
-"""Modules that elgen generates for a test, and states to call them at."""
+"""Modules that elgen generates for a test, and states for their functions."""
 import atexit
 import importlib.util
 import inspect
@@ -12,7 +12,7 @@ import tempfile
 
 root = pathlib.Path(__file__).resolve().parents[2]
 models = sorted((root / "models").glob("*.toml"))
-# Scripts that run one after the other share what is generated.
+# Scripts of one test run share the generated modules.
 _shared = os.environ.get("ELGEN_MODULES")
 _folder = pathlib.Path(_shared or tempfile.mkdtemp(prefix="elgen_python_"))
 if not _shared:
@@ -20,7 +20,7 @@ if not _shared:
 
 
 def elgen(*words):
-    """The output of the command; ends the test with its messages where it fails."""
+    """Runs the command and returns its output. If it fails, the test ends with its messages."""
     done = subprocess.run([os.environ.get("ELGEN", "elgen"), *map(str, words)], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"elgen {words[0]} {words[-1]}: {done.stderr}")
@@ -28,7 +28,7 @@ def elgen(*words):
 
 
 def path_of(model, *options):
-    """The module of a model file (a name of one in models/ will do) or of a scene."""
+    """The module of a scene or a model file; a name means a file in models/."""
     path = pathlib.Path(model if os.path.sep in str(model) else root / "models" / f"{model}.toml")
     folder = _folder / "-".join([str(path.relative_to("/")).replace("/", "-"), *options])
     if not folder.exists():
@@ -48,14 +48,14 @@ def module_of(model, *options):
 
 
 def written(text):
-    """The module of a model that a test writes."""
+    """The module of a model text."""
     path = pathlib.Path(tempfile.mkdtemp(dir=_folder)) / "model.toml"
     path.write_text(text)
     return module_of(path)
 
 
 def functions_of(module):
-    """The functions of outputs."""
+    """The functions of a module that compute outputs."""
     return [each for each in module._functions if not each.__name__.startswith("_")]
 
 
@@ -65,7 +65,7 @@ def _inside(chance, interval):
 
 
 def state(module, seed):
-    """A value for every argument, by its name."""
+    """A value for every argument, by name."""
     chance = random.Random(seed)
     moving = [_inside(chance, each) for each in module.rate_ranges]
     return {
@@ -93,7 +93,7 @@ def flat(value):
 
 
 def value_at(function, values):
-    """Entries, or None where `math` has no value for them."""
+    """The entries, or None if `math` raises an error."""
     try:
         return flat(function(*arguments(function, values)))
     except (ValueError, ZeroDivisionError, OverflowError):
@@ -101,7 +101,7 @@ def value_at(function, values):
 
 
 def needs(*packages):
-    """Ends the test where a package is missing."""
+    """Skips the test if a package is missing."""
     for package in packages:
         try:
             __import__(package)

@@ -1,5 +1,5 @@
-"""Functions that branch on a number: they have values in `math`, in mpmath, and of each element of numpy's arrays;
-symbols are refused in words."""
+"""Functions that branch on a number: values in `math`, in mpmath, and element by element in numpy's arrays.
+Symbols are refused with a message."""
 from generated import arguments, flat, functions_of, module_of, root, state, value_at
 
 code = module_of(root / "tests/emit/compiled/functions.toml")
@@ -36,7 +36,7 @@ def check_arrays():
         return
     p = code.Parameters()
     functions = code.on(numpy)
-    # The series of stumpff(theta, -4) ends at theta^2 = 12.
+    # stumpff(theta, -4) uses its series up to theta^2 = 12.
     angles = [-7.5, -3.4641, -1.0, -1e-300, 0.0, 0.25, 3.0, 3.5, 20.0]
     found = functions.gravity(p, [0.0, numpy.array([angles, angles])])[1]
     assert found.shape == (2, len(angles)) and found.dtype == float
@@ -46,7 +46,7 @@ def check_arrays():
     rates = [-2.0, -p.w / 3, 0.0, 0.0005, 7.0]
     found = functions.applied_force(p, [0.0, 0.0], [numpy.array(rates), 0.0])[0]
     assert list(found) == [code.applied_force(p, [0.0, 0.0], [rate, 0.0])[0] for rate in rates]
-    # Numbers stay those of `math`, which has no value at inf; an array has a NaN there alone.
+    # Numbers use `math`, which raises at inf. In an array only this element is NaN.
     assert functions.gravity(p, [0.0, 0.25]) == code.gravity(p, [0.0, 0.25])
     assert value_at(code.gravity, {"p": p, "q": [0.0, float("inf")]}) is None
     with numpy.errstate(all="ignore"):
@@ -66,7 +66,7 @@ def check_refusals():
 
 
 def check_missing():
-    """A function that a space lacks is named where it is called, and not before."""
+    """A function missing in a namespace is reported when it is called, not before."""
     import types
 
     cart_pole = module_of("cart_pole")

@@ -1,4 +1,4 @@
-"""`on(mpmath)` at 50 digits against the oracle, which computes straight from the energies of the model."""
+"""`on(mpmath)` at 50 digits against the oracle, which evaluates the energies of the model directly."""
 import inspect
 import json
 
@@ -8,10 +8,10 @@ needs("mpmath")
 import mpmath
 
 mpmath.mp.dps = 50
-# The oracle prints 50 digits; solutions with mass matrices lose up to four.
+# The oracle prints 50 digits. Solutions with mass matrices lose up to four.
 most = mpmath.mpf("1e-45")
 
-# The numbers of a state are decimals, and both sides read them as these.
+# Both sides read the numbers of a state as decimals.
 states = {
     "cart_pole": "theta=0.1,dot(x)=0.7,dot(theta)=2,dot(dot(x))=0.3,dot(dot(theta))=-0.7",
     "double_pendulum": "theta1=0.3,theta2=-1.1,dot(theta1)=0.7,dot(theta2)=0.2",
@@ -25,7 +25,7 @@ states = {
 
 
 def given(text):
-    """The numbers of a JSON of the oracle, with their digits."""
+    """The numbers in the oracle's JSON, with all digits."""
     return json.loads(text, parse_float=mpmath.mpf, parse_int=mpmath.mpf)
 
 
@@ -47,7 +47,7 @@ def check(model, state):
 
 
 def check_series():
-    """The series and the recursion of stumpff, in both of its branches, against that of mpmath."""
+    """The series and the recursion of stumpff against mpmath's series."""
     code = module_of(root / "tests/emit/compiled/functions.toml").on(mpmath)
     for x in ("0.01", "1.5", "9", "-17"):
         for order in range(1, 8):
@@ -59,7 +59,7 @@ def check_series():
 
 
 def check_precision():
-    """The precision is that of the call of on()."""
+    """The precision is the precision of mpmath when on() is called."""
     module = module_of("cart_pole")
     assert module.on(mpmath).Parameters().g == mpmath.mpf("9.81")
     with mpmath.workdps(80):

@@ -1,4 +1,4 @@
-"""Names that Python reserves or the module needs: what is spelt otherwise, what is refused."""
+"""Names that Python reserves or the module needs: some are changed, others refused."""
 import ast
 import builtins
 import keyword
@@ -55,7 +55,7 @@ def has_values(module):
 
 
 def check_parameters():
-    """A reserved word gets a line below; fields may hide methods of a tuple."""
+    """A reserved word gets an underscore. Fields may hide methods of tuples."""
     reserved = [name for name in keyword.kwlist if name == name.lower() and "[E204]" not in refusals(model(parameters=[name]))]
     assert {"lambda", "in", "is", "def", "pass", "with", "yield", "from"} <= set(reserved)
     others = ["None", "True", "tuple", "list", "count", "index", "end", "self", "cls", "type", "q", "v", "p", "Parameters"]
@@ -83,14 +83,14 @@ def check_outputs():
 
 
 def used_names(path):
-    """The names of Python that a module reads."""
+    """The names of Python that a module uses."""
     tree = ast.parse(path.read_text())
     read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
     return read & set(dir(builtins))
 
 
 def check_taken():
-    """An output that is called like something that the module reads is refused."""
+    """An output is refused if its name is used by the module."""
     used = set().union(*map(used_names, map(path_of, ("cart_pole", "quadrotor", "chain"))))
     own = {"on", "exact", "Parameters", "NamedTuple", "is_regular", "digits_left", "coordinate_names", "parameter_units", "start_rates"}
     assert len(used) > 10
@@ -101,14 +101,14 @@ def check_taken():
 
 
 def check_called():
-    """So is one that is called like a function that the module calls, and only there."""
+    """An output is refused if its name is a function called by the module."""
     force = '[[force]]\non = "angle"\nvalue = "-k*abs(angle)"\n'
     assert "[E701]" in refusals(model(outputs=["fabs"]) + force)
     assert "[E" not in refusals(model(outputs=["fabs"]))
 
 
 def check_imports():
-    """Modules import what they call, and nothing else."""
+    """Modules import only the functions that they call."""
     for path in map(path_of, models):
         tree = ast.parse(path.read_text())
         imports = [node for node in ast.walk(tree) if isinstance(node, (ast.Import, ast.ImportFrom))]
@@ -123,7 +123,7 @@ def check_imports():
 
 
 def check_shapes():
-    """A matrix is a list of rows, with one column too; a vector is a list, a number a number."""
+    """A matrix is a list of rows, even with one column. A vector is a list, a number a number."""
     cart = module_of("cart_pole")
     p, q, v = cart.Parameters(), [0.0, 0.1], [0.0, 0.0]
     assert [len(row) for row in cart.mass_matrix(p, q)] == [2, 2]
@@ -134,7 +134,7 @@ def check_shapes():
 
 
 def check_literals():
-    """CPython folds no constant of a module: each stands in its text, so that on(sympy) finds it."""
+    """CPython folds no constant of a module: each occurs in its text, so that on(sympy) finds it."""
     for path in map(path_of, models):
         tree = ast.parse(path.read_text())
         written_down = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, float)}

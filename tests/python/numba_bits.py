@@ -1,6 +1,6 @@
-"""Compiled by numba, functions give the bits of CPython (no fast arithmetic; a division by zero is inf).
+"""Functions compiled by numba give the bits of CPython, without fast arithmetic; a division by zero is inf.
 
-numba can hand lists to Python and no struct of lists (it crashes): fields are taken in compiled code."""
+numba can return lists to Python, but crashes for a struct of lists, so compiled code selects the fields."""
 from generated import arguments, flat, functions_of, module_of, needs, root, state, value_at
 
 needs("numba")
@@ -17,7 +17,7 @@ taken = {
 
 
 def calls(module, name, struct):
-    """A function that numba compiles, or one for each field of its struct."""
+    """The function compiled by numba, or a compiled function for each field of its struct."""
     setattr(module, name, compiled(getattr(module, name)))
     if struct is None:
         return [getattr(module, name)]
@@ -28,7 +28,7 @@ def calls(module, name, struct):
 def check(model, names):
     plain = {each.__name__: each for each in functions_of(module_of(model))}
     module = module_of(model)
-    for helper in module._functions:  # those with kinks and series call these
+    for helper in module._functions:  # functions with kinks and series call these helpers
         if helper.__name__.startswith("_"):
             setattr(module, helper.__name__, compiled(helper))
     compared = 0

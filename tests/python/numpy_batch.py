@@ -1,16 +1,16 @@
-"""Arrays in the last axis: every function of every model, at five states at once and one by one."""
+"""Arrays of states along the last axis: every function of every model, at five states together and one by one."""
 from generated import arguments, flat, functions_of, models, module_of, needs, state, value_at
 
 needs("numpy")
 import numpy
 
-# The sines of numpy's vectors are off by up to 4 units in the last place, those of `math` by one;
-# solutions with mass matrices of models lose up to four digits more.
+# numpy's vectorised sines have errors up to 4 ulp, `math` up to 1 ulp. Solutions with mass matrices
+# lose up to four more digits.
 most = 1e-10
 
 
 def batch(states):
-    """Each number of the states, an array of those of all."""
+    """One array per number of a state, with its values in all states."""
     first = states[0]
     return {
         name: value
@@ -65,7 +65,7 @@ def check_arrays_of_parameters():
 
 
 def check_singular():
-    """A singular matrix raises in `math`, and is a NaN in an array."""
+    """A singular matrix raises an error in `math`, and gives NaN in an array."""
     code = module_of("double_pendulum")
     with numpy.errstate(all="ignore"):
         masses = numpy.array([0.0, 1.0])

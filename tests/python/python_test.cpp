@@ -1,5 +1,5 @@
-// Modules of Python: the scripts of this folder have elgen write them, and call them with the
-// packages of Python that are installed.
+// Python modules: the scripts of this folder let elgen generate modules, and call them with the
+// installed Python packages.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <iostream>
@@ -12,13 +12,13 @@ namespace elgen::test {
 
 namespace {
 
-/// $PYTHON, else that of the system, which has the packages of Debian.
+/// $PYTHON, or else the system's Python, which has Debian's packages.
 std::string python() {
   const char* const chosen = std::getenv("PYTHON");
   return chosen == nullptr ? "/usr/bin/python3" : chosen;
 }
 
-/// Scripts share the modules that they have in common.
+/// The folder of modules that the scripts share.
 const Workspace& modules() {
   static const Workspace folder("elgen_modules_");
   return folder;
@@ -37,30 +37,33 @@ void check_script(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("modules of all models compile without a warning") { check_script("compiles"); }
+TEST_CASE("modules of all models compile without warnings") { check_script("compiles"); }
 
-TEST_CASE("names that Python reserves are spelt otherwise, those that modules need are refused") {
+TEST_CASE("names reserved by Python are changed, and names that modules need are refused") {
   check_script("names");
 }
 
-TEST_CASE("functions with kinks refuse symbols in words, and take arrays by elements") {
+TEST_CASE(
+    "functions with kinks refuse symbols with a message, and take arrays element by element") {
   check_script("kinks");
 }
 
-TEST_CASE("modules run on numbers that forbid what tracers forbid") { check_script("tracers"); }
+TEST_CASE("modules run on numbers with the restrictions of tracers") { check_script("tracers"); }
 
-TEST_CASE("arrays of states have the values of each state") { check_script("numpy_batch"); }
+TEST_CASE("functions of arrays of states equal functions of each state") {
+  check_script("numpy_batch");
+}
 
 TEST_CASE("SymPy proves every closed form that a model expects") { check_script("sympy_proofs"); }
 
-TEST_CASE("mpmath has the 50 digits of the oracle") { check_script("mpmath_digits"); }
+TEST_CASE("mpmath agrees with the oracle's 50 digits") { check_script("mpmath_digits"); }
 
-TEST_CASE("numbers that no double is are exact in SymPy and mpmath") {
+TEST_CASE("numbers that no double represents are exact in SymPy and mpmath") {
   check_script("exact_numbers");
 }
 
-TEST_CASE("numba has the bits of CPython") { check_script("numba_bits"); }
+TEST_CASE("numba gives the bits of CPython") { check_script("numba_bits"); }
 
-TEST_CASE("the Jacobian of torch is the linearization") { check_script("torch_jacobian"); }
+TEST_CASE("the Jacobian by torch is the linearization") { check_script("torch_jacobian"); }
 
 }  // namespace elgen::test

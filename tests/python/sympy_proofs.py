@@ -1,6 +1,6 @@
-"""Closed forms that model files expect, proved again: `on(sympy)` of the module less the expectation is 0.
+"""Independent proofs of the closed forms in model files: `on(sympy)` of the module minus the expectation is 0.
 
-What SymPy gets of elgen is the module alone; expectations are read by the translator below."""
+SymPy only uses the generated module. The translator below reads the expectations."""
 import ast
 import inspect
 import keyword
@@ -31,7 +31,7 @@ class Expressions:
         self.sizes = {name: sympy.Integer(value) for name, value in model.get("sizes", {}).items()}
         rates = module.coordinate_names
         if len(rates) != len(module.rate_ranges):
-            rates = module.velocity_names  # of a quaternion three
+            rates = module.velocity_names  # three for a quaternion
         self.arguments = {
             "p": module.on(sympy).Parameters(*map(self.parameter, module.parameter_names, module.Parameters())),
             "f": self.symbols(getattr(module, "open_value_names", ())),
@@ -57,7 +57,7 @@ class Expressions:
         return [self.known.setdefault(name, sympy.Symbol(name, real=True, **assumed)) for name in names]
 
     def read(self, text):
-        # Python's words are names here: `lambda`.
+        # Names of a model may be Python keywords, such as `lambda`.
         text = re.sub(r"[A-Za-z_]\w*", lambda word: f"{word[0]}_" if keyword.iskeyword(word[0]) else word[0], text)
         return self.value(ast.parse(" ".join(text.replace("^", "**").split()), mode="eval").body, {})
 
@@ -104,7 +104,7 @@ class Expressions:
         return [self.read(text) for row in self.model["point"] if row["name"] == point for text in row["at"]]
 
     def entries(self, expected):
-        """The entries of an expectation: a text, rows of texts, or a text for every index."""
+        """The entries of an expectation, which is a text, rows of texts, or a text for every index."""
         if not isinstance(expected, dict):
             return [self.read(text) for text in flat(expected)]
         loops = [expected["for"]] if isinstance(expected["for"], str) else expected["for"]
@@ -116,7 +116,7 @@ class Expressions:
         return [self.value(ast.parse(text, mode="eval").body, scope) for scope in scopes]
 
     def output(self, name):
-        """The first field of an output, or that of multipliers."""
+        """The first field of an output, or the multipliers."""
         call = getattr(self.module.on(sympy), "forward_dynamics" if name == "multipliers" else name)
         value = call(*(self.arguments[each] for each in inspect.signature(call).parameters))
         if hasattr(value, "_fields"):
@@ -125,7 +125,7 @@ class Expressions:
 
 
 def atoms_of(expression):
-    """Sines, cosines and roots as symbols, and the polynomials that their squares are."""
+    """Replaces sines, cosines and roots by symbols; returns polynomials for their squares too."""
     squares, replaced = {}, {}
     expression = sympy.expand_trig(expression)
     for angle in {each.args[0] for each in expression.atoms(sympy.sin, sympy.cos)}:
@@ -145,7 +145,8 @@ def atoms_of(expression):
 
 
 def is_zero(expression, of_units={}):
-    """By a normal form: the numerator, its squares of sines, roots and scalar parts of unit quaternions replaced, expanded."""
+    """Decides by a normal form: the expanded numerator, with squares of sines, of roots and of the scalar parts of unit
+    quaternions replaced."""
     expression, squares = atoms_of(sympy.sympify(expression))
     squares |= of_units
     numerator = sympy.fraction(sympy.together(expression))[0]
@@ -185,7 +186,7 @@ def check_model(path):
 
 
 def check_exact():
-    """Integers, and literals of lists, which CPython joins to one constant."""
+    """Integers stay exact, also in list literals, which CPython folds into a constant."""
     code = module_of("cart_pole").on(sympy)
     half = sympy.Rational(1, 2)
     assert code.mass_matrix(code.Parameters(), [0, 0]) == [[11 * half / 5, half / 10], [half / 10, half / 20]]

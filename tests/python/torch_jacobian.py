@@ -1,10 +1,10 @@
-"""The Jacobian that torch differentiates the accelerations to is `linearization`."""
+"""The Jacobian of the accelerations by torch equals `linearization`."""
 from generated import arguments, flat, module_of, needs, state
 
 needs("torch")
 import torch
 
-# Both round: some hundred operations of 1e-16 each, of entries scaled by the largest.
+# Both sides have a few hundred rounding errors of 1e-16, relative to the largest entry.
 most = 1e-13
 
 
@@ -34,7 +34,7 @@ def check(model):
 
 
 def check_parameters():
-    """A gradient by a parameter; numbers beside tensors."""
+    """A gradient by a parameter, with numbers and tensors mixed."""
     code = module_of("cart_pole")
     mass = torch.tensor(0.1, dtype=torch.float64, requires_grad=True)
     energy = code.on(torch).kinetic_energy(code.Parameters(m=mass), [0.0, 0.3], [0.2, 0.7])
@@ -45,7 +45,7 @@ def check_parameters():
 
 
 def check_pairs():
-    """Functions of two numbers take a tensor and a number."""
+    """Functions of two arguments accept a tensor and a number."""
     from generated import written
 
     code = written(

@@ -1,6 +1,6 @@
-"""Numbers that forbid what tracers forbid (those of JAX, CasADi's SX): truth, comparison, conversion.
+"""Numbers with the restrictions of tracers (JAX, CasADi's SX): no truth value, no comparison, no conversion.
 
-Every function of every model runs on them, and gives the bits of `math`."""
+Every function of every model runs on them and gives the bits of `math`."""
 import inspect
 import math
 import types

@@ -1,4 +1,4 @@
-// The inputs of a scene, by the text of the model.
+// Determines the inputs of a scene from the text of the model.
 #include <algorithm>
 
 #include "random/model.hpp"
@@ -20,7 +20,8 @@ bool is_locked(const Scene& scene, const std::string& on) {
   });
 }
 
-/// The coordinates that a force acts on; "" stands for places, which many of them move.
+/// The coordinates that a force acts on; "" if it acts at a point or frame, which several
+/// coordinates move.
 std::vector<std::string> acted_on(const Force& force) {
   if (force.repeat == 0 || force.on.empty()) return {force.on};
   std::vector<std::string> all;

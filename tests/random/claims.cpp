@@ -1,4 +1,4 @@
-// Differentiates the expressions of energies, and spoils what comes out.
+// Differentiates the expressions of energies, and falsifies the results.
 #include "random/claims.hpp"
 
 #include <map>
@@ -13,7 +13,7 @@ bool is_number(const Expression& e, const char* text) {
   return e->kind == NodeKind::number && e->text == text;
 }
 
-/// Sums and products without zeros and ones, so that claims stay readable.
+/// Sums and products omit zeros and ones, so that claims stay readable.
 Expression sum(const Expression& a, const Expression& b) {
   if (is_number(a, "0")) return b;
   return is_number(b, "0") ? a : a + b;
@@ -24,7 +24,7 @@ Expression times(const Expression& a, const Expression& b) {
   return is_number(b, "0") || is_number(a, "1") ? b : a * b;
 }
 
-/// f' at x, of the functions that energies are drawn from.
+/// f'(x) of the functions that occur in energies.
 Expression slope(const std::string& function, const Expression& x) {
   const Expression one = number(1);
   if (function == "sin") return call_of("cos", {x});
@@ -36,7 +36,7 @@ Expression slope(const std::string& function, const Expression& x) {
   throw std::logic_error("no derivative of " + function);
 }
 
-/// The expression at zero rates.
+/// The expression with all rates set to zero.
 Expression at_rest(const Expression& expression) {
   if (expression->kind == NodeKind::rate) return number(0);
   Node node = *expression;
@@ -44,7 +44,7 @@ Expression at_rest(const Expression& expression) {
   return made(std::move(node));
 }
 
-/// Definitions in place of their names.
+/// The expression with definitions substituted for their names.
 Expression resolved(const Expression& expression, const std::vector<Named>& definitions) {
   if (expression->kind == NodeKind::name) {
     for (const Named& definition : definitions) {
@@ -60,7 +60,7 @@ Expression second_derivative(const Expression& T, const Expression& a, const Exp
   return derivative(derivative(T, a), b);
 }
 
-/// Places where a sign between constants can be turned, found from left to right.
+/// Flips the sign of a sum of constants: the `countdown`-th such sum from the left.
 Expression turned(const Expression& expression, int& countdown) {
   const bool is_sum =
       expression->kind == NodeKind::addition || expression->kind == NodeKind::subtraction;
@@ -83,7 +83,7 @@ int turnable(const Expression& expression) {
   return start - many;
 }
 
-/// Every name has a random value between 1/4 and 1, and a random rate.
+/// A scope with a random value and a random rate, both in [1/4, 1), for every name.
 class Anywhere : public Scope {
  public:
   explicit Anywhere(Draw& draw) : draw_(draw) {}
@@ -114,9 +114,9 @@ class Anywhere : public Scope {
   }
 };
 
-/// Whether the two differ at a random point, so that they are not one function.
+/// True if the expressions differ at a random point, so that they are different functions.
 bool differ(const Expression& a, const Expression& b, Draw& draw) {
-  static const Number rounding("1e-60");  // of 80 digits
+  static const Number rounding("1e-60");  // relative, with 80 digits
   Anywhere point(draw);
   const Number x = evaluated(a, point).value();
   const Number y = evaluated(b, point).value();
@@ -185,7 +185,7 @@ std::vector<Claim> falsified(std::vector<Claim> claims, Draw& draw) {
   const int places = turnable(entry);
   int countdown = places > 0 ? draw.below(places) : 0;
   const Expression other = turned(entry, countdown);
-  // A sign before a zero, or in what is multiplied by one, turns nothing.
+  // A flipped sign before a zero, or in a factor that cancels, changes nothing.
   const bool turns = places > 0 && differ(entry, other, draw);
   entry = turns ? other : entry + call_of("cos", {number(1)}) / number(1000);
   return claims;

@@ -1,5 +1,4 @@
-// Closed forms that are true of a model by its own energies, and false ones that differ in a
-// constant.
+// Closed forms that follow from a model's own energies, and false forms that differ in a constant.
 #pragma once
 
 #include <optional>
@@ -10,14 +9,14 @@
 
 namespace elgen::random {
 
-/// dE/dx of an expression, by the rules of calculus alone; x is a coordinate, or its rate as
-/// dot(x).
+/// dE/dx by symbolic differentiation; x is a coordinate, or its rate as dot(x).
 [[nodiscard]] Expression derivative(const Expression& expression, const Expression& by);
 
-/// Mass matrix, gravity and kinetic energy of a model that is all in [energy] T and V; else none.
+/// Mass matrix, gravity and potential energy of a model with only [energy] T and V. Empty for other
+/// models.
 [[nodiscard]] std::vector<Claim> true_claims(const Model& model);
 
-/// One of the claims with a sign between constants turned, or a constant a thousandth off.
+/// The claims with one entry falsified: a flipped sign between constants, or cos(1)/1000 added.
 [[nodiscard]] std::vector<Claim> falsified(std::vector<Claim> claims, Draw& draw);
 
 }  // namespace elgen::random

@@ -1,5 +1,5 @@
-// Compiles what elgen emitted and compares the numbers that it returns. All trials of a language
-// are one program, which is halved where it does not compile.
+// Compiles the emitted code and compares the returned numbers. All trials of a language are one
+// program, which is bisected if it does not compile.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,11 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every one of some thousand operations at most rounds to half an epsilon of the entry's absolute
-/// terms.
+/// At most some thousand operations round by half an epsilon of the entry's absolute terms.
 constexpr double roundings = 4096;
 
-/// Numbers by "base/output".
+/// Returned numbers by "base/output".
 using Printed = std::map<std::string, std::vector<double>>;
 
 Printed parsed(const std::string& output) {
@@ -62,8 +61,8 @@ std::string compared(const Trial& trial, const std::string& output, bool by_colu
   const ShownOutput& shown = trial.shown.at(output);
   if (printed.size() != truth.size()) return "another number of entries\n";
   const Number epsilon = trial.system.scene.is_float ? 0x1p-23 : 0x1p-52;
-  // Terms that cancel wholly in the shown equations may round in the compiled code: 1 is of the
-  // size of the states.
+  // Terms that cancel completely in the shown equations may round in compiled code; states have
+  // magnitude 1.
   Number scale = 1;
   for (const Sized& entry : shown.entries) scale = std::max(scale, entry.size);
   const std::size_t rows = truth.size() / std::max<std::size_t>(shown.columns, 1);

@@ -1,4 +1,4 @@
-// Draws constants and functions.
+// Draws random constants and functions.
 #include "random/draw.hpp"
 
 #include <stdexcept>
@@ -41,7 +41,7 @@ Expression Draw::rational() {
   return number(one_of(decimals));
 }
 
-/// One irrational number.
+/// A simple irrational number.
 Expression Draw::elementary() {
   const Expression small = number(1 + below(3));
   switch (below(9)) {
@@ -64,7 +64,7 @@ Expression Draw::elementary() {
   }
 }
 
-/// Sums, differences, products of irrational numbers, and functions of them.
+/// Sums, differences and products of irrational numbers, and functions of them.
 Expression Draw::irrational() {
   const auto part = [&] { return chance(60) ? elementary() : rational(); };
   switch (below(9)) {
@@ -94,7 +94,7 @@ Expression Draw::constant() {
     const Expression drawn = irrational_ && chance(60) ? irrational() : rational();
     const Expression result = chance(20) ? -drawn : drawn;
     const Number size = abs(value_of(result));
-    // Sums like 2 - 2 cancel; what is left is of the size of the numbers that states have.
+    // Sums like 2 - 2 cancel, so the magnitude must resemble the numbers of states.
     if (size > Number("0.01") && size < 40) return result;
   }
 }

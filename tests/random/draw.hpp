@@ -1,6 +1,5 @@
-// Random numbers, and constants and functions of the model language made from them. A seed gives
-// the same draws in every run of one build; compilers may order the draws of one expression
-// differently.
+// Random numbers, and random constants and functions of the model language. A seed gives the same
+// draws in every run of one build. Compilers may order the draws of one expression differently.
 #pragma once
 
 #include <cstdint>
@@ -23,16 +22,16 @@ class Draw {
     return items[static_cast<std::size_t>(below(static_cast<int>(items.size())))];
   }
 
-  /// A dyadic number in [-reach, reach], held exactly by every scalar type; never 0.
+  /// A non-zero dyadic number in [-reach, reach], exact in every scalar type.
   Number dyadic(int reach);
 
-  /// Any constant but 0: rational, or in half of the models irrational too.
+  /// A non-zero constant: rational, or in half of the models also irrational.
   Expression constant();
-  /// One between 1/10 and 10.
+  /// A rational number between 1/10 and 10.
   Expression positive();
   Expression rational();
 
-  /// A bounded, smooth function of the arguments, finite wherever they are in [-1, 1].
+  /// A bounded, smooth function of the arguments, finite if they are in [-1, 1].
   Expression function_of(const std::vector<Expression>& arguments);
 
  private:

@@ -1,4 +1,4 @@
-// Writes the calls as the declarations in the emitted headers ask for them.
+// Writes calls that match the declarations in emitted headers.
 #include "random/driver_text.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ const char* const c_prelude = R"(#include <stdio.h>
     printf("%s %.17g\n", name, (double)((const SCALAR*)&(array))[i])
 )";
 
-/// Fields of outputs that are structs.
+/// The fields of an output that is a struct; empty for other outputs.
 const std::vector<std::string>& fields_of(const std::string& output) {
   static const std::map<std::string, std::vector<std::string>> names{
       {"forward_dynamics", {"acceleration"}},
@@ -60,7 +60,7 @@ struct Declaration {
   std::string parameters;
 };
 
-/// The declaration after each marker: TYPE NAME(PARAMETERS).
+/// The declaration TYPE NAME(PARAMETERS) after each marker.
 std::vector<Declaration> declarations(const std::string& header, const std::string& marker) {
   std::vector<Declaration> found;
   for (std::size_t at = header.find(marker); at != std::string::npos;
@@ -78,7 +78,7 @@ std::vector<Declaration> declarations(const std::string& header, const std::stri
 
 std::string number_literal(const Jet& value) { return "(SCALAR)" + value.value().str(20); }
 
-/// The numbers of what is not locked.
+/// The entries of q or v that are not locked, as literals.
 std::vector<std::string> free_numbers(const Vector& all, const Layout& layout, bool is_q) {
   std::vector<std::string> result;
   for (const Layout::Place& place : layout.places) {
@@ -90,7 +90,7 @@ std::vector<std::string> free_numbers(const Vector& all, const Layout& layout, b
   return result;
 }
 
-/// Arguments by name, as lists of numbers.
+/// The arguments q, v, a, u by name, as lists of literals.
 std::vector<std::pair<std::string, std::vector<std::string>>> arguments_of(const Trial& trial) {
   std::vector<std::string> inputs;
   for (const std::size_t k : acting_inputs(trial.system)) {
@@ -145,7 +145,7 @@ std::string cpp_function(const Trial& trial, const std::string& declared, bool i
   return text;
 }
 
-/// Numbers are returned; arrays and structs are written to the last argument.
+/// Numbers are returned. Arrays and structs are written to the last argument.
 std::string c_call(const Declaration& function, const Trial& trial) {
   const std::string base = base_name(trial.system);
   const std::string output = function.name.substr(base.size() + 1);
@@ -195,7 +195,7 @@ std::string c_function(const Trial& trial, const std::string& declared) {
   text += fmt::format("  const SCALAR t = {};\n", number_literal(trial.state.t));
   text += "  (void)q, (void)v, (void)a, (void)u, (void)t;\n";
   for (const Declaration& function : declarations(declared, "static inline ")) {
-    // Long functions are written in parts.
+    // Long functions are split into parts, which are no outputs.
     const bool is_output =
         mentions(function.parameters, " q[") && !mentions(function.parameters, "_workspace *w");
     if (is_output && function.name != base + "_dynamics") text += c_call(function, trial);

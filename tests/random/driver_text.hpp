@@ -1,5 +1,5 @@
-// Programs that call every function of emitted headers at the state of a trial, and print what it
-// returns: a line "base/output number" for each entry.
+// Programs that call every function of emitted headers at a trial's state and print the results: a
+// line "base/output number" for each entry.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@ namespace elgen::random {
 
 enum class Language { cpp, eigen, c };
 
-/// The end of the name of the header in this language.
+/// The ending of a header's file name in this language.
 [[nodiscard]] std::string header_suffix(Language language);
 
-/// The text before the functions of all trials, without the headers.
+/// The text before the functions of all trials, without `#include`s of emitted headers.
 [[nodiscard]] std::string driver_prelude(Language language);
 
-/// A function `run_BASE` that calls what `declared`, the text of a header, declares. The header on
-/// Eigen declares what that on arrays does, whose text is asked for.
+/// A function `run_BASE` that calls every function declared in `declared`, the text of a header.
+/// For Eigen pass the header with arrays, which declares the same functions.
 [[nodiscard]] std::string driver_function(const Trial& trial, Language language,
                                           const std::string& declared);
 

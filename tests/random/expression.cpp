@@ -1,4 +1,4 @@
-// Builds, prints and evaluates the expressions of random models.
+// Builds, prints and evaluates expressions of random models.
 #include "random/expression.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ int binding(const Node& node) {
   }
 }
 
-/// In brackets where it binds less than its place asks for.
+/// Adds brackets if the expression binds less than `least`.
 std::string placed(const Expression& expression, int least) {
   const std::string text = printed(expression);
   return binding(*expression) < least ? "(" + text + ")" : text;

@@ -1,5 +1,5 @@
-// Expressions of random models: trees that the generator builds, printed into a model file and
-// evaluated here; what is printed is never parsed.
+// Expressions of random models: trees that the generator builds. They are printed into a model file
+// and evaluated here, but never parsed.
 #pragma once
 
 #include <map>
@@ -12,18 +12,18 @@
 namespace elgen::random {
 
 struct Node;
-using Expression = std::shared_ptr<const Node>;  ///< null where a model leaves it out
+using Expression = std::shared_ptr<const Node>;  ///< null if the model omits it
 
 enum class NodeKind {
   number,  ///< text: the literal
   pi,
   time,
   index,      ///< text: a variable of `for` or `sum`
-  name,       ///< text: coordinate, parameter, input, definition, prescribed function
+  name,       ///< text: coordinate, parameter, input, definition or prescribed function
   component,  ///< text: a point; first: the axis
   speed,      ///< v2(text)
   distance,   ///< dist2(text, other)
-  turning,    ///< wx(text), or wx(text, other); first: the axis
+  turning,    ///< wx(text) or wx(text, other); first: the axis
   rate,       ///< dot(operand)
   sum,        ///< sum(text, first, second, operand)
   negation,
@@ -38,14 +38,14 @@ enum class NodeKind {
 struct Node {
   NodeKind kind = NodeKind::number;
   std::string text = {};
-  std::string element = {};  ///< of an array: a number, or a variable of `for` or `sum`
+  std::string element = {};  ///< array index: a number, or a variable of `for` or `sum`
   std::string other = {};
   int first = 0;
   int second = 1;
   std::vector<Expression> operands = {};
 };
 
-/// `name[element]`, or the name alone where `element` is empty.
+/// `name[element]`, or `name` if `element` is empty.
 [[nodiscard]] std::string indexed(const std::string& name, const std::string& element);
 
 [[nodiscard]] Expression number(const std::string& literal);
@@ -68,25 +68,25 @@ struct Node {
 [[nodiscard]] Expression operator/(Expression a, Expression b);
 [[nodiscard]] Expression operator-(Expression a);
 
-/// As the model language writes it.
+/// The text in the model language.
 [[nodiscard]] std::string printed(const Expression& expression);
 
-/// Whether it depends on anything: a name, a point, time.
+/// True if the expression depends on a name, a point or time.
 [[nodiscard]] bool has_names(const Expression& expression);
 
-/// Where names get their values. Infinitesimal 0 is that of time: dot(e) is what it multiplies.
+/// Values of names. Infinitesimal 0 belongs to time: dot(e) is its coefficient in e.
 class Scope {
  public:
   virtual ~Scope() = default;
-  /// The element is resolved: empty, or a number.
+  /// `element` is resolved: empty, or a number.
   virtual Jet value_of(const std::string& name, const std::string& element) = 0;
   virtual Jet component_of(const std::string& point, const std::string& element, int axis) = 0;
   virtual int dimension_of(const std::string& point) = 0;
   virtual Jet now() = 0;
-  /// Angular velocity of a frame along the axes of another, "" for the world.
+  /// The angular velocity of a frame along the axes of another; "" means the world.
   virtual Vector turning_of(const std::string& frame, const std::string& axes) = 0;
 
-  std::map<std::string, int> indices;  ///< of `for` and `sum`, while they are walked through
+  std::map<std::string, int> indices;  ///< of `for` and `sum` during their evaluation
 };
 
 inline constexpr unsigned time_infinitesimal = 0;

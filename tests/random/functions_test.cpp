@@ -1,4 +1,5 @@
-// The functions of the model language that jets and draws know. Only their names are of elgen.
+// The functions of the model language that jets and draws support. Only their names come from
+// elgen.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>
@@ -12,13 +13,13 @@ using namespace elgen::random;
 
 namespace {
 
-constexpr double place = 0.375;  ///< has a value of every function
+constexpr double place = 0.375;  ///< every function has a value here
 constexpr double other = 2;
 
 struct KnownFunction {
   std::string name;
   std::size_t arity;
-  std::optional<double> value;  ///< at the place, by <cmath> if that has the function
+  std::optional<double> value;  ///< at `place`, by <cmath> if it has the function
 };
 
 const std::vector<KnownFunction>& functions() {
@@ -39,7 +40,7 @@ Jet value_at(const KnownFunction& function, const Jet& x, const Jet& y) {
   return function.arity == 1 ? call(function.name, {x}) : call(function.name, {x, y});
 }
 
-/// Whether a text calls the function.
+/// True if the text calls the function.
 bool has_call(const std::string& text, const std::string& function) {
   const std::string called = function + "(";
   for (auto at = text.find(called); at != std::string::npos; at = text.find(called, at + 1)) {
@@ -51,7 +52,7 @@ bool has_call(const std::string& text, const std::string& function) {
 
 }  // namespace
 
-TEST_CASE("jets know every function and its derivatives") {
+TEST_CASE("jets support every function and its derivatives") {
   const Number step("1e-20");
   for (const KnownFunction& function : functions()) {
     INFO(function.name);
@@ -73,7 +74,7 @@ TEST_CASE("jets know every function and its derivatives") {
   }
 }
 
-TEST_CASE("stumpff is sinc, cosc, and those of an imaginary argument") {
+TEST_CASE("stumpff has the closed forms of sinc, cosc and sinhc") {
   const Number x("0.75");
   const auto stumpff = [&x](int k) { return call("stumpff", {x, k}).value(); };
   CHECK(abs(stumpff(1) - sin(x) / x) < Number("1e-75"));
@@ -81,8 +82,8 @@ TEST_CASE("stumpff is sinc, cosc, and those of an imaginary argument") {
   CHECK(abs(stumpff(-1) - sinh(x) / x) < Number("1e-75"));
 }
 
-// A function of the table that no model calls has to be added here, or drawn.
-TEST_CASE("random models call all functions but these") {
+// Add a new function to this list if no random model calls it.
+TEST_CASE("random models call all functions except these") {
   constexpr std::uint64_t seeds = 300;
   std::string texts;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {

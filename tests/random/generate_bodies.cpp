@@ -3,7 +3,7 @@
 
 namespace elgen::random {
 
-/// The angle of a joint: mostly a coordinate, also with an offset, a ratio, a sum.
+/// The angle of a joint: usually a coordinate, sometimes with an offset, a ratio, or as a sum.
 Expression Generator::angle() {
   const Expression q = draw_.one_of(positions_);
   switch (draw_.below(8)) {
@@ -24,7 +24,7 @@ Expression Generator::angle() {
   }
 }
 
-/// A place whose components are 0, constants, parameters and, where it moves, coordinates.
+/// A position with components 0, constants, parameters and, if `moving`, coordinates.
 std::vector<Expression> Generator::offset(int dimension, bool moving) {
   std::vector<Expression> place;
   for (int axis = 0; axis < dimension; ++axis) {
@@ -40,7 +40,7 @@ std::vector<Expression> Generator::offset(int dimension, bool moving) {
   return place;
 }
 
-/// A chain of rods with masses, a mass on a curve, sometimes a turning body; all in a plane.
+/// A planar model: a chain of rods with masses, some masses on curves, sometimes a turning body.
 void Generator::make_planar() {
   add_coordinates(1 + draw_.below(3));
   Model& model = made_.model;
@@ -73,7 +73,7 @@ void Generator::make_planar() {
   for (Coordinate& coordinate : model.coordinates) coordinate.armature = positive_constant();
 }
 
-/// Repetition: n coordinates, parameters and points by index, sums over them.
+/// Repetition: n coordinates, parameters and points with indices, and sums over them.
 void Generator::make_array() {
   const int n = 2 + draw_.below(2);
   Model& model = made_.model;
@@ -114,7 +114,7 @@ void Generator::make_array() {
   }
 }
 
-/// How a frame lies in its parent.
+/// Draws the rotation of a frame in its parent.
 void Generator::turn(Frame& frame) {
   const auto oblique = [&]() -> std::vector<Expression> {
     const Expression one = number(1);
@@ -174,7 +174,7 @@ void Generator::add_frame(const std::string& called, const std::string& parent) 
   made_.model.frames.push_back(frame);
 }
 
-/// A body, or sometimes a point mass, that moves with the frame.
+/// A body, or sometimes a point mass, on the frame.
 void Generator::add_body(const std::string& called, const std::string& frame) {
   if (draw_.chance(25)) {
     made_.model.points.push_back({.name = "P" + called,
@@ -187,13 +187,12 @@ void Generator::add_body(const std::string& called, const std::string& frame) {
   if (draw_.chance(85)) body.mass = positive_constant();
   if (draw_.chance(70)) body.com = offset(3, false);
   if (draw_.chance(80) || !body.mass) {
-    // About another point the mass (at most 10) adds up to 30 where its distance is at most 1 per
-    // axis.
+    // Shifting to the origin subtracts up to 30: mass at most 10, each component of com at most 1.
     body.is_about_origin = body.mass && draw_.chance(25);
     for (Expression& entry : body.com) {
       if (body.is_about_origin) entry = draw_.positive() / number(10);
     }
-    // 4 … 14 more on the diagonal, products of at most 1 beside it: an inertia that is positive
+    // The diagonal is at least 4 and the products are at most 1, so the inertia is positive
     // definite.
     const Expression least = number(body.is_about_origin ? 40 : 4);
     for (int i = 0; i < 3; ++i) body.inertia.push_back(least + draw_.positive());
@@ -206,7 +205,8 @@ void Generator::add_body(const std::string& called, const std::string& frame) {
   made_.model.bodies.push_back(body);
 }
 
-/// Frames on frames, which turn and slide, with bodies; `turns`: the first one floats.
+/// Nested frames that rotate and translate, with bodies. With `turns` one of the first two frames
+/// floats.
 void Generator::make_spatial(bool turns) {
   add_coordinates(turns ? draw_.below(2) + 1 : 1 + draw_.below(3));
   Model& model = made_.model;
@@ -228,7 +228,7 @@ void Generator::make_spatial(bool turns) {
                               .turn = Turn::rotation,
                               .rotation = "att"});
       add_body("B" + std::to_string(i + 1), called);
-      // The rotation needs an inertia of its own, whatever hangs on it.
+      // The rotation needs an inertia about every axis, whatever its bodies are.
       model.bodies.push_back(
           {.name = "rotor",
            .inertia = {positive_constant(), positive_constant(), draw_.positive()},

@@ -1,4 +1,4 @@
-// Draws what else acts and is wanted: prescribed motion, dissipation, inputs, forces, outputs.
+// Draws prescribed motion, dissipation, inputs, forces and outputs.
 #include "random/generator.hpp"
 
 namespace elgen::random {
@@ -49,7 +49,7 @@ void Generator::add_inputs() {
     const Expression& on = draw_.one_of(positions_);
     const bool acts = made_.scene.order > 0 || draw_.chance(60);
     made_.model.inputs.push_back({called, acts ? printed(on) : ""});
-    // Without `on` an input acts where a force names it.
+    // Without `on` an input acts only through a force that names it.
     if (!acts) {
       made_.model.forces.push_back({.name = "drive_" + called,
                                     .value = {draw_.function_of(positions_) * name(called)},
@@ -58,7 +58,7 @@ void Generator::add_inputs() {
   }
 }
 
-/// Affine in the inputs, else any function of the state.
+/// A force component: affine in the inputs, or any function of the state.
 Expression Generator::force_size() {
   const Expression constant = any_constant();
   const Expression v = draw_.one_of(rates_);
@@ -87,7 +87,7 @@ Expression Generator::force_size() {
           return name(input->name);
         };
         const Expression driven = draw_.function_of(positions_) * drawn();
-        if (input->on.empty()) return driven;  // no force names one that has its place
+        if (input->on.empty()) return driven;  // only an input without `on` may be named by a force
       }
       return constant * q;
     default:

@@ -1,9 +1,9 @@
-// Draws scenes: what is locked, fixed, and how code is emitted.
+// Draws scenes: locked coordinates, fixed parameters, and options of emission.
 #include "random/generator.hpp"
 
 namespace elgen::random {
 
-/// All but one of the coordinates may be held, rotations at constants.
+/// Locks a coordinate, and perhaps a rotation at a constant; at least one coordinate stays free.
 void Generator::add_locks(Scene& scene) {
   std::vector<std::string> lockable;
   for (const Expression& q : positions_) lockable.push_back(printed(q));

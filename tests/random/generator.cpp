@@ -1,4 +1,4 @@
-// Draws coordinates, parameters and energies, and puts models together.
+// Draws coordinates, parameters and energies, and assembles models.
 #include "random/generator.hpp"
 
 namespace elgen::random {
@@ -16,7 +16,7 @@ void Generator::add_coordinates(int count) {
   }
 }
 
-/// A parameter, new in half of the cases; all are positive.
+/// A positive parameter, a new one in half of the cases.
 Expression Generator::parameter() {
   auto& parameters = made_.model.parameters;
   if (parameters.empty() || (draw_.chance(50) && parameters.size() < 12)) {
@@ -34,7 +34,7 @@ Expression Generator::positive_constant() {
   return draw_.chance(50) ? parameter() : draw_.positive();
 }
 
-/// 1/2 c (v + f(q) v + …)^2: positive, whatever f is.
+/// 1/2 c (v + f(q) v + ...)^2: positive for any f.
 Expression Generator::squared_sum() {
   Expression sum = rates_[0];
   for (std::size_t i = 1; i < rates_.size(); ++i) {
@@ -60,7 +60,7 @@ void Generator::make_energies() {
   add_terms();
 }
 
-/// Potential energy: a sum of functions with constants, which may hide in definitions.
+/// Adds a potential energy: a sum of functions with constants, some of them in definitions.
 void Generator::add_terms() {
   Model& model = made_.model;
   const int count = 1 + draw_.below(3);
@@ -74,12 +74,12 @@ void Generator::add_terms() {
     const Expression term = factor * draw_.function_of(positions_);
     model.V = model.V ? (draw_.chance(70) ? model.V + term : model.V - term) : term;
   }
-  if (draw_.chance(25)) {  // a potential that depends on velocities
+  if (draw_.chance(25)) {  // a velocity-dependent potential
     model.V = model.V + any_constant() * draw_.function_of(positions_) * draw_.one_of(rates_);
   }
 }
 
-/// L alone, in half of the cases not quadratic in the rates.
+/// Only L; in half of the cases not quadratic in the rates.
 void Generator::make_lagrangian() {
   add_coordinates(1 + draw_.below(2));
   Expression L = squared_sum();
@@ -92,7 +92,7 @@ void Generator::make_lagrangian() {
   made_.model.L = L + any_constant() * draw_.function_of(positions_) * draw_.one_of(rates_);
 }
 
-/// At rest where every coordinate is 0, whatever the parameters are: for approximations.
+/// A model with an equilibrium at q = 0 for all parameters, for approximations.
 void Generator::make_quiet() {
   add_coordinates(1 + draw_.below(3));
   Model& model = made_.model;
@@ -121,16 +121,17 @@ void Generator::make_quiet() {
   }
 }
 
-/// Time, in a model with units times a parameter that has none.
+/// Time; in a model with units multiplied by the unitless parameter w.
 Expression Generator::clock() { return has_units_ ? name("w") * time() : time(); }
 
-/// The units of an expression that names a parameter without unit are not checked.
+/// Multiplies by w, because expressions with a unitless parameter have no checked units.
 Expression Generator::without_unit(const Expression& constant) const {
   const bool is_zero = printed(constant) == "0";
   return is_zero || has_names(constant) ? constant : name("w") * constant;
 }
 
-/// Masses, lengths and inertias of a model with a rotation: w is 1 and has no unit.
+/// Removes the units of masses, lengths and inertias in a model with a rotation: w is 1 and has no
+/// unit.
 void Generator::leave_units_out() {
   const auto all = [&](std::vector<Expression>& list) {
     for (Expression& expression : list) expression = without_unit(expression);

@@ -1,5 +1,5 @@
-// Draws models and scenes: every entry of the language that moves, pulls or is wanted, in
-// combinations that nobody would write. Half of the seeds have irrational constants.
+// Draws models and scenes: every entry of the language for motion, forces and outputs, in unusual
+// combinations. Half of the seeds have irrational constants.
 #pragma once
 
 #include <cstdint>
@@ -16,16 +16,16 @@ class Generator {
  public:
   explicit Generator(std::uint64_t seed);
 
-  /// Model and scene of the seed.
+  /// The model and scene of the seed.
   [[nodiscard]] System system();
 
  private:
   Draw draw_;
   System made_;
-  std::vector<Expression> positions_;  ///< names of coordinates, rotations aside
+  std::vector<Expression> positions_;  ///< names of coordinates, without rotations
   std::vector<Expression> rates_;
-  bool has_units_ =
-      false;  ///< with a rotation, whose components have one, numbers alone are checked
+  bool has_units_ = false;  ///< true with a rotation, whose components have units, so that bare
+                            ///< numbers are checked
 
   // generator.cpp
   void add_coordinates(int count);

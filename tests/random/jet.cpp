@@ -1,5 +1,5 @@
-// Jets: arithmetic term by term; functions by their Taylor series about the constant part, which
-// the rest, being nilpotent, cuts off.
+// Jets: arithmetic term by term. Functions use their Taylor series about the constant part; it is
+// finite, because the other parts are nilpotent.
 #include "random/jet.hpp"
 
 #include <boost/math/constants/constants.hpp>
@@ -10,9 +10,9 @@ namespace elgen::random {
 
 namespace {
 
-constexpr unsigned infinitesimals = 64;  ///< subsets of six of them
+constexpr unsigned infinitesimals = 64;  ///< subsets of six infinitesimals
 
-/// Taylor coefficients of sin (or, a quarter turn on, cos) at x.
+/// Taylor coefficients of sin at x; of cos if called with (cosine, -sine).
 std::vector<Number> circular(const Number& sine, const Number& cosine, int count) {
   std::vector<Number> series;
   Number factorial = 1;
@@ -30,7 +30,7 @@ std::vector<Number> exponential(const Number& x, int count) {
   return series;
 }
 
-/// Coefficients of p^exponent in h, where p = p0 + p1 h + p2 h^2: from p y' = exponent p' y.
+/// Coefficients of p^exponent in h, p = p0 + p1 h + p2 h^2, from p y' = exponent p' y.
 std::vector<Number> quadratic_power(const std::vector<Number>& p, const Number& exponent,
                                     const Number& start, int count) {
   std::vector<Number> y{start};
@@ -78,7 +78,7 @@ Jet arc_sine(const Jet& x) {
   return composed(x, integrated(slope, asin(x.value())));
 }
 
-/// atan2(y, x) turns by the angle between (x0, y0) and (x, y).
+/// atan2(y, x) = atan2(y0, x0) + the angle between (x0, y0) and (x, y).
 Jet polar_angle(const Jet& y, const Jet& x) {
   const Number y0 = y.value();
   const Number x0 = x.value();
@@ -97,7 +97,7 @@ Jet sine(const Jet& x, bool of_complement) {
 
 Jet exponential(const Jet& x) { return composed(x, exponential(x.value(), terms_needed(x))); }
 
-/// Functions that others make up.
+/// Functions built from exp.
 Jet hyperbolic(std::string_view function, const Jet& x) {
   const Jet up = exponential(x);
   const Jet down = exponential(-x);
@@ -106,11 +106,11 @@ Jet hyperbolic(std::string_view function, const Jet& x) {
   return (up - down) / (up + down);
 }
 
-/// sum_i (-1)^i x^(2 i)/(2 i + k)! by Horner's rule; k < 0: with + for (-1)^i, and |k|.
+/// sum_i (-1)^i x^(2 i)/(2 i + k)! by Horner's rule; for k < 0 without the signs, and with |k|.
 Jet stumpff(const Jet& x, int order) {
   const int k = std::abs(order);
   const Jet square = order < 0 ? x * x : -(x * x);
-  const int terms = 50 + 4 * static_cast<int>(abs(x.value()));  // what follows is below 1e-90
+  const int terms = 50 + 4 * static_cast<int>(abs(x.value()));  // later terms are below 1e-90
   Jet sum = 1;
   for (int n = k + 2 * terms; n > k; n -= 2) sum = Jet(1) + sum * square / (n * (n - 1));
   for (int n = k; n > 1; --n) sum = sum / n;
@@ -186,7 +186,7 @@ Jet& Jet::operator-=(const Jet& other) {
   return *this;
 }
 
-/// The highest power of what is not constant that can differ from 0.
+/// The highest non-zero power of the non-constant part.
 int Jet::nilpotency() const {
   unsigned bits = 0;
   bool scaled = false;
@@ -221,7 +221,7 @@ Jet operator/(const Jet& a, const Jet& b) {
   return a * real_power(b, -1, 1 / b.value());
 }
 
-/// The series in the part that is not constant, by Horner's rule.
+/// The series in the non-constant part, by Horner's rule.
 Jet composed(const Jet& x, const std::vector<Number>& series) {
   Jet rest = x;
   rest.terms_.erase(0U);

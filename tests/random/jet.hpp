@@ -1,8 +1,8 @@
-// Numbers that know how they change: polynomials in a scale s, cut at an order, and in
-// infinitesimals whose squares are 0. The coefficient of e1 e2 … is the mixed derivative along the
-// directions that e1, e2, … multiply; two infinitesimals on one direction give its second
-// derivative. s carries Taylor series (approximations); a model without one has order 0. Arithmetic
-// in Number, no code of src/.
+// Numbers with derivatives: truncated polynomials in a scale s, and in infinitesimals with square
+// 0. The coefficient of e1 e2 ... is the mixed derivative along the directions that e1, e2, ...
+// multiply. Two infinitesimals along one direction give its second derivative. s carries Taylor
+// series (approximations); a model without approximation has order 0. Uses Number and no code of
+// src/.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -24,27 +24,28 @@ class Jet {
   Jet(const Number& value);  // NOLINT(google-explicit-constructor): numbers are constant jets
   Jet(int value) : Jet(Number(value)) {}  // NOLINT(google-explicit-constructor)
 
-  /// The infinitesimal of this index, 0 … 5.
+  /// The infinitesimal with this index, 0 ... 5.
   [[nodiscard]] static Jet infinitesimal(unsigned index);
-  /// s to the first power.
+  /// The scale s.
   [[nodiscard]] static Jet scale();
 
   [[nodiscard]] Number value() const;
-  /// The part that the infinitesimal multiplies, without it.
+  /// The coefficient of the infinitesimal.
   [[nodiscard]] Jet along(unsigned index) const;
-  /// The part without the infinitesimal.
+  /// The terms without the infinitesimal.
   [[nodiscard]] Jet without(unsigned index) const;
-  /// The sum of the coefficients of s^0 … s^order: s becomes 1, higher powers are left out.
+  /// The sum of the coefficients of s^0 ... s^order, which sets s to 1.
   [[nodiscard]] Jet up_to(int order) const;
 
   Jet& operator+=(const Jet& other);
   Jet& operator-=(const Jet& other);
 
-  /// Powers of s above this are dropped; of all jets, for they are of one computation at a time.
+  /// Higher powers of s are dropped. One value for all jets, because only one computation runs at a
+  /// time.
   static int order;
 
  private:
-  using Key = unsigned;  ///< power of s times 64, plus a bit for every infinitesimal
+  using Key = unsigned;  ///< power of s times 64, plus a bit for each infinitesimal
   std::map<Key, Number> terms_;
 
   [[nodiscard]] int nilpotency() const;
@@ -59,9 +60,9 @@ class Jet {
 [[nodiscard]] Jet operator*(const Jet& a, const Jet& b);
 [[nodiscard]] Jet operator/(const Jet& a, const Jet& b);
 
-/// Throws std::domain_error where there is no real value.
+/// Throws std::domain_error if there is no real value.
 [[nodiscard]] Jet power(const Jet& base, int numerator, int denominator);
-/// A function of the model language: sin, atan2, abs, …; throws like power.
+/// A function of the model language: sin, atan2, abs, ... Throws std::domain_error like `power`.
 [[nodiscard]] Jet call(std::string_view function, const std::vector<Jet>& arguments);
 
 using Vector = std::vector<Jet>;

@@ -1,5 +1,5 @@
-// Greedy reduction: every candidate is a system with one thing less; the first that still fails is
-// taken.
+// Greedy reduction: every candidate is the system without one item. The first candidate that still
+// fails replaces the system.
 #include "random/minimise.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace elgen::random {
 namespace {
 
 using Fails = std::function<bool(const System&)>;
-/// Makes the k-th change of its kind; false where there are fewer.
+/// Makes the k-th change of its kind. Returns false if there are not so many.
 using Change = std::function<bool(System&, std::size_t)>;
 
 template <class Entries>
@@ -20,7 +20,7 @@ bool erase_at(Entries& entries, std::size_t k) {
   return true;
 }
 
-/// Children of the frame go to its parent.
+/// Removes a frame; its children move to its parent.
 bool erase_frame(Model& model, std::size_t k) {
   if (k >= model.frames.size()) return false;
   const Frame gone = model.frames[k];
@@ -33,7 +33,7 @@ bool erase_frame(Model& model, std::size_t k) {
   return erase_at(model.frames, k);
 }
 
-/// A list that a file may do without.
+/// The optional lists of the files.
 std::vector<std::vector<Expression>*> optional_lists(System& system) {
   Model& model = system.model;
   std::vector<std::vector<Expression>*> lists{&model.gravity};
@@ -42,7 +42,7 @@ std::vector<std::vector<Expression>*> optional_lists(System& system) {
   return lists;
 }
 
-/// Every expression of the files; null ones too.
+/// Every expression of the files, including null expressions.
 std::vector<Expression*> all_expressions(System& system) {
   Model& model = system.model;
   std::vector<Expression*> all{&model.T, &model.V, &model.D, &model.L};
@@ -77,7 +77,7 @@ std::vector<Expression*> all_expressions(System& system) {
   return all;
 }
 
-/// Expressions that a file may do without.
+/// Removes the k-th optional expression.
 bool drop_expression(System& system, std::size_t k) {
   std::vector<Expression*> optional;
   Model& model = system.model;
@@ -90,8 +90,8 @@ bool drop_expression(System& system, std::size_t k) {
   return true;
 }
 
-/// The expression with one node less: itself 0 or 1, an operand in its place, or this of a part of
-/// it.
+/// All expressions with one node less: 0 or 1, an operand, or the expression with a simpler
+/// operand.
 std::vector<Expression> simpler(const Expression& expression) {
   if (!expression || expression->kind == NodeKind::sum) return {};
   const Node& node = *expression;
@@ -167,7 +167,7 @@ std::string whole_text(const System& system) {
          (system.scene.is_present ? text_of(system.scene, system.model) : "");
 }
 
-/// Applies each change of the kind for as long as it makes the text shorter and still fails.
+/// Applies each change of this kind while it changes the text and the system still fails.
 bool reduce_by(System& system, const Change& change, const Fails& fails) {
   bool reduced = false;
   for (std::size_t k = 0;;) {

@@ -1,4 +1,4 @@
-// Makes a failing system smaller for as long as it fails in the same way.
+// Shrinks a failing system while it fails in the same way.
 #pragma once
 
 #include <functional>
@@ -7,7 +7,7 @@
 
 namespace elgen::random {
 
-/// Leaves out entries, keys and parts of expressions, one at a time, while `fails` holds.
+/// Removes entries, keys and parts of expressions, one at a time, while `fails` is true.
 [[nodiscard]] System minimised(System system, const std::function<bool(const System&)>& fails);
 
 }  // namespace elgen::random

@@ -1,5 +1,4 @@
-// The entries of a random model and of its scene, one by one as in their files, and the files'
-// text.
+// The entries of a random model and of its scene, as in their files, and the text of the files.
 #pragma once
 
 #include <string>
@@ -30,9 +29,10 @@ struct Named {
 
 enum class Turn { none, rotate, rpy, dh_standard, dh_modified, quaternion, rotation };
 
-/// One turn of `rotate`: about a constant axis (three components; one: "x", "y", "z" by number).
+/// One rotation of `rotate` about a constant axis: by components, or by the number of "x", "y",
+/// "z".
 struct AxisTurn {
-  int letter = 0;                     ///< where there are no components
+  int letter = 0;                     ///< the axis if there are no components
   std::vector<Expression> axis = {};  ///< empty, or three
   Expression angle = {};
 };
@@ -73,7 +73,7 @@ struct Input {
 struct Force {
   std::string name;
   std::vector<Expression> value;
-  std::string on = {};  ///< a coordinate, or NAME[k]; "NAME[i]" with repeat
+  std::string on = {};  ///< a coordinate, or NAME[k]; "NAME[i]" with `repeat`
   std::string at = {};
   std::string frame = {};
   std::string from = {};
@@ -107,7 +107,7 @@ struct Model {
 
 struct Lock {
   std::string coordinate;         ///< "q1", "r[2]"
-  std::vector<Expression> value;  ///< one, or four of a rotation
+  std::vector<Expression> value;  ///< one, or four for a rotation
   bool has_reaction = false;
 };
 
@@ -117,15 +117,15 @@ struct Scene {
   bool fixes_all = false;
   std::vector<Lock> locks = {};
   int order = 0;                  ///< of [approximate]; 0: exact
-  std::vector<Named> about = {};  ///< coordinates; small ones are all of them
+  std::vector<Named> about = {};  ///< coordinates of the expansion point; all of these are small
   bool is_c99 = false;
   bool has_eigen = false;
   bool is_float = false;
   bool is_column_major = false;
-  std::string form = {};  ///< closed, recursive, or empty
+  std::string form = {};  ///< closed, recursive, or empty for the default
 };
 
-/// A closed form that the model claims: an output's name and its entries.
+/// A closed form in [[expect]]: an output's name and its entries.
 struct Claim {
   std::string output;
   std::vector<std::vector<Expression>> rows;
@@ -136,13 +136,13 @@ struct System {
   Scene scene;
 };
 
-/// The numbers of the inputs of the scene: those that act on locked coordinates alone are none.
+/// The indices of the inputs in the scene. Inputs that act only on locked coordinates are excluded.
 [[nodiscard]] std::vector<std::size_t> acting_inputs(const System& system);
 
 [[nodiscard]] std::string text_of(const Model& model, const std::vector<Claim>& claims = {});
 [[nodiscard]] std::string text_of(const Scene& scene, const Model& model);
 
-/// The name of the files below the output folder, of the namespace and of the C prefix.
+/// The name of the files in the output folder, of the namespace and of the C prefix.
 [[nodiscard]] std::string base_name(const System& system);
 
 }  // namespace elgen::random

@@ -1,4 +1,4 @@
-// Writes a random model and its scene as files of elgen's language.
+// Writes a random model and its scene as files in elgen's language.
 #include "random/model.hpp"
 
 namespace elgen::random {
@@ -16,7 +16,7 @@ std::string list_of(const std::vector<Expression>& expressions) {
   return text + "]";
 }
 
-/// A number alone where there is one.
+/// A single expression, or a list of several.
 std::string one_or_list(const std::vector<Expression>& expressions) {
   return expressions.size() == 1 ? in_backticks(expressions[0]) : list_of(expressions);
 }

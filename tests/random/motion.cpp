@@ -1,4 +1,4 @@
-// Positions, poses, energies and the power of forces, as the model's entries define them.
+// Positions, poses, energies and the power of forces, as the entries of the model define them.
 #include "random/motion.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ Matrix turn_about(int letter, const Jet& angle) {
   return turn_about(Vector{letter == 0 ? 1 : 0, letter == 1 ? 1 : 0, letter == 2 ? 1 : 0}, angle);
 }
 
-/// R of a unit quaternion, scalar first.
+/// The rotation matrix of a unit quaternion, scalar part first.
 Matrix turn_by(const Vector& q) {
   const auto& [w, x, y, z] = std::tie(q[0], q[1], q[2], q[3]);
   return {{w * w + x * x - y * y - z * z, (x * y - w * z) * 2, (x * z + w * y) * 2},
@@ -121,7 +121,7 @@ Motion::Motion(const System& system, const Layout& layout, const ParameterValues
   }
 }
 
-/// Locked coordinates are functions of time, and so are their rates.
+/// Sets locked coordinates and their rates, which are functions of time.
 void Motion::move_held() {
   for (const Layout::Place& place : layout_.places) {
     if (place.lock < 0) continue;
@@ -147,7 +147,7 @@ Jet Motion::value_of(const std::string& name, const std::string& element) {
   }
   const Coordinate& coordinate = named(model.coordinates, name);
   if (!coordinate.is_rotation) return q_[layout_.place(indexed(name, element)).q];
-  // Only its rate has a meaning: the angular velocity.
+  // A component of a rotation has no value, only a rate: the angular velocity.
   return Jet::infinitesimal(time_infinitesimal) *
          v_[layout_.place(name).v + std::stoul(element) - 1];
 }
@@ -176,7 +176,7 @@ const Vector& Motion::position_of(const std::string& name, const std::string& el
   return positions_[{name, element}] = position;
 }
 
-/// The turn of a frame in its parent; what Denavit and Hartenberg shift is added to the origin.
+/// The rotation of a frame in its parent. Denavit-Hartenberg offsets are added to `origin`.
 Matrix Motion::turn_of(const Frame& frame, Vector& origin) {
   const Vector n = evaluated(frame.numbers, *this);
   switch (frame.turn) {
@@ -220,7 +220,7 @@ const Motion::Pose& Motion::pose_of(const std::string& name) {
   return poses_[name] = {product(parent.R, turn), sum(parent.p, product(parent.R, origin))};
 }
 
-/// From dR/dt = [spin]x R.
+/// Angular velocity from dR/dt = [spin]x R.
 Vector Motion::spin_of(const std::string& frame) {
   const Matrix& R = pose_of(frame).R;
   Matrix rate;
@@ -255,7 +255,7 @@ Jet Motion::body_mass_terms(const Body& body, const Vector& com, const Vector& s
     const Vector velocity = along(com, time_infinitesimal);
     return m * dot(velocity, velocity) / 2;
   }
-  // 1/2 m v_O^2 + m v_O . (spin x c), in the axes of the frame
+  // 1/2 m v_O^2 + m v_O . (spin x c), in the axes of the frame.
   const Pose& pose = pose_of(body.frame);
   const Vector velocity = product(transposed(pose.R), along(pose.p, time_infinitesimal));
   const Vector c = body.com.empty() ? Vector{0, 0, 0} : evaluated(body.com, *this);

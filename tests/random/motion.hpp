@@ -1,4 +1,4 @@
-// Where everything of a random model is, and its energies and forces, for one state given in jets.
+// Positions of all parts of a random model, its energies and forces, at one state of jets.
 #pragma once
 
 #include <map>
@@ -9,14 +9,14 @@
 
 namespace elgen::random {
 
-/// One entry of q, and of v: a scalar, or a component of a rotation (four of q, three of v).
+/// Places of coordinates in q and v: a scalar, or a rotation with four entries of q and three of v.
 struct Layout {
   struct Place {
     std::string name;   ///< with its index: "q1", "r[2]"
-    std::size_t q = 0;  ///< of its first entry
+    std::size_t q = 0;  ///< index of its first entry in q, as `v` in v
     std::size_t v = 0;
     bool is_rotation = false;
-    int lock = -1;  ///< of the scene, where it is held
+    int lock = -1;  ///< index in the scene's locks, -1 if not locked
   };
   std::vector<Place> places;
   std::size_t q_count = 0;
@@ -25,23 +25,23 @@ struct Layout {
   [[nodiscard]] const Place& place(const std::string& name) const;
 };
 
-/// The places of the model's coordinates; `locks` says which are held.
+/// The places of the model's coordinates; `locks` are the locked coordinates.
 [[nodiscard]] Layout layout_of(const Model& model, const std::vector<Lock>& locks);
 
-/// Arguments of the equations, of all coordinates, held ones too (theirs are not read).
+/// Arguments of the equations for all coordinates. Values of locked coordinates are ignored.
 struct State {
   Vector q, v, a, u;
   Jet t;
 };
 
-/// Values of parameters, by name and element ("" of a single one).
+/// Values of parameters by name and element ("" if not an array).
 using ParameterValues = std::map<std::pair<std::string, std::string>, Number>;
 
 struct Energies {
   Jet T, V, D, L;
 };
 
-/// A model at one state. Positions move along v: infinitesimal 0 is that of time.
+/// A model at one state. Positions move along v with infinitesimal 0, which belongs to time.
 class Motion : public Scope {
  public:
   struct Pose {
@@ -59,13 +59,13 @@ class Motion : public Scope {
   Vector turning_of(const std::string& frame, const std::string& axes) override;
 
   const Pose& pose_of(const std::string& frame);
-  /// Angular velocity in world axes, velocity of the origin.
+  /// The angular velocity of a frame in world axes.
   Vector spin_of(const std::string& frame);
   Energies energies();
-  /// Generalized force of every force and input on the velocity `v`, which infinitesimal
-  /// `direction` has moved.
+  /// The generalised force of all forces and inputs on a velocity to which infinitesimal
+  /// `direction` was added.
   Jet force_along(unsigned direction);
-  /// The rates of locked coordinates, by v's index; others are as given.
+  /// The velocities, with the rates of locked coordinates filled in.
   const Vector& rates() const { return v_; }
 
  private:
@@ -87,7 +87,7 @@ class Motion : public Scope {
   Jet power_of(const Force& force, unsigned direction);
 };
 
-/// Quaternion rates of an angular velocity in the axes of the body.
+/// The rate of a quaternion for an angular velocity in body axes.
 [[nodiscard]] Vector quaternion_rate(const Vector& q, const Vector& spin);
 
 }  // namespace elgen::random

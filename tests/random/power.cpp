@@ -1,5 +1,4 @@
-// The generalized forces of a random model's forces and inputs: the power that each has along a
-// velocity.
+// Generalised forces of a random model's forces and inputs: the power of each along a velocity.
 #include <algorithm>
 #include <stdexcept>
 
@@ -9,7 +8,8 @@ namespace elgen::random {
 
 namespace {
 
-/// "attitude[2]" as the rate of a rotation: its name and 1; any other coordinate: its name and 0.
+/// The name and component of a rate: "attitude[2]" of a rotation gives ("attitude", 1), another
+/// coordinate (name, 0).
 std::pair<std::string, std::size_t> rate_named(const Layout& layout, const std::string& on) {
   const auto bracket = on.find('[');
   if (bracket == std::string::npos) return {on, 0};

@@ -1,8 +1,9 @@
-// Looks for seeds on which elgen is wrong: elgen_random [SEEDS [FIRST_SEED [PROCESSES]]], by
-// default 1000 from 1000 in as many processes as there are cores; also by $ELGEN_SEEDS,
-// $ELGEN_FIRST_SEED, $ELGEN_PROCESSES. Every failure is printed with its seed and the smallest
-// model found that fails alike, which is also written to random_findings/SEED/ ($ELGEN_MINIMISE:
-// runs of elgen spent on that, 0 for none). Exit status 1 where there was one.
+// Searches for seeds on which elgen is wrong: elgen_random [SEEDS [FIRST_SEED [PROCESSES]]].
+// Defaults: 1000 seeds from 1000, in as many processes as cores. $ELGEN_SEEDS, $ELGEN_FIRST_SEED
+// and $ELGEN_PROCESSES set them too. Prints every failure with its seed and the smallest model
+// found with the same failure, and writes that model to random_findings/SEED/. $ELGEN_MINIMISE
+// limits the runs of elgen for the search; 0 disables it. The exit code is 1 if there was a
+// failure.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,8 +23,7 @@ namespace {
 
 using namespace elgen::random;
 
-/// Tries to make a failing system smaller; each takes a run of elgen, so that an end must be in
-/// sight.
+/// Limit of attempts to shrink a failing system; each attempt runs elgen.
 constexpr int most_tries = 300;
 
 struct Task {
@@ -44,7 +44,7 @@ bool shows(const System& system, std::uint64_t seed, const std::string& kind) {
       if (finding.kind == kind) return true;
     }
   } catch (const std::exception&) {
-    // A system without true values has not failed in the same way.
+    // A system without true values does not fail in the same way.
   }
   return false;
 }
@@ -65,7 +65,7 @@ void report(std::uint64_t seed, const System& system, const std::vector<Finding>
   std::fflush(stdout);
 }
 
-/// Whether elgen is right about the seed.
+/// True if elgen is right for the seed.
 bool holds(std::uint64_t seed) {
   const System system = Generator(seed).system();
   try {
@@ -81,7 +81,7 @@ bool holds(std::uint64_t seed) {
   return false;
 }
 
-/// Seeds that leave this remainder; failures are told by the exit status.
+/// Tests every seed with this remainder and returns the number of failures.
 int work_on(const Task& task, std::uint64_t remainder) {
   int failures = 0;
   for (std::uint64_t i = remainder; i < task.count; i += task.processes) {

@@ -1,5 +1,5 @@
-// Random models and scenes through elgen, against the definition of their equations; and that a
-// wrong number would be seen.
+// Random models and scenes through elgen, compared with the definition of their equations. A wrong
+// number must be found.
 #include <catch2/catch.hpp>
 
 #include "random/generator.hpp"
@@ -11,7 +11,7 @@ using namespace elgen::random;
 namespace {
 
 constexpr std::uint64_t seeds = 40;
-/// `verify` takes seconds for each; the target `random` asks it for every seed.
+/// `verify` takes seconds per seed. The target `random` runs it for every seed.
 constexpr std::uint64_t verified_every = 8;
 
 std::string told(std::uint64_t seed, const std::vector<Finding>& findings) {
@@ -39,7 +39,7 @@ System pendulum() {
 
 }  // namespace
 
-TEST_CASE("random models: what is generated, shown and compiled is true") {
+TEST_CASE("random models: generated, shown and compiled equations are true") {
   const elgen::test::Workspace folder;
   std::vector<Trial> trials;
   std::string failures;
@@ -53,10 +53,10 @@ TEST_CASE("random models: what is generated, shown and compiled is true") {
   CHECK(failures.empty());
 }
 
-TEST_CASE("random models: verdicts are right") {
+TEST_CASE("random models: verify gives the right verdicts") {
   std::string failures;
   for (std::uint64_t seed = 0; seed < seeds; seed += verified_every) {
-    // An even seed has rational constants, an odd one irrational ones: both are wanted.
+    // Even seeds have rational constants, odd seeds irrational constants. Both kinds are needed.
     const std::uint64_t drawn = seed + seed / verified_every % 2;
     const elgen::test::Workspace folder;
     Trial trial = prepared(Generator(drawn).system(), drawn);
@@ -67,9 +67,9 @@ TEST_CASE("random models: verdicts are right") {
   CHECK(failures.empty());
 }
 
-TEST_CASE("states far beyond the ranges raise no false alarm") {
-  // Ratios of 1e12 between parameters: more roundings than M and b have (8129), and derivatives
-  // whose 64 digits cancel (8136).
+TEST_CASE("states far outside the ranges raise no false error") {
+  // Ratios of parameters up to 1e12. Seed 8129: more rounding errors than M and b have. Seed 8136:
+  // derivatives whose 64 digits cancel.
   for (const std::uint64_t seed : {8129U, 8136U}) {
     const elgen::test::Workspace folder;
     Trial trial = prepared(Generator(seed).system(), seed);
@@ -78,7 +78,7 @@ TEST_CASE("states far beyond the ranges raise no false alarm") {
   }
 }
 
-TEST_CASE("a wrong number is seen, in what is shown and in what is compiled") {
+TEST_CASE("a wrong number is found in shown equations and in compiled code") {
   const elgen::test::Workspace folder;
   Trial trial = prepared(pendulum(), 1);
   REQUIRE(told(1, compare_shown(trial, folder.path())).empty());

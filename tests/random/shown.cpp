@@ -1,4 +1,4 @@
-// A recursive descent over shown equations that evaluates as it goes.
+// A recursive-descent parser of shown equations that evaluates while it reads.
 #include "random/shown.hpp"
 
 #include <cctype>
@@ -19,7 +19,7 @@ Sized over(const Sized& a, const Sized& b) {
   return {quotient, (a.size + abs(quotient) * b.size) / abs(b.value)};
 }
 
-/// f, and what the argument's terms can do to it: |f| + |f'| size.
+/// f, with size |f| + sum |df/dx| size(x).
 Sized function_of(const std::string& name, const std::vector<Sized>& arguments) {
   Vector jets;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -34,7 +34,7 @@ Sized function_of(const std::string& name, const std::vector<Sized>& arguments) 
 }
 
 Sized to_the(const Sized& base, const Sized& exponent) {
-  // Exponents are rational constants: k/2, k/3, k/4 or k/6 where they are no integers.
+  // Exponents are rational constants: integers, k/2, k/3, k/4 or k/6.
   const Number twelfths = exponent.value * 12;
   const int numerator = static_cast<int>(round(twelfths));
   if (abs(twelfths - numerator) > Number("1e-60")) throw std::runtime_error("exponent");
@@ -158,7 +158,7 @@ class Reader {
     return text_.substr(start, at_ - start);
   }
 
-  /// "(…)" with what is in it, as written.
+  /// Brackets with their content, as written.
   std::string bracketed() {
     const std::size_t start = at_;
     int depth = 0;

@@ -9,7 +9,7 @@
 
 namespace elgen::random {
 
-/// A value, and the sum of the absolute terms that make it: what its rounding is measured by.
+/// A value and the sum of its absolute terms, the scale of its rounding error.
 struct Sized {
   Number value;
   Number size;
@@ -17,22 +17,22 @@ struct Sized {
 
 using Names = std::map<std::string, Sized>;
 
-/// Throws std::runtime_error where the text is no expression or names what is unknown.
+/// Throws std::runtime_error for a syntax error or an unknown name.
 [[nodiscard]] Sized read_expression(const std::string& text, const Names& names);
 
-/// The names of the numbers of a state and of the parameters in the shown equations.
+/// The names in the shown equations for the numbers of a state and the parameters.
 [[nodiscard]] Names names_of(const System& system, const Layout& layout, const State& state,
                              const ParameterValues& parameters);
 
-/// An output as shown, or a field of it; entries row by row.
+/// A shown output or one of its fields; entries row by row.
 struct ShownOutput {
   std::vector<Sized> entries;
   std::size_t columns = 1;
 };
 using Shown = std::map<std::string, ShownOutput>;
 
-/// Entries of every output of a NAME.equations.json, by "output" or "output.field". An entry that
-/// has no value at this state (a root of what is negative) ends the output with std::domain_error.
+/// The entries of every output in a NAME.equations.json, by "output" or "output.field". Throws
+/// std::domain_error if an entry has no value at this state, such as the root of a negative number.
 [[nodiscard]] Shown read_equations(const std::string& json, const Names& names);
 
 }  // namespace elgen::random

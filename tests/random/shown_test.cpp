@@ -1,11 +1,11 @@
-// Reading shown equations: the grammar of the model language, and the size of the terms.
+// Reading of shown equations: the grammar of the model language, and the size of terms.
 #include "random/shown.hpp"
 
 #include <catch2/catch.hpp>
 
 using namespace elgen::random;
 
-TEST_CASE("expressions are read with the language's precedence") {
+TEST_CASE("expressions are read with the precedence of the language") {
   const Names names{{"x", {3, 3}}, {"dot(x)", {2, 2}}, {"l[2]", {5, 5}}};
   const auto value = [&](const char* text) {
     return static_cast<double>(read_expression(text, names).value);
@@ -23,7 +23,7 @@ TEST_CASE("expressions are read with the language's precedence") {
   CHECK_THROWS(read_expression("y", names));
 }
 
-TEST_CASE("what is printed reads back to what it means") {
+TEST_CASE("printed expressions are read back to the same value") {
   const Expression x = name("x");
   const Expression e = (number(1) - (x - -number("0.5"))) / (x * (x / number(2))) - raised(-x, 3);
   const Names names{{"x", {Number(7), Number(7)}}};

@@ -1,4 +1,4 @@
-// Draws states and compares what elgen shows.
+// Draws states and compares shown equations.
 #include "random/trial.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace elgen::random {
 
 namespace {
 
-/// Shown equations are exact: of 80 digits half are left for cancellation of their terms.
+/// Shown equations are exact. Half of the 80 digits are reserved for cancellation.
 const Number shown_tolerance("1e-40");
 
 State drawn_state(const System& system, const Layout& layout, Draw& draw) {
@@ -38,8 +38,7 @@ State drawn_state(const System& system, const Layout& layout, Draw& draw) {
   return state;
 }
 
-/// Values between 3/10 and 2 for what stays a parameter; all that models ask for is that they are
-/// positive.
+/// Values between 3/10 and 2 for parameters that are not fixed; models only need positive values.
 ParameterValues drawn_parameters(const System& system, Draw& draw) {
   ParameterValues values = given_parameters(system);
   if (system.scene.fixes_all) return values;
@@ -59,7 +58,7 @@ std::string first_lines(const std::string& text, int count) {
   return result;
 }
 
-/// The error codes and the exit status: what makes two failures alike.
+/// The exit code and error codes. Two failures with the same codes count as the same failure.
 std::string codes_of(const test::Outcome& outcome) {
   std::string codes = "exit " + std::to_string(outcome.status);
   for (std::size_t at = outcome.errors.find("error[E"); at != std::string::npos;

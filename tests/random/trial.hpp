@@ -1,4 +1,4 @@
-// One random system put through elgen: generated, shown, compiled, verified, each against the
+// A trial: a random system generated, shown, compiled and verified by elgen, each compared with the
 // truth.
 #pragma once
 
@@ -13,42 +13,44 @@ namespace elgen::random {
 
 /// A disagreement between elgen and the truth.
 struct Finding {
-  /// "shown mass_matrix"; a smaller system fails in the same way if it has the same kind.
+  /// For example "shown mass_matrix". A smaller system fails in the same way if it has the same
+  /// kind.
   std::string kind;
-  std::string text;  ///< numbers, or what elgen printed
+  std::string text;  ///< numbers, or the output of elgen
 };
 
-/// A system with the numbers at which it is looked at.
+/// A system with the state and values for its comparison.
 struct Trial {
   System system;
   std::uint64_t seed = 0;
   Layout layout;
   State state;
-  Values given;      ///< truth where the parameters have the values of the files
-  Values drawn;      ///< truth where they have drawn ones
-  Names names;       ///< of the drawn numbers, for what is shown
-  Shown shown = {};  ///< at the given parameters; empty where it cannot be read
+  Values given;      ///< truth with the parameter values of the files
+  Values drawn;      ///< truth with random parameter values
+  Names names;       ///< values of names in shown equations, with random parameters
+  Shown shown = {};  ///< with the files' parameter values; empty if unreadable
 };
 
-/// Draws a state and evaluates the definition. Throws std::domain_error where there is no value.
+/// Draws a state and evaluates the definition. Throws std::domain_error if there is no value.
 [[nodiscard]] Trial prepared(const System& system, std::uint64_t seed);
 
-/// Generates into `folder` and compares what is shown.
+/// Generates into `folder` and compares the shown equations.
 [[nodiscard]] std::vector<Finding> compare_shown(Trial& trial, const std::filesystem::path& folder);
 
-/// Generates once more, which must give the same bytes; verifies the model as it is, with true
-/// claims, and with a false one.
+/// Generates again, which must give the same bytes. Verifies the model with true claims if it has
+/// any, then with a false claim.
 [[nodiscard]] std::vector<Finding> compare_verdicts(const Trial& trial,
                                                     const std::filesystem::path& folder);
 
-/// Compiles and runs the emitted code of trials that were generated below `folder`; by trial.
+/// Compiles and runs the emitted code of trials generated in `folder`. Returns the findings of each
+/// trial.
 [[nodiscard]] std::vector<std::vector<Finding>> compare_compiled(
     const std::vector<Trial>& trials, const std::filesystem::path& folder);
 
-/// All of these for one system that does not share its program with others.
+/// Runs all comparisons for one system, in a program of its own.
 [[nodiscard]] std::vector<Finding> examined(const System& system, std::uint64_t seed);
 
-/// How the files of a trial are called below the folder.
+/// The file name that a trial passes to elgen.
 [[nodiscard]] std::string input_file(const System& system);
 void write_files(const System& system, const std::filesystem::path& folder,
                  const std::vector<Claim>& claims = {});

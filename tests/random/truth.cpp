@@ -1,4 +1,4 @@
-// Lagrange's equations from jets of L, and what is defined by them.
+// Lagrange's equations from jets of L, and the outputs that they define.
 #include "random/truth.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ Matrix solved(Matrix M, Matrix columns) {
     }
     std::swap(M[k], M[pivot]);
     std::swap(columns[k], columns[pivot]);
-    // 80 digits: what is 60 orders below 1 in a model of moderate numbers is a zero of M.
+    // With 80 digits and moderate numbers, a pivot below 1e-60 is a zero of M.
     if (abs(M[k][k].value()) < Number("1e-60")) throw std::domain_error("singular");
     for (std::size_t i = 0; i < n; ++i) {
       if (i == k) continue;
@@ -101,7 +101,7 @@ Truth::Truth(const System& system, ParameterValues parameters, State state)
   }
 }
 
-/// Deviations of the coordinates that are small, and their rates, times the scale.
+/// Multiplies the deviations of small coordinates and their rates by the scale.
 State Truth::small(const Layout& layout, State state) const {
   const Jet scale = Jet::scale();
   const bool all = system_.scene.about.size() == layout.places.size();
@@ -118,7 +118,7 @@ State Truth::small(const Layout& layout, State state) const {
   return state;
 }
 
-/// An energy, or the power of a force, truncated: powers of the scale up to order + 1 are kept.
+/// An energy or the power of a force, truncated after power order + 1 of the scale.
 Jet Truth::read(const Layout& layout, const State& state, const Read& read) const {
   const int order = system_.scene.order;
   if (order == 0) {
@@ -187,7 +187,7 @@ Vector Truth::forces(const Layout& layout, const State& state) const {
   return result;
 }
 
-/// M a + bias: no inputs act.
+/// M a + bias, with all inputs 0.
 Vector Truth::torque(const Layout& layout, const State& state) const {
   State alone = state;
   for (Jet& u : alone.u) u = 0;
@@ -237,7 +237,7 @@ Vector Truth::of_free(const Vector& all) const {
   return result;
 }
 
-/// [x]x on the rotations, x a vector of all free velocities.
+/// The matrix [x]x on the rotations, for a vector x of all free velocities.
 Matrix Truth::turning(const Vector& x) const {
   const std::size_t n = free_.size();
   Matrix result(n, Vector(n));
@@ -253,8 +253,8 @@ Matrix Truth::turning(const Vector& x) const {
   return result;
 }
 
-/// Of h = C v = (dM/dq v) v + [w]x M v - 1/2 d(v M v)/dq: C = 1/2 dh/dv + 1/2 M [w]x, by
-/// Christoffel's symbols of M; d([w]x y)/dw at y = M v held is -[y]x.
+/// For h = C v = (dM/dq v) v + [w]x M v - 1/2 d(v M v)/dq: C = 1/2 dh/dv + 1/2 M [w]x, from the
+/// Christoffel symbols of M. With y = M v held constant, d([w]x y)/dw = -[y]x.
 Matrix Truth::coriolis_matrix(const Matrix& M) const {
   const std::size_t n = free_.size();
   std::vector<Matrix> slopes;  // of M, along every velocity
@@ -280,7 +280,7 @@ Matrix Truth::coriolis_matrix(const Matrix& M) const {
   return C;
 }
 
-/// C, C v, g; drift is what is left of the inertial forces.
+/// C, C v and g. Drift is the rest of the inertial forces.
 void Truth::add_velocity_terms(const Matrix& M) {
   const Matrix C = coriolis_matrix(M);
   const Vector h = product(C, of_free(state_.v));
@@ -344,7 +344,7 @@ Values Truth::outputs() {
     add_solutions(M);
     add_derivatives(M);
   } catch (const std::domain_error&) {
-    // M is singular here: the definition gives no acceleration.
+    // M is singular, so the definition gives no acceleration.
   }
   add_kinematics();
   for (const Output& output : system_.model.outputs) add_output(output);

@@ -1,11 +1,10 @@
-// The values of every output of a random model and scene, straight from the definition:
+// The values of every output of a random model and scene, directly from the definition:
 //
-//     d/dt dL/dv - dL/dq = B u + Q - dD/dv      (with [w]x dL/dw where rotations turn, dL/dq along
-//     N)
+//     d/dt dL/dv - dL/dq = B u + Q - dD/dv
 //
-// L is evaluated on jets along the motion; M, C, g, … are derivatives and parts of it as
-// models/README.md defines them. Approximations evaluate L cut at order + 1 in the scale of all
-// that is small.
+// Rotations add [w]x dL/dw, and dL/dq is taken along N. L is evaluated on jets along the motion. M,
+// C, g, ... are derivatives and parts of it, as models/README.md defines them. Approximations
+// truncate L after power order + 1 of the scale of small quantities.
 #pragma once
 
 #include <functional>
@@ -17,9 +16,9 @@
 
 namespace elgen::random {
 
-// Infinitesimals: 0 belongs to Motion.
-inline constexpr unsigned moment = 1;     ///< time runs
-inline constexpr unsigned direction = 2;  ///< of dL/dv, dL/dq
+// Infinitesimal 0 belongs to Motion.
+inline constexpr unsigned moment = 1;     ///< of time
+inline constexpr unsigned direction = 2;  ///< of dL/dv and dL/dq
 inline constexpr unsigned second = 3;     ///< of second derivatives
 
 /// Entries by "output" or "output.field", row by row.
@@ -27,12 +26,12 @@ using Values = std::map<std::string, std::vector<Number>>;
 
 class Truth {
  public:
-  /// Numbers of the state are of all coordinates; those of locked ones are not read.
+  /// The state has numbers for all coordinates. Numbers of locked coordinates are ignored.
   Truth(const System& system, ParameterValues parameters, State state);
 
-  /// Every output that the system has, where its definition gives a value.
+  /// Every output of the system whose definition gives a value.
   [[nodiscard]] Values outputs();
-  /// Numbers of q, v, a, u without locked coordinates.
+  /// The places of coordinates with their locks, and the state.
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] const State& state() const { return state_; }
 
@@ -40,9 +39,9 @@ class Truth {
   const System& system_;
   ParameterValues parameters_;
   Layout layout_;
-  Layout whole_;  ///< nothing is locked in it
+  Layout whole_;  ///< without locks
   State state_;
-  std::vector<std::size_t> free_;  ///< indices in v of what is not locked
+  std::vector<std::size_t> free_;  ///< indices in v of velocities that are not locked
   Values values_;
 
   using Read = std::function<Jet(Motion&)>;
@@ -75,16 +74,16 @@ class Truth {
   [[nodiscard]] Vector output_rates(const Output& output, const State& state) const;
 };
 
-/// The state a moment later, by the given infinitesimal: q moves along v, v along a, t runs.
+/// The state after an infinitesimal time: q moves along v, v along a, and t advances.
 [[nodiscard]] State later(const Layout& layout, const State& state, unsigned index);
-/// q moved along the velocity `index` alone.
+/// Adds an infinitesimal displacement of q along one velocity.
 [[nodiscard]] State displaced(const Layout& layout, const State& state, std::size_t index,
                               unsigned along);
 
-/// Solves M x = b for every column; throws std::domain_error where M is singular.
+/// Solves M x = b for every column. Throws std::domain_error if M is singular.
 [[nodiscard]] Matrix solved(Matrix M, Matrix columns);
 
-/// The values that the files give parameters, fixed ones by the scene's.
+/// The parameter values of the model file, or of the scene if it fixes them.
 [[nodiscard]] ParameterValues given_parameters(const System& system);
 
 }  // namespace elgen::random

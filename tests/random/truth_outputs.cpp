@@ -19,8 +19,7 @@ Matrix column(const Vector& x) { return transposed({x}); }
 
 }  // namespace
 
-/// B, M^-1 (B u - bias), and the pivots' product, which does not depend on the order of
-/// elimination.
+/// Adds B and the acceleration M^-1 (B u - bias).
 void Truth::add_solutions(const Matrix& M) {
   const std::vector<std::size_t> acting = acting_inputs(system_);
   Matrix columns;
@@ -42,7 +41,7 @@ void Truth::add_solutions(const Matrix& M) {
   keep("forward_dynamics.acceleration", transposed(solved(M, column(right)))[0]);
 }
 
-/// Columns d(M a + bias - B u)/dx, x every q or every v; without B u where there are no inputs.
+/// Columns d(M a + bias - B u)/dx for every x of q or v; without B u unless `has_inputs`.
 Matrix Truth::torque_slopes(const State& at, bool has_inputs, bool by_velocity) const {
   Matrix columns;
   for (const std::size_t k : free_) {
@@ -61,7 +60,7 @@ Matrix Truth::torque_slopes(const State& at, bool has_inputs, bool by_velocity) 
   return transposed(columns);
 }
 
-/// da/dx = -M^-1 d(M a + bias - B u)/dx at the acceleration that forces and inputs make.
+/// da/dx = -M^-1 d(M a + bias - B u)/dx at the acceleration of forward dynamics.
 void Truth::add_derivatives(const Matrix& M) {
   const std::size_t n = free_.size();
   State driven = state_;
@@ -74,7 +73,7 @@ void Truth::add_derivatives(const Matrix& M) {
   const Matrix by_velocity = negative(solved(M, torque_slopes(driven, true, true)));
   keep("forward_dynamics_derivatives.by_position", by_position);
   keep("forward_dynamics_derivatives.by_velocity", by_velocity);
-  // x = (q, v): the deviation of a rotation changes by its own rate less [w]x of it.
+  // For x = (q, v) the deviation of a rotation has the rate dv - [w]x dq.
   const Matrix spinning = negative(turning(of_free(state_.v)));
   Matrix A(2 * n, Vector(2 * n));
   for (std::size_t i = 0; i < n; ++i) {
@@ -100,7 +99,7 @@ void Truth::add_derivatives(const Matrix& M) {
   keep("linearization.B", by_input);
 }
 
-/// Rows of the whole model's equations, where locked coordinates move as they are told.
+/// Rows of the whole model's equations for the locked coordinates, which move by their laws.
 void Truth::add_reaction() {
   State held = state_;
   State moved = state_;
@@ -173,7 +172,7 @@ Vector Truth::output_values(const Output& output, const State& state) const {
   return values;
 }
 
-/// Rates of the values, or the twist: angular velocity, velocity of the origin.
+/// The rates of the values, or the twist: angular velocity, then velocity of the origin.
 Vector Truth::output_rates(const Output& output, const State& state) const {
   Motion motion(system_, layout_, parameters_, state);
   if (output.frame.empty()) return along(evaluated(output.value, motion), time_infinitesimal);

@@ -1,4 +1,4 @@
-// The definition of the equations, evaluated: closed forms of textbooks.
+// The evaluated definition of the equations against closed forms from textbooks.
 #include "random/truth.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@ using namespace elgen::random;
 
 namespace {
 
-/// 80 digits, of which a dozen operations lose a few.
+/// A dozen operations lose a few of the 80 digits.
 void check_near(const Number& value, const Number& expected) {
   CHECK(abs(value - expected) < Number("1e-70"));
 }
@@ -22,7 +22,7 @@ State state_of(std::vector<Number> q, std::vector<Number> v, std::vector<Number>
 
 }  // namespace
 
-TEST_CASE("double pendulum in absolute angles") {
+TEST_CASE("a double pendulum in absolute angles has its closed forms") {
   System system;
   Model& model = system.model;
   model.coordinates = {{.name = "a"}, {.name = "b"}};
@@ -56,7 +56,7 @@ TEST_CASE("double pendulum in absolute angles") {
   check_near(values["forward_dynamics.acceleration"][0], expected_a);
 }
 
-TEST_CASE("Euler's equations of a free body, and its C") {
+TEST_CASE("a free body has Euler's equations and their C") {
   System system;
   Model& model = system.model;
   model.coordinates = {{.name = "att", .is_rotation = true}};
@@ -74,7 +74,7 @@ TEST_CASE("Euler's equations of a free body, and its C") {
   check_near(values["coordinate_rates"][0], -Number(5 + 6 + 7) / 4);
 }
 
-TEST_CASE("a lock that moves: reaction, and an approximation of a pendulum") {
+TEST_CASE("a moving lock has its reaction, and a pendulum its approximation") {
   System system;
   Model& model = system.model;
   model.coordinates = {{.name = "x"}, {.name = "y"}};

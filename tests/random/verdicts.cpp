@@ -1,5 +1,5 @@
-// Verdicts of `elgen verify` on a model: that it holds, that true closed forms do, that false ones
-// do not.
+// Verdicts of `elgen verify`: the model and its true closed forms must hold, false closed forms
+// must fail.
 #include <sstream>
 
 #include "random/claims.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using test::Outcome;
 
-/// The failed rows of a certificate; without one the end of the text.
+/// The failed rows of a certificate, or the end of the text if no row failed.
 std::string failed_rows(const std::string& certificate) {
   constexpr std::size_t row = 600;
   constexpr std::size_t kept = 1500;
@@ -29,8 +29,7 @@ Outcome verify(const std::string& file, const std::filesystem::path& folder) {
   return test::shell("timeout 300 elgen verify --quick " + file, folder);
 }
 
-/// The first check that does not hold is part of the kind: a smaller model must fail in the same
-/// one.
+/// The first failed check is part of the kind, so that a smaller model must fail in the same check.
 Finding judged(const std::string& kind, const Outcome& outcome) {
   constexpr std::size_t name = 60;
   const std::string rows = failed_rows(outcome.output);

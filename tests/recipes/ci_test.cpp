@@ -1,5 +1,6 @@
-// Every command of the recipes for CI and containers, in a repository, up to what needs a server:
-// curl copies, apt-get writes down what it is asked for, and the package of elgen is a link.
+// Runs every command of the recipes for CI and containers in a repository, except commands that
+// need a server. There curl copies a file, apt-get records its arguments, and installing the
+// package of elgen creates a link.
 #include <catch2/catch.hpp>
 
 #include "recipes/repository.hpp"
@@ -9,7 +10,7 @@ namespace elgen::test {
 
 namespace {
 
-/// A project on a machine of a service: nothing but git and what the recipe installs.
+/// A project on a CI machine with only git and the programs that the recipe installs.
 class Machine : public Repository {
  public:
   explicit Machine(const std::string& recipe) {
@@ -18,14 +19,14 @@ class Machine : public Repository {
     write("home/bin/apt-get",
           "#!/bin/sh\necho \"$@\" >> ~/packages\n"
           "case $* in *./elgen.deb) ln -sf \"$ELGEN\" ~/bin/elgen ;; esac\n");
-    // It does nothing: the Containerfile would remove the package lists of this machine.
+    // A no-op, because the Containerfile would remove this machine's package lists.
     write("home/bin/rm", "#!/bin/sh\n");
     run("chmod +x home/bin/*");
     run("git update-ref refs/remotes/origin/main main && python3 '" + source() +
         "/tests/recipes/scripts' '" + source() + "/" + recipe + "' home/scripts");
   }
 
-  /// Each step is a shell of its own, which gets what those before it wrote into files.
+  /// Runs a step in a shell of its own. Files pass the variables of earlier steps on.
   [[nodiscard]] Outcome step(const std::string& name, const std::string& variables = "") const {
     return outcome(
         "export ELGEN_PACKAGE=\"$HOME/package.deb\" GITHUB_BASE_REF=main "
@@ -35,7 +36,7 @@ class Machine : public Repository {
         variables + "\nPATH=\"$HOME/bin:/usr/bin:/bin\"\nsh 'home/scripts/" + name + "'");
   }
 
-  /// Whether apt-get was asked for the package of elgen.
+  /// True if apt-get was called with the package of elgen.
   [[nodiscard]] bool has_elgen() const {
     return mentions(outcome("cat home/packages").output, "./elgen.deb");
   }
@@ -46,7 +47,7 @@ class Machine : public Repository {
   static std::string source() { return ELGEN_SOURCE_DIR; }
 };
 
-/// Of other bytes than those of the package.
+/// The checksum of different bytes.
 const std::string wrong_sum = "ELGEN_SHA256=" + std::string(64, '0');
 
 constexpr const char* flip = "s/\"-g\"/\"g\"/";
@@ -54,7 +55,7 @@ constexpr const char* rename = "s/^name *= \"u\"/name = \"F\"/";
 
 }  // namespace
 
-TEST_CASE("the workflow of GitHub summarises, annotates and checks a pull request") {
+TEST_CASE("the GitHub workflow summarises, annotates and checks a pull request") {
   if (!Machine::is_readable()) return;
   const Machine machine("recipes/github/elgen.yml");
   machine.branch("topic", flip);
@@ -82,7 +83,7 @@ TEST_CASE("the workflow of GitHub summarises, annotates and checks a pull reques
   CHECK(mentions(broken.output, "title=elgen diff%3A breaks::cart_pole: inputs are other ones"));
 }
 
-TEST_CASE("the job of GitLab compares and checks a merge request") {
+TEST_CASE("the GitLab job compares and checks a merge request") {
   if (!Machine::is_readable()) return;
   const Machine machine("recipes/gitlab/elgen.yml");
   const std::string base = "export CI_MERGE_REQUEST_DIFF_BASE_SHA=\"$(git rev-parse main)\"";
@@ -120,7 +121,7 @@ TEST_CASE("the galleries of GitHub and GitLab have a page and a picture of each 
   check_site(gitlab);
 }
 
-TEST_CASE("the image installs the package where its sum is right, and nothing where it is not") {
+TEST_CASE("the image installs a package only if its checksum is right") {
   if (!Machine::is_readable()) return;
   const Machine machine("recipes/container/Containerfile");
   machine.run("cp home/package.deb elgen.deb");
@@ -132,7 +133,7 @@ TEST_CASE("the image installs the package where its sum is right, and nothing wh
   CHECK(machine.has_elgen());
 }
 
-TEST_CASE("the hooks of pre-commit generate and check what is in the index") {
+TEST_CASE("the hooks of pre-commit generate and check the files in the index") {
   if (!Machine::is_readable()) return;
   const Machine machine(".pre-commit-hooks.yaml");
   const auto hook = [&machine](const std::string& id) {

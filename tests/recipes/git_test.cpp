@@ -1,4 +1,4 @@
-// The effect of recipes/git in a real repository: differences as equations, merges without
+// The effects of recipes/git in a real repository: differences as equations, merges without
 // markers.
 #include <catch2/catch.hpp>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* include = "git config --local include.path ../recipes/git/config";
 
-/// Two edits that meet in no line of the model, and in many of what is generated.
+/// Two edits of different lines of the model that change the same generated lines.
 constexpr const char* heavier = "s/mass = \"M\"/mass = \"M + m\"/";
 constexpr const char* longer = "s/l\\*sin(theta)\"/2*l*sin(theta)\"/;s/\"l\\*cos/\"2*l*cos/";
 
@@ -26,7 +26,7 @@ class Merging : public Repository {
 
 }  // namespace
 
-TEST_CASE("git diff shows equations, and the values that they do not show") {
+TEST_CASE("git diff shows changed equations, and changed values that equations do not contain") {
   const Repository repository;
   repository.run(include);
   repository.run("sed -i 's/\"-g\"/\"g\"/;s/value = 9.81/value = 9.8/' models/cart_pole.toml");
@@ -43,7 +43,7 @@ TEST_CASE("git diff shows equations, and the values that they do not show") {
   CHECK(mentions(repository.outcome("git log -p -1").output, "+  gravity[2] = m*g*l*sin(theta)\n"));
 }
 
-TEST_CASE("git diff shows the text of a model with an error, and says which it is") {
+TEST_CASE("git diff shows the text of a model with an error, and the error") {
   const Repository repository;
   repository.run(include);
   repository.run("sed -i 's/cos(theta)\"/cos(thet)\"/' models/cart_pole.toml");
@@ -53,7 +53,7 @@ TEST_CASE("git diff shows the text of a model with an error, and says which it i
   CHECK(mentions(outcome.errors, "error[E201]: unknown name `thet`"));
 }
 
-TEST_CASE("git diff shows the text where there is no elgen") {
+TEST_CASE("git diff shows the text if elgen is not installed") {
   const Repository repository;
   repository.run(include);
   repository.run("sed -i 's/\"-g\"/\"g\"/' models/cart_pole.toml");
@@ -62,7 +62,7 @@ TEST_CASE("git diff shows the text where there is no elgen") {
   CHECK(mentions(outcome.output, "\n+vector = [\"0\", \"g\"]"));
 }
 
-TEST_CASE("a scene that git shows alone is refused with words, and shown as text") {
+TEST_CASE("a scene without its model is shown as text, with a message") {
   const Repository repository;
   repository.run(include);
   repository.run(
@@ -82,7 +82,8 @@ TEST_CASE("without the driver, generated files of two branches conflict") {
   CHECK(repository.has_markers());
 }
 
-TEST_CASE("with the driver they do not, and elgen generate writes what the merged model says") {
+TEST_CASE(
+    "with the driver generated files merge, and elgen generate updates them to the merged model") {
   const Merging repository;
   repository.run(include);
   CHECK(repository.merge().status == 0);
@@ -99,7 +100,7 @@ TEST_CASE("with the driver they do not, and elgen generate writes what the merge
   CHECK(repository.outcome("elgen diff --against longer").status == 0);
 }
 
-TEST_CASE("a model that both branches changed keeps its markers, and what is generated has none") {
+TEST_CASE("a model changed on both branches keeps its markers, its generated files have none") {
   const Merging repository;
   repository.run(include);
   repository.run(
@@ -113,7 +114,7 @@ TEST_CASE("a model that both branches changed keeps its markers, and what is gen
         "models/cart_pole.toml\n");
 }
 
-TEST_CASE("a file that both branches add is merged without markers") {
+TEST_CASE("a generated file added on both branches is merged without markers") {
   const Repository repository;
   repository.run(include);
   for (const std::string name : {"one", "two"}) {
@@ -127,7 +128,7 @@ TEST_CASE("a file that both branches add is merged without markers") {
   CHECK_FALSE(mentions(repository.read("generated/cart/cart.hpp"), "<<<<<<<"));
 }
 
-TEST_CASE("an installed elgen brings its recipes along") {
+TEST_CASE("an installed elgen includes its recipes") {
   const Repository repository;
   repository.run(
       "cmake --install \"$(dirname \"$ELGEN\")\" --prefix \"$PWD/home/usr\" && "
@@ -139,7 +140,7 @@ TEST_CASE("an installed elgen brings its recipes along") {
   CHECK(mentions(outcome.output, "+  gravity[2] = m*g*l*sin(theta)\n"));
 }
 
-TEST_CASE("this project is set up as its recipe says") {
+TEST_CASE("this project has the attributes of its recipe") {
   const std::string source = ELGEN_SOURCE_DIR;
   CHECK(read_text(source + "/.gitattributes") == read_text(source + "/recipes/git/attributes"));
 }

@@ -1,4 +1,4 @@
-// Scripts for packages of Python that need not be installed; pages run the others.
+// Scripts that need optional Python packages; the tests of pages run the others.
 #include <catch2/catch.hpp>
 
 #include "support/installed.hpp"

@@ -1,12 +1,12 @@
-// A repository of git with a model, made for one test.
+// A git repository with a model, created for one test.
 #pragma once
 
 #include "support/shell.hpp"
 
 namespace elgen::test {
 
-/// The cart, its scene and what is generated of them, in one commit on `main`; neither the files of
-/// the user nor those of the system configure git.
+/// The cart-pole model, its scene and the generated files in one commit on `main`. The user's and
+/// the system's git configuration are ignored.
 class Repository : public Workspace {
  public:
   Repository() {
@@ -19,13 +19,13 @@ class Repository : public Workspace {
     run("git init -q && " + generate + " && git add . && git commit -q -m first");
   }
 
-  /// Throws where the command fails.
+  /// Throws if the command fails.
   void run(const std::string& command) const { prepare(environment() + command); }
   [[nodiscard]] Outcome outcome(const std::string& command) const {
     return Workspace::run(environment() + command);
   }
 
-  /// An edit of the model on a branch of its own, with what is generated of it.
+  /// Creates a branch with an edit of the model and the regenerated files.
   void branch(const std::string& name, const std::string& edit) const {
     run("git checkout -q -b " + name + " main && sed -i '" + edit + "' models/cart_pole.toml && " +
         generate + " && git commit -q -a -m " + name);

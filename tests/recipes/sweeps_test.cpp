@@ -1,4 +1,4 @@
-// Sweeps over two seeds of a small model, and their certificates joined.
+// Sweeps over two seeds of a small model, with their certificates joined.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -12,7 +12,7 @@ namespace {
 const std::string sweeps = ELGEN_SOURCE_DIR "/recipes/sweeps/";
 const std::string pendulum = ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
 
-/// Every row is of both seeds.
+/// Every joined row comes from both seeds.
 void check_joined(const Workspace& workspace) {
   const Outcome joined = workspace.run("jq -s -f " + sweeps + "join.jq certificates/*.json");
   INFO(joined.errors);
@@ -24,7 +24,7 @@ void check_joined(const Workspace& workspace) {
 
 }  // namespace
 
-TEST_CASE("seeds are shared out by GNU parallel, and their certificates joined by jq") {
+TEST_CASE("GNU parallel distributes seeds, and jq joins their certificates") {
   if (!is_installed("GNU parallel", "parallel --version | grep -q GNU")) return;
   if (!is_installed("jq", "jq --version")) return;
   const Workspace workspace;
@@ -36,7 +36,7 @@ TEST_CASE("seeds are shared out by GNU parallel, and their certificates joined b
   check_joined(workspace);
 }
 
-TEST_CASE("a task of Slurm's job array has the seed of its number") {
+TEST_CASE("a task of a Slurm job array uses its number as seed") {
   if (!is_installed("jq", "jq --version")) return;
   const Workspace workspace;
   for (const std::string seed : {"1", "2"}) {

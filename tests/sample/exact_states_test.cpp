@@ -1,4 +1,4 @@
-// Exact states of a model: inside its ranges, the same for a seed.
+// Exact states of a model: inside its ranges, and determined by a seed.
 #include <catch2/catch.hpp>
 
 #include "oracle/samples.hpp"
@@ -9,7 +9,7 @@ using namespace elgen;
 using namespace elgen::test;
 using cln::cl_R;
 
-TEST_CASE("states are drawn inside the declared ranges, the same ones for a seed") {
+TEST_CASE("states are inside the declared ranges and determined by the seed") {
   ModelBuilder b = cart_pole();
   b.model.coordinates[0].range = Interval{3, 4};
   Sampler draw(5);
@@ -24,7 +24,7 @@ TEST_CASE("states are drawn inside the declared ranges, the same ones for a seed
   }
 }
 
-TEST_CASE("without ranges angles are drawn in a turn, others at three scales in turn") {
+TEST_CASE("without ranges angles are within one turn, others have three scales in turn") {
   ModelBuilder b = cart_pole();
   b.model.coordinates[1].unit_text = "rad";
   std::vector<cl_R> largest_length(3, cl_R(0));
@@ -42,9 +42,7 @@ TEST_CASE("without ranges angles are drawn in a turn, others at three scales in 
   CHECK((largest_angle > 2 && largest_angle <= exact("3.15")));
 }
 
-TEST_CASE(
-    "parameters have their values, then half to twice these or any in their range; fixed ones "
-    "stay") {
+TEST_CASE("parameters are nominal, then between half and twice their value or in their range") {
   ModelBuilder b;
   b.coordinate("x").parameter("m", "2").parameter("k", "0").parameter("c", "3").parameter("l", "1");
   b.model.parameter_arrays.resize(4);
@@ -64,7 +62,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a state moves onto the constraints, as far as steps of Newton lead there") {
+TEST_CASE("a state moves onto the constraints if Newton's method converges") {
   const CheckedModel rod = checked_model(model_text("bob", R"toml(
 [[coordinate]]
 name = "x"

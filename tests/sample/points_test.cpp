@@ -1,4 +1,4 @@
-// Points: the same for a seed, of the magnitudes and signs that are promised, at places of angles.
+// Points: determined by a seed, with the promised magnitudes and signs, and with special angles.
 #include "sample/points.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double right_angle = 1.5707963267948966;
 
-/// Two coordinates with their rates, two parameters of which the second is assumed to be positive.
+/// Two coordinates with their rates, and two parameters; the second is assumed positive.
 LeafNames two_of_each() {
   LeafNames leaves;
   leaves.q = {"phi", "x"};
@@ -21,7 +21,7 @@ LeafNames two_of_each() {
   return leaves;
 }
 
-/// The exponents of the magnitudes of all coordinates and rates.
+/// The binary exponents of all coordinates and rates.
 std::vector<int> exponents(const LeafValues<double>& point) {
   std::vector<int> all;
   for (const auto* numbers : {&point.q, &point.v}) {
@@ -36,7 +36,7 @@ bool all_within(const LeafValues<double>& point, int low, int high) {
 
 }  // namespace
 
-TEST_CASE("a sampler and its copy draw the same vectors, none of whose entries is 0") {
+TEST_CASE("a sampler and its copy draw the same vectors without zero entries") {
   Sampler draw(3);
   Sampler copy = draw;
   const std::vector<cln::cl_R> vector = draw.vector(5);
@@ -45,7 +45,7 @@ TEST_CASE("a sampler and its copy draw the same vectors, none of whose entries i
   CHECK(draw.vector(5) != vector);
 }
 
-TEST_CASE("parameters of exact points are positive, or those that are assumed to be") {
+TEST_CASE("parameters of exact points are positive: all, or only those assumed positive") {
   const LeafNames leaves = two_of_each();
   Sampler draw(1);
   bool is_negative = false;
@@ -60,7 +60,7 @@ TEST_CASE("parameters of exact points are positive, or those that are assumed to
   CHECK(is_negative);
 }
 
-TEST_CASE("a quarter of mixed points is ordinary, the others are wide") {
+TEST_CASE("a quarter of the mixed points have ordinary magnitudes, the others wide ones") {
   const Points points = mixed_points(two_of_each());
   REQUIRE(points.size() == 16);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -70,7 +70,7 @@ TEST_CASE("a quarter of mixed points is ordinary, the others are wide") {
   CHECK_FALSE(std::ranges::all_of(points, [](const auto& p) { return all_within(p, -3, 3); }));
 }
 
-TEST_CASE("angles are moved near right ones, straight ones, one another and 0") {
+TEST_CASE("angles are moved near right angles, straight angles, equal angles and 0") {
   const std::vector<bool> is_angle{true, false, true};
   Sampler draw(1);
   for (int i = 0; i < 20; ++i) {

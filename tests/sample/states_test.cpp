@@ -1,4 +1,4 @@
-// Sampled states: deterministic, within the ranges, with the extremes.
+// Sampled states: deterministic, inside the ranges, and with extremes.
 #include "sample/states.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ const SampledState<Scalar>& named(const std::vector<SampledState<Scalar>>& state
 
 }  // namespace
 
-TEST_CASE("half are nominal, a quarter small, a quarter large") {
+TEST_CASE("half of the states are nominal, a quarter small, a quarter large") {
   const System system = cart_pole_system();
   const auto states = sample_states<double>(system.subject(), {64, 1, false});
   CHECK(states.size() == 64);
@@ -40,7 +40,7 @@ TEST_CASE("half are nominal, a quarter small, a quarter large") {
   CHECK(count(states, Region::large) == 16);
 }
 
-TEST_CASE("a seed names the same states every time") {
+TEST_CASE("a seed determines the states") {
   const System system = cart_pole_system();
   const auto first = sample_states<double>(system.subject(), {8, 5, true});
   const auto again = sample_states<double>(system.subject(), {8, 5, true});
@@ -50,7 +50,7 @@ TEST_CASE("a seed names the same states every time") {
   CHECK(first[0].values.q != other[0].values.q);
 }
 
-TEST_CASE("states are finite, however far a range reaches") {
+TEST_CASE("states are finite, however large a range is") {
   System system = cart_pole_system();
   const cln::cl_R far = cln::expt(cln::cl_RA(10), 400);
   system.model.coordinates[0].range = Interval{-far, far};
@@ -68,7 +68,7 @@ TEST_CASE("states are finite, however far a range reaches") {
   CHECK(all_finite(sample_states<float>(system.subject(), {32, 1, true})));
 }
 
-TEST_CASE("the length of a step is drawn where a function takes one") {
+TEST_CASE("the step size is drawn if a function takes it") {
   System system = cart_pole_system();
   for (const auto& state : sample_states<double>(system.subject(), {16, 1, true})) {
     if (state.region != Region::extreme) CHECK(state.values.h == 0);
@@ -80,7 +80,7 @@ TEST_CASE("the length of a step is drawn where a function takes one") {
   }
 }
 
-TEST_CASE("momenta are drawn where a function takes them") {
+TEST_CASE("momenta are drawn if a function takes them") {
   System system = cart_pole_system();
   for (const auto& state : sample_states<double>(system.subject(), {16, 1, true})) {
     if (state.region != Region::extreme) CHECK(state.values.momenta == std::vector<double>(2));
@@ -94,7 +94,7 @@ TEST_CASE("momenta are drawn where a function takes them") {
   }
 }
 
-TEST_CASE("nominal states keep to the declared ranges, or to the usual ones") {
+TEST_CASE("nominal states are in the declared ranges, or in default ranges") {
   System system = cart_pole_system();
   system.model.coordinates[0].range = Interval{cln::cl_R(2), cln::cl_R(3)};
   system.model.inputs[0].limits = Interval{cln::cl_R(-1), cln::cl_R(0)};
@@ -111,7 +111,7 @@ TEST_CASE("nominal states keep to the declared ranges, or to the usual ones") {
   CHECK(widest_angle > 3);
 }
 
-TEST_CASE("parameters keep their values at nominal states, whatever range they declare") {
+TEST_CASE("parameters keep their values at nominal states, whatever their range") {
   System system = cart_pole_system();
   const double value = cln::double_approx(system.model.parameters[1].value);
   system.model.parameter_arrays[1].range = Interval{cln::cl_R(2), cln::cl_R(3)};
@@ -120,7 +120,7 @@ TEST_CASE("parameters keep their values at nominal states, whatever range they d
   }
 }
 
-TEST_CASE("small and large states have the magnitudes they promise") {
+TEST_CASE("small and large states have the promised magnitudes") {
   const System system = cart_pole_system();
   for (const auto& state : sample_states<double>(system.subject(), {100, 1, false})) {
     const double v = std::abs(state.values.v[1]);
@@ -129,7 +129,7 @@ TEST_CASE("small and large states have the magnitudes they promise") {
   }
 }
 
-TEST_CASE("the extremes are there, each extreme in one thing") {
+TEST_CASE("each extreme state is extreme in one quantity") {
   System system = cart_pole_system();
   system.model.coordinates[0].range = Interval{cln::cl_R(-2), cln::cl_R(3)};
   const auto states = sample_states<double>(system.subject(), {0, 1, true});
@@ -146,7 +146,7 @@ TEST_CASE("the extremes are there, each extreme in one thing") {
   CHECK((distance != 0 && std::abs(distance) < 1e-14));
 }
 
-TEST_CASE("the extremes of float are its own") {
+TEST_CASE("extremes of float fit float") {
   const System system = cart_pole_system();
   const auto states = sample_states<float>(system.subject(), {0, 1, true});
   for (const auto& state : states) {
@@ -159,7 +159,7 @@ TEST_CASE("the extremes of float are its own") {
   CHECK(reached);
 }
 
-TEST_CASE("each parameter is far from its value where sums of angles cancel") {
+TEST_CASE("where sums of angles cancel, each parameter is far from its value") {
   const System system = cart_pole_system();
   const auto states = sample_states<double>(system.subject(), {128, 1, true});
   const auto& tiny = named(states, "l times 1e+12, angles tiny");
@@ -176,7 +176,7 @@ TEST_CASE("each parameter is far from its value where sums of angles cancel") {
   CHECK(std::count_if(few.begin(), few.end(), is_combined) == 16);
 }
 
-TEST_CASE("a sequence gives the same states") {
+TEST_CASE("a sequence gives the same states as sample_states") {
   const System system = cart_pole_system();
   const Sampling sampling{32, 3, true};
   const auto states = sample_states<float>(system.subject(), sampling);
@@ -191,7 +191,7 @@ TEST_CASE("a sequence gives the same states") {
   CHECK_FALSE(sequence.next());
 }
 
-TEST_CASE("quaternions get the length 1 in numbers of any kind, and one where they have none") {
+TEST_CASE("quaternions are normalised in every scalar type, and zero becomes the identity") {
   Model model;
   model.rotations.resize(2);
   model.rotations[1].first_coordinate = 4;

@@ -1,11 +1,11 @@
-// Arms of frames: turns one after another, in space, in the plane, and on a common base.
+// Arms of frames with consecutive rotations: in space, in the plane, and on a common base.
 #pragma once
 
 #include "support/systems.hpp"
 
 namespace elgen::test {
 
-/// Parameters that several of them share, without units.
+/// Parameters without units that several arms share.
 inline const std::string& frame_parameters() {
   static const std::string text = R"toml(
 [parameters]
@@ -41,7 +41,8 @@ inline std::string frame_model(const std::string& name, const std::string& coord
   return model_text(name, text + frame_parameters() + rest);
 }
 
-/// Two turns about crossed axes with offsets, bodies of general inertia, one about its origin.
+/// Two rotations about crossed axes with offsets; bodies with general inertia, one of them about
+/// its origin.
 inline const std::string& two_turns_text() {
   static const std::string text = frame_model("two_turns", "q1 q2", R"toml(
 [[frame]]
@@ -80,7 +81,7 @@ jacobian = true
   return text;
 }
 
-/// Three turns by the tables of Denavit and Hartenberg, torques between neighbours.
+/// Three rotations by Denavit-Hartenberg parameters, with torques between neighbours.
 inline const std::string& three_turns_text() {
   static const std::string text = frame_model("three_turns", "q1 q2 q3", R"toml(
 [[frame]]
@@ -134,8 +135,8 @@ jacobian = true
   return text;
 }
 
-/// Two arms of two turns each on one sliding base, a spring given as an energy, one body without
-/// frames.
+/// Two arms with two rotations each on a sliding base; a spring given as an energy, and a body
+/// without a frame.
 inline const std::string& two_arms_text() {
   static const std::string text = frame_model("two_arms", "x a1 a2 b1 b2", R"toml(
 [[frame]]
@@ -194,7 +195,7 @@ D = "C*dot(a1)^2/2"
   return text;
 }
 
-/// Two components everywhere: turns about z.
+/// A planar model: vectors have two components, and frames rotate about z.
 inline const std::string& planar_text() {
   static const std::string text = model_text("planar", R"toml(
 [[coordinate]]

@@ -1,4 +1,4 @@
-// A double that counts what is done with it, by the rules of the table in emitted headers.
+// A double that counts its operations, by the rules of the table in emitted headers.
 #pragma once
 
 #include <cmath>
@@ -6,14 +6,14 @@
 
 namespace compiled {
 
-/// The operations that one call executed, by the rules of the header's table.
+/// The operations of one call, by the rules of the header's table.
 struct Counts {
   int add = 0, mul = 0, div = 0, sqrt = 0, other = 0;
   std::set<double> angles = {};
 };
 inline Counts counts;
 
-/// A double that counts what is done with it.
+/// A double that counts its operations.
 struct Counted {
   using value_type = double;
   double x = 0;

@@ -1,4 +1,4 @@
-// Arguments for the functions of emitted headers, and calls that find out which of them are wanted.
+// Arguments for functions of emitted headers, and calls that pass only the needed arguments.
 #pragma once
 
 #include <array>
@@ -7,14 +7,14 @@
 
 namespace compiled {
 
-/// `number` in every component: dyadic, so that all types hold the same value.
+/// `number` in every component. It is dyadic, so all types represent it exactly.
 template <class Scalar>
 Scalar made(double number) {
   Scalar result;
   result = static_cast<Scalar>(number);
   return result;
 }
-/// start, start + 11/64, …: no two entries, sums or differences of the state are equal.
+/// start, start + 11/64, ...: all entries, sums and differences differ.
 template <class Scalar, std::size_t Size>
 std::array<Scalar, Size> state(double start) {
   std::array<Scalar, Size> result{};
@@ -26,7 +26,7 @@ std::array<Scalar, Size> state(double start) {
   return result;
 }
 
-/// The arguments of all functions: each takes as many of them as it wants.
+/// The arguments of all functions; `call` passes a subset.
 template <class Parameters, class Coordinates, class Velocities, class Inputs, class Scalar>
 struct Arguments {
   Parameters p;

@@ -1,12 +1,12 @@
-// Small systems of frames that between them use every kind of step, of body and of load.
+// Small systems of frames that together cover every kind of step, of body and of load.
 #pragma once
 
 #include "support/arms.hpp"
 
 namespace elgen::test {
 
-/// A carriage on a slanted rail carries a turning arm; masses slide in frames, and forces act on
-/// points that slide.
+/// A carriage on a slanted rail with a rotating arm. Masses slide in frames, and forces act on
+/// sliding points.
 inline const std::string& sliders_text() {
   static const std::string text = frame_model("sliders", "x q s", R"toml(
 [[frame]]
@@ -72,8 +72,7 @@ jacobian = true
   return text;
 }
 
-/// A table that turns at a given rate; a constant axis between the coordinate axes; an angle that
-/// is a sum.
+/// A table that rotates at a prescribed rate, an oblique constant axis, and an angle that is a sum.
 inline const std::string& turntable_text() {
   static const std::string text = frame_model("turntable", "q1 q2", R"toml(
 [[frame]]
@@ -115,7 +114,8 @@ jacobian = true
   return text;
 }
 
-/// A quaternion of any length over coordinates, a constant one, and angles that are no sums.
+/// A quaternion of any length that depends on coordinates, a constant quaternion, and nonlinear
+/// angles.
 inline const std::string& quaternion_text() {
   static const std::string text = frame_model("quaternion", "q1 q2 q3", R"toml(
 [[frame]]
@@ -160,7 +160,7 @@ jacobian = true
   return text;
 }
 
-/// A rigid body whose attitude is a unit quaternion, pushed along x.
+/// A rigid body with a unit quaternion as attitude and an input force along x.
 inline const std::string& tumbler_text() {
   static const std::string text = model_text("tumbler", R"toml(
 [[coordinate]]
@@ -190,7 +190,7 @@ on = "x"
   return text;
 }
 
-/// A frame and a body that hang where a point of another frame is, which nothing else mentions.
+/// A frame and a body attached at a point of another frame, which nothing else uses.
 inline const std::string& hung_text() {
   static const std::string text = frame_model("hung", "q r", R"toml(
 [[frame]]

@@ -1,4 +1,5 @@
-// As deep and as long as the text is.
+// The limits are raised: the text may be nested as deeply as the parser permits, with literals of
+// any length.
 #include "support/graph_reader.hpp"
 
 #include "parse/expression_parser.hpp"

@@ -1,4 +1,4 @@
-// The constants of a dumped Program.
+// Reads the constants of a dumped Program.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace elgen::test {
 
-/// None where it is no expression of numbers, pi and functions, or has no value. The graph gives it
-/// the form that it had when it was printed.
+/// Empty if the text is not an expression of numbers, pi and functions, or has no value. The graph
+/// restores the form that was printed.
 [[nodiscard]] std::optional<Constant> read_constant(const std::string& text);
 
 }  // namespace elgen::test

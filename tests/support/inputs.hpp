@@ -11,7 +11,7 @@
 
 namespace elgen::test {
 
-/// Those whose names end so, in order.
+/// The files whose names end in `ending`, sorted.
 inline std::vector<std::filesystem::path> inputs_in(const std::filesystem::path& folder,
                                                     const std::string& ending) {
   std::vector<std::filesystem::path> paths;

@@ -1,5 +1,5 @@
-// Programs as users have them: elgen by `cmake --install` of the build under test, others where
-// they are installed.
+// Programs as users have them: elgen installed by `cmake --install` from the build under test, and
+// other programs of this machine.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +7,13 @@
 
 namespace elgen::test {
 
-/// The prefix of the installation, made once by a test program; its path has a blank.
+/// The prefix of the installation, which a test program creates once. Its path contains a blank.
 [[nodiscard]] const std::filesystem::path& installed();
 
-/// The option of `cmake` by which a project finds elgen in `prefix`.
+/// The option of `cmake` with which a project finds elgen in `prefix`.
 [[nodiscard]] std::string finding_elgen(const std::filesystem::path& prefix = installed());
 
-/// Whether the program answers the probe, a command; where it does not, a line says that it is not
-/// installed.
+/// True if the command `probe` succeeds. Otherwise prints that the program is not installed.
 [[nodiscard]] bool is_installed(const std::string& program, const std::string& probe);
 
 }  // namespace elgen::test

@@ -1,4 +1,4 @@
-// Two limbs on a trunk that turns, of any length.
+// Two limbs of any length on a rotating trunk.
 #pragma once
 
 #include "support/arms.hpp"
@@ -7,7 +7,7 @@ namespace elgen::test {
 
 namespace limbs {
 
-/// A shift, a quarter turn and a turn by `angle`, with a body of general inertia.
+/// A translation, a quarter turn and a rotation by `angle`, with a body of general inertia.
 inline std::string link(const std::string& name, const std::string& parent,
                         const std::string& angle) {
   return "[[frame]]\nname = \"" + name + "\"\nparent = \"" + parent +
@@ -19,8 +19,7 @@ inline std::string link(const std::string& name, const std::string& parent,
 
 }  // namespace limbs
 
-/// 1 + 2 n velocities and one input, a force on the end of one limb; the trunk floats if asked:
-/// 6 + 2 n.
+/// 1 + 2 n velocities, or 6 + 2 n if the trunk floats; one input, a force on the end of one limb.
 inline std::string limbs_text(int n, bool floats = false) {
   std::string coordinates;
   const auto coordinate = [&](const std::string& name, const std::string& more = "") {

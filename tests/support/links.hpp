@@ -1,12 +1,13 @@
-// A chain of turns about crossed axes, of any length.
+// A chain of rotations about crossed axes, of any length.
 #pragma once
 
 #include "support/arms.hpp"
 
 namespace elgen::test {
 
-/// n links q1 … qn, each a shift, a quarter turn and a turn, with a body of general inertia; or
-/// with the first link turned by qn and so on.
+/// n links q1 ... qn: each a translation, a quarter turn and a rotation, with a body of general
+/// inertia. With `last_carries` the coordinates are in reverse order, so that qn turns the first
+/// link.
 inline std::string links_text(int n, bool last_carries = false) {
   std::string coordinates;
   std::string frames;

@@ -1,4 +1,4 @@
-// Model texts -> checked models, for the tests of every stage after check.
+// Checked models from model texts, for the tests of all stages after check.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace elgen::test {
 
-/// parse and check; throws the formatted errors. `scene` may be null.
+/// Parses and checks a model; throws the formatted errors. `scene` may be null.
 inline CheckedModel checked_model(const std::string& text, const FileSyntax* scene,
                                   const SceneOptions& options) {
   const Limits limits;
@@ -24,7 +24,7 @@ inline CheckedModel checked_model(const std::string& text, const SceneOptions& o
   return checked_model(text, nullptr, options);
 }
 
-/// The model in a scene of which `rest` is what follows the name.
+/// The model in a scene; `rest` follows the scene's name.
 inline CheckedModel checked_scene(const std::string& text, const std::string& rest) {
   const SourcePointer source = make_source(
       "test.scene.toml", "format = 1\nmodel = \"test.toml\"\nname = \"scene\"\n" + rest);
@@ -33,13 +33,12 @@ inline CheckedModel checked_scene(const std::string& text, const std::string& re
   return checked_model(text, &*scene, SceneOptions{});
 }
 
-/// A scene that expands, by the lines of its `[approximate]`.
+/// The model in a scene with an expansion; `lines` are the lines of `[approximate]`.
 inline CheckedModel approximated(const std::string& model, const std::string& lines) {
   return checked_scene(model, "[approximate]\n" + lines + "\n");
 }
 
-/// A model of the given coordinates (unit 1 apart, nothing checked) and the rest of the file as
-/// written.
+/// A model file with this name; `rest` is the other entries as written.
 inline std::string model_text(const std::string& name, const std::string& rest) {
   return "format = 1\n[model]\nname = \"" + name + "\"\n" + rest;
 }

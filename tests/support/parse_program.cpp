@@ -1,4 +1,4 @@
-// One line at a time; a mistake is E912 with the span of its line.
+// Reads one line at a time. A mistake is E912 with the span of its line.
 #include "support/parse_program.hpp"
 
 #include <fmt/core.h>
@@ -57,7 +57,7 @@ class ProgramReader {
     return "";
   }
 
-  /// Empty, or what is wrong with the line.
+  /// Reads a line; returns "" or the error message.
   std::string read_line(std::string_view line) {
     const std::size_t comment = line.find(';');
     const Words words = split(line.substr(0, comment));
@@ -110,7 +110,7 @@ class ProgramReader {
     return "";
   }
 
-  /// Velocities are called as coordinates unless a line of their own follows.
+  /// Velocities have the names of the coordinates unless a line of their own follows.
   std::string read_coordinates(const Words& words) {
     read_names(words, LeafOwner::velocities);
     return read_names(words, LeafOwner::coordinates);
@@ -189,7 +189,7 @@ class ProgramReader {
 
   static bool find_operation(std::string_view word, Instruction& instruction) {
     for (const OpcodeRow& row : opcode_table) {
-      // A call is written as its function's own name.
+      // A call is written with the name of its function.
       if (row.name != word || row.id == Opcode::call) continue;
       instruction.opcode = row.id;
       return true;

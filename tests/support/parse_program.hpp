@@ -1,4 +1,5 @@
-// parse_program: the text form of a Program -> Program; what dump() prints, reads back equal.
+// parse_program reads the text form of a Program. It reads the output of dump() back to an equal
+// Program.
 #pragma once
 
 #include "elgen/program.hpp"

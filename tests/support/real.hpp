@@ -1,4 +1,4 @@
-// Exact numbers as text, in 64 digits.
+// Reads exact numbers from text, in 64 digits.
 #pragma once
 
 #include <string>

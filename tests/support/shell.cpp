@@ -13,7 +13,7 @@ namespace {
 
 std::string in_backticks(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
 
-/// The exit status a shell would show.
+/// The exit status that a shell would report.
 int exit_status(int wait_status) {
   return WIFEXITED(wait_status) ? WEXITSTATUS(wait_status) : 128 + WTERMSIG(wait_status);
 }

@@ -1,4 +1,4 @@
-// Runs commands as a user types them, with elgen on the path, and keeps what they print.
+// Runs commands as users type them, with elgen in PATH, and captures their output.
 #pragma once
 
 #include <filesystem>
@@ -12,24 +12,24 @@ struct Outcome {
   std::string errors = {};  ///< standard error
 };
 
-/// Runs `command` by /bin/sh in `folder`, without standard input. `elgen` is the binary under test,
-/// $ELGEN its path; CXX and NO_COLOR are unset.
+/// Runs `command` with /bin/sh in `folder`, without standard input. `elgen` is the binary under
+/// test, $ELGEN its path. CXX and NO_COLOR are unset.
 [[nodiscard]] Outcome shell(const std::string& command, const std::filesystem::path& folder);
 
-/// The same for a command that sets a test up: throws where it fails.
+/// Runs a command that prepares a test; throws if it fails.
 void prepare(const std::string& command, const std::filesystem::path& folder);
 
 [[nodiscard]] bool mentions(const std::string& text, const std::string& part);
 [[nodiscard]] std::size_t count(const std::string& text, const std::string& part);
 [[nodiscard]] bool starts_with(const std::string& text, const std::string& start);
 
-/// Every file below the folder ("./a/b.txt"), one a line, sorted.
+/// The path of every file in the folder ("./a/b.txt"), one per line, sorted.
 [[nodiscard]] std::string files_below(const std::filesystem::path& folder);
 
-/// A fresh folder, removed at the end of the scope.
+/// A new temporary folder, removed at the end of the scope.
 class Workspace {
  public:
-  /// `prefix`: of its name.
+  /// The name of the folder starts with `prefix`.
   explicit Workspace(const std::string& prefix = "elgen_test_");
   Workspace(const Workspace&) = delete;
   Workspace& operator=(const Workspace&) = delete;
@@ -37,7 +37,7 @@ class Workspace {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// The same in this folder, with files by their paths from it.
+  /// The functions above for this folder; files are relative to it.
   [[nodiscard]] Outcome run(const std::string& command) const { return shell(command, path_); }
   void prepare(const std::string& command) const { test::prepare(command, path_); }
   [[nodiscard]] std::string files() const { return files_below(path_); }

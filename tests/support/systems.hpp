@@ -1,4 +1,4 @@
-// Small systems that between them use every part of a Lagrangian.
+// Small systems that together use every part of a Lagrangian.
 #pragma once
 
 #include <string>
@@ -64,8 +64,8 @@ vector = ["0", "-g"]
   return text;
 }
 
-/// Prescribed motion, T with all three grades, V linear in a rate, dissipation, forces on points
-/// and coordinates with inputs inside definitions, a body with spin, an armature, an output.
+/// Prescribed motion, T of degrees 0, 1 and 2 in the rates, V linear in a rate, dissipation, forces
+/// on points and coordinates with inputs in definitions, a body with spin, an armature, an output.
 inline const std::string& everything_text() {
   static const std::string text = model_text("everything", R"toml(
 [[coordinate]]

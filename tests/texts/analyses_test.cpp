@@ -1,6 +1,6 @@
-// Formulas of equilibria and modes as `--as text` prints them: each is read by the parser of models
-// and compared with the numbers that were found, of all committed and of 200 drawn models. Numbers
-// are printed in six digits; a bracket that is missing makes another number.
+// The formulas of equilibria and modes in the output of `--as text`: the parser of models reads
+// each, and its value must agree with the number found. Inputs are all committed models and 200
+// random ones. The numbers are printed with six digits, enough to notice a missing bracket.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -65,7 +65,7 @@ std::string replaced_in(std::string text, const std::string& from, const std::st
   return text;
 }
 
-/// Compares what is printed; counts what was compared.
+/// Compares printed formulas with their numbers, and counts the comparisons.
 class FormulaReader {
  public:
   explicit FormulaReader(const Model& model) : model_(model) {}
@@ -77,7 +77,7 @@ class FormulaReader {
     const Real found = number_of(text, names);
     INFO(text);
     REQUIRE(found.is_defined());
-    // Six digits are printed.
+    // Numbers are printed with six digits.
     const cln::cl_R tolerance = (cln::abs(value) + 1) / 100'000;
     CHECK(cln::abs(found.value() - value) <= tolerance);
   }
@@ -92,7 +92,7 @@ class FormulaReader {
       if (!is_title && motions != nullptr) read_motion_line(line, *motions);
       if (!is_title) continue;
       motions = &all.at(next);
-      next += line.find("+-") != std::string::npos ? 2 : 1;  // one is printed of a mirrored pair
+      next += line.find("+-") != std::string::npos ? 2 : 1;  // of a mirrored pair one is printed
     }
   }
 
@@ -135,7 +135,7 @@ class FormulaReader {
     return syntax ? fold_expression(*syntax, NumberRules{names}) : Real::undefined();
   }
 
-  /// Columns stand three blanks apart or more.
+  /// Columns are separated by at least three blanks.
   static std::vector<std::string> cells_of(const std::string& line) {
     std::vector<std::string> cells;
     std::size_t start = line.find_first_not_of(' ');
@@ -147,7 +147,7 @@ class FormulaReader {
     return cells;
   }
 
-  /// "+-acos(g/(R*Omega^2)) = +-0.697569", "l + m*g/k = 0.7": both sides are one number.
+  /// In "+-acos(g/(R*Omega^2)) = +-0.697569" and "l + m*g/k = 0.7" both sides have the same value.
   void read_cell(const std::string& cell, const RestPoint& point) {
     const std::size_t sign = cell.find(" = ");
     if (sign == std::string::npos) return;
@@ -189,7 +189,7 @@ class FormulaReader {
            point.mass[0] * acceleration + point.stiffness[0] * deviation);
   }
 
-  /// "(a -+ b)/c": each of the two is the w^2 of a mode.
+  /// "(a -+ b)/c": each of the two values is the w^2 of a mode.
   void read_frequency(const std::string& text, const NamedNumbers& names,
                       const LinearMotions& motions) {
     for (const char* const sign : {"-", "+"}) {
@@ -211,12 +211,12 @@ class FormulaReader {
   std::size_t count_ = 0;
 };
 
-/// How many formulas of a model were compared.
+/// The number of formulas of the model that were compared.
 std::size_t expect_formulas(const SourcePointer& source) {
   PipelineOptions options;
   options.goals = {Goal::equilibria, Goal::modes};
   options.scene.purpose = purpose::rest;
-  options.limits.boxes = 500;  // what is found is enough
+  options.limits.boxes = 500;  // a few points suffice
   const Products products = run_pipeline({source, nullptr}, options);
   INFO(source->path << "\n" << source->text << "\n" << format(products.diagnostics));
   if (!products.equilibria) return 0;
@@ -239,7 +239,7 @@ std::size_t expect_formulas(const SourcePointer& source) {
   return reader.count();
 }
 
-/// A positive formula of a, b, c, d.
+/// A random positive formula in a, b, c and d.
 std::string drawn_formula(Random& random) {
   static const std::vector<std::string> formulas{
       "a",           "a + b",   "a*b",       "a*b/(a + b)",     "(a + b)*c", "a*(b + c)^2",
@@ -248,7 +248,7 @@ std::string drawn_formula(Random& random) {
   return "(" + formulas[random.next() % formulas.size()] + ")";
 }
 
-/// One or two coordinates on springs, or one that turns in a well of fourth order.
+/// One or two coordinates on springs, or one that rotates in a quartic potential.
 std::string drawn_model(std::uint64_t seed) {
   Random random(seed);
   std::string coordinates = "[[coordinate]]\nname = \"x\"\n";
@@ -279,7 +279,7 @@ std::string drawn_model(std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("formulas of equilibria and modes of all committed models are read as their numbers") {
+TEST_CASE("formulas of equilibria and modes of all committed models have the printed values") {
   std::size_t compared = 0;
   const std::filesystem::path models = std::filesystem::path(ELGEN_SOURCE_DIR) / "models";
   for (const std::filesystem::path& path : test::inputs_in(models, ".toml")) {
@@ -288,7 +288,7 @@ TEST_CASE("formulas of equilibria and modes of all committed models are read as 
   CHECK(compared > 100);
 }
 
-TEST_CASE("formulas of equilibria and modes of drawn models are read as their numbers") {
+TEST_CASE("formulas of equilibria and modes of random models have the printed values") {
   constexpr std::uint64_t seeds = 200;
   std::uint64_t silent = 0;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {

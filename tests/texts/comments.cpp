@@ -1,5 +1,6 @@
-// read_comments: heading, equation, listing, with blank lines between them. Of a listing the lines
-// that continue others are joined to them, and each line is a row, an entry or a definition.
+// read_comments. A comment consists of a heading, an equation and a listing, separated by blank
+// lines. Continuation lines of a listing are joined first; each line is then a row, an entry or a
+// definition.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr std::string_view mark = "///";
 constexpr std::string_view margin = "     ";
 constexpr std::string_view continuation = "    ";
 
-/// Splits at commas outside of brackets, and trims.
+/// Splits at commas outside brackets, and trims.
 std::vector<std::string> split_row(std::string_view row) {
   std::vector<std::string> entries(1);
   int brackets = 0;
@@ -80,7 +81,7 @@ class CommentReader {
 
   void row(const std::string& line) {
     std::vector<std::string> entries = split_row(std::string_view(line).substr(2, line.size() - 4));
-    if (entries.size() == 1 && entries.front().empty()) entries.clear();  // a row of no columns
+    if (entries.size() == 1 && entries.front().empty()) entries.clear();  // a row without columns
     for (const std::string& text : entries) entry(line, text);
     const bool is_known = field_ < function_.fields.size();
     if (!is_known || entries.size() != function_.fields[field_].columns) {
@@ -121,7 +122,7 @@ class CommentReader {
   std::size_t entry_ = 0;
 };
 
-/// From the first of a listing on, with their continuations.
+/// The lines of the listing from `first` on, with continuation lines joined.
 Lines joined(const Lines& comment, std::size_t first) {
   Lines result;
   for (std::size_t i = first; i < comment.size(); ++i) {
@@ -141,7 +142,7 @@ bool is_reference(const std::string& text, const Function& function, const Scene
                                     entry_count(function), scene.base_name));
 }
 
-/// The shape is a part of the heading where there is one field.
+/// The heading contains the shape if there is one field.
 bool names_shape(const std::string& heading, const Function& function, const Scene& scene) {
   const Field& field = function.fields.front();
   if (gives_struct(function) || field.columns == 1) return true;
@@ -150,7 +151,7 @@ bool names_shape(const std::string& heading, const Function& function, const Sce
   return heading.find(shape) != std::string::npos;
 }
 
-/// The lines of the comment directly above the definition of a function, without their marks.
+/// The comment lines directly above the definition of a function, without the comment marks.
 Lines comment_above(const std::string& header, const std::string& name) {
   Lines comment;
   std::string code;

@@ -1,10 +1,10 @@
-// fold_expression: an equation of a file that elgen wrote, computed with values of any kind.
+// fold_expression: evaluates an equation from a file that elgen wrote, with values of any type.
 //
 //     m*dot(x)^2   ->   multiply(named("m"), multiply(named("dot(x)"), named("dot(x)")))
 //
-// Rules have a type Value and number(q), named(text), negate(x), add(x, y), multiply(x, y),
-// divide(x, y), square_root(x), call(row, x, y), y = x for functions of one argument, and
-// fail(problem), a value in the place of what has none.
+// The rules have a type Value and number(q), named(text), negate(x), add(x, y), multiply(x, y),
+// divide(x, y), square_root(x), call(row, x, y) with y = x for functions of one argument, and
+// fail(problem), which returns the value of an expression that has none.
 #pragma once
 
 #include <cln/integer.h>
@@ -19,7 +19,7 @@
 
 namespace elgen {
 
-/// "theta", "l[2]", "dot(dot(x))": what a leaf of this form is called; empty where none is.
+/// The name of a leaf of this form: "theta", "l[2]", "dot(dot(x))". Empty if `e` is no leaf.
 [[nodiscard]] inline std::string leaf_name(const ExpressionSyntax& e) {
   if (e.kind == SyntaxKind::name) {
     if (e.operands.empty()) return e.text;
@@ -72,7 +72,7 @@ class ExpressionFold {
     return total;
   }
 
-  /// Integers alone: roots are written `sqrt`.
+  /// The exponent must be an integer, because roots are written as `sqrt`.
   Value power(const ExpressionSyntax& e) {
     const ExpressionSyntax& written = e.operands[1];
     const bool is_negative = written.kind == SyntaxKind::negate;
@@ -113,7 +113,7 @@ template <class Rules>
   return ExpressionFold<Rules>(rules)(e);
 }
 
-/// Limits that admit sums and products as long as those that elgen writes.
+/// Limits that allow the longest sums and products that elgen writes.
 [[nodiscard]] inline Limits written_limits() {
   Limits limits;
   limits.expression_depth = 1000;

@@ -1,5 +1,6 @@
-// Equations of random models, in the model language and in LaTeX, have the value of their
-// trees: symbols stand for three numbers, and functions of one argument for the sine.
+// Equations of random models in the model language and in LaTeX must have the values of their
+// trees. For the comparison each symbol is replaced by one of three, and each function of one
+// argument by the sine.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
@@ -15,7 +16,7 @@ namespace {
 
 using testing::Value;
 
-/// The same tree over a, b and c, and the sine.
+/// The same tree with a, b and c as the only symbols, and the sine as the only function.
 Formula simplified(Formula formula) {
   for (Formula& part : formula.parts) part = simplified(std::move(part));
   if (formula.kind == FormulaKind::symbol) {
@@ -36,7 +37,8 @@ bool is_near(const Value& x, const Value& y) {
   return std::abs(x - y) <= 1e-8 * std::max(1.0, std::abs(x));
 }
 
-/// The text or the LaTeX of the formula, if it has another value than the tree; else empty.
+/// The text or the LaTeX of the formula if its value differs from the value of the tree, otherwise
+/// empty.
 std::string mistake_in(const Formula& read) {
   const Formula formula = simplified(read);
   const Value value = testing::value_of_tree(formula);
@@ -49,7 +51,7 @@ std::string mistake_in(const Formula& read) {
 
 }  // namespace
 
-TEST_CASE("equations of random models mean the same in every notation") {
+TEST_CASE("equations of random models have the same value in every notation") {
   std::size_t formulas = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const random::System system = random::Generator(seed).system();

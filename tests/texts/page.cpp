@@ -1,5 +1,5 @@
-// read_page: a section is the name of a function behind a blank line, and one equation a line. What
-// functions share stands before them, line by line over what stands above.
+// read_page. A section starts with the name of a function after a blank line, and has one equation
+// per line. Definitions shared by several functions come first; each line uses only lines above it.
 #include <fmt/format.h>
 
 #include <vector>
@@ -24,7 +24,7 @@ class PageReader {
       const Function& function = origin_.program.functions[i];
       if (!has_equations(output_row(function.kind))) continue;
       equations_.start(i);
-      const std::size_t behind = at_ == 0 ? 0 : at_ - 1;  // the end of the line before
+      const std::size_t behind = at_ == 0 ? 0 : at_ - 1;  // the end of the previous line
       const std::size_t heading = text_.find(fmt::format("\n\n{}\n", function.name), behind);
       if (heading == std::string::npos) {
         expect_zero(function);
@@ -77,7 +77,7 @@ class PageReader {
     if (line().starts_with(table_margin)) fail(function, "one line too many");
   }
 
-  /// The entry of this name.
+  /// Reads the entry of this name.
   void entry(const Function& function, const std::string& name, std::uint32_t instruction) {
     const std::string_view text = line();
     const std::string left = fmt::format("{}{} = ", table_margin, name);

@@ -1,4 +1,4 @@
-// Readers of the equations that people and programs read, compared by value with the Program.
+// Readers of the printed equations, which are compared by value with the Program.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace elgen::texts {
 
-/// The first thing in a text that is not what was derived.
+/// The first difference between a text and the Program.
 using Mistake = std::runtime_error;
 
 /// The comments above the functions of a header in C++ or C.
@@ -17,10 +17,11 @@ using Mistake = std::runtime_error;
 ///     ///     [ m*l*cos(theta), m*l^2          ]     entries 2 and 3
 void read_comments(const std::string& header, WrittenEquations& equations);
 
-/// The sidecar of equations: everything in it but hashes and the line that says what made it.
+/// The JSON file of equations. Everything in it is read except hashes and the line that names the
+/// generator.
 void read_sidecar(const std::string& json, WrittenEquations& equations);
 
-/// The page that `show` prints as text; a function without a section has no entry but 0.
+/// The text page that `show` prints. A function without a section has only zero entries.
 ///
 ///     named parts
 ///       cos_theta = cos(theta)

@@ -1,4 +1,4 @@
-// read_sidecar: each object has the keys it should have and no others.
+// read_sidecar: each object must have exactly the expected keys.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -49,7 +49,7 @@ class SidecarReader {
     throw Mistake((function_.empty() ? "" : in_backticks(function_) + ": ") + problem);
   }
 
-  /// The value of a key, which is removed.
+  /// Returns the value of a key and removes the key.
   Json take(Json& object, const std::string& key) {
     const bool is_there = object.is_object() && object.contains(key);
     if (!is_there) fail(in_backticks(key) + " is missing");
@@ -195,7 +195,7 @@ class SidecarReader {
     }
   }
 
-  /// Reserved words get an underscore, in languages where they are.
+  /// A name that is a reserved word of a language gets an underscore in that language.
   void spellings(Json& json, const std::string& name) {
     if (!json.contains("spelt")) return;
     Json spelt = take(json, "spelt");
@@ -261,7 +261,7 @@ class SidecarReader {
     }
   }
 
-  /// Names of rows or columns, of which no two are alike; only lines that no other list names have
+  /// The names of rows or columns, all different. Only lines without another list of names have
   /// them.
   void line_names(Json& json, const std::string& key, std::size_t count) {
     if (!json.contains(key)) return;

@@ -1,6 +1,6 @@
-// Equations of motion as a derivation prints them: each is read by the parser of models, and is its
-// row, M a + bias - B u - A^T lambda of the definition of the equations, by value. So are those
-// solved for the acceleration, and those of constraints.
+// The equations of motion that a derivation prints: the parser of models reads each, and its value
+// must be its row of M a + bias - B u - A^T lambda. Equations solved for the acceleration and
+// equations of constraints are compared too.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view motion_title = "Equations of motion";
 
-/// An equation as printed; a definition below the equations likewise.
+/// A printed equation, or a definition printed below the equations.
 struct PrintedEquation {
   std::string left;
   std::string right;
@@ -45,7 +45,8 @@ std::vector<std::string> motion_lines(const std::string& text) {
   return lines;
 }
 
-/// Definitions, "where b = m*l", are filled in: the last one first, which may use those before it.
+/// Substitutes the definitions ("where b = m*l"), starting with the last, which may use earlier
+/// ones.
 std::vector<PrintedEquation> motion_equations(const std::string& text) {
   const std::string mark = "where ";
   std::vector<PrintedEquation> equations;
@@ -69,8 +70,8 @@ std::vector<PrintedEquation> motion_equations(const std::string& text) {
   return equations;
 }
 
-/// What is to come out at each state, and how large its terms are; not defined where a model has no
-/// value.
+/// The expected value at each state, and the size of the largest term. Undefined where the model
+/// has no value.
 struct DefinedRow {
   std::vector<Real> values = {};
   std::vector<Real> sizes = {};
@@ -85,13 +86,13 @@ State exact_leaves(const Arguments<Real>& state) {
   return map_leaves([](const Real& value) -> cln::cl_R { return value.value(); }, state);
 }
 
-/// An output at a state, row by row; of none entries it is not asked for.
+/// The values of an output at a state, row by row. An empty output is not requested.
 OracleValues matrix_at(const Model& model, OutputKind kind, std::size_t count, const State& state) {
   if (count == 0) return std::vector<cln::cl_R>{};
   return oracle_values(model, request_of(model, kind, 0), state);
 }
 
-/// M a + bias - B u - A^T lambda of each velocity.
+/// M a + bias - B u - A^T lambda for each velocity.
 std::vector<DefinedRow> defined_rows(const Model& model,
                                      const std::vector<Arguments<Real>>& states) {
   std::vector<DefinedRow> rows(model.velocities.size());
@@ -125,7 +126,7 @@ std::vector<DefinedRow> defined_rows(const Model& model,
   return rows;
 }
 
-/// f or phi of each constraint, whose velocity has its rate.
+/// f or phi of each constraint, on velocity level with its rate.
 std::vector<DefinedRow> defined_constraints(const Model& model,
                                             const std::vector<Arguments<Real>>& states) {
   std::vector<DefinedRow> rows(model.constraints.size());
@@ -138,7 +139,7 @@ std::vector<DefinedRow> defined_constraints(const Model& model,
   return rows;
 }
 
-/// The acceleration of the one velocity.
+/// The acceleration of the only velocity.
 DefinedRow defined_acceleration(const Model& model, const std::vector<Arguments<Real>>& states) {
   DefinedRow row;
   for (const Arguments<Real>& at : states) {
@@ -150,7 +151,7 @@ DefinedRow defined_acceleration(const Model& model, const std::vector<Arguments<
   return row;
 }
 
-/// Whether a model has values at all.
+/// True if the model has a value at some state.
 bool is_compared(const DefinedRow& row) {
   return std::ranges::any_of(row.values, [](const Real& value) { return value.is_defined(); });
 }
@@ -164,8 +165,8 @@ void expect_solved(const Model& model, const PrintedEquation& equation,
   CHECK(equation.left == "dot(dot(" + model.velocities[0].name + "))");
 }
 
-/// Whether every velocity has a row in book form: behind theirs are the invariants and the
-/// accelerations.
+/// True if every velocity has a row in book form. The invariants and accelerations follow these
+/// rows.
 bool are_all_read(const ReadableSteps& steps, std::size_t velocities) {
   const std::vector<Function>& read = steps.program.readable;
   const auto end = read.end() - 2;
@@ -173,8 +174,8 @@ bool are_all_read(const ReadableSteps& steps, std::size_t velocities) {
                      [](const Function& row) { return !row.fields.empty(); });
 }
 
-/// The equation of every velocity in order, then those of constraints, or, where there is one
-/// velocity, the solved one.
+/// Compares the equation of every velocity in order, then the equations of constraints or, if there
+/// is only one velocity, the solved equation.
 bool expect_rows(const SourcePointer& source) {
   PipelineOptions options;
   options.goals = {Goal::steps};
@@ -186,7 +187,7 @@ bool expect_rows(const SourcePointer& source) {
   INFO(text);
   const std::vector<PrintedEquation> equations = motion_equations(text);
   const std::size_t count = model.velocities.size();
-  if (!are_all_read(*products.steps, count)) return false;  // other rows stand by themselves
+  if (!are_all_read(*products.steps, count)) return false;  // other rows are not complete equations
   REQUIRE(equations.size() >= count);
   WrittenEquations written({model, products.checked->scene, products.steps->program});
   std::vector<DefinedRow> rows = defined_rows(model, written.states());
@@ -207,8 +208,8 @@ bool expect_rows(const SourcePointer& source) {
 
 }  // namespace
 
-TEST_CASE("equations of motion of all committed models are read as their rows") {
-  // Of so many terms that the page shows them by parts.
+TEST_CASE("the printed equations of motion of all committed models are correct") {
+  // These have so many terms that the page shows them in parts.
   const std::set<std::string> large{"andrews.toml", "bicycle.toml", "body_on_springs.toml",
                                     "panda7.toml", "ur5.toml"};
   const std::filesystem::path root(ELGEN_SOURCE_DIR);
@@ -220,19 +221,19 @@ TEST_CASE("equations of motion of all committed models are read as their rows") 
   }
 }
 
-TEST_CASE("equations of motion of random models are read as their rows") {
+TEST_CASE("the printed equations of motion of random models are correct") {
   constexpr std::uint64_t seeds = 300;
   std::uint64_t compared = 0;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const random::System system = random::Generator(seed).system();
     if (expect_rows(make_source("model.toml", text_of(system.model)))) ++compared;
   }
-  // Bodies that turn in three dimensions have longer rows; a few have no value where they are
-  // drawn.
+  // Bodies that rotate in three dimensions have longer rows. A few models have no value at the
+  // random states.
   CHECK(compared > seeds / 4);
 }
 
-TEST_CASE("a definition below the equations is filled in, the last one first") {
+TEST_CASE("definitions below the equations are substituted, the last one first") {
   const std::string text =
       "Energies\n  T = 0\n\nEquations of motion\n  One a coordinate.\n  b*x + ab = c\n"
       "  where c = 2*m\n  where b = c + 1\n\nEnergy function\n  E = 0\n";
@@ -242,7 +243,7 @@ TEST_CASE("a definition below the equations is filled in, the last one first") {
   CHECK(equations[0].right == "(2*m)");
 }
 
-TEST_CASE("an equation of motion with a changed sign is seen") {
+TEST_CASE("a changed sign in an equation of motion is detected") {
   const std::filesystem::path path =
       std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/print/books/cart_pole.toml";
   PipelineOptions options;

@@ -1,5 +1,5 @@
-// Equations in comments, JSON and text of all committed and of 50 random models are those that were
-// derived; every entry that is changed is seen.
+// Equations in comments, JSON and text agree with the derived ones, for all committed models and 50
+// random ones. Every changed entry is detected.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -27,7 +27,7 @@ fs::path model_of(const SourcePointer& scene) {
   return models / "scenes" / text.substr(open, text.find('"', open) - open);
 }
 
-/// A derived system with the texts that are written of it.
+/// A derived system and the texts written for it.
 struct Written {
   Products products;
   std::string header;
@@ -56,7 +56,7 @@ Written written(const Inputs& inputs) {
   return result;
 }
 
-/// The mistake in one of the texts; empty where there is none.
+/// The first mistake that `read` finds in the text, empty if there is none.
 using Read = void (*)(const std::string& text, WrittenEquations& equations);
 std::string mistake(Read read, const std::string& text, WrittenEquations& equations) {
   try {
@@ -79,7 +79,7 @@ void expect_right(const Inputs& inputs) {
   expect_right(written(inputs));
 }
 
-/// Cart and pole with an array of parameters, constants of every kind, a kink, atan2, a quotient,
+/// Cart and pole with an array of parameters, constants of every kind, a kink, atan2, a quotient
 /// and a Jacobian.
 std::string wide() {
   std::string text = test::cart_pole_text();
@@ -104,10 +104,10 @@ const Written& wide_system() {
   return all;
 }
 
-/// Where equations stand; asked of one line after another.
+/// True if the line contains equations. Called for each line in order.
 using Places = std::function<bool(const std::string& line)>;
 
-/// Each sign, digit, and operator of the equations is exchanged for another one, once.
+/// Replaces each sign, digit and operator of the equations once, one at a time.
 std::size_t expect_changes_seen(Read read, const std::string& text,
                                 const Places& has_equations_in) {
   WrittenEquations equations(wide_system().origin());
@@ -138,20 +138,20 @@ std::size_t expect_changes_seen(Read read, const std::string& text,
 
 }  // namespace
 
-TEST_CASE("equations of all committed models are read as they were derived") {
+TEST_CASE("the texts of all committed models contain the derived equations") {
   for (const fs::path& path : test::inputs_in(models, ".toml")) {
     expect_right({test::source_of(path), nullptr});
   }
 }
 
-TEST_CASE("equations of all committed scenes are read as they were derived") {
+TEST_CASE("the texts of all committed scenes contain the derived equations") {
   for (const fs::path& path : test::inputs_in(models / "scenes", ".scene.toml")) {
     const SourcePointer scene = test::source_of(path);
     expect_right({test::source_of(model_of(scene)), scene});
   }
 }
 
-TEST_CASE("equations of random models are read as they were derived") {
+TEST_CASE("the texts of random models contain the derived equations") {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const random::System system = random::Generator(seed).system();
     Inputs inputs{make_source("model.toml", text_of(system.model)), nullptr};
@@ -162,8 +162,8 @@ TEST_CASE("equations of random models are read as they were derived") {
   }
 }
 
-TEST_CASE("every changed sign, digit and operator of a comment is seen") {
-  // Behind the heading and the equation that defines the output, each with a blank line.
+TEST_CASE("every changed sign, digit and operator of a comment is detected") {
+  // The listing follows the heading and the equation, each with a blank line after it.
   const auto in_listing = [blanks = 0](const std::string& line) mutable {
     if (!line.starts_with("///")) blanks = 0;
     if (line == "///") ++blanks;
@@ -172,21 +172,21 @@ TEST_CASE("every changed sign, digit and operator of a comment is seen") {
   CHECK(expect_changes_seen(read_comments, wide_system().header, in_listing) > 300);
 }
 
-TEST_CASE("every changed sign, digit and operator of an entry of JSON is seen") {
+TEST_CASE("every changed sign, digit and operator of a JSON entry is detected") {
   const auto in_strings = [](const std::string& line) {
     return line.find("\"entries\"") != std::string::npos || line.find("\":") == std::string::npos;
   };
   CHECK(expect_changes_seen(read_sidecar, wide_system().sidecar, in_strings) > 300);
 }
 
-TEST_CASE("every changed sign, digit and operator of a page of text is seen") {
+TEST_CASE("every changed sign, digit and operator of a text page is detected") {
   const auto has_entry = [](const std::string& line) {
     return line.starts_with("  ") && line.find("] = ") != std::string::npos;
   };
   CHECK(expect_changes_seen(read_page, wide_system().page, has_entry) > 300);
 }
 
-TEST_CASE("comments, JSON and pages that lack something are refused") {
+TEST_CASE("incomplete comments, JSON and pages are refused") {
   WrittenEquations equations(wide_system().origin());
   struct Change {
     Read read;

@@ -1,5 +1,5 @@
-// written_equations: the parser of models reads the text; names are leaves, rates of leaves, and
-// definitions that stand above.
+// WrittenEquations: the parser of models reads the text. Its names are leaves, rates of leaves, or
+// definitions read before.
 #include "texts/written_equations.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ namespace elgen::texts {
 namespace {
 
 constexpr std::size_t state_count = 2;
-/// Of 64 digits, what sums of many terms may cancel is left out.
+/// The computation has 64 digits, but sums of many terms may lose some by cancellation.
 constexpr long agreeing_digits = 40;
 
 std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
@@ -31,14 +31,14 @@ std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
   return leaves;
 }
 
-/// For messages.
+/// A few digits, for messages.
 std::string short_value(const Real& value) {
   constexpr int digits = 12;
   if (!value.is_defined()) return "undefined";
   return literal_text(rounded_decimal(value.value(), digits));
 }
 
-/// Parameters at their values, everything else somewhere inside its range, multipliers anywhere.
+/// Parameters at their values, everything else at random inside its range, multipliers at random.
 std::vector<Arguments<Real>> comparison_states(const Model& model) {
   std::vector<Arguments<Real>> states;
   Sampler draw(1);
@@ -170,7 +170,7 @@ const WrittenEquations::Evaluated& WrittenEquations::evaluated(const std::string
   return result;
 }
 
-/// Values at the state that is looked at.
+/// Computes values at the current state.
 struct WrittenEquations::Rules {
   using Value = Real;
 

@@ -1,7 +1,7 @@
-// WrittenEquations: equations in the model language, as people read them, compared by value with
-// the Program's at a few states inside the declared ranges.
+// WrittenEquations: printed equations in the model language, compared by value with the Program's
+// equations at a few states inside the declared ranges.
 //
-//     -m*l*sin(theta)   against entry 1 of gravity, in 64 digits
+//     -m*l*sin(theta)   against entry 1 of gravity, with 64 digits
 #pragma once
 
 #include <set>
@@ -17,7 +17,7 @@
 
 namespace elgen::texts {
 
-/// The system that the texts are about.
+/// The system that the texts describe.
 struct Origin {
   const Model& model;
   const Scene& scene;
@@ -30,36 +30,36 @@ class WrittenEquations {
 
   [[nodiscard]] const Origin& origin() const { return origin_; }
 
-  /// From now on equations are those of functions[index], and no definition is known.
+  /// The equations that follow belong to functions[index]. Forgets all definitions.
   void start(std::size_t index);
 
-  /// No part is known from now on, nor the value of any text.
+  /// Forgets all shared parts and the values of all texts.
   void forget_parts();
 
-  // The mistake in an equation; empty where there is none.
-  /// "force_link7_3 = m7*…", over leaves and earlier parts: all functions may use it.
+  // These functions return the mistake in an equation, empty if there is none.
+  /// "force_link7_3 = m7*…", in leaves and earlier parts. All functions may use it.
   [[nodiscard]] std::string part(const std::string& name, const std::string& text);
-  /// "t_1 = m*l": a named instruction, which later equations may use.
+  /// "t_1 = m*l": a named instruction that later equations may use.
   [[nodiscard]] std::string definition(const std::string& name, const std::string& text);
   [[nodiscard]] std::string entry(std::uint32_t instruction, const std::string& text);
   [[nodiscard]] std::string number(const cln::cl_R& value, const std::string& text);
-  /// Of a text that has these values, one for each of the states(), whose terms are so large.
+  /// Compares a text with `derived`, one value per state; `largest` are the sizes of the terms.
   [[nodiscard]] std::string values(const std::vector<Real>& derived,
                                    const std::vector<Real>& largest, const std::string& text);
 
-  /// Where equations are compared.
+  /// The states at which equations are compared.
   [[nodiscard]] const std::vector<Arguments<Real>>& states() const { return states_; }
 
   [[nodiscard]] const Function& function() const { return origin_.program.functions[index_]; }
 
  private:
-  /// Values of a text at all states, and the definitions in it.
+  /// The values of a text at all states, and the definitions that it uses.
   struct Evaluated {
     std::string problem = {};
     std::vector<Real> values = {};
     std::set<std::string> used = {};
   };
-  /// A function of the program, evaluated when an equation of it is met.
+  /// A function of the program, evaluated when its first equation is read.
   struct Known {
     bool is_evaluated = false;
     std::vector<std::vector<Real>> instructions = {};  ///< by state
@@ -78,7 +78,7 @@ class WrittenEquations {
   Origin origin_;
   std::vector<Arguments<Real>> states_;
   std::vector<std::unordered_map<std::string, Real>> leaves_ = {};  ///< by state
-  std::vector<std::unordered_map<std::string, Real>> parts_ = {};   ///< likewise
+  std::vector<std::unordered_map<std::string, Real>> parts_ = {};   ///< by state
   std::vector<Known> known_;
   std::set<std::string> defined_ = {};
   std::size_t index_ = 0;

@@ -1,4 +1,5 @@
-// Emitted text becomes callable functions; a missing compiler and refused code are told apart.
+// Emitted text is compiled to callable functions. A missing compiler and refused code give
+// different errors.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -20,10 +21,10 @@ auto compile_header(const std::string& text) {
                         {});
 }
 
-/// Stands in the place of the compiler while it lives, and changes how that is called.
+/// Replaces the compiler during its lifetime by a script that changes the call.
 class ChangedCompiler {
  public:
-  /// `words`: of a shell, before the compiler is called with "$@".
+  /// `words`: shell commands that run before the compiler is called with "$@".
   explicit ChangedCompiler(const std::string& words)
       : scratch_(TemporaryDirectory::create()), variable_("CXX", script(words)) {}
 
@@ -79,7 +80,7 @@ elgen::Arguments<Scalar> arguments() {
 
 }  // namespace
 
-TEST_CASE("compiled functions return the fields one after another, in double and float") {
+TEST_CASE("compiled functions return their fields in order, in double and float") {
   const auto compiled = compile_header(sample::header());
   REQUIRE(compiled);
   REQUIRE(compiled->size() == 1);
@@ -90,7 +91,7 @@ TEST_CASE("compiled functions return the fields one after another, in double and
   CHECK(model.call("gravity", arguments<double>()).empty());
 }
 
-TEST_CASE("a compiled function is there to be called on numbers where they are") {
+TEST_CASE("a compiled function can be called directly on arrays") {
   const auto compiled = compile_header(sample::header());
   REQUIRE(compiled);
   const elgen::CompiledModel& model = *compiled->front().functions;
@@ -105,7 +106,7 @@ TEST_CASE("a compiled function is there to be called on numbers where they are")
   CHECK(model.find("gravity") == nullptr);
 }
 
-TEST_CASE("the temporary directory is gone afterwards, and its name may have spaces") {
+TEST_CASE("the temporary directory is removed afterwards, and its name may contain spaces") {
   const auto scratch = elgen::TemporaryDirectory::create();
   REQUIRE(scratch);
   const auto spaced = scratch->path() / "with space";
@@ -117,7 +118,7 @@ TEST_CASE("the temporary directory is gone afterwards, and its name may have spa
   CHECK(compiled->front().functions->call("inverse_dynamics", arguments<double>()).front() == 102);
 }
 
-TEST_CASE("code the compiler refuses comes back with the compiler's words") {
+TEST_CASE("refused code returns the compiler's message") {
   std::string text = sample::header();
   text.replace(text.find("p.m * a[0]"), 10, "p.unknown_");
   const auto compiled = compile_header(text);
@@ -126,23 +127,23 @@ TEST_CASE("code the compiler refuses comes back with the compiler's words") {
   CHECK(compiled.diagnostics.front().message.find("unknown_") != std::string::npos);
 }
 
-TEST_CASE("a warning in emitted code is refused too") {
+TEST_CASE("a warning in emitted code is an error") {
   std::string text = sample::header();
   text.insert(text.find("return {p.m"), "int unused = 0;\n");
   CHECK_FALSE(compile_header(text));
 }
 
-TEST_CASE("a header on types of Eigen is compiled and run beside the other, in two builds") {
+TEST_CASE("the Eigen header is compiled and run beside the C++ header, in two builds") {
   const auto compiled = elgen::compile(eigen_files(), sample::model(), eigen_scene(),
                                        sample::program(), {.builds = builds_to_verify});
   INFO(elgen::format(compiled.diagnostics));
   REQUIRE(compiled);
-  REQUIRE(compiled->size() == 5);  // as users compile, bounds are those of the arithmetic
+  REQUIRE(compiled->size() == 5);  // the build with users' flags has only the C++ header
   for (const std::size_t i : {1U, 3U}) {
     const elgen::CompiledHeader& other = (*compiled)[i];
     CHECK(other.types == "Eigen");
     CHECK(other.build == (i == 1 ? Build::as_written : Build::native));
-    // Its own sum: 5 * 11 is subtracted there.
+    // The Eigen header's own function, which subtracts 5 * 11.
     CHECK(other.functions->call("inverse_dynamics", arguments<double>()) ==
           std::vector<double>{-8});
     CHECK(other.functions->call("forward_dynamics", arguments<float>()) ==
@@ -152,7 +153,7 @@ TEST_CASE("a header on types of Eigen is compiled and run beside the other, in t
   CHECK(compiled->back().build == Build::as_users);
 }
 
-TEST_CASE("where Eigen is not installed its header lacks functions, and the other has them") {
+TEST_CASE("if Eigen is not installed, its header has no functions and the other header has them") {
   const ChangedCompiler without(
       "for word do\n  shift\n  test \"$word\" = /usr/include/eigen3 && word=/nonexistent\n"
       "  set -- \"$@\" \"$word\"\ndone");
@@ -167,7 +168,7 @@ TEST_CASE("where Eigen is not installed its header lacks functions, and the othe
   CHECK(compiled->back().lacking == "<Eigen/Core> is not installed");
 }
 
-TEST_CASE("a build whose flags the compiler does not take lacks its functions") {
+TEST_CASE("a build with flags that the compiler refuses has no functions") {
   const ChangedCompiler without("case \"$*\" in *-march=native*) exit 1 ;; esac");
   const auto compiled =
       elgen::compile(sample::files(sample::header()), sample::model(), sample::scene(),
@@ -207,14 +208,15 @@ static inline void sample_forward_dynamics(const sample_parameters *p, const dou
   scene.numerics.scalars = {elgen::ScalarKind::double_precision};
   const auto compiled = elgen::compile(files, sample::model(), scene, sample::program(), {});
   INFO(elgen::format(compiled.diagnostics));
-  REQUIRE(compiled);  // `restrict` is no word of C++
+  REQUIRE(compiled);  // `restrict` is no keyword of C++
   const elgen::CompiledModel& model = *compiled->front().functions;
   CHECK(model.call("inverse_dynamics", arguments<double>()) == std::vector<double>{102});
   CHECK(model.call("forward_dynamics", arguments<double>()) == std::vector<double>{32, 2});
 }
 
 TEST_CASE(
-    "a compiler that fails on everything, or makes nothing, is not the emitted code's fault") {
+    "a compiler that always fails or writes no file is not reported as an error of the emitted "
+    "code") {
   const auto scratch = elgen::TemporaryDirectory::create();
   REQUIRE(scratch);
   const auto code_with = [&](const std::string& body) {
@@ -239,7 +241,7 @@ TEST_CASE(
   CHECK(words.message.size() < 5000);
 }
 
-TEST_CASE("code that a compiler with fast-math refuses is not at fault") {
+TEST_CASE("code refused only with fast-math is not reported as an error of the emitted code") {
   const auto code_with = [](const std::string& command) {
     const ScopedVariable compiler("CXX", command);
     const auto compiled = compile_header("#error \"fast-math\"\n");

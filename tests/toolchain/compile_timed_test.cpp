@@ -1,4 +1,4 @@
-// Timed functions go through arrays of states, and the loops of a step from state to state.
+// Timed functions run through arrays of states, and the loops of a step from state to state.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ Result<TimedFunctions> compiled(const std::string& text, const std::vector<Scala
                        options);
 }
 
-/// Parameters are the header's own: 2, 3 and 5.
+/// The header's parameter values are 2, 3 and 5.
 std::string header_with_values() {
   std::string text = sample::header();
   const auto replace = [&text](const std::string& written, const std::string& other) {
@@ -39,7 +39,7 @@ std::string header_with_values() {
   return text;
 }
 
-/// In packs at once, and by a call for each state.
+/// All states in packs, and one call per state.
 Result<TimedFunctions> compiled_batch() {
   TimingOptions options{.limits = {.seconds = 600}};
   options.variants = {{ScalarKind::double_precision, true, false},
@@ -65,7 +65,7 @@ void inverse_dynamics(const Parameters<T>& p, std::size_t count, const T* q, con
 
 }  // namespace
 
-TEST_CASE("all states are computed in every scalar, with the parameters of the header") {
+TEST_CASE("all states are computed in every scalar with the header's parameters") {
   const auto functions =
       compiled(header_with_values(), {ScalarKind::double_precision, ScalarKind::single_precision});
   INFO(format(functions.diagnostics));
@@ -79,7 +79,7 @@ TEST_CASE("all states are computed in every scalar, with the parameters of the h
   }
 }
 
-TEST_CASE("a call for each state gives what packs of all states give") {
+TEST_CASE("one call per state gives the results of packs of all states") {
   const auto functions = compiled_batch();
   INFO(format(functions.diagnostics));
   REQUIRE(functions);
@@ -90,13 +90,13 @@ TEST_CASE("a call for each state gives what packs of all states give") {
   }
 }
 
-TEST_CASE("what the compiler refuses is an error with its words") {
+TEST_CASE("code that the compiler refuses is an error with the compiler's message") {
   const auto functions = compiled("#error no\n", {ScalarKind::double_precision});
   REQUIRE_FALSE(functions);
   CHECK(functions.diagnostics.front().code == Code::E705);
 }
 
-TEST_CASE("a step goes on from where it ended, one state or several side by side") {
+TEST_CASE("a step continues from its last result, for one state or several together") {
   EmittedFiles files = sample::files(header_with_values() + R"(
 namespace sample {
 template <class Scalar> struct Next { Vector<Scalar> coordinates, rates; };
@@ -150,7 +150,7 @@ void halved(const Parameters<T>&, std::size_t count, const T* q, const T* v, T* 
   std::vector<double> two{1, 3, 10, 20};
   loops->in_packs(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
   CHECK(two == std::vector<double>{17.5, 34.5, 13, 23});
-  // What puts a state back is called behind every step.
+  // The projection is called after every step.
   program.functions.insert(
       program.functions.begin(),
       {.kind = OutputKind::projected, .name = "halved", .fields = program.functions[0].fields});

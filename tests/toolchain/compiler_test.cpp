@@ -1,4 +1,4 @@
-// The compiler that is taken, how strictly it is called, and the identification of a machine.
+// Which compiler is used, how strict its flags are, and how a machine is identified.
 
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -22,7 +22,7 @@ elgen::ProcessResult compile_text(const std::string& text,
 
 }  // namespace
 
-TEST_CASE("$CXX is one path or several words, and nothing else is tried beside it") {
+TEST_CASE("$CXX is one path or several words, and no other compiler is tried") {
   const ScopedVariable variable("CXX", "ccache g++");
   const auto candidates = compiler_candidates();
   REQUIRE(candidates.size() == 2);
@@ -30,7 +30,7 @@ TEST_CASE("$CXX is one path or several words, and nothing else is tried beside i
   CHECK(candidates[1] == elgen::CompilerCommand{"ccache", "g++"});
 }
 
-TEST_CASE("an empty $CXX is none") {
+TEST_CASE("an empty $CXX counts as unset") {
   const ScopedVariable variable("CXX", "");
   CHECK(compiler_candidates().front() == elgen::CompilerCommand{"c++"});
   const auto found = elgen::find_compiler(60);
@@ -38,7 +38,7 @@ TEST_CASE("an empty $CXX is none") {
   CHECK(found->command == elgen::CompilerCommand{"c++"});
 }
 
-TEST_CASE("a $CXX that does not run, or is no compiler, is named and not replaced") {
+TEST_CASE("a $CXX that does not run or is no compiler is named and not replaced") {
   const auto message = [](const std::string& chosen) {
     const ScopedVariable variable("CXX", chosen);
     const auto found = elgen::find_compiler(60);
@@ -50,7 +50,7 @@ TEST_CASE("a $CXX that does not run, or is no compiler, is named and not replace
   CHECK(message("false") == "`false`, which $CXX names, exits 1");
 }
 
-TEST_CASE("a compiler that does not answer is ended when the time is over") {
+TEST_CASE("a compiler that does not answer is stopped at the time limit") {
   const auto scratch = elgen::TemporaryDirectory::create();
   REQUIRE(scratch);
   const auto script = scratch->path() / "slow";
@@ -62,13 +62,13 @@ TEST_CASE("a compiler that does not answer is ended when the time is over") {
   CHECK(found.diagnostics.front().code == elgen::Code::E909);
 }
 
-TEST_CASE("clean code compiles, from paths with spaces") {
+TEST_CASE("correct code compiles, also from paths with spaces") {
   const auto result = compile_text("extern \"C\" int f();\nextern \"C\" int f() { return 1; }\n");
   INFO(result.output);
   CHECK(result.succeeded());
 }
 
-TEST_CASE("each promised warning is an error") {
+TEST_CASE("each warning of the documented list is an error") {
   const std::string declaration = "int f(double x); ";
   for (const char* body :
        {"int f(double x) { return x; }",                                 // -Wconversion
@@ -82,7 +82,7 @@ TEST_CASE("each promised warning is an error") {
   }
 }
 
-TEST_CASE("as users compile: optimised, and warnings are theirs to ask for") {
+TEST_CASE("the build with users' flags is optimised and has no warnings enabled") {
   const std::string text = "int f(double x); int f(double x) { return x; }\n";
   const auto result = compile_text("#ifndef __OPTIMIZE__\n#error not optimised\n#endif\n" + text,
                                    elgen::Build::as_users);
@@ -90,7 +90,7 @@ TEST_CASE("as users compile: optimised, and warnings are theirs to ask for") {
   CHECK(result.succeeded());
 }
 
-TEST_CASE("this machine has a compiler, a processor and a C library") {
+TEST_CASE("this machine's compiler, processor and C library are identified") {
   const auto machine = elgen::this_machine({});
   REQUIRE(machine);
   CHECK_FALSE(machine->compiler.empty());

@@ -1,4 +1,4 @@
-// Numbers that a header declares, as compiled, beside those of the model.
+// The numbers that a header declares, after compilation, against the numbers of the model.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -42,7 +42,8 @@ inline constexpr std::array<double, 1> start_rates{{0.0}};
   return text;
 }
 
-/// The names of those that are not the model's, where `from` stands as `to` in the header.
+/// The names of the numbers that differ from the model's after `from` is replaced by `to` in the
+/// header.
 Names differing(const std::string& from = "", const std::string& to = "") {
   std::string text = declaring_header();
   if (!from.empty()) {
@@ -62,11 +63,11 @@ Names differing(const std::string& from = "", const std::string& to = "") {
 
 }  // namespace
 
-TEST_CASE("headers that declare the numbers of the model differ nowhere") {
+TEST_CASE("headers that declare the numbers of the model have no differences") {
   CHECK(differing().empty());
 }
 
-TEST_CASE("a value, a range, a bound and a count that differ are named") {
+TEST_CASE("a different value, range, bound or count is named") {
   CHECK(differing("Scalar(2) / 3, 1}", "Scalar(2) / 3, 2}") ==
         Names{"l[1] (double)", "l[1] (float)"});
   CHECK(differing("0.3}", "0.30000000000000004}") == Names{"coordinate_ranges[0].high"});
@@ -74,7 +75,7 @@ TEST_CASE("a value, a range, a bound and a count that differ are named") {
   CHECK(differing("parameter_count = 3", "parameter_count = 2") == Names{"parameter_count"});
 }
 
-TEST_CASE("exchanged parameters are seen by their places") {
+TEST_CASE("exchanged parameters are detected by their positions") {
   const std::string m = "Scalar m = Scalar(1) / 3;";
   const std::string l = " std::array<Scalar, 2> l = {Scalar(2) / 3, 1};";
   const Names names = differing(m + l, l + m);

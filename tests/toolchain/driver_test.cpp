@@ -1,5 +1,5 @@
-// Drivers: one for every header, in its language; of C++ on arrays, on vectors of Eigen and in
-// batches, of C, and the one that times.
+// Drivers: one for every header, in its language. C++ drivers on arrays, on Eigen vectors and on
+// batches, C drivers, and the driver that measures times.
 #include "toolchain/driver.hpp"
 
 #include <catch2/catch.hpp>
@@ -28,7 +28,7 @@ elgen::Scene batch_scene() {
   return scene;
 }
 
-/// Batches of the sample's functions, written out with `stride` between the numbers of a state.
+/// Batches of the sample's functions; `stride` is the distance between the numbers of a state.
 elgen::EmittedFiles batch_files(const std::string& stride) {
   elgen::EmittedFiles files = sample::files(sample::header());
   files.files["sample/sample_batch.hpp"] = R"(#pragma once
@@ -86,7 +86,7 @@ std::string driver(const Scene& scene, const std::vector<TimedVariant>& variants
 
 }  // namespace
 
-TEST_CASE("every header that is emitted has a driver, in its language") {
+TEST_CASE("every emitted header has a driver in its language") {
   elgen::Scene scene = sample::scene();
   const auto names = [&scene](Build build) {
     std::string text;
@@ -109,7 +109,7 @@ TEST_CASE("every header that is emitted has a driver, in its language") {
   CHECK(names(Build::as_written) == "c99[] ");
 }
 
-TEST_CASE("a build is one source, in which Eigen may be missing") {
+TEST_CASE("a build is a single source file, in which Eigen may be missing") {
   elgen::Scene scene = batch_scene();
   scene.emission.eigen = true;
   const Program program = sample::program();
@@ -126,7 +126,7 @@ TEST_CASE("a build is one source, in which Eigen may be missing") {
   CHECK_THAT(source.text, Catch::Matchers::EndsWith("// more\n"));
 }
 
-TEST_CASE("of a long program every header is compiled by itself, sines with the first") {
+TEST_CASE("for a long program every header is compiled separately, the sines with the first") {
   Program program = sample::program();
   program.functions[1].instructions.resize(5000, program.functions[0].instructions.front());
   const auto units_in = [&program](Build build) {
@@ -140,7 +140,7 @@ TEST_CASE("of a long program every header is compiled by itself, sines with the 
   CHECK(units_in(Build::as_users).size() == 1);
 }
 
-TEST_CASE("as users compile batches have their sines and cosines alone") {
+TEST_CASE("in the build with users' flags, batches have only their sines and cosines") {
   const Program program = sample::program();
   const auto units = units_of({sample::model(), batch_scene(), program}, Build::as_users, "");
   REQUIRE(units.size() == 1);
@@ -150,14 +150,14 @@ TEST_CASE("as users compile batches have their sines and cosines alone") {
   CHECK_THAT(text, Contains("elgen_driver_cpp_double_1"));
 }
 
-TEST_CASE("parameters go to the members of the emitted struct") {
+TEST_CASE("parameters are assigned to the members of the emitted struct") {
   const std::string text = driver(sample::program());
   CHECK_THAT(text, Contains("result.m = values[0];"));
   CHECK_THAT(text, Contains("result.l[0] = values[1];"));
   CHECK_THAT(text, Contains("result.l[1] = values[2];"));
 }
 
-TEST_CASE("parameters that no function reads are no members") {
+TEST_CASE("parameters that no function reads are not assigned") {
   elgen::Program program = sample::program();
   program.functions.front().instructions.erase(program.functions.front().instructions.begin());
   const std::string text = driver(program);
@@ -165,7 +165,7 @@ TEST_CASE("parameters that no function reads are no members") {
   CHECK_THAT(text, Contains("result.l[0] = values[1];"));
 }
 
-TEST_CASE("each function gets the arguments of its row, and t last where t occurs") {
+TEST_CASE("each function gets the arguments of its row, and t last if t occurs") {
   elgen::Model model = sample::model();
   CHECK_THAT(driver_text(model, sample::scene()), !Contains(", t)"));
   model.uses_time = true;
@@ -174,7 +174,7 @@ TEST_CASE("each function gets the arguments of its row, and t last where t occur
   CHECK_THAT(text, Contains("0>(u), t)"));
 }
 
-TEST_CASE("the mass matrix takes v where L is not quadratic") {
+TEST_CASE("the mass matrix takes v if L is not quadratic") {
   elgen::Model model = sample::model();
   elgen::Program program = sample::program();
   program.functions = {
@@ -184,7 +184,7 @@ TEST_CASE("the mass matrix takes v where L is not quadratic") {
   CHECK_THAT(driver_text(model, sample::scene(), program), Contains(">(v)"));
 }
 
-TEST_CASE("a chosen namespace is used, the file keeps its name") {
+TEST_CASE("a chosen namespace is used, and the file keeps its name") {
   elgen::Scene scene = sample::scene();
   scene.emission.name_space = "plant";
   const std::string text = driver_text(sample::model(), scene);
@@ -192,7 +192,7 @@ TEST_CASE("a chosen namespace is used, the file keeps its name") {
   CHECK_THAT(text, Contains("namespace emitted = ::plant;"));
 }
 
-TEST_CASE("results beyond 4096 entries are taken by reference") {
+TEST_CASE("results of more than 4096 entries are passed by reference") {
   elgen::Program program = sample::program();
   program.functions[0].fields[0].entries.assign(4096, 0);
   CHECK_THAT(driver_text(sample::model(), sample::scene(), program),
@@ -205,13 +205,13 @@ TEST_CASE("results beyond 4096 entries are taken by reference") {
              Contains("emitted::ForwardDynamics<Scalar> result{};"));
 }
 
-TEST_CASE("column-major results come out row by row") {
+TEST_CASE("column-major results are returned row by row") {
   elgen::Scene scene = sample::scene();
   scene.emission.storage = elgen::Storage::column_major;
   CHECK_THAT(driver_text(sample::model(), scene), Contains("stored[j * rows + i]"));
 }
 
-TEST_CASE("the driver of the Eigen header passes its vectors, and takes its matrices") {
+TEST_CASE("the driver of the Eigen header passes vectors and returns matrices") {
   elgen::Program program = sample::program();
   program.functions[0].fields = {{.rows = 50, .columns = 100}};
   program.functions[0].fields[0].entries.assign(5000, 0);
@@ -223,7 +223,7 @@ TEST_CASE("the driver of the Eigen header passes its vectors, and takes its matr
   CHECK_THAT(text, Contains("emitted::Matrix<Scalar, 50, 100> result{};"));
 }
 
-TEST_CASE("a driver of C calls prefixed functions, for the scene's scalar alone") {
+TEST_CASE("a C driver calls prefixed functions, only for the scene's scalar") {
   elgen::Scene scene = sample::scene();
   scene.emission.language = elgen::LanguageId::c99;
   scene.numerics.scalars = {elgen::ScalarKind::single_precision};
@@ -235,15 +235,15 @@ TEST_CASE("a driver of C calls prefixed functions, for the scene's scalar alone"
   CHECK_THAT(text, !Contains("elgen_driver_c99_double_0"));
 }
 
-TEST_CASE("a batch gives the numbers of one state, whatever place it has") {
+TEST_CASE("a batch gives the results of single states, at every position") {
   CHECK(forward_dynamics("count") == std::vector<double>{32, 2});
 }
 
-TEST_CASE("a stride that is not the count of states gives another number") {
+TEST_CASE("a stride that is not the number of states gives a different result") {
   CHECK(forward_dynamics("(count - 1)") != std::vector<double>{32, 2});
 }
 
-TEST_CASE("functions that a batch leaves out have no driver") {
+TEST_CASE("functions without a batch have no driver") {
   elgen::Program program = sample::program();
   program.functions[0].fields[0].entries.assign(4097, 0);
   const std::string text = elgen::batch_driver({sample::model(), batch_scene(), program});
@@ -251,7 +251,7 @@ TEST_CASE("functions that a batch leaves out have no driver") {
   CHECK_THAT(text, Contains("elgen_driver_batch_double_1"));
 }
 
-TEST_CASE("one by one, a state is gathered from all arrays and its fields are scattered") {
+TEST_CASE("without packs, a state is gathered from all arrays and its fields are scattered") {
   const std::string text = driver(sample::scene(), {{ScalarKind::single_precision, false}}, 1);
   CHECK_THAT(text, Contains("#include \"sample/sample.hpp\""));
   CHECK_THAT(text, Contains("gathered<emitted::Coordinates<Scalar>>(q, i, count)"));
@@ -261,7 +261,7 @@ TEST_CASE("one by one, a state is gathered from all arrays and its fields are sc
   CHECK_THAT(text, !Contains("batch"));
 }
 
-TEST_CASE("in packs, the header of batches does all of it") {
+TEST_CASE("with packs, the batch header gathers and scatters") {
   Scene scene = sample::scene();
   scene.emission.batch = true;
   const std::string text = driver(scene, {{}, {ScalarKind::double_precision, true}});
@@ -275,7 +275,7 @@ TEST_CASE("in packs, the header of batches does all of it") {
                "u, t, h, E, result);"));
 }
 
-TEST_CASE("a step is called in loops, with the time where the model knows it") {
+TEST_CASE("a step is called in loops, with the time if the model depends on it") {
   Program program{sample::program().leaves};
   program.functions.push_back({.kind = OutputKind::step, .name = "advance"});
   Model model = sample::model();
@@ -291,7 +291,7 @@ TEST_CASE("a step is called in loops, with the time where the model knows it") {
   CHECK_THAT(timed, Contains("for (double& time : times) time = start"));
 }
 
-TEST_CASE("a call for each state has the numbers of one state side by side") {
+TEST_CASE("in a call for each state its numbers are adjacent") {
   Scene scene = sample::scene();
   scene.emission.batch = true;
   const std::string text = driver(scene, {{ScalarKind::single_precision, true, true}});

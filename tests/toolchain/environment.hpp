@@ -1,4 +1,4 @@
-// An environment variable set for the time of one test.
+// An environment variable that is set during one test.
 #pragma once
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Children are waited for by id, and ended with their owner; forked work is all done, what fails is
-// told, nothing is left running.
+// The parent waits for children by id and ends them with their owner. Forked work is completed or
+// its failure is reported, and no process is left running.
 #include "toolchain/forked.hpp"
 
 #include <sys/resource.h>
@@ -17,12 +17,12 @@ namespace {
 
 void nothing() {}
 
-/// Processor time without end.
+/// Uses processor time forever.
 void compute() {
   for (;;) (void)::getppid();
 }
 
-/// A process that does `work` as the leader of a group.
+/// Runs `work` in a process that leads its own group.
 template <class Work>
 pid_t forked(const Work& work) {
   const pid_t id = ::fork();
@@ -34,7 +34,7 @@ pid_t forked(const Work& work) {
 
 }  // namespace
 
-TEST_CASE("every part is done in a process of its own, and found in shared memory") {
+TEST_CASE("every part runs in a process of its own, and its result is in shared memory") {
   elgen::SharedArray<int> found(3);
   elgen::SharedArray<pid_t> process(3);
   const auto ending = elgen::run_forked(
@@ -50,7 +50,7 @@ TEST_CASE("every part is done in a process of its own, and found in shared memor
   CHECK(process[0] != process[1]);
 }
 
-TEST_CASE("what fails is told, and the others are ended") {
+TEST_CASE("a failure is reported, and the other processes are ended") {
   const auto with = [](const std::function<void()>& fail) {
     elgen::SharedArray<pid_t> waiting(1);
     const auto ending = elgen::run_forked(
@@ -80,7 +80,8 @@ TEST_CASE("what fails is told, and the others are ended") {
   CHECK(late.ending == Ending::out_of_time);
 }
 
-TEST_CASE("work that stops, sleeps or computes on ends in time, by the clock of its parent") {
+TEST_CASE(
+    "work that stops, sleeps or computes on is ended at the time limit on the parent's clock") {
   const auto in_a_second = [](const std::function<void()>& work) {
     elgen::SharedArray<pid_t> child(1);
     const auto ending = elgen::run_forked(
@@ -103,7 +104,7 @@ TEST_CASE("work that stops, sleeps or computes on ends in time, by the clock of 
   CHECK(in_a_second([] { ::usleep(1'000); }) == Ending::exited);
 }
 
-TEST_CASE("while they run there is somebody to ask") {
+TEST_CASE("the parent is asked regularly while the children run") {
   std::size_t asked = 0;
   const auto ending = elgen::run_forked(
       1, [](std::size_t) { ::usleep(500'000); }, [&asked] { ++asked; });
@@ -111,7 +112,7 @@ TEST_CASE("while they run there is somebody to ask") {
   CHECK(asked >= 2);
 }
 
-TEST_CASE("an interrupt ends all of them, and then arrives") {
+TEST_CASE("an interrupt ends all children and is then delivered") {
   static volatile std::sig_atomic_t arrived = 0;
   const auto before = ::signal(SIGTERM, [](int) { arrived = arrived + 1; });
   elgen::SharedArray<pid_t> child(1);
@@ -129,7 +130,7 @@ TEST_CASE("an interrupt ends all of them, and then arrives") {
   CHECK(::kill(child[0], 0) != 0);
 }
 
-TEST_CASE("a child that ends by itself has its status, without any there is -1") {
+TEST_CASE("a child that ends by itself has a status, without a child the status is -1") {
   const elgen::NoInterrupts waiting;
   const elgen::ChildSignal end_of_child;
   const elgen::Descriptor signals = elgen::signals_to_wait_for();
@@ -140,7 +141,7 @@ TEST_CASE("a child that ends by itself has its status, without any there is -1")
   CHECK(child.status() == 3);
 }
 
-TEST_CASE("a child that still runs is ended with its owner") {
+TEST_CASE("a running child is ended with its owner") {
   pid_t id = 0;
   {
     id = forked([] { ::sleep(100); });
@@ -150,7 +151,7 @@ TEST_CASE("a child that still runs is ended with its owner") {
   CHECK(::kill(id, 0) != 0);
 }
 
-TEST_CASE("a signal that ends a child is told") {
+TEST_CASE("a signal that ended a child is reported") {
   const elgen::NoInterrupts waiting;
   elgen::Child child(forked([] { (void)::raise(SIGKILL); }));
   while (!child.has_ended()) ::usleep(1'000);
@@ -158,7 +159,7 @@ TEST_CASE("a signal that ends a child is told") {
   CHECK(child.status() == 128 + SIGKILL);
 }
 
-TEST_CASE("an interrupt is taken and waits on") {
+TEST_CASE("an interrupt is taken and stays pending") {
   {
     const elgen::NoInterrupts waiting;
     const elgen::Descriptor signals = elgen::signals_to_wait_for();

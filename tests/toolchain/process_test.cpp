@@ -1,5 +1,5 @@
-// Programs are run without a shell: arguments arrive as they are, output and status come back; what
-// they say cannot do anything to a terminal, or fill it.
+// Programs run without a shell: arguments arrive unchanged, and output and status are returned.
+// Output shown to users cannot control or flood a terminal.
 #include "toolchain/process.hpp"
 
 #include <unistd.h>
@@ -23,14 +23,14 @@ volatile std::sig_atomic_t interrupts = 0;
 
 void count_interrupt(int /*signal*/) { interrupts = interrupts + 1; }
 
-/// Dead, but not yet waited for.
+/// True if the process has ended but its parent has not waited for it yet.
 bool is_zombie(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   return text.find(") Z ") != std::string::npos;
 }
 
-/// Killed processes are gone once somebody has asked for their status.
+/// Waits until a killed process is gone or a zombie.
 bool ends(pid_t process) {
   const auto has_ended = [process] { return kill(process, 0) != 0 || is_zombie(process); };
   for (int i = 0; i < 1000 && !has_ended(); ++i) usleep(1000);
@@ -61,7 +61,7 @@ TEST_CASE_METHOD(Fixture, "output of both streams and the status are returned") 
   CHECK(result.output == "out\nerr\n");
 }
 
-TEST_CASE("stdin has the text that is given, however long") {
+TEST_CASE("stdin contains the given text, however long") {
   const std::string text(1U << 20U, 'x');
   const auto result = elgen::run_apart({"wc", "-c"}, 60, 100, text);
   CHECK(result.status == 0);
@@ -69,7 +69,7 @@ TEST_CASE("stdin has the text that is given, however long") {
   CHECK(elgen::run_apart({"cat"}, 60, 100).output.empty());
 }
 
-TEST_CASE("numbers of an answer are read to the bit, beyond the range of double as infinite or 0") {
+TEST_CASE("numbers of an answer are read exactly, beyond the range of double as infinity or 0") {
   CHECK(elgen::numbers_in("[[0.1, -2e-3],\t[5, 1e-310]]") ==
         std::vector<double>{0.1, -2e-3, 5, 1e-310});
   CHECK(elgen::numbers_in("1e400 -1e400 1e-400") == std::vector<double>{HUGE_VAL, -HUGE_VAL, 0});
@@ -79,7 +79,7 @@ TEST_CASE("numbers of an answer are read to the bit, beyond the range of double 
   CHECK_FALSE(elgen::numbers_in(std::string("1 \0 2", 5)));
 }
 
-TEST_CASE("how a process ended is told by its status or its signal") {
+TEST_CASE("the end of a process is described by its status or its signal") {
   CHECK(elgen::ending_text(Ending::exited, 3) == "exits 3");
   CHECK(elgen::ending_text(Ending::signalled, 128 + SIGABRT) == "was ended by signal 6 (Aborted)");
   CHECK(elgen::ending_text(Ending::signalled, 128 + SIGXFSZ) ==
@@ -104,7 +104,7 @@ TEST_CASE_METHOD(Fixture, "a program with spaces in its path runs") {
   CHECK(run({script.string()}).output == "here\n");
 }
 
-TEST_CASE_METHOD(Fixture, "a program may have temporary files of its own, and has our variables") {
+TEST_CASE_METHOD(Fixture, "a program has temporary files of its own and our environment") {
   const ScopedVariable ours("ELGEN_TEST", "here");
   const ScopedVariable temporary("TMPDIR", "/elsewhere");
   const std::vector<std::string> command{"sh", "-c", "echo $ELGEN_TEST $TMPDIR"};
@@ -117,7 +117,7 @@ TEST_CASE_METHOD(Fixture, "a missing program does not start") {
   CHECK(run({}).ending == Ending::not_started);
 }
 
-TEST_CASE_METHOD(Fixture, "a signal is told as 128 + its number") {
+TEST_CASE_METHOD(Fixture, "a signal is reported as 128 + its number") {
   const auto result = run({"sh", "-c", "kill -9 $$"});
   CHECK(result.ending == Ending::signalled);
   CHECK(result.status == 137);
@@ -136,7 +136,7 @@ TEST_CASE_METHOD(Fixture, "long output does not block, and its beginning is kept
   CHECK(result.output.substr(0, 11) == "0123456789\n");
 }
 
-TEST_CASE_METHOD(Fixture, "what takes too long is ended with everything it started") {
+TEST_CASE_METHOD(Fixture, "a program that takes too long is ended with its children") {
   const auto started = path() / "started";
   const std::string script =
       "(sleep 100 & echo $! > '" + started.string() + "'; wait) & wait; sleep 100";
@@ -150,7 +150,7 @@ TEST_CASE_METHOD(Fixture, "what takes too long is ended with everything it start
   CHECK(ends(inner));
 }
 
-TEST_CASE_METHOD(Fixture, "what a program leaves behind ends with it") {
+TEST_CASE_METHOD(Fixture, "children that a program leaves running are ended") {
   const auto result = run({"sh", "-c", "sleep 22222 & echo $!; exit 3"});
   CHECK(result.status == 3);
   const pid_t left = std::stoi(result.output);
@@ -158,13 +158,13 @@ TEST_CASE_METHOD(Fixture, "what a program leaves behind ends with it") {
   CHECK(ends(left));
 }
 
-TEST_CASE("a program that writes without end is ended in time") {
+TEST_CASE("a program with endless output is ended at the time limit") {
   const auto begin = std::chrono::steady_clock::now();
   CHECK(elgen::run_apart({"yes"}, 1, 100).ending == Ending::out_of_time);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
 }
 
-TEST_CASE("numbers beyond doubles are infinite or 0") {
+TEST_CASE("numbers beyond the range of double are read as infinity or 0") {
   const auto numbers = elgen::numbers_in("[1e400, -1e400, [1e-400, -1e310], 1e308, 1e-310]");
   const double infinite = std::numeric_limits<double>::infinity();
   REQUIRE(numbers);
@@ -172,13 +172,13 @@ TEST_CASE("numbers beyond doubles are infinite or 0") {
   CHECK_FALSE(elgen::numbers_in("[1e400, ready]"));
 }
 
-TEST_CASE("the words of others are indented lines") {
+TEST_CASE("output of other programs is shown in indented lines") {
   CHECK(elgen::quoted_lines("elgen: ok\n::error::x\n") == ":\n    elgen: ok\n    ::error::x");
   CHECK(elgen::quoted_lines("a") == ":\n    a");
   CHECK(elgen::quoted_lines("").empty());
 }
 
-TEST_CASE_METHOD(Fixture, "an interrupt ends the program, and reaches us afterwards") {
+TEST_CASE_METHOD(Fixture, "an interrupt ends the program and is then delivered") {
   interrupts = 0;
   const auto before = std::signal(SIGTERM, count_interrupt);
   const std::string parent = std::to_string(getpid());
@@ -188,13 +188,13 @@ TEST_CASE_METHOD(Fixture, "an interrupt ends the program, and reaches us afterwa
   std::signal(SIGTERM, before);
 }
 
-TEST_CASE_METHOD(Fixture, "a parent that ignores its children still hears of their end") {
+TEST_CASE_METHOD(Fixture, "the status is returned even if SIGCHLD is ignored") {
   const auto before = std::signal(SIGCHLD, SIG_IGN);
   CHECK(run({"sh", "-c", "exit 3"}).status == 3);
   std::signal(SIGCHLD, before);
 }
 
-TEST_CASE("escape sequences and control characters are left out") {
+TEST_CASE("escape sequences and control characters are removed") {
   CHECK(plain_text("a\x1b[01;31mb\x1b[K\tc\r\nd\a") == "abc\nd");
   CHECK(plain_text("a\x1b]8;;file://x\ab\x1b]0;title\x1b\\c") == "abc");
   CHECK(plain_text("a\x1b"
@@ -204,7 +204,7 @@ TEST_CASE("escape sequences and control characters are left out") {
   CHECK(plain_text("‘é’\n") == "‘é’\n");
 }
 
-TEST_CASE("long texts and binary ones are cut") {
+TEST_CASE("long texts and binary data are cut off") {
   const std::string cut = plain_text(std::string(100'000, 'x'));
   CHECK(cut.size() < 4100);
   CHECK(cut.find("…\n") != std::string::npos);

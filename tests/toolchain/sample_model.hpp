@@ -1,5 +1,5 @@
-// A hand-made model and header for the toolchain's tests: one coordinate, a parameter, an array of
-// two.
+// A hand-written model and header for the toolchain's tests: one coordinate, a parameter, and an
+// array of two parameters.
 #pragma once
 
 #include <string>
@@ -26,13 +26,13 @@ inline elgen::Scene scene() {
   return scene;
 }
 
-/// A bias of one entry, and a struct of two fields.
+/// A bias with one entry, and a struct of two fields.
 inline elgen::Program program() {
   using elgen::OutputKind;
   elgen::Program program;
   program.leaves.parameters = {"m", "l[1]", "l[2]"};
   program.leaves.q = program.leaves.v = program.leaves.a = {"x"};
-  // An element that is read brings its array.
+  // Reading an element makes its whole array an argument.
   program.functions.push_back(
       {.kind = OutputKind::inverse_dynamics,
        .name = "inverse_dynamics",

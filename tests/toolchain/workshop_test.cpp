@@ -1,5 +1,5 @@
-// A workshop builds drivers beside the headers they include, and leaves nothing: its directory is
-// private, distinct, and gone with its owner.
+// A workshop builds drivers beside the headers that they include. Its directory is private and
+// unique, and is removed with its owner.
 #include "toolchain/workshop.hpp"
 
 #include <sys/stat.h>
@@ -23,7 +23,7 @@ elgen::EmittedFiles answer_files() {
 
 }  // namespace
 
-TEST_CASE("what is built stays loaded, and its files are gone") {
+TEST_CASE("a built library stays loaded after its files are removed") {
   const auto scratch = elgen::TemporaryDirectory::create();
   REQUIRE(scratch);
   const ScopedVariable variable("TMPDIR", scratch->path().string());
@@ -40,7 +40,7 @@ TEST_CASE("what is built stays loaded, and its files are gone") {
   CHECK(library->find<int (*)()>("question") == nullptr);
 }
 
-TEST_CASE("without room there is E706, without a compiler E704") {
+TEST_CASE("without disk space the error is E706, without a compiler E704") {
   const auto code_of = [] {
     const auto workshop = Workshop::open(answer_files(), {answer_source}, {});
     REQUIRE_FALSE(workshop);
@@ -55,7 +55,7 @@ TEST_CASE("without room there is E706, without a compiler E704") {
   CHECK(code_of() == elgen::Code::E704);
 }
 
-TEST_CASE("a library that does not compile is no fault of the emitted code") {
+TEST_CASE("a library that does not compile is not reported as an error of the emitted code") {
   const auto scratch = elgen::TemporaryDirectory::create();
   REQUIRE(scratch);
   std::ofstream(scratch->path() / "elgen_broken.hpp") << "#error \"broken\"\n";
@@ -68,7 +68,8 @@ TEST_CASE("a library that does not compile is no fault of the emitted code") {
   CHECK(library.diagnostics.front().code == elgen::Code::E709);
 }
 
-TEST_CASE("a compiler that does not take the flags of a build is told from one that takes them") {
+TEST_CASE(
+    "a compiler that refuses the flags of a build is distinguished from one that accepts them") {
   const auto scratch = elgen::TemporaryDirectory::create();
   REQUIRE(scratch);
   const auto script = scratch->path() / "compiler";
@@ -82,7 +83,7 @@ TEST_CASE("a compiler that does not take the flags of a build is told from one t
   CHECK_FALSE(workshop->takes(elgen::Build::native, answer_source));
 }
 
-TEST_CASE("a temporary directory is removed with everything in it") {
+TEST_CASE("a temporary directory is removed with its contents") {
   std::filesystem::path path;
   {
     const auto directory = TemporaryDirectory::create();
@@ -95,7 +96,7 @@ TEST_CASE("a temporary directory is removed with everything in it") {
   CHECK_FALSE(std::filesystem::exists(path));
 }
 
-TEST_CASE("a temporary directory is readable by its user alone") {
+TEST_CASE("a temporary directory is readable only by its user") {
   const auto directory = TemporaryDirectory::create();
   REQUIRE(directory);
   struct stat status {};
@@ -117,7 +118,7 @@ TEST_CASE("a moved directory is removed once, by its new owner") {
   CHECK_FALSE(std::filesystem::exists(path));
 }
 
-TEST_CASE("a directory that cannot be made is no directory") {
+TEST_CASE("a directory that cannot be created has no value") {
   const ScopedVariable variable("TMPDIR", "/nonexistent/elgen");
   CHECK_FALSE(TemporaryDirectory::create());
 }

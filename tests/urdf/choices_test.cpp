@@ -1,4 +1,4 @@
-// Choices: joints that are held, their order, and robots that nothing holds.
+// Choices: held joints, the order of joints, and robots with a floating base.
 #include "urdf/choices.hpp"
 
 #include <catch2/catch.hpp>
@@ -35,7 +35,7 @@ std::string joint_of(const std::string& name, const std::string& type,
          "\"/><child link=\"" + name[1] + "\"/><axis xyz=\"0 0 1\"/>" + inside + "</joint>\n";
 }
 
-/// a, and on it b, c and d one on another: ab turns, bc slides, cd turns twice as far as ab.
+/// Links a, b, c and d in a chain: ab rotates, bc slides, cd rotates twice as far as ab.
 std::string crane() {
   return "<robot name=\"r\"><link name=\"a\"/>\n" + heavy_link("b") + heavy_link("c") +
          heavy_link("d") + joint_of("ab", "revolute") +
@@ -58,7 +58,7 @@ const std::string flying_body =
 
 }  // namespace
 
-TEST_CASE("the joints that were named move, in the order given") {
+TEST_CASE("only the named joints move, in the given order") {
   const std::string model = imported(crane(), keeping("bc,ab"));
   CHECK_THAT(model, Contains("name  = \"bc\"\nunit  = \"m\"\nlatex = 'q_1'\n"));
   CHECK_THAT(model, Contains("name  = \"ab\"\nunit  = \"rad\"\nlatex = 'q_2'\n"));
@@ -67,7 +67,7 @@ TEST_CASE("the joints that were named move, in the order given") {
   CHECK(count(model, "[[coordinate]]") == 2);
 }
 
-TEST_CASE("the others are held at 0, and what mimics them with them") {
+TEST_CASE("other joints are held at 0, together with joints that mimic them") {
   const std::string model = imported(crane(), keeping("bc"));
   CHECK(count(model, "[[coordinate]]") == 1);
   CHECK(count(model, "[[input]]") == 1);
@@ -77,7 +77,7 @@ TEST_CASE("the others are held at 0, and what mimics them with them") {
   CHECK(after(model, "#         d  ") == "cd, continuous, welded at 0.5");
 }
 
-TEST_CASE("joints are held inside their limits, which a note says where 0 is outside of them") {
+TEST_CASE("joints are held inside their limits, with a note if 0 is outside") {
   const auto arm = [](const std::string& limits, const std::string& type = "revolute") {
     return "<robot name=\"r\"><link name=\"a\"/>" + heavy_link("b") + heavy_link("c") +
            joint_of("ab", "revolute") + joint_of("bc", type, "<limit " + limits + "/>") +
@@ -99,11 +99,11 @@ TEST_CASE("joints are held inside their limits, which a note says where 0 is out
   CHECK(import_messages(arm(elbow), welding({"bc=0"})).empty());
 }
 
-TEST_CASE("where all joints are held the robot floats") {
+TEST_CASE("if all joints are held, the robot floats") {
   CHECK_THAT(import_messages(crane(), welding({"bc=-0.25", "ab=0.1"})), Contains("`a` floats"));
 }
 
-TEST_CASE("a joint that slides is held by a parameter, one that turns by an angle") {
+TEST_CASE("a sliding joint is held by a parameter, a rotating one by an angle") {
   const std::string slid = imported(crane(), welding({"bc=-0.25"}));
   CHECK(after(slid, "at_bc ") == "= { value = -0.25, unit = \"m\" }");
   CHECK_THAT(slid, Contains("parent = \"b\"\nrotate = [[\"x\", \"1\"]]"));
@@ -128,7 +128,7 @@ TEST_CASE("joints that move no mass are held together") {
              Contains("# finger: prismatic along x, welded at 0"));
 }
 
-TEST_CASE("the angle of a planar joint that turns a point is held") {
+TEST_CASE("the angle of a planar joint that rotates a point mass is held") {
   const auto puck = [](const std::string& place, const std::string& izz) {
     return "<robot name=\"r\"><link name=\"world\"/>\n<link name=\"puck\"><inertial><origin "
            "xyz=\"" +
@@ -148,7 +148,7 @@ TEST_CASE("the angle of a planar joint that turns a point is held") {
   CHECK_THAT(imported(puck("0 0 0", "2"), welding({"massless"})), Contains("j_angle"));
 }
 
-TEST_CASE("points that fixed joints hold on the axis of a planar joint turn no inertia") {
+TEST_CASE("point masses fixed on the axis of a planar joint add no inertia") {
   const auto puck = [](const std::string& origin, const std::string& mass,
                        const std::string& inertia) {
     return "<robot name=\"r\"><link name=\"world\"/><link name=\"puck\"/>\n<link "
@@ -168,7 +168,7 @@ TEST_CASE("points that fixed joints hold on the axis of a planar joint turn no i
   CHECK_THAT(imported(puck("xyz=\"0 0 1\"", "1", "2"), massless), Contains("j_angle"));
 }
 
-TEST_CASE("joints that cannot be chosen") {
+TEST_CASE("errors for joints that cannot be chosen") {
   CHECK(import_messages(crane(), keeping("ab,bd")) ==
         "E821 1:4 the robot has no joint `bd` | did you mean `bc`?\n");
   CHECK(import_messages(crane(), keeping("ab,ab")) == "E821 1:4 `ab` is named twice\n");
@@ -181,7 +181,7 @@ TEST_CASE("joints that cannot be chosen") {
         "E821 1:3 `j` is floating, so it can be fixed only at 0\n");
 }
 
-TEST_CASE("a joint that mimics in vain may be held") {
+TEST_CASE("a joint with an invalid mimic may be held") {
   const std::string text = arm_on("revolute", "<mimic joint=\"k\"/>");
   CHECK_THAT(import_messages(text), Contains("E812"));
   CHECK_THAT(import_messages(text, welding({"j"})), !Contains("E812"));
@@ -194,7 +194,7 @@ TEST_CASE("welded floating and planar joints are fixed") {
   }
 }
 
-TEST_CASE("a robot of one link is a body that flies") {
+TEST_CASE("a robot of one link is a free body") {
   const std::string text =
       "<robot name=\"r\"><link name=\"drone\">" + flying_body + "</link></robot>";
   CHECK(import_messages(text) == "E818 1:29 `drone` floats | no joint of the robot moves\n");
@@ -209,7 +209,7 @@ TEST_CASE("a robot of one link is a body that flies") {
   CHECK_THAT(model, Contains("[[body]]\nname    = \"drone\""));
 }
 
-TEST_CASE("so is one whose joints are all fixed") {
+TEST_CASE("a robot with only fixed joints is a free body") {
   const std::string text =
       "<robot name=\"r\"><link name=\"base\"/><link name=\"world\">" + flying_body +
       "</link>\n<joint name=\"base\" type=\"fixed\"><parent link=\"base\"/><child "
@@ -220,7 +220,7 @@ TEST_CASE("so is one whose joints are all fixed") {
   CHECK_THAT(model, Contains("[[body]]\nname    = \"link_world\""));
 }
 
-TEST_CASE("a base floats where it is told to") {
+TEST_CASE("a base floats if requested") {
   ImportOptions options;
   options.floating_base = true;
   const std::string model = imported(arm_on("revolute", ""), options);
@@ -230,7 +230,7 @@ TEST_CASE("a base floats where it is told to") {
         "E821 4:16 `j` floats already | omit `--floating-base`\n");
 }
 
-TEST_CASE("without a mass nothing flies") {
+TEST_CASE("a robot without mass does not float") {
   CHECK(import_messages("<robot name=\"r\"><link name=\"a\"/></robot>") ==
         "E803 1:2 no link of `<robot>` has a `<mass>`\n");
 }

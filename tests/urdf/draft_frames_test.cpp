@@ -1,5 +1,5 @@
-// Frames and bodies: origins, right angles, the frame between origin and motion; masses, centres
-// and inertias in the axes of the link.
+// Frames and bodies: origins, right angles, the frame between origin and motion; masses, centres of
+// mass, and inertias in the axes of the link.
 #include <catch2/catch.hpp>
 
 #include "urdf/draft.hpp"
@@ -11,7 +11,7 @@ using Catch::Contains;
 
 namespace {
 
-/// The model of the link `b`, which turns about z, with this inertial.
+/// The model of the link `b`, which rotates about z and has this inertial.
 std::string model_with(const std::string& inertial) {
   return imported("<robot name=\"r\"><link name=\"a\"/><link name=\"b\"><inertial>" + inertial +
                   "</inertial></link><joint name=\"j\" type=\"revolute\"><parent "
@@ -25,7 +25,7 @@ std::string inertia(const std::string& off_diagonal) {
 
 }  // namespace
 
-TEST_CASE("a revolute joint is one frame: origin, constant turns z y x, then the angle") {
+TEST_CASE("a revolute joint is one frame: origin, constant rotations z y x, then the angle") {
   const std::string model = imported(arm_on(
       "revolute", "<origin xyz=\"1 0 2\" rpy=\"-1.57079632679 0 0.3\"/><axis xyz=\"0 1 0\"/>"));
   CHECK_THAT(model, Contains(R"(
@@ -39,7 +39,7 @@ rotate    = [["z", "0.3"], ["x", "-pi/2"], ["y", "j"]]
 )"));
 }
 
-TEST_CASE("what slides or floats in turned axes has a frame for them") {
+TEST_CASE("a joint that slides or floats in rotated axes has a frame for them") {
   CHECK_THAT(imported(arm_on("prismatic",
                              "<origin xyz=\"0 0 1\" rpy=\"0 0.2 0\"/><axis xyz=\"0 0 -1\"/>")),
              Contains(R"(
@@ -59,19 +59,19 @@ translate = ["0", "0", "-j"]
   CHECK_THAT(imported(arm_on("floating", "<origin rpy=\"0 0 1\"/>")), Contains("j_origin"));
 }
 
-TEST_CASE("in axes that are not turned, the way is added to the origin") {
+TEST_CASE("in axes that are not rotated, the displacement is added to the origin") {
   CHECK_THAT(imported(arm_on("prismatic", "<origin xyz=\"1 0 0\"/>")),
              Contains("translate = [\"x_j + j\", \"0\", \"0\"]"));
 }
 
-TEST_CASE("an axis that was rounded is told") {
+TEST_CASE("a rounded axis is named in a comment with its digits") {
   CHECK_THAT(imported(arm_on("revolute", "<axis xyz=\"1e-9 0 1\"/>")),
              Contains("\n# j: revolute about z (in the URDF: 1e-9 0 1)\n[[frame]]"));
   CHECK_THAT(imported(arm_on("revolute", "<axis xyz=\"1 0 1\"/>")),
              Contains("\n# j: revolute about 1 0 1\n[[frame]]"));
 }
 
-TEST_CASE("constant turns without angle are left out") {
+TEST_CASE("constant rotations by 0 are omitted") {
   const urdf::FileNumber zero;
   CHECK(urdf::steps_of(urdf::rotation_of({zero, zero, zero}, urdf::AngleDigits::rounded)).empty());
   CHECK(urdf::frame_comments("j", urdf::rotation_of({zero, zero, zero}, urdf::AngleDigits::rounded),
@@ -79,7 +79,7 @@ TEST_CASE("constant turns without angle are left out") {
             .size() == 1);
 }
 
-TEST_CASE("a body has its numbers as parameters, and zeros as zeros") {
+TEST_CASE("the numbers of a body are parameters, and zeros stay zeros") {
   CHECK_THAT(model_with("<origin xyz=\"0 0.5 0\"/><mass value=\"4\"/>" + inertia("0")), Contains(R"(
 [[body]]
 name    = "b"
@@ -90,13 +90,13 @@ inertia = ["Ixx_b", "Iyy_b", "Izz_b"]
 )"));
 }
 
-TEST_CASE("products of inertia make six") {
+TEST_CASE("products of inertia give six numbers") {
   CHECK_THAT(model_with("<mass value=\"4\"/>" + inertia("0.1")),
              Contains("inertia = [\"Ixx_b\", \"Iyy_b\", \"Izz_b\",\n"
                       "           \"Ixy_b\", \"0\", \"0\"]\n"));
 }
 
-TEST_CASE("an inertia in axes turned by right angles stays in the link's") {
+TEST_CASE("an inertia in axes rotated by right angles is converted to the link's axes") {
   const std::string model =
       model_with("<origin rpy=\"0 0 1.5708\"/><mass value=\"4\"/>" + inertia("0"));
   CHECK_THAT(model, !Contains("b_inertial"));
@@ -122,7 +122,7 @@ com     = ["0", "0", "0"]
 )"));
 }
 
-TEST_CASE("a mass without inertia is a point") {
+TEST_CASE("a mass without inertia is a point mass") {
   const std::string model = model_with(
       "<origin rpy=\"0 0 0.3\"/><mass value=\"4\"/><inertia ixx=\"0\" iyy=\"0\" izz=\"0\" "
       "ixy=\"0\" ixz=\"0\" iyz=\"0\"/>");

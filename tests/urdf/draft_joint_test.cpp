@@ -1,4 +1,5 @@
-// draft_joint: coordinates, what brakes them, and chains of mimics, whose ratios multiply.
+// draft_joint: coordinates, damping and friction, and chains of mimic joints, whose ratios
+// multiply.
 #include <catch2/catch.hpp>
 
 #include "urdf/draft.hpp"
@@ -10,7 +11,7 @@ using Catch::Contains;
 
 namespace {
 
-/// An arm that slides by `a`, and a second one that mimics it.
+/// An arm that slides by `a`, and a second joint of the given type that mimics it.
 std::string mimicking(const std::string& type, const std::string& elements) {
   return with_arm(
       "<link name=\"b\"/>\n"
@@ -57,7 +58,7 @@ doc    = "torque of j"
   CHECK_THAT(model, Contains("rotate = [[\"z\", \"-j\"]]"));
 }
 
-TEST_CASE("a continuous joint turns all the way round, limits of 0 are none") {
+TEST_CASE("a continuous joint has a full turn as its range, and limits of 0 are ignored") {
   const std::string model = imported(
       arm_on("continuous", "<limit lower=\"0\" upper=\"0\" effort=\"0\" velocity=\"0\"/>"));
   CHECK_THAT(model, Contains("range = [\"-pi\", \"pi\"]\nwrap  = true\n"));
@@ -66,7 +67,7 @@ TEST_CASE("a continuous joint turns all the way round, limits of 0 are none") {
   CHECK_THAT(imported(arm_on("revolute", "<limit effort=\"1\"/>")), !Contains("range"));
 }
 
-TEST_CASE("an oblique axis is three numbers, and of length 1 where something slides along it") {
+TEST_CASE("an oblique axis is three numbers, normalised if a joint slides along it") {
   const std::string oblique = "<axis xyz=\"0.6 0 -0.8\"/>";
   CHECK_THAT(imported(arm_on("revolute", oblique)),
              Contains("rotate = [[[\"0.6\", \"0\", \"-0.8\"], \"j\"]]"));
@@ -77,14 +78,14 @@ TEST_CASE("an oblique axis is three numbers, and of length 1 where something sli
                       "\"-0.7*j/sqrt(0.7^2 + 0.7^2)\", \"0\"]"));
 }
 
-TEST_CASE("all of what slides along an oblique axis is divided by its length") {
+TEST_CASE("displacements along an oblique axis are divided by its length") {
   const std::string model =
       imported(mimicking("prismatic", "<axis xyz=\"1 -1 0\"/><mimic joint=\"a\" offset=\"0.5\"/>"));
   CHECK_THAT(model, Contains("translate = [\"(a + offset_k)/sqrt(1^2 + 1^2)\", "
                              "\"-(a + offset_k)/sqrt(1^2 + 1^2)\", \"0\"]"));
 }
 
-TEST_CASE("a floating joint has three lengths and an attitude, and nothing drives it") {
+TEST_CASE("a floating joint has three lengths and an attitude, and no input") {
   const std::string model = imported(arm_on("floating", ""));
   CHECK_THAT(model, Contains("name  = \"j_x\"\nunit  = \"m\"\nlatex = 'x'\n"));
   CHECK_THAT(model, Contains("name  = \"j_attitude\"\nkind  = \"rotation\"\nlatex = 'e'\n"));
@@ -106,7 +107,7 @@ TEST_CASE("a planar joint has two lengths in its plane and an angle about its no
                              "doc  = \"torque of j\"\n"));
 }
 
-TEST_CASE("a joint that mimics has no coordinate and no input") {
+TEST_CASE("a mimic joint has no coordinate and no input") {
   const std::string model =
       imported(mimicking("revolute", "<mimic joint=\"a\" multiplier=\"-25\" offset=\"0.5\"/>"));
   CHECK(model.find("[[coordinate]]") == model.rfind("[[coordinate]]"));
@@ -116,7 +117,7 @@ TEST_CASE("a joint that mimics has no coordinate and no input") {
   CHECK(after(model, "offset_k = ") == "{ value = 0.5, unit = \"rad\" }");
 }
 
-TEST_CASE("a joint that mimics by 1, -1 or 0 needs no ratio") {
+TEST_CASE("a mimic joint with ratio 1, -1 or 0 needs no parameter") {
   const auto model = [](const std::string& multiplier) {
     return imported(mimicking(
         "prismatic", "<mimic joint=\"a\" multiplier=\"" + multiplier + "\" offset=\"1\"/>"));
@@ -126,13 +127,13 @@ TEST_CASE("a joint that mimics by 1, -1 or 0 needs no ratio") {
   CHECK_THAT(model("0"), Contains("translate = [\"offset_k\", "));
 }
 
-TEST_CASE("between an angle and a length 1 has a unit, and is a ratio") {
+TEST_CASE("between an angle and a length a ratio of 1 has a unit and is a parameter") {
   const std::string model = imported(mimicking("revolute", "<mimic joint=\"a\"/>"));
   CHECK_THAT(model, Contains("\"ratio_k*a\"]]"));
   CHECK(after(model, "ratio_k = ") == "{ value = 1, unit = \"rad/m\" }");
 }
 
-TEST_CASE("damping is a term of D, friction a force") {
+TEST_CASE("damping is a term of D, friction is a force") {
   const std::string model =
       imported(arm_on("prismatic", "<dynamics damping=\"2\" friction=\"3\"/>"));
   CHECK_THAT(model, Contains("D = \"\"\"\n  1/2*damping_j*dot(j)^2\n\"\"\"\n"));
@@ -143,7 +144,7 @@ TEST_CASE("damping is a term of D, friction a force") {
   CHECK_THAT(after(model, "j_stiction_rate "), Contains("value = 0.01, unit = \"m/s\""));
 }
 
-TEST_CASE("what brakes a joint that mimics brakes the coordinate it shares") {
+TEST_CASE("damping and friction of a mimic joint act on the shared coordinate") {
   const std::string dynamics = "<dynamics damping=\"2\" friction=\"3\"/>";
   const std::string geared =
       imported(mimicking("revolute", "<mimic joint=\"a\" multiplier=\"2\"/>" + dynamics));
@@ -159,7 +160,7 @@ TEST_CASE("what brakes a joint that mimics brakes the coordinate it shares") {
              !Contains("[[force]]"));
 }
 
-TEST_CASE("the ratios of a chain of mimics multiply, its offsets come with them") {
+TEST_CASE("the ratios of a chain of mimics multiply, and offsets are scaled by them") {
   const std::string model =
       mimic_chain("multiplier=\"2\" offset=\"0.1\"", "multiplier=\"3\" offset=\"0.2\"");
   CHECK_THAT(model, Contains("\"ratio_k*ratio_b*a + ratio_k*offset_b + offset_k\"]]"));
@@ -168,14 +169,14 @@ TEST_CASE("the ratios of a chain of mimics multiply, its offsets come with them"
   CHECK(after(model, "#     f    ") == "k, revolute like b");
 }
 
-TEST_CASE("signs of a chain stay signs") {
+TEST_CASE("signs in a chain of mimics stay signs") {
   CHECK_THAT(mimic_chain("multiplier=\"-1\"", "multiplier=\"-1\""),
              Contains("rotate = [[\"z\", \"a\"]]"));
   CHECK_THAT(mimic_chain("multiplier=\"2\"", "multiplier=\"-1\""), Contains("\"-ratio_k*a\"]]"));
   CHECK_THAT(mimic_chain("multiplier=\"-1\"", "multiplier=\"2\""), Contains("\"-ratio_b*a\"]]"));
 }
 
-TEST_CASE("a chain brakes the coordinate at its end") {
+TEST_CASE("damping in a chain of mimics acts on the coordinate at its end") {
   const std::string model = imported(
       with_arm("<link name=\"l\"/><link name=\"f\"/>" +
                hinge("k", "f", "<mimic joint=\"b\" multiplier=\"2\"/><dynamics damping=\"0.5\"/>") +

@@ -1,4 +1,4 @@
-// Whole robots: the text of their models, and what is said of them.
+// Complete robots: the text of their models, and the messages.
 #include "urdf/draft.hpp"
 
 #include <catch2/catch.hpp>
@@ -27,7 +27,7 @@ std::string imported_file(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("an arm of one link, whole") {
+TEST_CASE("the complete model of an arm with one link") {
   CHECK(imported(arm_on("revolute",
                         "<origin xyz=\"0 0 0.5\"/><axis xyz=\"0 1 0\"/>"
                         "<limit lower=\"-1\" upper=\"1\" effort=\"3\" velocity=\"2\"/>"
@@ -106,7 +106,7 @@ TEST_CASE("texts of the file cannot break the model") {
   CHECK(after(model, "\nname ") == "       = \"a_b_c\"");
 }
 
-TEST_CASE("oblique turns, attitudes and changed names") {
+TEST_CASE("oblique rotations, attitudes and changed names") {
   const std::string model = imported(with_arm(
       "<link name=\"left-leg\"><inertial><mass value=\"1\"/><inertia ixx=\"1\" iyy=\"1\" izz=\"1\" "
       "ixy=\"0.1\" ixz=\"0\" iyz=\"0\"/></inertial></link>"
@@ -120,7 +120,7 @@ TEST_CASE("oblique turns, attitudes and changed names") {
   CHECK(after(model, "\"Izz_left_leg\",\n") == "           \"Ixy_left_leg\", \"0\", \"0\"]");
 }
 
-TEST_CASE("links come with their parents first, each with its parameters, the tree names all") {
+TEST_CASE("links follow their parents, each with its parameters, and the tree names all of them") {
   const std::string model = imported(with_arm(
       "<link name=\"tool\"/><joint name=\"tool_joint\" type=\"fixed\"><parent link=\"arm\"/><child "
       "link=\"tool\"/></joint><joint name=\"j\" type=\"revolute\"><parent link=\"base\"/><child "
@@ -145,7 +145,7 @@ TEST_CASE("a link that does not move has a frame and no body") {
   CHECK_THAT(model, Contains("[[body]]\nname    = \"arm\""));
 }
 
-TEST_CASE("robots become the models that were reviewed") {
+TEST_CASE("robots are imported as the reviewed models") {
   for (const std::string name : {"panda_like", "ur5_like", "quadruped", "humanoid", "gripper"}) {
     INFO(name);
     const std::string model = imported_file(name);
@@ -155,7 +155,7 @@ TEST_CASE("robots become the models that were reviewed") {
   }
 }
 
-TEST_CASE("an imported model is a model file, in which every number is as written") {
+TEST_CASE("an imported model is a model file with every number as written") {
   const std::string model = imported_file("panda_like");
   const SourcePointer source = make_source("panda.toml", model);
   const Result<FileSyntax> syntax = parse_model(source, {});
@@ -165,7 +165,7 @@ TEST_CASE("an imported model is a model file, in which every number is as writte
         "  = { value = 4.970684,  unit = \"kg\",     assume = \"positive\", latex = 'm_1' }");
 }
 
-TEST_CASE("all mistakes of a file are told in one run, in its order") {
+TEST_CASE("all mistakes of a file are reported together, in the order of the file") {
   CHECK(
       import_messages("<robot name=\"r\">\n"
                       "  <link name=\"a\" color=\"red\"/>\n"
@@ -183,7 +183,7 @@ TEST_CASE("all mistakes of a file are told in one run, in its order") {
       "E804 5:39 `inf` is not finite\n");
 }
 
-TEST_CASE("a mistake does not bring about others: a joint without parent makes no second root") {
+TEST_CASE("a mistake causes no further ones: a joint without parent makes no second root") {
   std::string text = arm_on("revolute", "<axis xyz=\"0 x 0\"/>");
   text.replace(text.find("<parent link=\"base\"/>"), 21, "");
   CHECK(import_messages(text) ==
@@ -191,7 +191,7 @@ TEST_CASE("a mistake does not bring about others: a joint without parent makes n
         "E804 5:14 `x` is not a decimal number\n");
 }
 
-TEST_CASE("notes and warnings do not keep a model from being made") {
+TEST_CASE("a model is written despite notes and warnings") {
   const SourcePointer source = make_source("r.urdf", arm_on("revolute", "<sensor/>"));
   const Result<ImportedModel> model = import_urdf(source, {});
   CHECK(model);

@@ -1,4 +1,4 @@
-// Glossary: who gets which name, and which numbers become parameters.
+// Glossary: the names of links, joints and parameters, and which numbers become parameters.
 #include "urdf/glossary.hpp"
 
 #include <catch2/catch.hpp>
@@ -21,7 +21,7 @@ urdf::Robot same_names() {
 
 }  // namespace
 
-TEST_CASE("a joint keeps its name before a link, the root link is the world") {
+TEST_CASE("a joint keeps its name before a link, and the root link is the world") {
   const urdf::Robot robot = same_names();
   const urdf::Glossary glossary(robot, tree_of(robot));
   CHECK(glossary.joint(0) == "knee");
@@ -33,7 +33,7 @@ TEST_CASE("a joint keeps its name before a link, the root link is the world") {
         std::vector<std::string>{"`foot-1` is called foot_1", "`knee` is called link_knee"});
 }
 
-TEST_CASE("a number is a parameter of the open group, a zero is none") {
+TEST_CASE("a number is a parameter of the current group, a zero is none") {
   const urdf::Robot robot = same_names();
   urdf::Glossary glossary(robot, tree_of(robot));
   glossary.open_group("knee", {});
@@ -47,7 +47,9 @@ TEST_CASE("a number is a parameter of the open group, a zero is none") {
                                {"m", " = { value = -2, ", "unit = \"kg\" }"}});
 }
 
-TEST_CASE("joints of long names are numbered in the order of the coordinates, and what is theirs") {
+TEST_CASE(
+    "joints with long names are numbered in the order of the coordinates, and their parameters "
+    "too") {
   urdf::Robot robot = robot_of(
       "<robot name=\"r\"><link name=\"a\"/><link name=\"b\"/><link "
       "name=\"c\"/>" +
@@ -73,12 +75,12 @@ TEST_CASE("joints of long names are numbered in the order of the coordinates, an
   CHECK(glossary.groups()[0].rows.back().back() == "unit = \"1\" }");
 }
 
-TEST_CASE("joints of short names have no symbols but their names") {
+TEST_CASE("joints with short names have no other symbols") {
   const urdf::Robot robot = robot_of(arm_on("revolute", ""));
   CHECK(urdf::Glossary(robot, tree_of(robot)).symbol(0).empty());
 }
 
-TEST_CASE("a name is letters, digits and single underscores") {
+TEST_CASE("a name consists of letters, digits and single underscores") {
   CHECK(urdf::well_formed("panda_link1") == "panda_link1");
   CHECK(urdf::well_formed("left-leg.1") == "left_leg_1");
   CHECK(urdf::well_formed("a__b") == "a_b");
@@ -88,7 +90,7 @@ TEST_CASE("a name is letters, digits and single underscores") {
   CHECK(urdf::well_formed("") == "unnamed");
 }
 
-TEST_CASE("names are claimed once, and not from C++ or the language") {
+TEST_CASE("a name is used once, and is no keyword of C++ or of the model language") {
   urdf::Names names;
   CHECK(names.claim("arm", "link") == "arm");
   CHECK(names.claim("arm", "link") == "link_arm");
@@ -99,7 +101,7 @@ TEST_CASE("names are claimed once, and not from C++ or the language") {
   CHECK(names.claim("detail", "joint") == "joint_detail");
 }
 
-TEST_CASE("a model is called by its robot, in lower case") {
+TEST_CASE("a model has the name of its robot in lower case") {
   CHECK(urdf::model_name("UR5 Robot") == "ur5_robot");
   CHECK(urdf::model_name("default") == "robot_default");
 }

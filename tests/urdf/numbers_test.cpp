@@ -1,4 +1,4 @@
-// Numbers of a URDF, and sums and products of them without what is 0 or 1.
+// The numbers of a URDF file, and sums and products of them without zeros and ones.
 #include "urdf/numbers.hpp"
 
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ std::string refused(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("the digits of a number are kept, its spelling is TOML's") {
+TEST_CASE("the digits of a number are kept, and its spelling is TOML's") {
   CHECK(spelled("0.333") == "0.333");
   CHECK(spelled("-1.5707963267948966192313") == "-1.5707963267948966192313");
   CHECK(spelled("+.5") == "0.5");
@@ -41,7 +41,7 @@ TEST_CASE("the value of a number is exact") {
   CHECK(read(make_source("r.urdf", "0"))->is_zero());
 }
 
-TEST_CASE("a sign turns digits and value") {
+TEST_CASE("a sign negates digits and value") {
   const urdf::FileNumber one = urdf::decimal_of(1);
   CHECK(urdf::negative(one).text == "-1");
   CHECK(urdf::negative(one).value == -1);
@@ -49,7 +49,7 @@ TEST_CASE("a sign turns digits and value") {
   CHECK(urdf::negative(urdf::decimal_of(0)).text == "0");
 }
 
-TEST_CASE("what is no finite decimal is refused") {
+TEST_CASE("anything but a finite decimal is refused") {
   CHECK(refused("1,5") == "E804 1:1 `1,5` is not a decimal number\n");
   CHECK(refused("0x10") == "E804 1:1 `0x10` is not a decimal number\n");
   CHECK(refused("1e") == "E804 1:1 `1e` is not a decimal number\n");
@@ -64,7 +64,7 @@ TEST_CASE("what is no finite decimal is refused") {
         "the limit\n");
 }
 
-TEST_CASE("words are what stands between blanks") {
+TEST_CASE("words are separated by blanks") {
   const SourcePointer source = make_source("r.urdf", " 1 \t-2\n3 ");
   const auto words = urdf::words_of({source.get(), 0, 9});
   REQUIRE(words.size() == 3);
@@ -73,7 +73,7 @@ TEST_CASE("words are what stands between blanks") {
   CHECK(covered_text(words[2]) == "3");
 }
 
-TEST_CASE("a sum leaves out 0, and knows minus") {
+TEST_CASE("a sum omits 0 and writes minus signs") {
   CHECK(urdf::sum("0", "q") == "q");
   CHECK(urdf::sum("x", "0") == "x");
   CHECK(urdf::sum("x", "q") == "x + q");
@@ -81,7 +81,7 @@ TEST_CASE("a sum leaves out 0, and knows minus") {
   CHECK(urdf::sum("x", "-(a*q + b)") == "x - (a*q + b)");
 }
 
-TEST_CASE("a product leaves out 1, and brackets sums") {
+TEST_CASE("a product omits 1 and puts sums in brackets") {
   CHECK(urdf::product("0", "q") == "0");
   CHECK(urdf::product("1", "q") == "q");
   CHECK(urdf::product("-1", "q") == "-q");
@@ -90,7 +90,7 @@ TEST_CASE("a product leaves out 1, and brackets sums") {
   CHECK(urdf::product("-0.6", "-q") == "-0.6*(-q)");
 }
 
-TEST_CASE("a quotient leaves out 1, and brackets sums") {
+TEST_CASE("a quotient omits 1 and puts sums in brackets") {
   CHECK(urdf::quotient("0", "l") == "0");
   CHECK(urdf::quotient("q + b", "1") == "q + b");
   CHECK(urdf::quotient("-0.7*q", "l") == "-0.7*q/l");
@@ -99,7 +99,7 @@ TEST_CASE("a quotient leaves out 1, and brackets sums") {
   CHECK(urdf::quotient("0.7*(q + b)", "l") == "0.7*(q + b)/l");
 }
 
-TEST_CASE("a sign turns what it stands before") {
+TEST_CASE("a sign negates the operand after it") {
   CHECK(urdf::negated("q") == "-q");
   CHECK(urdf::negated("-q") == "q");
   CHECK(urdf::negated("a*q + b") == "-(a*q + b)");

@@ -1,5 +1,4 @@
-// <robot>: what it is called and made of, its links, joints and rotors, and files that are
-// something else.
+// <robot>: its name, links, joints and rotors, and files that contain something else.
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -15,7 +14,7 @@ std::string link(const std::string& inside) {
   return "<robot name=\"r\"><link name=\"a\">\n" + inside + "\n</link></robot>";
 }
 
-/// The messages about a joint of the type with these elements; they stand on line 5.
+/// The messages about a joint of this type with these elements, which are on line 5.
 std::string said(const std::string& type, const std::string& elements) {
   return reading_messages(arm_on(type, elements));
 }
@@ -37,7 +36,7 @@ const std::string gear = "<drake:gear_ratio value=\"100\"/>";
 
 }  // namespace
 
-TEST_CASE("a robot has the links and joints of its file, in their order") {
+TEST_CASE("a robot has the links and joints of its file in the same order") {
   const urdf::Robot robot = robot_of(arm_on("revolute", ""));
   CHECK(robot.file == "r.urdf");
   CHECK(robot.name == "r");
@@ -47,13 +46,13 @@ TEST_CASE("a robot has the links and joints of its file, in their order") {
   CHECK(robot.joints[0].child.text == "arm");
 }
 
-TEST_CASE("a robot without a name is called as its file") {
+TEST_CASE("a robot without a name gets the name of its file") {
   const urdf::Robot robot = robot_of("<robot><link name=\"a\"/></robot>");
   CHECK(robot.name == "r");
   CHECK(robot.model == "r");
 }
 
-TEST_CASE("another root element is no robot") {
+TEST_CASE("a different root element is an error") {
   CHECK(import_messages("<sdf version=\"1.6\"/>") ==
         "E802 1:2 `<sdf>` is SDF, and elgen reads URDF | convert it to URDF first\n");
   CHECK(import_messages("<mujoco/>") ==
@@ -61,26 +60,26 @@ TEST_CASE("another root element is no robot") {
   CHECK(import_messages("<svg/>") == "E802 1:2 `<svg>` is no `<robot>`\n");
 }
 
-TEST_CASE("a file to be expanded has no other mistakes yet") {
+TEST_CASE("for a file that xacro must expand, no other mistakes are reported") {
   CHECK(import_messages("<robot name=\"r\"><xacro:arm/>\n<joint name=\"${j}\"/></robot>") ==
         "E802 1:18 `<xacro:arm>` is a macro of xacro | expand the file first: `xacro FILE > "
         "robot.urdf`, in ROS 2 `ros2 run xacro xacro FILE > robot.urdf`\n");
 }
 
-TEST_CASE("what xacro left nothing of is told") {
+TEST_CASE("an expression that xacro expanded to nothing is reported") {
   CHECK(import_messages("<robot xmlns:xacro=\"x\"></robot>") ==
         "E803 1:2 `<robot>` has no element `link` | xacro expanded no macro here: expand the file "
         "that calls them\n");
 }
 
-TEST_CASE("macros are to be expanded first") {
+TEST_CASE("macros must be expanded first") {
   CHECK(reading_messages("<robot name=\"r\" xmlns:xacro=\"x\">\n<xacro:property name=\"a\"/>\n"
                          "<xacro:arm/></robot>") ==
         "E802 2:2 `<xacro:property>` is a macro of xacro | expand the file first: `xacro FILE > "
         "robot.urdf`, in ROS 2 `ros2 run xacro xacro FILE > robot.urdf`\n");
 }
 
-TEST_CASE("materials and transmissions are silent, other elements are noted") {
+TEST_CASE("materials and transmissions are ignored, other elements give a note") {
   CHECK(reading_messages("<robot name=\"r\"><material name=\"red\"/><transmission/>\n"
                          "<gazebo><a/></gazebo></robot>") ==
         "E815 2:2 `<gazebo>` in `<robot>` is not imported\n");
@@ -100,7 +99,7 @@ TEST_CASE("an inertial is read in the order xx yy zz xy xz yz") {
   CHECK(order == "146235");
 }
 
-TEST_CASE("a link without inertial has no mass, and shapes are silent") {
+TEST_CASE("a link without inertial has no mass, and shapes are ignored") {
   const std::string text = link("<visual/><visual/><collision/>");
   CHECK(reading_messages(text).empty());
   CHECK_FALSE(robot_of(text).links[0].has_mass());
@@ -118,13 +117,13 @@ TEST_CASE("an inertial has a mass and six inertias") {
         "E803 2:19 `<inertia>` has no attribute `iyz`\n");
 }
 
-TEST_CASE("no mass is negative") {
+TEST_CASE("a negative mass is an error") {
   CHECK(reading_messages(link("<inertial><mass value=\"-2\"/><inertia ixx=\"1\" ixy=\"0\" "
                               "ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>")) ==
         "E811 2:24 the mass `-2` is negative\n");
 }
 
-TEST_CASE("a joint is read whole") {
+TEST_CASE("all elements of a joint are read") {
   const urdf::Robot robot = robot_of(arm_on(
       "prismatic",
       "<origin xyz=\"1 2 3\"/><axis xyz=\"0 0 1\"/><limit lower=\"-1\" upper=\"2\" effort=\"3\" "
@@ -145,7 +144,7 @@ TEST_CASE("a joint is read whole") {
   CHECK(joint.mimic->offset.text == "7");
 }
 
-TEST_CASE("without an axis, it is x, without dynamics, nothing brakes") {
+TEST_CASE("the default axis is x, and without dynamics there is no damping") {
   const urdf::Joint joint = robot_of(arm_on("revolute", "")).joints[0];
   CHECK(joint.axis[0].text == "1");
   CHECK(joint.axis[1].is_zero());
@@ -153,7 +152,7 @@ TEST_CASE("without an axis, it is x, without dynamics, nothing brakes") {
   CHECK_FALSE(joint.mimic);
 }
 
-TEST_CASE("a type that does not exist, and the one that was meant") {
+TEST_CASE("an unknown type, with a suggestion") {
   CHECK(said("revolut", "") ==
         "E806 4:25 `revolut` is no type of joint | did you mean `revolute`?\n");
   CHECK(said("ball", "") ==
@@ -172,7 +171,7 @@ TEST_CASE("type, parent and child are required") {
         "E803 2:18 `<parent>` has no attribute `link`\n");
 }
 
-TEST_CASE("an axis has a direction, and a planar one is x, y or z") {
+TEST_CASE("an axis is not zero, and the axis of a planar joint is x, y or z") {
   CHECK(said("revolute", "<axis xyz=\"0 0.0 -0\"/>") == "E813 5:12 the axis has no direction\n");
   CHECK(said("fixed", "<axis xyz=\"0 0 0\"/>").empty());
   CHECK(said("floating", "<axis xyz=\"0 0 0\"/>").empty());
@@ -180,7 +179,7 @@ TEST_CASE("an axis has a direction, and a planar one is x, y or z") {
         "E108 5:12 a planar joint is imported only with an axis along x, y or z\n");
 }
 
-TEST_CASE("limits that cannot be mean none, with a warning") {
+TEST_CASE("impossible limits are ignored with a warning") {
   const std::string none = " | the model omits this limit\n";
   const std::string swapped = "<limit lower=\"1\" upper=\"-1\" effort=\"-2\" velocity=\"-3\"/>";
   CHECK(said("revolute", swapped) == "E814 5:15 lower `1` is above upper `-1`" + none +
@@ -195,12 +194,12 @@ TEST_CASE("limits that cannot be mean none, with a warning") {
             none);
 }
 
-TEST_CASE("what xacro left of its expressions is told from numbers that are missing") {
+TEST_CASE("an expression left by xacro is distinguished from a missing number") {
   CHECK(said("revolute", "<origin rpy=\"$(optenv IMU 0 -1.57 3.14)\"/>") ==
         "E805 5:14 5 numbers, but `rpy` has 3 | " + std::string(urdf::xacro_remedy) + "\n");
 }
 
-TEST_CASE("what a type has no use for is silent or noted") {
+TEST_CASE("elements that a type does not use are ignored silently or with a note") {
   CHECK(said("fixed", "<limit effort=\"1\"/><dynamics damping=\"1\"/>").empty());
   CHECK(said("floating", "<dynamics damping=\"1\"/>") ==
         "E822 5:20 the damping of `j`, a floating joint, is not imported | the model ignores it: "
@@ -215,7 +214,7 @@ TEST_CASE("what a type has no use for is silent or noted") {
         "E815 5:2 `<sensor>` in `<joint>` is not imported\n");
 }
 
-TEST_CASE("elements of other formats that change the mechanics are warnings, also inside of one") {
+TEST_CASE("elements of other formats that change the mechanics give warnings, also when nested") {
   const auto codes = [](const std::string& elements) {
     std::istringstream text(reading_messages("<robot name=\"r\">\n" + elements + "</robot>"));
     std::string found;
@@ -239,20 +238,20 @@ TEST_CASE("elements of other formats that change the mechanics are warnings, als
         "E815 5:11 attribute `stiffness` of `<dynamics>` is not imported\n");
 }
 
-TEST_CASE("every type has its word, and some have one coordinate") {
+TEST_CASE("every type has a word, and some have one coordinate") {
   CHECK(urdf::word(urdf::JointType::planar) == "planar");
   CHECK(urdf::has_one_coordinate(urdf::JointType::continuous));
   CHECK_FALSE(urdf::has_one_coordinate(urdf::JointType::floating));
 }
 
-TEST_CASE("a rotor behind a gear is felt by the square of its ratio") {
+TEST_CASE("the inertia of a rotor behind a gear counts with the square of its ratio") {
   const std::string model = imported(driven("revolute", motor("j", rotor + gear)));
   CHECK_THAT(model, Contains("armature = \"rotor_j*gear_j^2\"\n"));
   CHECK_THAT(after(model, "rotor_j "), Contains("{ value = 1e-4, unit = \"kg*m^2\", assume"));
   CHECK_THAT(after(model, "gear_j  "), Contains("value = 100,  unit = \"1\""));
 }
 
-TEST_CASE("without a gear the rotor turns with the joint, and one that slides has a ratio") {
+TEST_CASE("without a gear the rotor rotates with the joint, and a sliding joint needs a ratio") {
   CHECK_THAT(imported(driven("continuous", motor("j", rotor))),
              Contains("armature = \"rotor_j\"\n"));
   const std::string slides = imported(driven("prismatic", motor("j", rotor)));
@@ -260,7 +259,7 @@ TEST_CASE("without a gear the rotor turns with the joint, and one that slides ha
   CHECK_THAT(slides, Contains("unit = \"rad/m\""));
 }
 
-TEST_CASE("a rotor of a joint that mimics is felt by the coordinate it shares") {
+TEST_CASE("the rotor of a mimic joint adds inertia to the shared coordinate") {
   const std::string model = imported(with_arm(
       "<link name=\"f\"/><joint name=\"k\" type=\"revolute\"><parent link=\"base\"/><child "
       "link=\"f\"/><mimic joint=\"j\" multiplier=\"3\"/></joint><joint name=\"j\" "
@@ -269,7 +268,7 @@ TEST_CASE("a rotor of a joint that mimics is felt by the coordinate it shares") 
   CHECK_THAT(model, Contains("armature = \"rotor_k*(ratio_k)^2 + rotor_j*gear_j^2\"\n"));
 }
 
-TEST_CASE("a rotor of no joint is noted, other transmissions are silent") {
+TEST_CASE("a rotor without a joint gives a note, other transmissions are ignored") {
   CHECK(import_messages(driven("revolute", motor("j", gear))).empty());
   CHECK(import_messages(driven("revolute", motor("k", rotor))) ==
         "E815 6:65 `<drake:rotor_inertia>` in `<actuator>` is not imported | `k` is neither "

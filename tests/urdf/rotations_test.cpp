@@ -1,4 +1,5 @@
-// Constant rotations and axes, and how far what is taken for right angles moves a pose.
+// Constant rotations and axes, and the largest change of a pose when an angle is rounded to a right
+// angle.
 #include "urdf/rotations.hpp"
 
 #include <catch2/catch.hpp>
@@ -34,7 +35,7 @@ std::string axis(const std::string& x, const std::string& y, const std::string& 
          (result.is_rounded ? " rounded" : "");
 }
 
-/// Inertias as their first digits: the tensor 123456 where nothing turns.
+/// The first digits of the rotated inertia. Without rotation they are 123456.
 std::string turned(const std::string& roll, const std::string& pitch, const std::string& yaw) {
   const std::array<urdf::FileNumber, 6> inertia{decimal("1"), decimal("2"), decimal("3"),
                                                 decimal("4"), decimal("5"), decimal("6")};
@@ -53,7 +54,7 @@ std::string bent(const std::string& rpy, const std::string& axis = "0 0 1") {
 
 }  // namespace
 
-TEST_CASE("an angle near a multiple of a right angle is one") {
+TEST_CASE("an angle near a multiple of a right angle is rounded to it") {
   CHECK(angle("1.57079632679") == "pi/2");
   CHECK(angle("-1.5708") == "-pi/2");
   CHECK(angle("3.14159") == "pi");
@@ -71,7 +72,7 @@ TEST_CASE("other angles keep their digits") {
   CHECK(angle("1e300") == "1e300");
 }
 
-TEST_CASE("an axis near x, y or z is one, whatever its length") {
+TEST_CASE("an axis near x, y or z is rounded to it, whatever its length") {
   CHECK(axis("0", "0", "1") == "z");
   CHECK(axis("0", "-1", "0") == "-y");
   CHECK(axis("1e-200", "0", "0") == "x");
@@ -81,7 +82,7 @@ TEST_CASE("an axis near x, y or z is one, whatever its length") {
   CHECK(axis("1e-4", "0", "1") == "oblique");
 }
 
-TEST_CASE("quarter turns move the digits of an inertia") {
+TEST_CASE("quarter turns permute the digits of an inertia") {
   CHECK(turned("0", "0", "0") == "123456");
   CHECK(turned("1.5707963", "0", "0") == "132-54-6");
   CHECK(turned("0", "1.5707963", "0") == "3216-5-4");
@@ -92,14 +93,14 @@ TEST_CASE("quarter turns move the digits of an inertia") {
   CHECK(turned("0", "0.3", "0") == "oblique");
 }
 
-TEST_CASE("a rotation knows whether it is one, and whether its digits were changed") {
+TEST_CASE("a rotation states whether it is the identity, and whether its digits were changed") {
   CHECK(rotation(vector("0", "0", "0")).is_zero());
   CHECK_FALSE(rotation(vector("0", "0.1", "0")).is_zero());
   CHECK_FALSE(rotation(vector("0", "0.1", "0")).is_rounded());
   CHECK(rotation(vector("0", "0", "1.5708")).is_rounded());
 }
 
-TEST_CASE("the change of an angle is known below the rounding of double") {
+TEST_CASE("the change of an angle is known more precisely than the rounding of double") {
   const auto change = [](const std::string& text) {
     return urdf::angle_of(decimal(text), urdf::AngleDigits::rounded).change;
   };
@@ -118,7 +119,7 @@ TEST_CASE("exact angles and axes keep their digits") {
   CHECK(urdf::axis_of(vector("0", "-2", "0"), kept).along == 1U);
 }
 
-TEST_CASE("one note counts the angles and bounds the change of every pose") {
+TEST_CASE("one note states the number of angles and the largest change of a pose") {
   CHECK(import_messages(bent("1.570796 0 0")) ==
         "E819 1:2 1 angle is rounded to right angles: no pose changes by more than 3.3e-07 rad and "
         "3.3e-08 m | `--exact-angles` keeps their digits\n");
@@ -127,7 +128,7 @@ TEST_CASE("one note counts the angles and bounds the change of every pose") {
         "and 1.7e-07 m | `--exact-angles` keeps their digits\n");
 }
 
-TEST_CASE("where all is as in the file nothing is said") {
+TEST_CASE("if nothing is rounded, there is no note") {
   CHECK(import_messages(bent("0 0.3 0")).empty());
   ImportOptions options;
   options.exact_angles = true;

@@ -1,4 +1,4 @@
-// The tree of links, what mimics what, and where masses are.
+// The tree of links, mimic joints, and which joints move mass.
 #include "urdf/tree.hpp"
 
 #include <catch2/catch.hpp>
@@ -46,20 +46,20 @@ TEST_CASE("parents come first, children in the order of the file") {
   CHECK(order == "ac0 cd1m ab0m be1m ");
 }
 
-TEST_CASE("a fixed joint moves where one before it does") {
+TEST_CASE("a fixed joint moves if a joint before it moves") {
   const urdf::Robot robot =
       robot_of(links("abc") + joint("ab") + joint("bc", "fixed") + "</robot>");
   CHECK(tree_of(robot).branches[1].moves);
 }
 
-TEST_CASE("two of one name") {
+TEST_CASE("errors for equal names") {
   CHECK(tree_messages(links("aba") + joint("ab") + joint("ab")) ==
         "E807 2:45 `a` names two links\n"
         "E807 4:14 `ab` names two joints\n"
         "E809 4:65 `b` is the child of two joints\n");
 }
 
-TEST_CASE("links that do not exist") {
+TEST_CASE("errors for links that do not exist") {
   CHECK(tree_messages("<robot name=\"r\"><link name=\"base\"/><link name=\"arm\"/>\n"
                       "<joint name=\"j\" type=\"fixed\"><parent link=\"bsae\"/>"
                       "<child link=\"gripper\"/></joint>") ==
@@ -67,7 +67,7 @@ TEST_CASE("links that do not exist") {
         "E808 2:64 the robot has no link `gripper`\n");
 }
 
-TEST_CASE("a link with two parents, at the second") {
+TEST_CASE("a link with two parents is reported at the second") {
   const urdf::Robot robot = robot_of(links("abc") + joint("ac") + joint("bc") + "</robot>");
   const Diagnostics found = urdf::make_tree(robot).diagnostics;
   CHECK(messages(found) == "E809 4:65 `c` is the child of two joints\n");
@@ -85,7 +85,7 @@ TEST_CASE("two roots, no root, no link, and a loop beside the tree") {
   CHECK(tree_messages("<robot name=\"r\">") == "E803 1:2 `<robot>` has no element `link`\n");
 }
 
-TEST_CASE("who mimics whom") {
+TEST_CASE("errors for mimic joints") {
   const std::string start = links("abcd") + joint("ab");
   const auto mimic = [](const std::string& name) { return "<mimic joint=\"" + name + "\"/>"; };
   const urdf::Robot robot =
@@ -106,7 +106,7 @@ TEST_CASE("who mimics whom") {
         "that mimics\n");
 }
 
-TEST_CASE("a chain of mimics ends at the joint whose coordinate is shared") {
+TEST_CASE("a chain of mimics ends at the joint with the shared coordinate") {
   const auto mimic = [](const std::string& name) { return "<mimic joint=\"" + name + "\"/>"; };
   const urdf::Robot robot =
       robot_of(links("abcd") + joint("ab", "revolute", mimic("bc")) +
@@ -117,7 +117,7 @@ TEST_CASE("a chain of mimics ends at the joint whose coordinate is shared") {
   CHECK(tree.leader(2) == 2);
 }
 
-TEST_CASE("a chain of mimics has an end") {
+TEST_CASE("a cycle of mimics is an error") {
   std::string text = "<robot name=\"r\"><link name=\"l0\"/>";
   for (int i = 1; i <= 103; ++i) {
     const std::string here = std::to_string(i);
@@ -132,7 +132,7 @@ TEST_CASE("a chain of mimics has an end") {
         "E812 104:91 `j103` mimics through 100 joints or more\n");
 }
 
-TEST_CASE("a chain as long as a file may hold is no matter of the stack") {
+TEST_CASE("the longest chain that a file can contain does not overflow the stack") {
   std::string text = "<robot name=\"r\"><link name=\"l0\"/>";
   for (int i = 1; i < 20000; ++i) {
     const std::string here = std::to_string(i);
@@ -144,7 +144,8 @@ TEST_CASE("a chain as long as a file may hold is no matter of the stack") {
   CHECK(tree_of(robot).branches.size() == 19999);
 }
 
-TEST_CASE("a joint that moves no mass is an error, one that carries mass further on a note") {
+TEST_CASE(
+    "a joint that moves no mass is an error, one that moves mass through other joints a note") {
   CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + joint("ab", "revolute")) ==
         "E810 4:14 `ab` moves no mass | `b` has no `<mass>`, nor has any link that it carries; "
         "`--weld massless` fixes such joints\n");
@@ -155,7 +156,7 @@ TEST_CASE("a joint that moves no mass is an error, one that carries mass further
              joint("bc", "revolute")) == "E816 3:13 `b` moves but has no mass\n");
 }
 
-TEST_CASE("an inertia without a mass is enough for a joint that turns, not for one that slides") {
+TEST_CASE("an inertia without a mass suffices for a joint that rotates, not for one that slides") {
   const std::string rotor = "<link name=\"a\"/>\n" + link("b", "0");
   CHECK(said(rotor + joint("ab", "continuous")).empty());
   CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "0") + joint("ab", "revolute") +
@@ -166,39 +167,39 @@ TEST_CASE("an inertia without a mass is enough for a joint that turns, not for o
         "mass; `--weld massless` fixes such joints\n");
 }
 
-TEST_CASE("a world that no file declares is there") {
+TEST_CASE("a world that no file declares exists") {
   std::string hung = joint("ab");
   hung.replace(hung.find("link=\"a\""), 8, "link=\"world\"");
   CHECK(tree_messages("<robot name=\"r\">\n<link name=\"b\"/>\n" + hung).empty());
   CHECK(said(link("b", "1") + hung).empty());
 }
 
-TEST_CASE("mass that a fixed joint holds to a link is as its own") {
+TEST_CASE("a mass fixed to a link counts as the link's own") {
   CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") + joint("ab", "revolute") +
              joint("bc", "fixed"))
             .empty());
 }
 
-TEST_CASE("mass that a mimicking joint moves counts for the joint it mimics") {
+TEST_CASE("mass moved by a mimic joint counts for the joint that it mimics") {
   CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") + joint("ab", "revolute") +
              joint("ac", "revolute", "<mimic joint=\"ab\"/>")) ==
         "E816 3:13 `b` moves but has no mass\n");
 }
 
-TEST_CASE("in a chain of mimics it counts for the last") {
+TEST_CASE("in a chain of mimics, mass counts for the last joint") {
   CHECK(said("<link name=\"a\"/><link name=\"b\"/><link name=\"d\"/>\n" + link("c", "1") +
              joint("ab", "revolute") + joint("ad", "revolute", "<mimic joint=\"ab\"/>") +
              joint("ac", "revolute", "<mimic joint=\"ad\"/>")) ==
         "E816 2:29 `b` moves but has no mass\n");
 }
 
-TEST_CASE("a root link with mass is the world") {
+TEST_CASE("a root link with mass is the world, with a note") {
   CHECK(said(link("a", "5") + link("b", "1") + joint("ab", "revolute")) ==
         "E817 2:13 `a` belongs to the world: its mass has no effect | `--floating-base` lets it "
         "move\n");
 }
 
-TEST_CASE("so is what fixed joints hold to it, and a root link called world says it is") {
+TEST_CASE("links fixed to the root belong to the world, and a root called world gives no note") {
   const std::string rest = link("b", "1") + link("c", "1") + link("d", "1") + joint("bc", "fixed") +
                            joint("cd", "revolute");
   CHECK(said("<link name=\"a\"/>\n" + rest + joint("ab", "fixed")) ==
@@ -209,7 +210,7 @@ TEST_CASE("so is what fixed joints hold to it, and a root link called world says
   CHECK(said("<link name=\"world\"/>\n" + rest + held).empty());
 }
 
-TEST_CASE("a rotor is inertia enough") {
+TEST_CASE("the inertia of a rotor suffices for a joint") {
   const std::string rotor =
       "<transmission><joint name=\"ab\"/><actuator><drake:rotor_inertia value=\"0.1\"/></actuator>"
       "</transmission>\n";
@@ -217,12 +218,12 @@ TEST_CASE("a rotor is inertia enough") {
         "E816 3:13 `b` moves but has no mass\n");
 }
 
-TEST_CASE("a robot in which nothing moves and nothing has mass is no model") {
+TEST_CASE("a robot without motion or without mass is an error") {
   CHECK(said("<link name=\"a\"/>\n" + link("b", "0") + joint("ab", "fixed")) ==
         "E803 1:2 no link of `<robot>` has a `<mass>`\n");
 }
 
-TEST_CASE("an inertia that no body has is a warning") {
+TEST_CASE("an inertia that no body can have gives a warning") {
   CHECK(said("<link name=\"a\"/>\n" + link("b", "1", "3") + joint("ab", "revolute")) ==
         "E508 3:44 inertia 1, 1, 3, 0, 0, 0 of `b` belongs to no body | a principal inertia "
         "exceeds the sum of the other two\n");

@@ -8,7 +8,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Diagnostics point into sources without owning them.
+/// Keeps the source alive, because diagnostics point to it without owning it.
 const SourceText& kept_source(const std::string& text) {
   static std::vector<SourcePointer> sources;
   return *sources.emplace_back(make_source("folder/r.urdf", text));

@@ -1,4 +1,4 @@
-// Helpers of the tests of urdf: small robots, and the messages about them as lines of text.
+// Helpers for the tests of urdf: small robots, and the messages about them as lines of text.
 #pragma once
 
 #include <string>
@@ -11,24 +11,24 @@ namespace elgen::test {
 /// One line per diagnostic: "E804 3:7 `1,5` is not a decimal number | hint".
 [[nodiscard]] std::string messages(const Diagnostics& diagnostics);
 
-/// The same of importing `text` whole.
+/// The messages of importing `text`.
 [[nodiscard]] std::string import_messages(const std::string& text,
                                           const ImportOptions& options = {});
 
-/// The imported model; throws the errors.
+/// The imported model. Throws if there are errors.
 [[nodiscard]] std::string imported(const std::string& text, const ImportOptions& options = {});
 
 /// `<robot name="r">`, a link `base`, a link `arm` of mass 1 on line 3, and `rest` from line 4 on.
 [[nodiscard]] std::string with_arm(const std::string& rest);
 
-/// with_arm() and the joint `j` from base to arm: its type, and its other elements on line 5.
+/// with_arm() and the joint `j` from base to arm, with this type and with `elements` on line 5.
 [[nodiscard]] std::string arm_on(const std::string& type, const std::string& elements);
 
 /// A joint `ab` from a to b, on a line of its own.
 [[nodiscard]] std::string joint(const std::string& name, const std::string& type = "revolute",
                                 const std::string& inside = "");
 
-/// The robot and its tree; throws where there is none. The source lives as long as the process.
+/// The robot and its tree. Throws if there is none. The source exists until the process ends.
 [[nodiscard]] urdf::Element xml_of(const std::string& text);
 [[nodiscard]] urdf::Robot robot_of(const std::string& text);
 [[nodiscard]] urdf::LinkTree tree_of(const urdf::Robot& robot);
@@ -36,7 +36,7 @@ namespace elgen::test {
 /// The messages of read_robot().
 [[nodiscard]] std::string reading_messages(const std::string& text);
 
-/// The part of a text from `start` to the end of its line, without either.
+/// The rest of the line after `start`.
 [[nodiscard]] std::string after(const std::string& text, const std::string& start);
 
 }  // namespace elgen::test

@@ -1,4 +1,4 @@
-// XML: elements and attributes with their places, and what is taken of them.
+// XML: elements and attributes with their positions, and the functions that read them.
 #include "urdf/xml.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ std::string xml_messages(const std::string& text) {
   return messages(urdf::read_xml(*source).diagnostics);
 }
 
-/// Every span of the tree covers what it says.
+/// Checks that every span of the tree covers its text.
 void check_spans(const urdf::Element& element) {
   CHECK(covered_text(element.span) == element.name);
   for (const urdf::Attribute& attribute : element.attributes) {
@@ -25,7 +25,7 @@ void check_spans(const urdf::Element& element) {
   for (const urdf::Element& child : element.children) check_spans(child);
 }
 
-/// Reads `<e …>` by a function, and returns what was said.
+/// Reads `<e …>` with a function and returns the messages.
 template <class Read>
 std::string said_by(const std::string& text, const Read& read) {
   const urdf::Element element = xml_of(text);
@@ -40,7 +40,7 @@ std::string said_by(const std::string& text, const Read& read) {
 
 }  // namespace
 
-TEST_CASE("places are exact: several elements on a line, comments, line ends, byte order mark") {
+TEST_CASE("positions are exact: several elements per line, comments, line ends, byte order mark") {
   for (const std::string start :
        {"", "<?xml version=\"1.0\"?>\r\n", "\xEF\xBB\xBF", "\xEF\xBB\xBF<?xml version=\"1.0\"?>",
         "<!-- <robot name=\"r\"> -->\n", "\n <!DOCTYPE robot>", "  \n"}) {
@@ -51,14 +51,14 @@ TEST_CASE("places are exact: several elements on a line, comments, line ends, by
   }
 }
 
-TEST_CASE("a value with entities spans what is written") {
+TEST_CASE("a value with entities spans the written text") {
   const urdf::Element root = xml_of("<robot name=\"a&amp;b\" x='\"'/>");
   CHECK(root.attributes[0].value == "a&b");
   CHECK(covered_text(root.attributes[0].span) == "a&amp;b");
   CHECK(covered_text(root.attributes[1].span) == "\"");
 }
 
-TEST_CASE("what is no XML is answered at its line") {
+TEST_CASE("invalid XML is reported at its line") {
   CHECK(xml_messages("") == "E801 1:1 not XML: the file has no element\n");
   CHECK(xml_messages("<!-- nothing -->") == "E801 1:1 not XML: the file has no element\n");
   CHECK(xml_messages("<robot>\n  <link>\n</robot>") ==
@@ -72,12 +72,12 @@ TEST_CASE("what is no XML is answered at its line") {
   CHECK(xml_messages("<robot>\n<!-- </robot>") == "E801 2:1 not XML: a comment has no end\n");
 }
 
-TEST_CASE("bytes that are no text are answered at their place") {
+TEST_CASE("bytes that are not UTF-8 are reported at their position") {
   CHECK(xml_messages("<robot>\n \xFF</robot>") == "E110 2:2 the file is not UTF-8 text\n");
   CHECK(xml_messages(std::string("<robot/>\n\0", 10)) == "E801 2:1 not XML: a byte is zero\n");
 }
 
-TEST_CASE("attributes of one element have an end, those of many have none") {
+TEST_CASE("the attributes of one element are limited, the attributes of a file are not") {
   std::string attributes;
   for (int i = 0; i < 1000; ++i) attributes += " a" + std::to_string(i) + "='='";
   const std::string element = "<a" + attributes + "/>";
@@ -87,14 +87,14 @@ TEST_CASE("attributes of one element have an end, those of many have none") {
             .find("an element has more than 1000 attributes") != std::string::npos);
 }
 
-TEST_CASE("nesting has an end") {
+TEST_CASE("nesting is limited") {
   std::string text;
   for (int i = 0; i < 200; ++i) text += "<a>\n";
   CHECK(xml_messages(text).find("not XML: elements are nested more than 100 deep") !=
         std::string::npos);
 }
 
-TEST_CASE("what is required and missing is an error at the element") {
+TEST_CASE("a missing required attribute or element is an error at the element") {
   CHECK(said_by("<e/>", [](auto& reader) { (void)reader.required_text("name"); }) ==
         "E803 1:2 `<e>` has no attribute `name`\n");
   CHECK(said_by("<e name=''/>", [](auto& reader) { (void)reader.required_text("name"); }) ==
@@ -105,7 +105,7 @@ TEST_CASE("what is required and missing is an error at the element") {
         "E803 1:2 `<e>` has no element `f`\n");
 }
 
-TEST_CASE("numbers are counted, and refused at their place") {
+TEST_CASE("numbers are counted, and refused at their position") {
   CHECK(said_by("<e m='1 2'/>", [](auto& reader) { CHECK_FALSE(reader.number("m")); }) ==
         "E805 1:7 2 numbers, but `m` is one number\n");
   urdf::Vector vector;
@@ -116,7 +116,7 @@ TEST_CASE("numbers are counted, and refused at their place") {
   CHECK(said_by("<e/>", [&](auto& reader) { CHECK_FALSE(reader.vector("v", vector)); }).empty());
 }
 
-TEST_CASE("what nobody took is noted, outermost alone, what is ignored is not") {
+TEST_CASE("the outermost unread element gives a note, ignored ones give none") {
   CHECK(said_by("<e a='1' b='2' xmlns:c='d'><f/><g><h/></g><f/></e>",
                 [](auto& reader) {
                   (void)reader.text("a");
@@ -131,7 +131,7 @@ TEST_CASE("what nobody took is noted, outermost alone, what is ignored is not") 
         }).empty());
 }
 
-TEST_CASE("an origin is zero where it is not given") {
+TEST_CASE("an origin defaults to zero") {
   const urdf::Element element = xml_of("<e><origin rpy='0 0 1'/></e>");
   Diagnostics found;
   const Limits limits;

@@ -1,5 +1,5 @@
-// Program against oracle: right programs hold, wrong ones fail. The code as users compile it may
-// round otherwise, within the running errors of the program.
+// Program against oracle: correct programs pass, wrong ones fail. Code compiled with users' flags
+// may round differently, within the running errors of the program.
 #include "verify/bounds/accuracy.hpp"
 
 #include <catch2/catch.hpp>
@@ -40,7 +40,7 @@ void check_all_hold(const System& system) {
   }
 }
 
-/// x'' = -x by midpoint, substituted once.
+/// x'' = -x with the midpoint rule, substituted once.
 System stepped_spring() {
   ModelBuilder builder;
   builder.coordinate("x").T("x_d^2/2").V("x^2/2");
@@ -55,14 +55,14 @@ System stepped_spring() {
                    "  result residual 1 1 = 13\n");
 }
 
-/// V0 = m l g (1 - cos th) - m l g of a pendulum, where 1 - cos th is computed as it stands.
+/// V0 = m l g (1 - cos th) - m l g of a pendulum, with 1 - cos th computed directly.
 const char* cancelling =
     "parameters m l g\ncoordinates th\nfunction potential_energy\n"
     "  0 = parameter m\n  1 = parameter l\n  2 = parameter g\n  3 = coordinate th\n"
     "  4 = cos 3\n  5 = constant 1\n  6 = subtract 5 4\n  7 = multiply 0 1\n  8 = multiply 7 2\n"
     "  9 = multiply 8 6\n  10 = subtract 9 8\n  result 1 1 = 10\n";
 
-/// The row of cart_pole's code with what `change` makes of the first entry of its bias.
+/// The row of cart_pole's code, with `change` applied to the first entry of its bias.
 template <class Scalar>
 CertificateRow row_with(const std::function<double(double)>& change, const Sampling& sampling) {
   const System system = cart_pole_system();
@@ -77,7 +77,7 @@ CertificateRow row_with(const std::function<double(double)>& change, const Sampl
   return {};
 }
 
-/// Code that computes in long double, with what `change` makes of the first entry of its bias.
+/// Code that computes in long double, with `change` applied to the first entry of its bias.
 class InLongDouble final : public CompiledModel {
  public:
   InLongDouble(const Program& program, std::function<double(double)> change)
@@ -125,12 +125,12 @@ CertificateRow wide_row(const std::function<double(double)>& change, bool extrem
 
 }  // namespace
 
-TEST_CASE("a right program holds at ordinary and extreme states") {
+TEST_CASE("a correct program passes at ordinary and extreme states") {
   check_all_hold<double>(cart_pole_system());
   check_all_hold<float>(cart_pole_system());
 }
 
-TEST_CASE("what an iteration leaves is right, and has no digits to lose") {
+TEST_CASE("the result of an iteration is correct and has no loss of digits") {
   const System system = stepped_spring();
   check_all_hold<double>(system);
   const auto samples = sample_states<double>(system.subject(), {16, 1, true});
@@ -144,20 +144,20 @@ TEST_CASE("what an iteration leaves is right, and has no digits to lose") {
   CHECK(looked_at == 1);
 }
 
-TEST_CASE("what an iteration leaves is measured in its running error by its own row") {
+TEST_CASE("the result of an iteration is compared by its running error, in a row of its own") {
   const auto rows = rows_of<double>(stepped_spring());
   CHECK(row_of(rows, "step.residual (double)").worst.find(" u E") != std::string::npos);
   CHECK(row_of(rows, "step.rates (double)").worst.find(" ulp") != std::string::npos);
 }
 
-TEST_CASE("there is a row per output and field, dynamics included") {
+TEST_CASE("each output and field has a row, dynamics too") {
   const auto rows = rows_of<double>(cart_pole_system(), 2, false);
   CHECK(rows.size() == 21);
   CHECK(row_of(rows, "forward_dynamics.relative_pivots (double)").samples == 2);
   CHECK(row_of(rows, "dynamics.bias (double)").verdict == Verdict::holds);
 }
 
-TEST_CASE("a wrong program fails with both values and the state") {
+TEST_CASE("a wrong program fails, with both values and the state") {
   for (const auto& [function, from, to] :
        {std::tuple{"bias", "23 = add 19 20", "23 = subtract 19 20"},
         std::tuple{"mass_matrix", "10 = add 0 1", "10 = subtract 0 1"},
@@ -186,19 +186,19 @@ TEST_CASE("a program that is undefined where the oracle has a value fails") {
   }
 }
 
-TEST_CASE("dynamics is judged by itself") {
+TEST_CASE("`dynamics` is compared in rows of its own") {
   const auto rows = rows_of<double>(mutated("dynamics", "= 23 22", "= 23 21"), 2, false);
   CHECK(row_of(rows, "dynamics.bias (double)").verdict == Verdict::fails);
   CHECK(row_of(rows, "dynamics.mass_matrix (double)").verdict == Verdict::holds);
   CHECK(row_of(rows, "bias (double)").verdict == Verdict::holds);
 }
 
-TEST_CASE("cancellation is the physics' fault and is reported, not failed") {
+TEST_CASE("cancellation in the exact formula is reported, and is no failure") {
   const auto rows = rows_of<double>(system_of(pendulum().model, cancelling));
   CHECK(row_of(rows, "potential_energy (double)").verdict == Verdict::holds);
 }
 
-TEST_CASE("overflows are reported, not failed") {
+TEST_CASE("overflows are reported, and are no failures") {
   const auto rows = rows_of<double>(cart_pole_system(), 0);
   const auto& row = row_of(rows, "kinetic_energy (double)");
   CHECK(row.verdict == Verdict::holds);
@@ -206,7 +206,7 @@ TEST_CASE("overflows are reported, not failed") {
   CHECK(row.skipped.front().obstacle == Obstacle::overflow);
 }
 
-TEST_CASE("states outside the domain are counted, and none inside is no success") {
+TEST_CASE("states outside the domain are counted, and a row without states does not pass") {
   const Model model = pendulum().V("sqrt(-1 - th^2)").model;
   const System system = system_of(model, cancelling);
   const auto rows = rows_of<double>(system, 4, false);
@@ -214,7 +214,7 @@ TEST_CASE("states outside the domain are counted, and none inside is no success"
   CHECK(rows.front().skipped == std::vector<SkippedStates>{{Obstacle::undefined, 4}});
 }
 
-TEST_CASE("the code as users compile it has one row of all outputs") {
+TEST_CASE("the build with users' flags has one row for all outputs") {
   const auto same = [](double x) { return x; };
   const CertificateRow row = row_with<double>(same, {4, 1, false});
   CHECK(row.verdict == Verdict::holds);
@@ -224,7 +224,7 @@ TEST_CASE("the code as users compile it has one row of all outputs") {
   CHECK(row_with<float>(same, {4, 1, true}).subject == "all outputs (float)");
 }
 
-TEST_CASE("another rounding holds, an error beyond what rounding explains fails and is named") {
+TEST_CASE("different rounding passes, an error that rounding does not explain fails and is named") {
   const Sampling ordinary{4, 1, false};
   const auto last_bit = [](double x) { return std::nextafter(x, 1e9); };
   CHECK(row_with<double>(last_bit, ordinary).verdict == Verdict::holds);
@@ -236,7 +236,7 @@ TEST_CASE("another rounding holds, an error beyond what rounding explains fails 
   CHECK(row.where.find("q = (") == 0);
 }
 
-TEST_CASE("code that gives no entries fails") {
+TEST_CASE("code that returns no entries fails") {
   const System system = cart_pole_system();
   const Program nothing;
   const Changed empty(nothing, "", [](double x) { return x; });
@@ -248,7 +248,7 @@ TEST_CASE("code that gives no entries fails") {
   CHECK(row.worst.find("entry 1 is nan instead of ") != std::string::npos);
 }
 
-TEST_CASE("code in a wider scalar is off by one rounding of exact values") {
+TEST_CASE("code in a wider scalar may differ by one rounding from the exact values") {
   const auto same = [](double x) { return x; };
   const CertificateRow row = wide_row(same, true);
   INFO(row.worst << " at " << row.where);
@@ -262,8 +262,8 @@ TEST_CASE("code in a wider scalar is off by one rounding of exact values") {
   CHECK(wrong.worst.find(" of the tolerance") != std::string::npos);
 }
 
-TEST_CASE("the square of what cancels to 0 may round to the square of its error") {
-  // Contraction leaves the rounding of x x in x x - y y at x = y.
+TEST_CASE("the square of a difference of 0 may round to the square of its error") {
+  // At x = y a fused multiply-add leaves the rounding of x x in x x - y y.
   ModelBuilder builder;
   builder.coordinate("x").coordinate("y").T("(x_d^2 + y_d^2)/2").V("(x^2 - y^2)^2");
   const System system = system_of(
@@ -283,7 +283,7 @@ TEST_CASE("the square of what cancels to 0 may round to the square of its error"
   CHECK(verdict_of(1e-30) == Verdict::fails);
 }
 
-TEST_CASE("what is no number where exact arithmetic has one fails") {
+TEST_CASE("NaN fails where exact arithmetic has a number") {
   for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     const auto no_number = [value](double) { return value; };
     const CertificateRow row = row_with<double>(no_number, {4, 1, false});
@@ -293,7 +293,7 @@ TEST_CASE("what is no number where exact arithmetic has one fails") {
   }
 }
 
-TEST_CASE("a program that rounds badly holds, and its lost digits are told") {
+TEST_CASE("a program with large rounding errors passes, and its lost digits are reported") {
   const System system = badly_rounded();
   const auto samples = sample_states<double>(system.subject(), {4, 1, false});
   const auto rows =
@@ -303,7 +303,7 @@ TEST_CASE("a program that rounds badly holds, and its lost digits are told") {
   CHECK(rows.back().loss.value_or(0) > 1e3);
 }
 
-TEST_CASE("without a state nothing is said") {
+TEST_CASE("without states no loss is reported") {
   const CertificateRow row = row_with<double>([](double x) { return x; }, {0, 1, false});
   CHECK(row.verdict == Verdict::skipped);
   CHECK(row.worst == "no state to compare");

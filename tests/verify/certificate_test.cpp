@@ -1,4 +1,4 @@
-// The certificate as people and programs read it.
+// The certificate as text and as JSON.
 #include "elgen/certificate.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@ CertificateRow row_of(const std::string& check, const std::string& output, Verdi
   return row;
 }
 
-/// A certificate with every verdict and evidence.
+/// A certificate with every verdict and every kind of evidence.
 Certificate sample() {
   CertificateRow proved = row_of("[[expect]]", "[[expect]] gravity", Verdict::holds);
   proved.subject = "gravity[1]";
@@ -50,7 +50,7 @@ Certificate sample() {
 
 }  // namespace
 
-TEST_CASE("there is a line per output, what fails is printed in full, what is skipped with why") {
+TEST_CASE("each output has a line, failures are printed in full, and skipped rows have a reason") {
   CHECK(to_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
 
   holds    [[expect]] gravity  1 check, proved
@@ -68,7 +68,7 @@ TEST_CASE("there is a line per output, what fails is printed in full, what is sk
 )");
 }
 
-TEST_CASE("a loss is said to be of the states at which it was measured, the fewest of its rows") {
+TEST_CASE("a loss states the number of its states, the fewest of its rows") {
   CertificateRow often = row_of("compiled code vs program", "linearization", Verdict::holds);
   often.samples = 264;
   CertificateRow seldom = row_of("program vs oracle", "linearization", Verdict::holds);
@@ -84,7 +84,7 @@ TEST_CASE("a loss is said to be of the states at which it was measured, the fewe
   CHECK(to_text(bits).find("linearization  1 check, at 264 states\n") != std::string::npos);
 }
 
-TEST_CASE("states inside the ranges that were skipped stand in the line of the output") {
+TEST_CASE("the line of an output counts skipped states inside the ranges") {
   Certificate certificate = sample();
   certificate.rows[1].skipped_inside = 2;
   CHECK(to_text(certificate)
@@ -92,14 +92,14 @@ TEST_CASE("states inside the ranges that were skipped stand in the line of the o
         std::string::npos);
 }
 
-TEST_CASE("what was not compared at all is skipped with the reason") {
+TEST_CASE("an output that was not compared is skipped with the reason") {
   CertificateRow row = row_of("compiled code vs program", "compiled code", Verdict::skipped);
   row.worst = "<Eigen/Core> is not installed";
   const std::string text = to_text({"arm", "full", 1, {row}});
   CHECK(text.find("           because    <Eigen/Core> is not installed\n") != std::string::npos);
 }
 
-TEST_CASE("in full every row says how it was decided") {
+TEST_CASE("in the full text every row states its evidence") {
   CHECK(to_full_text(sample()) == R"(certificate of cart_pole, scene full, seed 7
 
 [[expect]]
@@ -131,7 +131,7 @@ mass matrix positive definite
 )");
 }
 
-TEST_CASE("the verdict alone is one line") {
+TEST_CASE("the verdict is one line") {
   Certificate certificate = sample();
   CHECK(verdict_line(certificate) == "cart_pole: 3 checks hold, 1 fails, 1 skipped\n");
   certificate.scene = "balance";
@@ -146,7 +146,7 @@ TEST_CASE("a certificate holds when no row fails") {
   CHECK(holds(certificate));
 }
 
-TEST_CASE("what is noted is counted, and said with its state") {
+TEST_CASE("notes are counted, and printed with their states") {
   Certificate certificate = sample();
   CertificateRow row = row_of("digits lost", "gravity", Verdict::noted);
   row.worst = "loss 1e+03, 3.0 digits of entry 1";
@@ -160,13 +160,13 @@ TEST_CASE("what is noted is counted, and said with its state") {
   CHECK(holds(certificate));
 }
 
-TEST_CASE("an output of which all is noted is said to be noted") {
+TEST_CASE("an output with only notes is called noted") {
   const Certificate certificate{
       "arm", "full", 1, {row_of("as users compile", "as users compile", Verdict::noted)}};
   CHECK(to_text(certificate).find("  noted    as users compile") != std::string::npos);
 }
 
-TEST_CASE("as JSON nothing is left out") {
+TEST_CASE("the JSON contains everything") {
   const auto json = nlohmann::json::parse(to_json(sample()));
   CHECK(json.at("model") == "cart_pole");
   CHECK(json.at("scene") == "full");

@@ -1,5 +1,5 @@
-// Compiled code that is not compiled: the interpreter, as code has its sines,
-// with one function's first entry changed.
+// A CompiledModel that interprets the program, with the sines of compiled code, and changes the
+// first entry of one function.
 #pragma once
 
 #include <functional>

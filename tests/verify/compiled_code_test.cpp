@@ -1,5 +1,5 @@
-// Compiled code against the program: equal bits hold, one changed bit or sign is seen. Sines of
-// packs are within the error that was asked for, or are named with their angle.
+// Compiled code against the program: equal bits pass, and one changed bit or sign is detected.
+// Sines of packs are within the requested error, or reported with their angle.
 #include "verify/compiled_code.hpp"
 
 #include <cln/rational.h>
@@ -24,7 +24,7 @@ std::vector<CertificateRow> rows_of(const System& system, const Changed& compile
                         sample_states<Scalar>(system.subject(), {4, 1, true}));
 }
 
-/// Sines and cosines of the library, the cosine times a number; in double alone.
+/// Sines and cosines of the library, the cosine times a factor; only in double.
 class LibrarySines final : public CompiledModel {
  public:
   explicit LibrarySines(double factor) : factor_(factor) {}
@@ -63,7 +63,7 @@ std::size_t failing(const std::vector<CertificateRow>& rows) {
 
 }  // namespace
 
-TEST_CASE("equal code holds, function by function, in both scalars") {
+TEST_CASE("equal code passes, function by function, in both scalars") {
   const System system = cart_pole_system();
   const Changed same(system.program, "", [](double x) { return x; });
   CHECK(rows_of<double>(system, same).size() == system.program.functions.size());
@@ -71,7 +71,7 @@ TEST_CASE("equal code holds, function by function, in both scalars") {
   CHECK(failing(rows_of<float>(system, same)) == 0);
 }
 
-TEST_CASE("rows say which types the functions are on") {
+TEST_CASE("rows state the types of the functions' arguments") {
   const System system = cart_pole_system();
   const Changed same(system.program, "", [](double x) { return x; });
   CHECK(rows_of<double>(system, same).front().subject == "mass_matrix (double)");
@@ -80,14 +80,14 @@ TEST_CASE("rows say which types the functions are on") {
         "mass_matrix (double, -O3 -march=native)");
 }
 
-TEST_CASE("bits are compared without contraction alone") {
+TEST_CASE("bits are compared only without contraction") {
   const System system = cart_pole_system();
   const Changed last_bit(system.program, "bias", [](double x) { return std::nextafter(x, 1e9); });
   CHECK(failing(rows_of<double>(system, last_bit, "", Build::native)) == 1);
   CHECK(rows_of<double>(system, last_bit, "", Build::as_users).empty());
 }
 
-TEST_CASE("the last bit and the sign of zero count") {
+TEST_CASE("a changed last bit or sign of zero fails") {
   const System system = cart_pole_system();
   const Changed last_bit(system.program, "bias", [](double x) { return std::nextafter(x, 1e9); });
   const auto rows = rows_of<double>(system, last_bit);
@@ -99,7 +99,7 @@ TEST_CASE("the last bit and the sign of zero count") {
   CHECK(failing(rows_of<float>(system, sign)) == 1);
 }
 
-TEST_CASE("numbers that are declared otherwise than the model says are named") {
+TEST_CASE("declared numbers that differ from the model's are named") {
   const DeclaredNumber right{"m (double)", 0.1, 0.1};
   const CertificateRow holding = check_declared({right, {"l (double)", 2, 2}});
   CHECK(holding.verdict == Verdict::holds);
@@ -116,10 +116,10 @@ TEST_CASE("batches are compared with the polynomials of their sines and cosines"
       "batch", true, std::make_unique<Changed>(system.program, "", [](double x) { return x; })};
   const auto rows =
       check_compiled(system.subject(), batch, sample_states<float>(system.subject(), {4, 1, true}));
-  CHECK(failing(rows) > 0);  // the library's sines are not the polynomials'
+  CHECK(failing(rows) > 0);  // the library's sines are not the polynomials
 }
 
-TEST_CASE("sines of packs may be off by what the scene says, in every build") {
+TEST_CASE("sines of packs may differ by the scene's tolerance, in every build") {
   for (const Build build : {Build::as_written, Build::native, Build::as_users}) {
     CHECK(sine_row_of(1 - 0.9e-6, build).verdict == Verdict::holds);
     const CertificateRow row = sine_row_of(1 + 1.5e-6, build);
@@ -133,7 +133,7 @@ TEST_CASE("sines of packs may be off by what the scene says, in every build") {
         "sine and cosine (double, batch, -O3 -march=native, contraction on)");
 }
 
-TEST_CASE("functions that code brings are off by no more than their table states") {
+TEST_CASE("the errors of emitted functions are within their documented bounds") {
   ModelBuilder builder;
   builder.coordinate("x").T("x_d^2/2").V("stumpff(x, 2) + stumpff(x, -2)");
   const System system = system_of(builder.model,
@@ -153,7 +153,7 @@ TEST_CASE("functions that code brings are off by no more than their table states
   CHECK(check_helpers(cart_pole_system().subject()).empty());
 }
 
-TEST_CASE("code that is not there is skipped, with the reason") {
+TEST_CASE("missing code is skipped with the reason") {
   CompiledHeader eigen{"Eigen"};
   eigen.lacking = "<Eigen/Core> is not installed";
   const CertificateRow row = without_code(eigen);
@@ -168,7 +168,7 @@ TEST_CASE("code that is not there is skipped, with the reason") {
   CHECK(without_code(users).check == "as users compile");
 }
 
-TEST_CASE("a function that gives no entries differs") {
+TEST_CASE("a function that returns no entries fails") {
   const System system = cart_pole_system();
   const Program nothing;
   const Changed empty(nothing, "", [](double x) { return x; });

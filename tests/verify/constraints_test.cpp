@@ -1,5 +1,6 @@
-// Models with constraints: right programs hold in every row, turned signs of what the constraints
-// do are found, and what has to be kept along the motion is looked at where they are kept.
+// Models with constraints: correct programs pass every row, changed signs in the terms of
+// constraints are found, and conserved quantities are sampled at states that satisfy the
+// constraints.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
@@ -25,7 +26,7 @@ constexpr const char* all_outputs =
     "linearization,forward_dynamics_derivatives,constraint_residual,constraint_jacobian,"
     "constraint_bias,projected,constrained_inverse_dynamics";
 
-/// The outputs of a model as they are derived, without the field that no program keeps.
+/// The derived outputs of a model, without the field that programs do not store.
 System constrained(const std::string& model, const std::string& outputs = all_outputs) {
   SceneOptions options;
   options.outputs = {make_source("--outputs", outputs)};
@@ -144,7 +145,7 @@ coincide = ["P", "Q"]
 )toml");
 }
 
-/// With its extremes; one contraction of a field instead of all entries where it is quick.
+/// With extreme states. If `quick`, one projection of a field is compared instead of all entries.
 Certificate certificate_of(const System& system, std::size_t samples, bool quick = true) {
   const VerifyOptions options{.samples = samples, .quick = quick};
   return verify(system.model, system.scene, system.program, {}, options).certificate;
@@ -159,7 +160,7 @@ const CertificateRow& checked_row(const Certificate& certificate, const std::str
   return certificate.rows.front();
 }
 
-/// Without a row that fails, and with states in those that say most.
+/// Checks that no row fails, and that the most important rows have states.
 void check_holds_under_constraints(const Certificate& certificate) {
   for (const CertificateRow& row : certificate.rows) {
     INFO(certificate.model << ", " << row.check << " of " << row.subject << ": " << row.worst
@@ -177,7 +178,7 @@ void check_holds_under_constraints(const Certificate& certificate) {
   CHECK(checked_row(certificate, "constraints along the motion", "forward_dynamics").samples > 0);
 }
 
-/// The system with the signs of a field turned.
+/// The system with the signs of a field changed.
 System turned(System system, OutputKind kind, const std::string& name) {
   for (Function& function : system.program.functions) {
     if (function.kind != kind) continue;
@@ -195,7 +196,7 @@ System turned(System system, OutputKind kind, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("right programs under constraints hold, at ordinary and extreme states") {
+TEST_CASE("correct programs with constraints pass, at ordinary and extreme states") {
   for (const std::string& model : {bob(), rolling(), linkage()}) {
     const System system = constrained(model);
     check_holds_under_constraints(certificate_of(system, 8));
@@ -204,7 +205,7 @@ TEST_CASE("right programs under constraints hold, at ordinary and extreme states
   check_holds_under_constraints(certificate_of(constrained(bob()), 4, false));
 }
 
-TEST_CASE("multipliers of the other sign are found by every row that they stand in") {
+TEST_CASE("multipliers with the wrong sign are found by every row that contains them") {
   for (const std::string& model : {bob(), rolling(), linkage()}) {
     const System wrong = turned(constrained(model), OutputKind::forward_dynamics, "multipliers");
     const Certificate certificate = certificate_of(wrong, 2);
@@ -221,7 +222,7 @@ TEST_CASE("multipliers of the other sign are found by every row that they stand 
   }
 }
 
-TEST_CASE("what a constraint asks of the motion is found wrong by each of its parts") {
+TEST_CASE("a mistake in any part of a constraint's equations is found") {
   const System right = constrained(bob());
   for (const auto& [kind, field] :
        {std::pair(OutputKind::forward_dynamics, "acceleration"),
@@ -235,7 +236,7 @@ TEST_CASE("what a constraint asks of the motion is found wrong by each of its pa
   }
 }
 
-TEST_CASE("every field of what solves under constraints is compared by projections") {
+TEST_CASE("every field of the constrained dynamics is compared by projections") {
   const System right = constrained(linkage());
   for (const auto& [kind, field] :
        {std::pair(OutputKind::forward_dynamics, "acceleration"),
@@ -254,7 +255,7 @@ TEST_CASE("every field of what solves under constraints is compared by projectio
   }
 }
 
-TEST_CASE("the formulas of what constraints take part in say so") {
+TEST_CASE("formulas with terms of constraints state them") {
   const Certificate certificate = certificate_of(constrained(bob()), 2);
   CHECK(checked_row(certificate, "power balance", "energy_function").formula ==
         "dE/dt = v.(B u + Q - dD/dv + A^T lambda) - dL/dt");
@@ -262,7 +263,7 @@ TEST_CASE("the formulas of what constraints take part in say so") {
         "tau(q, v, a(q, v, u)) = B u + A^T lambda");
 }
 
-TEST_CASE("a field is found by its name where others of the output are absent") {
+TEST_CASE("a field is found by its name if other fields of the output are absent") {
   const System system = constrained(rolling());
   const auto places = field_places(system.subject());
   const auto residual = std::ranges::find_if(places, [](const FieldPlace& place) {
@@ -275,7 +276,7 @@ TEST_CASE("a field is found by its name where others of the output are absent") 
   CHECK(residual->first_oracle == 0);
 }
 
-TEST_CASE("what is conserved on the constraints is sampled there") {
+TEST_CASE("conserved quantities of constrained models are sampled on the constraints") {
   const auto row_of_conserved = [](const std::string& quantity) {
     const System system =
         constrained(bob("[[expect]]\nconserved = [\"" + quantity + "\"]\n"), "mass_matrix");

@@ -1,5 +1,5 @@
-// Values, slopes and curvatures of a program at one state. Balances: zero is zero relative to the
-// terms, and undefined is no figure.
+// Values, slopes and curvatures of a program at one state. Balances: zero is relative to the size
+// of the terms, and an undefined term has no figure.
 #include "program/evaluate/exact_values.hpp"
 
 #include <catch2/catch.hpp>
@@ -31,7 +31,7 @@ TEST_CASE("values are the program's") {
   CHECK(number(values.floor()) > 1e-20);
 }
 
-TEST_CASE("what the program lacks is the oracle's, undefined where it has none") {
+TEST_CASE("outputs that the program lacks come from the oracle, undefined if it has no value") {
   const System system = cart_pole_system();
   ExactValues values = at(system);
   CHECK(number(values.value(OutputKind::applied_force)[0]) == 0);
@@ -40,7 +40,7 @@ TEST_CASE("what the program lacks is the oracle's, undefined where it has none")
   CHECK_FALSE(none.value(OutputKind::kinetic_energy)[0].is_defined());
 }
 
-TEST_CASE("what is undefined has the shape of its output") {
+TEST_CASE("undefined values have the shape of their output") {
   ModelBuilder builder = cart_pole();
   builder.parameter("z", "0").T("1/z").force_on(0, "1/z");
   const System system = system_of(builder.model, "");
@@ -50,7 +50,7 @@ TEST_CASE("what is undefined has the shape of its output") {
   CHECK(none.value(OutputKind::mass_matrix).size() == 4);
 }
 
-TEST_CASE("slopes and curvatures are along the direction") {
+TEST_CASE("slopes and curvatures are taken along the direction") {
   const System system = cart_pole_system();
   const ExactValues values = at(system);
   Arguments<Real> direction = values.at_rest();
@@ -64,7 +64,7 @@ TEST_CASE("slopes and curvatures are along the direction") {
   CHECK(number(curvatures[1]) == -2);
 }
 
-TEST_CASE("functions can be evaluated elsewhere") {
+TEST_CASE("functions can be evaluated at other states") {
   const System system = cart_pole_system();
   const ExactValues values = at(system);
   Arguments<Real> moved = values.arguments();
@@ -72,7 +72,7 @@ TEST_CASE("functions can be evaluated elsewhere") {
   CHECK(number(values.value_at(OutputKind::dissipation, moved)[0]) == 1.5);
 }
 
-TEST_CASE("the figure is the largest sum over the largest size of terms") {
+TEST_CASE("the figure is the largest sum divided by the size of the largest term") {
   Balance balance(2);
   balance.add(0, real("3"));
   balance.add(0, real("-2"));
@@ -88,7 +88,7 @@ TEST_CASE("terms that are all zero balance") {
   CHECK(balance.figure(Real()) == 0.0);
 }
 
-TEST_CASE("rounding of something bigger is no difference") {
+TEST_CASE("a difference as small as the rounding of a larger term is none") {
   Balance balance(1);
   balance.add(0, real("1e-64"));
   CHECK(balance.figure(Real()).value() == Approx(1));

@@ -1,4 +1,4 @@
-// [[expect]]: right closed forms hold, wrong ones are pointed at with a witness.
+// [[expect]]: correct closed forms pass, wrong ones are reported with a state where they differ.
 #include "verify/structure/expectations.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// A builder's model with one expectation, each entry with a span of its own.
+/// A builder's model with one expectation, with a span for each entry.
 System expecting(ModelBuilder builder, const std::string& output, std::uint32_t columns,
                  const std::vector<std::string>& entries) {
   Expectation expectation;
@@ -49,7 +49,7 @@ const std::string on_a_rod = R"toml(["l*sin(theta)", "-l*cos(theta)"])toml";
 const std::string on_an_arc = R"toml(["l*(1 - cos(theta))/theta", "-l*sin(theta)/theta"])toml";
 const std::string on_an_arc_by_names = R"toml(["l*theta*cosc(theta)", "-l*sinc(theta)"])toml";
 
-/// A pendulum that is derived, with one expectation.
+/// A derived pendulum with one expectation.
 struct DerivedPendulum {
   explicit DerivedPendulum(const std::string& expect, const std::string& bob = on_a_rod)
       : checked(checked_model(model_text("pendulum", R"toml([[coordinate]]
@@ -77,7 +77,7 @@ vector = ["0", "-g"]
     return check_expectations(subject, has_forms ? &forms : nullptr, 1).rows.front().evidence;
   }
 
-  /// The answer to the first entry that is wrong; "" where none is.
+  /// The hint for the first wrong entry, "" if there is none.
   [[nodiscard]] std::string hint() {
     const Subject subject{checked.model, checked.scene, program};
     const Diagnostics found = check_expectations(subject, &forms, 1).diagnostics;
@@ -91,7 +91,7 @@ vector = ["0", "-g"]
 
 }  // namespace
 
-TEST_CASE("right closed forms hold, zeros included") {
+TEST_CASE("correct closed forms pass, zeros too") {
   check_holds(
       expecting(cart_pole(), "mass_matrix", 2, {"M + m", "m*l*cos(th)", "m*l*cos(th)", "m*l^2"}));
   check_holds(expecting(cart_pole(), "velocity_force", 1, {"-m*l*sin(th)*th_d^2", "0"}));
@@ -100,7 +100,7 @@ TEST_CASE("right closed forms hold, zeros included") {
   check_holds(expecting(pendulum(), "forward_dynamics", 1, {"-g/l*sin(th)"}));
 }
 
-TEST_CASE("a wrong entry is pointed at, with both values and their difference") {
+TEST_CASE("a wrong entry is reported, with both values and their difference") {
   const auto report = report_of(
       expecting(cart_pole(), "mass_matrix", 2, {"M + m", "m*l*cos(th)", "m*l*sin(th)", "m*l^2"}));
   REQUIRE(report.diagnostics.size() == 1);
@@ -114,17 +114,17 @@ TEST_CASE("a wrong entry is pointed at, with both values and their difference") 
   CHECK(report.rows[3].verdict == Verdict::holds);
 }
 
-TEST_CASE("a difference in the fortieth digit is a difference") {
+TEST_CASE("a difference in the fortieth digit is found") {
   const auto report = report_of(expecting(pendulum(), "mass_matrix", 1, {"m*l^2*(1 + 1e-40)"}));
   CHECK(report.diagnostics.size() == 1);
 }
 
-TEST_CASE("parameters vary too, so a form that holds for their values alone is wrong") {
+TEST_CASE("parameters are varied, so a form that is correct only for their values fails") {
   // m = 2, l = 3/4
   CHECK(report_of(expecting(pendulum(), "mass_matrix", 1, {"9/8"})).diagnostics.size() == 1);
 }
 
-TEST_CASE("conserved quantities: the energy is one, the angle is not") {
+TEST_CASE("the energy is conserved, the angle is not") {
   check_holds(expecting(pendulum(), "conserved", 1, {"m*l^2*th_d^2/2 - m*g*l*cos(th)"}));
   check_holds(expecting(cart_pole(), "conserved", 1, {"(M + m)*x_d + m*l*cos(th)*th_d"}));
   const auto report = report_of(expecting(pendulum(), "conserved", 1, {"th"}));
@@ -133,14 +133,14 @@ TEST_CASE("conserved quantities: the energy is one, the angle is not") {
   CHECK(report.diagnostics.front().message.find("its rate is ") == 0);
 }
 
-TEST_CASE("a rate is taken along a free motion, also where an output is called conserved") {
+TEST_CASE("a rate is taken along a free motion, also if an output is called conserved") {
   System system = expecting(pendulum(), "conserved", 1, {"m*l^2*th_d^2/2 - m*g*l*cos(th)"});
   system.model.outputs.push_back(
       {.name = "conserved", .values = {system.model.expectations[0].entries[0]}});
   check_holds(system);
 }
 
-TEST_CASE("declared damping breaks conservation") {
+TEST_CASE("declared damping makes conservation fail") {
   ModelBuilder builder = pendulum();
   builder.D("th_d^2/2");
   const auto report =
@@ -148,7 +148,7 @@ TEST_CASE("declared damping breaks conservation") {
   CHECK(report.diagnostics.size() == 1);
 }
 
-TEST_CASE("E and momenta are those of the motion") {
+TEST_CASE("E and momenta are the values along the motion") {
   check_holds(expecting(pendulum(), "conserved", 1, {"E"}));
   check_holds(expecting(cart_pole(), "conserved", 1, {"x_p", "E", "E^2 - g*x_p"}));
   CHECK(report_of(expecting(pendulum(), "conserved", 1, {"th_p"})).diagnostics.size() == 1);
@@ -157,7 +157,7 @@ TEST_CASE("E and momenta are those of the motion") {
   CHECK(report_of(expecting(damped, "conserved", 1, {"E"})).diagnostics.size() == 1);
 }
 
-TEST_CASE("in a field that turns E - w p of the angle is conserved, and neither of them") {
+TEST_CASE("in a rotating field E - w p of the angle is conserved, and neither E nor p alone") {
   ModelBuilder builder;
   builder.coordinate("r").coordinate("phi", "rad").parameter("m", "2").parameter("k", "5");
   builder.parameter("w", "0.7").T("m*(r_d^2 + r^2*phi_d^2)/2").V("k*(r*cos(phi - w*t))^2/2");
@@ -165,7 +165,7 @@ TEST_CASE("in a field that turns E - w p of the angle is conserved, and neither 
   CHECK(report_of(expecting(builder, "conserved", 1, {"E", "phi_p"})).diagnostics.size() == 2);
 }
 
-TEST_CASE("a form that is undefined everywhere is not met") {
+TEST_CASE("a form that is undefined everywhere fails") {
   const auto report = report_of(expecting(pendulum(), "mass_matrix", 1, {"sqrt(-1 - th^2)"}));
   CHECK(report.rows.front().verdict == Verdict::fails);
   CHECK(report.rows.front().skipped == std::vector<SkippedStates>{{Obstacle::undefined, 64}});
@@ -178,7 +178,7 @@ TEST_CASE("a form that is undefined everywhere is not met") {
   CHECK(rate.diagnostics.size() == 1);
 }
 
-TEST_CASE("points lie in the declared ranges, where a model has values") {
+TEST_CASE("states lie in the declared ranges where the model has values") {
   ModelBuilder builder = pendulum();
   builder.V("(th - 5)^(3/2)");
   CHECK(
@@ -188,7 +188,7 @@ TEST_CASE("points lie in the declared ranges, where a model has values") {
   check_holds(expecting(builder, "potential_energy", 1, {"(th - 5)*sqrt(th - 5) - m*g*l*cos(th)"}));
 }
 
-TEST_CASE("both sides of a kink are looked at, and one that was not seen is named") {
+TEST_CASE("both sides of a kink are sampled, and a side without states is named") {
   ModelBuilder builder = cart_pole();
   builder.force_on(0, "-max(x - 300, 0)");
   CHECK(report_of(expecting(builder, "applied_force", 1, {"0", "0"})).diagnostics.size() == 1);
@@ -198,7 +198,7 @@ TEST_CASE("both sides of a kink are looked at, and one that was not seen is name
   CHECK(report.rows.front().tolerance.find("; sampled on one side only: `") != std::string::npos);
 }
 
-TEST_CASE("what is written in another form is proved, what is wrong is not") {
+TEST_CASE("an equal form that is written differently is proved, a wrong one is not") {
   for (const auto& [expect, evidence] :
        {std::pair{"gravity = [\"m*g*l*sin(theta)\"]\n", Evidence::proof},
         std::pair{"gravity = [\"2*m*g*l*sin(theta/2)*cos(theta/2)\"]\n", Evidence::proof},
@@ -216,7 +216,7 @@ TEST_CASE("what is written in another form is proved, what is wrong is not") {
   }
 }
 
-TEST_CASE("Stumpff's functions are proved to be quotients, and wrong quotients are not") {
+TEST_CASE("Stumpff functions are proved equal to quotients, wrong quotients are not") {
   for (const std::string& bob : {on_an_arc, on_an_arc_by_names}) {
     for (const auto& [expect, evidence] :
          {std::pair{"mass_matrix = [[\"m*l^2*(2 + theta^2 - 2*cos(theta) - "
@@ -235,7 +235,7 @@ TEST_CASE("Stumpff's functions are proved to be quotients, and wrong quotients a
   }
 }
 
-TEST_CASE("quotients of exponentials are proved, and wrong ones are not") {
+TEST_CASE("quotients of exponentials are proved, wrong ones are not") {
   for (const auto& [expect, evidence] :
        {std::pair{"gravity = [\"m*g*l*sin(theta)*exp(theta)*exp(-theta)\"]\n", Evidence::proof},
         std::pair{"conserved = [\"E*tanh(theta)*(1 + exp(-2*theta))/(1 - exp(-2*theta))\"]\n",
@@ -248,7 +248,7 @@ TEST_CASE("quotients of exponentials are proved, and wrong ones are not") {
   }
 }
 
-TEST_CASE("without closed forms, and where an entry rests on a sampled zero, nothing is proved") {
+TEST_CASE("nothing is proved without closed forms, or if an entry depends on a sampled zero") {
   for (const char* expect : {"forward_dynamics = [\"-g/l*sin(theta)\"]\n", "conserved = [\"E\"]\n",
                              "conserved = [\"1/2*m*l^2*dot(theta)^2 - m*g*l*cos(theta)\"]\n"}) {
     INFO(expect);
@@ -260,7 +260,7 @@ TEST_CASE("without closed forms, and where an entry rests on a sampled zero, not
   }
 }
 
-TEST_CASE("a wrong closed form is answered by the terms that differ") {
+TEST_CASE("for a wrong closed form the hint names the terms that differ") {
   for (const auto& [expect, words] :
        {std::pair{"gravity = [\"-m*g*l*sin(theta)\"]\n",
                   "the term m*g*l*sin(theta) has the opposite sign"},
@@ -288,7 +288,7 @@ TEST_CASE("a wrong closed form is answered by the terms that differ") {
   CHECK(hint.find("stumpff") == std::string::npos);
 }
 
-TEST_CASE("a wrong equation is answered by the terms that differ from a multiple of its row") {
+TEST_CASE("for a wrong equation the hint names the terms that differ from a multiple of its row") {
   const std::string row = "compared with row theta of the equations of motion";
   for (const auto& [equation, words] :
        {std::pair{"m*l^2*dot(dot(theta)) = m*g*l*sin(theta)",

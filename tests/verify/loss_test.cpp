@@ -1,5 +1,5 @@
-// Loss: bad formulas lose digits that good ones keep, and ill-conditioned values excuse both; every
-// output has a figure of it, with its entry and its whole state.
+// Loss: bad formulas lose digits that good ones keep, and ill-conditioned values excuse a loss in
+// both. Every output has a figure with its entry and its complete state.
 #include "verify/bounds/loss.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-// V = m g l (1 - cos th) of a pendulum, in ways that keep its digits and ways that do not.
+// V = m g l (1 - cos th) of a pendulum, in forms that keep its digits and forms that lose them.
 const std::string form_head =
     "parameters m l g\ncoordinates th\nfunction potential_energy\n  0 = parameter m\n"
     "  1 = parameter l\n  2 = parameter g\n  3 = coordinate th\n  4 = multiply 0 1\n"
@@ -27,14 +27,14 @@ const std::string half_angle =
     form_head +
     "  6 = constant 1/2\n  7 = multiply 6 3\n  8 = sin 7\n  9 = multiply 8 8\n"
     "  10 = add 9 9\n  11 = multiply 5 10\n  result 1 1 = 11\n";
-/// m l g (pi/2 - atan(th)), which atan2(1, th) has all digits of.
+/// m l g (pi/2 - atan(th)), which atan2(1, th) computes with all digits.
 const std::string arctangent = form_head +
                                "  6 = atan 3\n  7 = constant 1/2*pi\n  8 = subtract 7 6\n"
                                "  9 = multiply 5 8\n  result 1 1 = 9\n";
-/// m l g tanh(th), as friction goes with a rate.
+/// m l g tanh(th), as in friction.
 const std::string friction = form_head + "  6 = tanh 3\n  7 = multiply 5 6\n  result 1 1 = 7\n";
 
-/// A system with one output, the potential energy as `text` writes it.
+/// A system with one output, the potential energy computed by `text`.
 System written_as(const std::string& text) {
   ModelBuilder builder;
   builder.coordinate("th", "rad").parameter("m", "2").parameter("l", "0.75").parameter("g", "9.81");
@@ -49,7 +49,7 @@ State at(double angle) {
   return state;
 }
 
-/// Of the first field, whose first entry is off by `errors` from its exact value.
+/// The loss of the first field, whose first entry differs by `errors` from its exact value.
 Loss loss_of(const System& system, const State& state, const std::vector<Real>& errors) {
   const Subject subject = system.subject();
   const FieldPlace place = field_places(subject).front();
@@ -60,12 +60,12 @@ Loss loss_of(const System& system, const State& state, const std::vector<Real>& 
   return losses.of_field(place, run, errors, exact);
 }
 
-/// The loss of a value that is off by `error` times u.
+/// The loss of a value that differs from the exact one by `error` times u.
 Loss loss_of(const System& system, const State& state, double error) {
   return loss_of(system, state, {Real(exact_value(error)) * rounding<double>().roundoff});
 }
 
-/// Whether doubles, as the code computes them, lose no more than is tolerated.
+/// True if doubles in compiled code lose no more than the tolerated number of digits.
 bool keeps(const std::string& text, double angle) {
   const System system = written_as(text);
   const Function& function = system.program.functions.front();
@@ -88,7 +88,7 @@ CertificateRow row_of(const System& system, Losing losing) {
   return {};
 }
 
-/// The row of V = (x - 1)^2 + (y - 3/10)^2, as this body computes it, near the zeros of V.
+/// The row of V = (x - 1)^2 + (y - 3/10)^2 as `body` computes it, near the zeros of V.
 CertificateRow row_of_anchor(const std::string& body, Losing losing = Losing::inside_ranges) {
   ModelBuilder builder;
   builder.coordinate("x").coordinate("y").T("(x_d^2 + y_d^2)/2").V("(x - 1)^2 + (y - 0.3)^2");
@@ -110,7 +110,7 @@ bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The cosine form where the angle stays near 0.
+/// The cosine form with a range of angles near 0.
 System near_zero(const char* range) {
   System system = written_as(cosine);
   system.model.coordinates[0].range = Interval{0, exact(range)};
@@ -119,7 +119,7 @@ System near_zero(const char* range) {
 
 }  // namespace
 
-TEST_CASE("1 - cos(th) keeps its digits at ordinary angles and none at tiny ones") {
+TEST_CASE("1 - cos(th) keeps its digits at ordinary angles and loses all at tiny ones") {
   CHECK(keeps(cosine, 1));
   CHECK_FALSE(keeps(cosine, 1e-3));
   CHECK_FALSE(keeps(cosine, 1e-8));
@@ -127,9 +127,9 @@ TEST_CASE("1 - cos(th) keeps its digits at ordinary angles and none at tiny ones
   CHECK(keeps(half_angle, 1e-8));
 }
 
-TEST_CASE("an angle of 1e15 rad excuses what is made of it") { CHECK(keeps(cosine, 1e15)); }
+TEST_CASE("an angle of 1e15 rad excuses any loss") { CHECK(keeps(cosine, 1e15)); }
 
-TEST_CASE("an angle that is not known to 1/1000 rad tells nothing") {
+TEST_CASE("an angle with an uncertainty above 1/1000 rad gives no figure") {
   const System system = written_as(cosine);
   const Subject subject = system.subject();
   const State far = at(1e14);
@@ -141,28 +141,27 @@ TEST_CASE("an angle that is not known to 1/1000 rad tells nothing") {
   CHECK_FALSE(Losses(subject, near_oracle, rounding<float>()).knows_angles());
 }
 
-TEST_CASE("losses are counted in what the inputs' rounding costs") {
+TEST_CASE("losses are relative to the effect of the inputs' rounding") {
   const System system = written_as(cosine);
-  // x = 9.81 (1 - cos 1); m, l, g and th each cost their share.
+  // x = 9.81 (1 - cos 1). Each of m, l, g and th adds its share.
   const double x = 9.81 * (1 - std::cos(1.0));
   const double reference = 4 * x + 9.81 * std::sin(1.0);
   CHECK(loss_of(system, at(1), 100 * x).of_entry.figure == Approx(100 * x / reference));
-  // R >= |x|, which does up to two roundings.
+  // R >= |x|, which allows up to two roundings.
   CHECK(loss_of(system, at(1), 2 * x).of_entry.figure == Approx(2));
   CHECK(loss_of(system, at(1), 100 * x).of_field.figure == Approx(100));
 }
 
-TEST_CASE("literals excuse no cancellation, pi neither") {
+TEST_CASE("literals and pi excuse no cancellation") {
   CHECK(keeps(arctangent, 1));
   CHECK_FALSE(keeps(arctangent, 1e8));
   const System system = written_as(arctangent);
   const double x = 9.81 * 1e-8;
-  // m, l, g and th each cost x.
+  // Each of m, l, g and th adds x.
   CHECK(loss_of(system, at(1e8), 100 * x).of_entry.figure == Approx(100 / 5.0));
 }
 
-TEST_CASE(
-    "a fixed parameter excuses what it excuses as an argument, a literal of the text does not") {
+TEST_CASE("a fixed parameter excuses as much as an argument, a literal in the text does not") {
   const std::string text =
       "coordinates th\nfunction potential_energy\n  0 = coordinate th\n"
       "  1 = cos 0\n  2 = constant 1\n  3 = subtract 2 1\n"
@@ -178,7 +177,7 @@ TEST_CASE(
   CHECK(reference() == Approx(x + of_angle));
 }
 
-TEST_CASE("where R is 0 on paper nothing is told of the entry, and counted") {
+TEST_CASE("if R is exactly 0, the entry has no figure and is counted") {
   const System system = written_as(
       "parameters m l\ncoordinates x y\nfunction gravity\n  0 = parameter m\n  1 = parameter l\n"
       "  2 = add 0 1\n  3 = subtract 2 0\n  4 = subtract 3 1\n  result 2 1 = 2 4\n");
@@ -191,8 +190,9 @@ TEST_CASE("where R is 0 on paper nothing is told of the entry, and counted") {
   CHECK(loss.of_field.entry == 1);
 }
 
-TEST_CASE("no more digits are lost than a scalar has") {
-  // m, by way of numbers of 1e20 that add up to 0 on paper, and not when they are rounded.
+TEST_CASE("the loss is at most the digits of a scalar") {
+  // Computes m by adding and subtracting numbers of about 1e20, which cancel exactly but not when
+  // rounded.
   const auto lossy = [](const std::string& x, const std::string& y,
                         const std::pair<std::string, std::string>& sum) {
     ModelBuilder builder;
@@ -216,8 +216,8 @@ TEST_CASE("no more digits are lost than a scalar has") {
   CHECK(mentions(in_float.worst, "7.0 digits of potential_energy"));
 }
 
-TEST_CASE("where K has no value nothing is said of a loss") {
-  // Far out tanh is 1 in all digits. No exponential beyond 2^29 is a number of 60 digits.
+TEST_CASE("if K has no value, no loss is reported") {
+  // For large th tanh is 1 in all digits. Exponentials beyond 2^29 have no value in 60 digits.
   const System system = written_as(friction);
   CHECK(loss_of(system, at(1e8), 1e6).of_entry.figure > 1e4);
   CHECK(loss_of(system, at(1e9), 1e6).of_entry.figure > 1e4);
@@ -225,7 +225,7 @@ TEST_CASE("where K has no value nothing is said of a loss") {
   CHECK(loss_of(written_as(decay), at(-1e9), 1e6).of_entry.figure == 0);
 }
 
-TEST_CASE("inside the ranges 1 - cos(th) loses little, at the extremes everything") {
+TEST_CASE("1 - cos(th) loses little inside the ranges and everything at the extremes") {
   const System system = written_as(cosine);
   const CertificateRow inside = row_of(system, Losing::inside_ranges);
   CHECK(inside.verdict == Verdict::holds);
@@ -237,7 +237,7 @@ TEST_CASE("inside the ranges 1 - cos(th) loses little, at the extremes everythin
   CHECK(beyond.loss.value_or(0) > 1e8);
 }
 
-TEST_CASE("half of the digits lost inside the ranges is noted, with a state of 17 digits") {
+TEST_CASE("a loss of half of the digits inside the ranges is noted, with a state in 17 digits") {
   const CertificateRow row = row_of(near_zero("1e-6"), Losing::inside_ranges);
   CHECK(row.verdict == Verdict::noted);
   CHECK(mentions(row.worst, "digits of potential_energy (of the largest entry "));
@@ -246,7 +246,7 @@ TEST_CASE("half of the digits lost inside the ranges is noted, with a state of 1
   CHECK(row_of(near_zero("1e-1"), Losing::inside_ranges).verdict == Verdict::holds);
 }
 
-TEST_CASE("a typed sum that was multiplied out is noted near its zero, one that was not is not") {
+TEST_CASE("an expanded sum of squares is noted near its zero, an unexpanded one is not") {
   // 1.09 - x (2 - x) - y (0.6 - y)
   const CertificateRow expanded = row_of_anchor(
       "  2 = constant 109/100\n  3 = constant 2\n  4 = subtract 3 0\n  5 = multiply 0 4\n"
@@ -261,7 +261,7 @@ TEST_CASE("a typed sum that was multiplied out is noted near its zero, one that 
   CHECK(typed.loss.value_or(100) <= tolerated_loss);
 }
 
-TEST_CASE("NaN has no digit, where no bound says that it is wrong either") {
+TEST_CASE("NaN has lost all digits, even if no bound proves it wrong") {
   // d^2/d with d = x (x - 2) + y (y - 0.6) + 1.09, which is 0 in double next to the zero.
   const CertificateRow row = row_of_anchor(
       "  2 = constant 2\n  3 = subtract 0 2\n  4 = multiply 0 3\n  5 = constant 3/5\n"
@@ -271,14 +271,14 @@ TEST_CASE("NaN has no digit, where no bound says that it is wrong either") {
   CHECK(row.loss.value_or(0) > 1e15);
 }
 
-TEST_CASE("a form that keeps its digits loses none") {
+TEST_CASE("a form that keeps its digits has no loss") {
   const CertificateRow row = row_of(written_as(half_angle), Losing::everywhere);
   CHECK(row.verdict == Verdict::holds);
   CHECK(row.samples > 30);
   CHECK(row.loss.value_or(100) <= tolerated_loss);
 }
 
-TEST_CASE("losses are not measured where nobody asks") {
+TEST_CASE("losses are measured only if requested") {
   const System system = written_as(cosine);
   const auto samples = sample_states<double>(system.subject(), {4, 1, false});
   CHECK(check_accuracy(system.subject(), samples).size() == 1);

@@ -1,4 +1,4 @@
-// Cached values are the oracle's, and the rule by which numbers of program and oracle are the same.
+// Cached values are the oracle's. Also tests the rule for when numbers of program and oracle agree.
 #include "verify/bounds/oracle_cache.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ Real power(int exponent) { return Real(power_of_ten(exponent)); }
 
 }  // namespace
 
-TEST_CASE("values are the oracle's, each output and user output by itself, asked once") {
+TEST_CASE("values are the oracle's, and each output is computed once") {
   const System system = cart_pole_system();
   const Subject subject = system.subject();
   OracleCache cache(subject, random_state(system.model, 1));
@@ -25,18 +25,18 @@ TEST_CASE("values are the oracle's, each output and user output by itself, asked
   CHECK(&cache.values(mass) == &first);
 }
 
-TEST_CASE("the energy is a magnitude, 0 where there is none") {
+TEST_CASE("the energy is an absolute value, and 0 if there is none") {
   const System system = cart_pole_system();
   const Subject subject = system.subject();
   State state = nominal_state(system.model, system.scene);
-  state.q[1] = 3;  // below the pivot: V < 0
+  state.q[1] = 3;  // below the pivot V < 0
   CHECK(OracleCache(subject, state).energy() > 0);
   const System undefined = system_of(pendulum().V("sqrt(-1 - th^2)").model, "");
   const Subject other = undefined.subject();
   CHECK(OracleCache(other, nominal_state(undefined.model, {})).energy() == 0);
 }
 
-TEST_CASE("the energy is that of weights that balance") {
+TEST_CASE("the energy of balanced weights is not 0") {
   ModelBuilder seesaw;
   seesaw.coordinate("th").parameter("m", "30").parameter("l", "2").parameter("g", "10");
   seesaw.point("right", {"l*cos(th)", "l*sin(th)"}, "m");
@@ -49,7 +49,9 @@ TEST_CASE("the energy is that of weights that balance") {
   CHECK(OracleCache(subject, state).energy() > 1000);  // 2 m g l sin(1)
 }
 
-TEST_CASE("numbers agree to 50 digits of their error and value, or 52 of what they drown in") {
+TEST_CASE(
+    "numbers agree to 50 digits of their error and value, or 52 of the larger terms that they come "
+    "from") {
   const Real none;
   CHECK(agrees({Real(1), Real(1)}, Real(1) + power(-50), none));
   CHECK_FALSE(agrees({Real(1), Real(1)}, Real(1) + power(-49), none));
@@ -58,7 +60,7 @@ TEST_CASE("numbers agree to 50 digits of their error and value, or 52 of what th
   CHECK_FALSE(agrees({none, none}, power(-51), Real(1)));
 }
 
-TEST_CASE("what is undefined agrees with nothing, and is said so") {
+TEST_CASE("an undefined value agrees with nothing, and is reported as undefined") {
   CHECK_FALSE(agrees({Real::undefined(), Real(1)}, Real(1), Real(1)));
   CHECK_FALSE(agrees({Real(1), Real(1)}, Real::undefined(), Real(1)));
   CHECK(short_text(Real::undefined()) == "undefined");
@@ -66,8 +68,8 @@ TEST_CASE("what is undefined agrees with nothing, and is said so") {
 }
 
 TEST_CASE(
-    "zeros on paper drown in the rounding of energy and forces, whatever outputs are called") {
-  // The drift alone, under another name: no other output says how large the forces are.
+    "exact zeros agree within the rounding of energy and forces, whatever the outputs' names") {
+  // Only the drift, with another name. No other output gives the size of the forces.
   ModelBuilder builder = cart_pole().parameter("c", "0.3");
   System system = system_of(builder.model,
                             "parameters M m l g c\ncoordinates x th\ninputs u\n"

@@ -1,4 +1,5 @@
-// Projections: the program's exact numbers against the oracle's; self_check_test has every output.
+// Projections of the program's exact numbers against the oracle's. self_check_test covers every
+// output.
 #include "verify/bounds/projection.hpp"
 
 #include <catch2/catch.hpp>
@@ -34,7 +35,7 @@ TEST_CASE("a projection that differs in the fortieth digit differs") {
   CHECK(compare(system, OutputKind::gravity).find("w.x is ") == 0);
 }
 
-TEST_CASE("accelerations are judged by the equation they solve, pivots by elimination") {
+TEST_CASE("accelerations are tested by the equation that they solve, pivots by elimination") {
   const System wrong = mutated("forward_dynamics", "25 = subtract 24 23", "25 = add 24 23");
   const auto kind = OutputKind::forward_dynamics;
   CHECK(compare(wrong, kind).find("w.(M a + bias)") == 0);

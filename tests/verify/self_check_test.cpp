@@ -1,4 +1,4 @@
-// The check before every write: right programs pass, every kind of mistake is named.
+// The check before every write: correct programs pass, and every kind of mistake is named.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ SelfCheck check(const System& system) {
   return self_check(system.model, system.scene, system.program);
 }
 
-/// Entries 1 and 2 of the mass matrix rest on a sampled zero; `dynamics` repeats them.
+/// Entries 1 and 2 of the mass matrix depend on a sampled zero; `dynamics` repeats them.
 System with_sampled_zeros() {
   System system = cart_pole_system();
   for (Function& function : system.program.functions) {
@@ -27,7 +27,7 @@ System with_sampled_zeros() {
 
 }  // namespace
 
-TEST_CASE("a right program passes, at 32 states where it is short") {
+TEST_CASE("a correct short program passes at 32 states") {
   const SelfCheck result = check(cart_pole_system());
   CHECK(result.failure.empty());
   CHECK(result.states == 32);
@@ -35,7 +35,7 @@ TEST_CASE("a right program passes, at 32 states where it is short") {
   CHECK(*result.digits_lost <= 0.5);
 }
 
-TEST_CASE("a mistake in any function is found and the function named") {
+TEST_CASE("a mistake in any function is found, and the function is named") {
   for (const auto& [function, from, to] :
        {std::tuple{"mass_matrix", "= 10 11 11 12", "= 10 11 9 12"},
         std::tuple{"coriolis_matrix", "= 17 18 17 17", "= 17 16 17 17"},
@@ -65,7 +65,7 @@ TEST_CASE("a mistake in any function is found and the function named") {
   }
 }
 
-TEST_CASE("bad rounding is a figure of the receipt, not a failure") {
+TEST_CASE("a large rounding error is a figure of the receipt and no failure") {
   const SelfCheck result = check(badly_rounded());
   INFO(result.failure);
   CHECK(result.failure.empty());
@@ -108,7 +108,7 @@ TEST_CASE("an entry that is undefined where the oracle has a value is a mistake"
   }
 }
 
-TEST_CASE("a model without a value anywhere is no success") {
+TEST_CASE("a model without a value at any state does not pass") {
   const System system = system_of(pendulum().V("sqrt(-1 - th^2)").model,
                                   "parameters m l g\ncoordinates th\nfunction bias\n"
                                   "  0 = constant -1\n  1 = square_root 0\n  result 1 1 = 1\n");
@@ -119,7 +119,7 @@ TEST_CASE("a model without a value anywhere is no success") {
   CHECK(result.outside == 256);
 }
 
-TEST_CASE("an output without a value is found beside others that have one") {
+TEST_CASE("an output without a value is found beside outputs that have one") {
   const char* mass =
       "parameters m l g\ncoordinates th\nfunction mass_matrix\n  0 = parameter m\n"
       "  1 = parameter l\n  2 = multiply 1 1\n  3 = multiply 0 2\n  result 1 1 = 3\n";
@@ -130,7 +130,7 @@ TEST_CASE("an output without a value is found beside others that have one") {
   CHECK(result.lacks_value);
 }
 
-TEST_CASE("a narrow domain is searched for, and states outside of it are counted") {
+TEST_CASE("states in a narrow domain are searched for, and states outside it are counted") {
   const char* text =
       "parameters m l g\ncoordinates th\nfunction potential_energy\n"
       "  0 = coordinate th\n  1 = constant 3\n  2 = subtract 0 1\n  3 = square_root 2\n"
@@ -144,7 +144,7 @@ TEST_CASE("a narrow domain is searched for, and states outside of it are counted
   CHECK(result.outside >= 1);
 }
 
-TEST_CASE("the receipt and the certificate tell of zeros that nobody proved") {
+TEST_CASE("the receipt and the certificate report zeros that are not proved") {
   CHECK(check(cart_pole_system()).sampled_zeros == 0);
   const System system = with_sampled_zeros();
   const std::string text = receipt(check(system));
@@ -171,7 +171,7 @@ System exponential(const std::string& factor) {
                        "  result 1 1 = 3\n");
 }
 
-TEST_CASE("states inside the ranges whose values overflow are counted, and said") {
+TEST_CASE("states inside the ranges whose values overflow are counted and reported") {
   const SelfCheck overflows = check(exponential("1000"));
   INFO(overflows.failure);
   CHECK(overflows.failure.empty());
@@ -187,7 +187,7 @@ TEST_CASE("states inside the ranges whose values overflow are counted, and said"
   CHECK(receipt(finite).find("finite") == std::string::npos);
 }
 
-TEST_CASE("the certificate counts states inside the ranges that it skips") {
+TEST_CASE("the certificate counts skipped states inside the ranges") {
   const auto text = [](const System& system) {
     return to_text(
         verify(system.model, system.scene, system.program, {}, {16, true, 1}).certificate);
@@ -196,11 +196,11 @@ TEST_CASE("the certificate counts states inside the ranges that it skips") {
   CHECK(text(exponential("100")).find("inside the ranges skipped") == std::string::npos);
 }
 
-TEST_CASE("nothing to check is nothing wrong") {
+TEST_CASE("a program without functions passes") {
   CHECK(check(system_of(pendulum().model, "")).failure.empty());
 }
 
-TEST_CASE("the receipt says what was done, and what was found") {
+TEST_CASE("the receipt states what was checked and what was found") {
   CHECK(receipt({32, 0.42, "", 0}) ==
         "compared with 60-digit arithmetic at 32 states; at most 0.4 digits lost");
   CHECK(receipt({1, 0.04, "", 0}) == "compared with 60-digit arithmetic at 1 state; no digit lost");

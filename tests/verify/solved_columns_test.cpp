@@ -1,5 +1,5 @@
-// Exact runs along a program: regimes, and errors in roundoffs. Solutions lose digits in the norm
-// of D^1/2, under constraints too.
+// Exact runs of a program: regimes, and errors in units of roundoff. The lost digits of solutions
+// are measured in the norm of D^1/2, with constraints too.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -15,7 +15,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// M = [1 c; c 1] and bias = (b, 0), all parameters, solved as `body` says.
+/// M = [1 c; c 1] and bias = (b, 0), with parameters as entries, solved by `body`.
 System symmetric_pair(const std::string& body, const std::string& results) {
   const std::string leaves =
       "  0 = parameter one\n  1 = parameter c\n  2 = parameter b\n  3 = constant 0\n";
@@ -44,7 +44,8 @@ SampledState<double> state_with(const System& system, double c) {
   return states.front();
 }
 
-/// The same pair, driven by b and d, with x held at 0: M is eliminated first, then A M^-1 A^T.
+/// The same pair, driven by b and d, with the constraint x = 0. M is eliminated first, then A M^-1
+/// A^T.
 System held_pair(const std::optional<std::pair<std::string, std::string>>& gains = {}) {
   const std::string leaves =
       "  0 = parameter one\n  1 = parameter c\n  2 = parameter b\n  3 = parameter d\n"
@@ -82,7 +83,7 @@ System held_pair(const std::optional<std::pair<std::string, std::string>>& gains
           function_text("constraint_bias", leaves, "  result 1 1 = 4\n"));
 }
 
-/// Of one field of forward_dynamics.
+/// The columns of one field of forward_dynamics.
 std::vector<SolvedColumn> columns_at(const System& system, double c, std::size_t field = 0) {
   const Subject subject = system.subject();
   OracleCache oracle(subject, exact_state(subject, state_with(system, c).values));
@@ -113,7 +114,7 @@ ExactRun run_at(double x, double y) {
 
 }  // namespace
 
-TEST_CASE("accelerations are one column, weighed by the roots of the diagonal of M") {
+TEST_CASE("accelerations are one column, weighted by the square roots of M's diagonal") {
   const auto columns = columns_at(symmetric_pair(solve, results), 0.5);
   REQUIRE(columns.size() == 1);
   CHECK(columns[0].entries == std::vector<std::size_t>{0, 1});
@@ -122,7 +123,7 @@ TEST_CASE("accelerations are one column, weighed by the roots of the diagonal of
 }
 
 TEST_CASE("a small acceleration beside a large one has no digits of its own") {
-  // a = (-b, c b)/(1 - c^2): at c = 1e-17 the second is lost whole in (1 + c) - 1.
+  // a = (-b, c b)/(1 - c^2): at c = 1e-17 all digits of the second are lost in (1 + c) - 1.
   const std::string body =
       "  4 = add 0 1\n  5 = subtract 4 0\n  6 = negate 2\n  7 = multiply 5 2\n"
       "  8 = multiply 1 1\n  9 = subtract 0 8\n  10 = divide 6 9\n  11 = divide 7 9\n"
@@ -135,7 +136,7 @@ TEST_CASE("a small acceleration beside a large one has no digits of its own") {
   CHECK(finding.loss->of_entry.figure < 2);
 }
 
-TEST_CASE("near a singular M a solution is right, and its lost digits are excused by K") {
+TEST_CASE("near a singular M a solution is accepted, and K excuses its lost digits") {
   const System system = symmetric_pair(solve, results);
   for (const double c : {0.5, 1 - 1e-9, 1 - 1e-12}) {
     INFO(c);
@@ -147,7 +148,7 @@ TEST_CASE("near a singular M a solution is right, and its lost digits are excuse
   CHECK(finding_at(system, 1 - 1e-15).regime == Regime::ill_conditioned);
 }
 
-TEST_CASE("a way to solve that loses digits is told so") {
+TEST_CASE("an elimination that loses digits is reported") {
   // (c + 1e6) - 1e6 for c in the pivot: 4 1e6  6 c  7 -b  8 L  10 D2  13 a2  15 a1
   const std::string body =
       "  4 = constant 1000000\n  5 = add 1 4\n  6 = subtract 5 4\n  7 = negate 2\n"
@@ -162,7 +163,7 @@ TEST_CASE("a way to solve that loses digits is told so") {
   CHECK(finding.loss->of_entry.figure > 1e3);
 }
 
-TEST_CASE("multipliers are weighed by the rows of A D^-1/2") {
+TEST_CASE("multipliers are weighted by the rows of A D^-1/2") {
   const auto multipliers = columns_at(held_pair(), 0.5, 2);
   REQUIRE(multipliers.size() == 1);
   CHECK(multipliers[0].entries == std::vector<std::size_t>{0});
@@ -170,7 +171,8 @@ TEST_CASE("multipliers are weighed by the rows of A D^-1/2") {
   CHECK(columns_at(held_pair(), 0.5).size() == 1);
 }
 
-TEST_CASE("where M alone is ill-conditioned, digits are lost that the whole system would keep") {
+TEST_CASE(
+    "if only M is ill-conditioned, digits are lost that a solution of the whole system keeps") {
   const System system = held_pair();
   const Finding finding = finding_at(system, 1 - 1e-9);
   CHECK(finding.mistake.empty());
@@ -178,14 +180,14 @@ TEST_CASE("where M alone is ill-conditioned, digits are lost that the whole syst
   CHECK(finding.loss->of_entry.figure > 1e3);
 }
 
-TEST_CASE("each regime is told") {
+TEST_CASE("each regime is recognised") {
   CHECK(run_at<double>(3, 2).regime == Regime::regular);
   CHECK(run_at<double>(2, 2).regime == Regime::undefined);
   CHECK(run_at<double>(2, 3).regime == Regime::undefined);
   CHECK(run_at<double>(1e160, 1).regime == Regime::overflow);
   CHECK(run_at<float>(1e30, 1).regime == Regime::overflow);
   CHECK(run_at<double>(1e30, 1).regime == Regime::regular);
-  // x - y is exact, sqrt(x) - y is not: hardly a digit of it is left.
+  // x - y is exact. sqrt(x) - y keeps hardly any digit.
   CHECK(run_at<double>(std::nextafter(3.0, 4.0), 3).regime == Regime::regular);
   const Program program = program_of(
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
@@ -196,7 +198,7 @@ TEST_CASE("each regime is told") {
         Regime::ill_conditioned);
 }
 
-TEST_CASE("what leaves every exponent is an overflow too") {
+TEST_CASE("a value beyond every exponent is an overflow too") {
   const Program program = program_of(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = exp 0\n  result 1 1 = 1\n");
   State state;
@@ -209,7 +211,7 @@ TEST_CASE("entries are exact to 64 digits") {
   CHECK(ScalarTraits<double>::from_real(run_at<double>(3, 2).entries.at(0).value.value()) == 3);
 }
 
-TEST_CASE("errors are measured in roundoffs, less what underflow may cost") {
+TEST_CASE("errors are in units of roundoff, minus the effect of underflow") {
   const auto in_double = [](double x, const Real& exact, std::size_t operations) {
     return in_roundoffs(excess_error(x, exact, operations, rounding<double>()), exact,
                         rounding<double>());

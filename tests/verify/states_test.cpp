@@ -1,5 +1,5 @@
-// States: on which sides of kinks they lie, how near they are to zeros of typed sums, and at which
-// of them a figure is worst.
+// States: the sides of kinks on which they lie, their distance to zeros of typed sums, and the
+// state with the worst figure.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -34,7 +34,7 @@ System ranged(const std::string& V, const Interval& range = {-3, 4}) {
   return system_of(builder.model, "");
 }
 
-/// The states at which V is at most so large.
+/// The states at which V is at most `most`.
 template <class Scalar = double>
 std::vector<SampledState<Scalar>> states_below(const System& system, double most) {
   auto states = states_near_zeros<Scalar>(system.subject(), {16, 1, true});
@@ -52,7 +52,7 @@ bool is_at_rest(const SampledState<double>& state) {
 
 }  // namespace
 
-TEST_CASE("typed sums vanish together near states that move and that are at rest") {
+TEST_CASE("typed sums vanish together at states with and without motion") {
   for (const std::string V :
        {"(x - 1)^2 + (y - 0.3)^2", "(x - y)^2 + (y - z)^2", "1 - cos(x - 2*y)", "x*y - 1 + z/2",
         "2.25 + 2.25 - 2*1.5*1.5*cos(z)"}) {
@@ -67,7 +67,7 @@ TEST_CASE("typed sums vanish together near states that move and that are at rest
   }
 }
 
-TEST_CASE("states near zeros are inside the ranges, near them and never more than random ones") {
+TEST_CASE("states near zeros are inside the ranges and at most as many as random ones") {
   const Interval range{exact("1/2"), 4};
   const System system = ranged("(x - 1/2)*(y - 4)*(z - 2)", range);
   const auto states = states_near_zeros<double>(system.subject(), {8, 1, true});
@@ -85,9 +85,11 @@ TEST_CASE("a sum that does not vanish inside the ranges gives no state") {
   CHECK(states_near_zeros<double>(ranged("1 + x^2 + y^4").subject(), {16, 1, true}).empty());
 }
 
-TEST_CASE("a model without kinks has seen them all") { CHECK(Kinks(cart_pole().model).are_seen()); }
+TEST_CASE("a model without kinks has no unseen ones") {
+  CHECK(Kinks(cart_pole().model).are_seen());
+}
 
-TEST_CASE("a kink is seen once states lie on both sides of it") {
+TEST_CASE("a kink is seen when states lie on both sides of it") {
   ModelBuilder builder = cart_pole();
   builder.force_on(0, "max(x - 2, 0) + abs(x)");
   Kinks kinks(builder.model);
@@ -101,7 +103,7 @@ TEST_CASE("a kink is seen once states lie on both sides of it") {
   CHECK(kinks.unseen().empty());
 }
 
-TEST_CASE("on the kink itself a state is on no side") {
+TEST_CASE("a state on the kink itself is on neither side") {
   ModelBuilder builder = cart_pole();
   builder.force_on(0, "sign(x - 2)");
   Kinks kinks(builder.model);
@@ -121,7 +123,7 @@ TEST_CASE("the worst figure keeps its state") {
   CHECK(tally.verdict(2.9) == Verdict::fails);
 }
 
-TEST_CASE("a NaN fails, whatever comes before or after it") {
+TEST_CASE("NaN fails, whatever comes before or after it") {
   const System system = cart_pole_system();
   Tally tally;
   tally.add(1, at(system, 1));
@@ -130,7 +132,7 @@ TEST_CASE("a NaN fails, whatever comes before or after it") {
   CHECK(tally.verdict(8) == Verdict::fails);
 }
 
-TEST_CASE("nothing sampled is skipped, not held") {
+TEST_CASE("a row without states is skipped and does not pass") {
   Tally tally;
   tally.skip();
   CHECK(tally.verdict(8) == Verdict::skipped);

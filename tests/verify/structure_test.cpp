@@ -1,4 +1,4 @@
-// Every structural row holds for a right program, and a mutation of the program turns it red.
+// Every structural row passes for a correct program, and fails for a changed one.
 #include "verify/structure/structure.hpp"
 
 #include <algorithm>
@@ -59,7 +59,7 @@ const std::vector<Mutation> mutations{
 
 }  // namespace
 
-TEST_CASE("all identities hold for a right program") {
+TEST_CASE("all identities hold for a correct program") {
   const auto rows = rows_of(cart_pole_system());
   CHECK(rows.size() == mutations.size());
   for (const CertificateRow& row : rows) {
@@ -69,7 +69,7 @@ TEST_CASE("all identities hold for a right program") {
   }
 }
 
-TEST_CASE("parts that the program lacks come from the oracle") {
+TEST_CASE("outputs that the program lacks come from the oracle") {
   System system = cart_pole_system();
   std::erase_if(system.program.functions, [](const Function& f) {
     return f.kind == OutputKind::dissipation || f.kind == OutputKind::input_matrix;
@@ -79,7 +79,7 @@ TEST_CASE("parts that the program lacks come from the oracle") {
   for (const CertificateRow& row : rows) CHECK(row.verdict == Verdict::holds);
 }
 
-TEST_CASE("each structural row turns red under a mutation of the program") {
+TEST_CASE("each structural row fails for a changed program") {
   for (const Mutation& mutation : mutations) {
     INFO(mutation.check);
     const System system = mutated(mutation.function, mutation.from, mutation.to);
@@ -89,7 +89,7 @@ TEST_CASE("each structural row turns red under a mutation of the program") {
 
 namespace {
 
-/// A frame on an arm with oblique axes, on a base that is moved, and on a free body.
+/// A frame on an arm with oblique axes on a moving base, and a frame on a free body.
 const std::string& framed_text() {
   static const std::string text = model_text("framed", R"toml(
 [[coordinate]]
@@ -160,7 +160,7 @@ System framed_system(const std::string& outputs) {
   return {checked.model, checked.scene, *lower(*equations, checked.scene.outputs, {})};
 }
 
-/// Nothing but one function, and the pose that it is derived from.
+/// The program with only one function and the pose from which it is derived.
 System alone(const System& whole, const Function& function) {
   System system = whole;
   system.program.functions = {*find_function(whole.program, OutputKind::user_value, function.user),
@@ -168,7 +168,7 @@ System alone(const System& whole, const Function& function) {
   return system;
 }
 
-/// value + 1/1000 for the value at `entry`.
+/// Adds 1/1000 to the value at `entry`.
 void shift(Program& program, Function& function, std::uint32_t& entry) {
   const auto shift = static_cast<std::uint32_t>(function.instructions.size());
   const std::uint32_t constant =
@@ -181,7 +181,7 @@ void shift(Program& program, Function& function, std::uint32_t& entry) {
 
 }  // namespace
 
-TEST_CASE("a frame's Jacobian and bias are those of its twist, entry by entry") {
+TEST_CASE("a frame's Jacobian and bias agree with its twist, entry by entry") {
   const System framed = framed_system(
       "tip_pose,tip_pose_jacobian,tip_pose_bias,own,own_jacobian,own_bias,ball_pose,"
       "ball_pose_jacobian,ball_pose_bias");
@@ -203,7 +203,7 @@ TEST_CASE("a frame's Jacobian and bias are those of its twist, entry by entry") 
   }
 }
 
-TEST_CASE("Hamilton's functions balance with energies and the motion, entry by entry") {
+TEST_CASE("Hamilton's functions agree with the energies and the motion, entry by entry") {
   const System right =
       framed_system("momentum,hamiltonian,velocities_of_momenta,hamilton_equations");
   const std::vector<CertificateRow> rows = rows_of(right);
@@ -232,7 +232,7 @@ TEST_CASE("rows of outputs that the program lacks are absent") {
   CHECK(rows_of(system).size() == 2);
 }
 
-TEST_CASE("a chart that is singular everywhere is skipped with words, not failed") {
+TEST_CASE("a chart that is singular everywhere is skipped with a reason and does not fail") {
   const System system = system_of(pendulum().model,
                                   "parameters m l g\ncoordinates th\nfunction mass_matrix\n"
                                   "  0 = constant 0\n  result 1 1 = 0\n");
@@ -245,7 +245,7 @@ TEST_CASE("a chart that is singular everywhere is skipped with words, not failed
   CHECK(row->skipped == std::vector<SkippedStates>{{Obstacle::singular, 4}});
 }
 
-TEST_CASE("power balance counts explicit time") {
+TEST_CASE("the power balance includes explicit time") {
   ModelBuilder builder = rotating_hoop("W*t");
   builder.model.uses_time = true;
   const std::string head =

@@ -1,4 +1,4 @@
-// Systems for the tests of verification: a model, and a program written out by hand for it.
+// Systems for the tests of verification: each a model with a hand-written program.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -27,7 +27,7 @@ inline Program program_of(const std::string& text) {
   return *program;
 }
 
-/// The system whose program is `text`; every function becomes a requested output.
+/// The system with the program `text`. Every function becomes a requested output.
 inline System system_of(Model model, const std::string& text) {
   System system{std::move(model), {}, program_of(text)};
   system.model.name = system.scene.base_name = "sample";
@@ -46,15 +46,15 @@ inline System system_of(Model model, const std::string& text) {
   return system;
 }
 
-/// Replaces the first occurrence in a program's text; the text must have it.
+/// Replaces the first occurrence of `from`, which must exist.
 inline std::string with(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);
   return text.replace(at, from.size(), to);
 }
 
-/// Cart and pole from the upward vertical, damped by D = 1/2 c v_x^2, driven by u on the cart; the
-/// output `tip` is the bob's position.
+/// Cart and pole measured from the upward vertical, damped by D = 1/2 c v_x^2, driven by u on the
+/// cart. The output `tip` is the position of the bob.
 inline Model cart_pole_model() {
   ModelBuilder builder = cart_pole();
   builder.parameter("c", "0.3").D("c*x_d^2/2").output({"x + l*sin(th)", "l*cos(th)"});
@@ -97,7 +97,7 @@ inline const std::string solve =
 
 }  // namespace instructions
 
-/// One function of a program's text.
+/// One function in a program's text.
 inline std::string function_text(const std::string& name, const std::string& body,
                                  const std::string& results) {
   return "function " + name + "\n" + body + results;
@@ -165,7 +165,7 @@ inline std::string cart_pole_program() {
 
 inline System cart_pole_system() { return system_of(cart_pole_model(), cart_pole_program()); }
 
-/// The cart pole with one mistake in the text of its program.
+/// The cart and pole with one mistake in the text of its program.
 inline System mutated(const std::string& function, const std::string& from, const std::string& to) {
   const std::string text = cart_pole_program();
   const std::size_t start = text.find("function " + function);
@@ -173,7 +173,7 @@ inline System mutated(const std::string& function, const std::string& from, cons
   return system_of(cart_pole_model(), text.substr(0, start) + with(text.substr(start), from, to));
 }
 
-/// V of the cart pole by way of 1e9, judged by the closed form that does not go there.
+/// V of the cart and pole with 1e9 added and subtracted, compared with the closed form.
 inline System badly_rounded() {
   const auto with_results = [](const std::string& body, const std::string& results) {
     return system_of(

@@ -1,5 +1,4 @@
-// The whole certificate: its order, its options, its diagnostics, and that it is the same every
-// time.
+// The whole certificate: its order, options, diagnostics and reproducibility.
 #include <catch2/catch.hpp>
 
 #include "elgen/certificate.hpp"
@@ -23,7 +22,7 @@ bool has_check(const Certificate& certificate, const std::string& check) {
 
 }  // namespace
 
-TEST_CASE("a right program has a certificate that holds") {
+TEST_CASE("a correct program has a certificate that passes") {
   const Verification result = quick(cart_pole_system());
   CHECK(holds(result.certificate));
   CHECK(result.diagnostics.empty());
@@ -33,7 +32,7 @@ TEST_CASE("a right program has a certificate that holds") {
   CHECK_FALSE(has_check(result.certificate, "compiled code vs program"));
 }
 
-TEST_CASE("one seed gives one text, by any number of processes") {
+TEST_CASE("a seed determines the text, for any number of processes") {
   const System system = cart_pole_system();
   CHECK(to_text(quick(system).certificate) == to_text(quick(system).certificate));
   CHECK(to_text(quick(system, 1).certificate) != to_text(quick(system, 2).certificate));
@@ -42,7 +41,7 @@ TEST_CASE("one seed gives one text, by any number of processes") {
   CHECK(to_full_text(shared.certificate) == to_full_text(quick(system).certificate));
 }
 
-TEST_CASE("a wrong program, and a wrong expectation, do not hold") {
+TEST_CASE("a wrong program fails, and a wrong expectation too") {
   CHECK_FALSE(holds(quick(mutated("gravity", "= 16 15", "= 16 14")).certificate));
   ModelBuilder builder = pendulum();
   Expectation expectation;
@@ -55,9 +54,9 @@ TEST_CASE("a wrong program, and a wrong expectation, do not hold") {
   CHECK(exit_code(result.diagnostics) == ExitCode::differs);
 }
 
-TEST_CASE("of a long program few states are visited, ordinary ones and extremes alike") {
+TEST_CASE("for a long program few states are visited, ordinary and extreme ones") {
   System system = cart_pole_system();
-  // As long as the equations of a big robot; what nobody uses changes no value.
+  // As long as the equations of a big robot. Unused instructions change no value.
   Function& mass = system.program.functions.front();
   mass.instructions.resize(20'000, mass.instructions.front());
   mass.names.resize(mass.instructions.size());
@@ -68,7 +67,7 @@ TEST_CASE("of a long program few states are visited, ordinary ones and extremes 
   CHECK(holds(result.certificate));
   REQUIRE_FALSE(steps.empty());
   CHECK(steps.front() == "accuracy in double, state 1 of 12");
-  // Structure is checked at the ordinary ones: 8 of all 43.
+  // Structure is checked at the ordinary states: 8 of all 43.
   for (const CertificateRow& row : result.certificate.rows) {
     if (row.check != "mass matrix symmetric") continue;
     CHECK(row.samples >= 1);
@@ -76,7 +75,7 @@ TEST_CASE("of a long program few states are visited, ordinary ones and extremes 
   }
 }
 
-TEST_CASE("a kink of which the states see one side is noted") {
+TEST_CASE("a kink that the states see only from one side is noted") {
   ModelBuilder builder = cart_pole();
   builder.force_on(0, "-max(x - 300, 0)");
   CHECK_FALSE(has_check(quick(system_of(builder.model, "")).certificate, "both sides of kinks"));

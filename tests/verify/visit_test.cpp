@@ -1,5 +1,5 @@
-// Visits: what one state says of one field, by all entries or by one projection, and whose the
-// fields are. Several processes find what one finds, whatever becomes of them.
+// Visits: the findings for one state and one field, by all entries or by one projection, and the
+// fields of the outputs. Several processes find the same as one, even if some of them fail.
 #include "verify/bounds/visit.hpp"
 
 #include <unistd.h>
@@ -46,7 +46,7 @@ const FieldPlace& place_of(const std::vector<FieldPlace>& places, const std::str
   return places.front();
 }
 
-/// One coordinate x with this V, and code for it.
+/// A system with one coordinate x and this V, and code for it.
 System with_potential(const std::string& V, const std::string& body) {
   ModelBuilder builder;
   builder.coordinate("x").T("x_d^2/2").V(V);
@@ -71,8 +71,8 @@ System tangent_less_sine() {
                         "  result 1 1 = 9\n");
 }
 
-/// A load on a rope of length l at the angle th: a_l = l th_d^2 + g cos(th), and of
-/// a_th = -(2 l_d th_d + g sin(th))/l the oracle has what is left of forces without l.
+/// A load on a rope of length l at the angle th. a_l = l th_d^2 + g cos(th). When the oracle
+/// computes a_th = -(2 l_d th_d + g sin(th))/l, large terms without the factor l cancel.
 System crane(const std::string& twice = "13 = add 12 12") {
   ModelBuilder builder;
   builder.coordinate("l").coordinate("th").parameter("m", "50").parameter("g", "9.81");
@@ -106,7 +106,7 @@ using Change = std::function<double(double)>;
 
 double as_is(double x) { return x; }
 
-/// All rows of a system, whose bias as users compile it is changed.
+/// All rows of a system, with `change` applied to its bias in the build with users' flags.
 std::string rows_by(std::size_t jobs, const System& system, const Change& change = as_is,
                     Comparison comparison = Comparison::entries) {
   const Changed code(system.program, "bias", change);
@@ -117,7 +117,7 @@ std::string rows_by(std::size_t jobs, const System& system, const Change& change
   return to_full_text(certificate) + to_json(certificate);
 }
 
-/// A change that calls `fail` in the processes that share the states, not in the one that waits.
+/// A change that calls `fail` in the child processes, not in the waiting parent.
 Change in_others(const std::function<void()>& fail) {
   return [fail, waiting = ::getpid()](double x) {
     if (::getpid() != waiting) fail();
@@ -129,7 +129,7 @@ volatile std::sig_atomic_t late_signals = 0;
 
 }  // namespace
 
-TEST_CASE("a right field is exact, and its roundings are counted") {
+TEST_CASE("a correct field has no error, and its roundings are counted") {
   const System system = alone(instructions::rates, "  result 2 1 = 23 22\n");
   for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
     const Finding finding = first_finding(system, comparison, state_of(system));
@@ -139,14 +139,14 @@ TEST_CASE("a right field is exact, and its roundings are counted") {
   }
 }
 
-TEST_CASE("a wrong field is found by either comparison") {
+TEST_CASE("a wrong field is found by both comparisons") {
   const System system = alone(instructions::rates, "  result 2 1 = 23 21\n");
   const SampledState<double> state = state_of(system);
   CHECK(first_finding(system, Comparison::entries, state).mistake.find("entry 2 is ") == 0);
   CHECK(first_finding(system, Comparison::projections, state).mistake.find("w.x is ") == 0);
 }
 
-TEST_CASE("where 1 - cos(x) asks for more digits, program and oracle get them") {
+TEST_CASE("where 1 - cos(x) needs more digits, program and oracle get them") {
   for (const System& system : {half_angles(), tangent_less_sine()}) {
     for (const double x : {1e-12, 1e-30, 1e-60, 1e-150}) {
       for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
@@ -159,7 +159,8 @@ TEST_CASE("where 1 - cos(x) asks for more digits, program and oracle get them") 
   }
 }
 
-TEST_CASE("a solution that large forces leave is compared in as many digits as it takes") {
+TEST_CASE(
+    "a solution after cancellation of large forces is compared with as many digits as it needs") {
   const System right = crane();
   for (const double l : {1.0, -1e-10, -1e-150}) {
     for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
@@ -177,8 +178,8 @@ TEST_CASE("a solution that large forces leave is compared in as many digits as i
   }
 }
 
-TEST_CASE("a mistake stays one however many digits there are, near a zero too") {
-  // Without the factor of 2.
+TEST_CASE("a mistake is found with any number of digits, near a zero too") {
+  // Without the factor 2.
   const System system = with_potential("(1 - cos(x))/x^2",
                                        "  1 = constant 1/2\n  2 = multiply 1 0\n  3 = sin 2\n"
                                        "  4 = divide 3 0\n  5 = multiply 4 4\n"
@@ -191,7 +192,7 @@ TEST_CASE("a mistake stays one however many digits there are, near a zero too") 
   }
 }
 
-TEST_CASE("only at ordinary states a value must be defined where the oracle's is") {
+TEST_CASE("a value must be defined where the oracle's is only at ordinary states") {
   const System system =
       alone(instructions::rates + "  24 = divide 22 17\n", "  result 2 1 = 23 24\n");
   const Finding ordinary = first_finding(system, Comparison::entries, state_of(system));
@@ -202,7 +203,7 @@ TEST_CASE("only at ordinary states a value must be defined where the oracle's is
   CHECK(extreme.regime == Regime::undefined);
 }
 
-TEST_CASE("fields of an output stand one after another, with the oracle's as with the program's") {
+TEST_CASE("the fields of an output are adjacent, in the oracle as in the program") {
   const System system = cart_pole_system();
   const auto places = field_places(system.subject());
   const FieldPlace& pivots = place_of(places, "forward_dynamics", "relative_pivots");
@@ -213,7 +214,7 @@ TEST_CASE("fields of an output stand one after another, with the oracle's as wit
   CHECK(pivots.request_field == 1);
 }
 
-TEST_CASE("a field of `dynamics` is the output of its name") {
+TEST_CASE("a field of `dynamics` is the output of the same name") {
   const System system = cart_pole_system();
   const auto places = field_places(system.subject());
   const FieldPlace& bias = place_of(places, "dynamics", "bias");
@@ -224,7 +225,7 @@ TEST_CASE("a field of `dynamics` is the output of its name") {
   CHECK(bias.request_field == 0);
 }
 
-TEST_CASE("several processes find what one finds, mistakes and infinite errors too") {
+TEST_CASE("several processes find the same as one, mistakes and infinite errors too") {
   const auto infinite = [](double) { return HUGE_VAL; };
   const System right = cart_pole_system();
   const System wrong = mutated("gravity", "= 16 15", "= 16 14");
@@ -236,7 +237,7 @@ TEST_CASE("several processes find what one finds, mistakes and infinite errors t
   CHECK(rows_by(500, right) == rows_by(1, right));
 }
 
-TEST_CASE("where states are shared out, the process that waits visits none") {
+TEST_CASE("if states are distributed, the waiting process visits none") {
   std::size_t calls = 0;
   const auto counted = [&calls](double x) {
     ++calls;
@@ -248,21 +249,21 @@ TEST_CASE("where states are shared out, the process that waits visits none") {
   CHECK(calls > 0);
 }
 
-TEST_CASE("where a process fails, the one that waits visits all states") {
+TEST_CASE("if a process fails, the waiting process visits all states") {
   const System system = cart_pole_system();
   const std::string alone = rows_by(1, system);
   CHECK(rows_by(2, system, in_others([] { (void)::raise(SIGKILL); })) == alone);
   CHECK(rows_by(2, system, in_others([] { throw 1; })) == alone);
 }
 
-TEST_CASE("the time of one process is the time of all") {
+TEST_CASE("the time limit of one process is the limit of all") {
   const auto before = ::signal(SIGXCPU, [](int) { late_signals = late_signals + 1; });
   (void)rows_by(2, cart_pole_system(), in_others([] { (void)::raise(SIGXCPU); }));
   (void)::signal(SIGXCPU, before);
   CHECK(late_signals == 1);
 }
 
-TEST_CASE("every state is taken once, in order, and steps are told") {
+TEST_CASE("every state is taken once, in order, and progress is reported") {
   const System system = cart_pole_system();
   const Subject subject = system.subject();
   const auto states = sample_states<float>(subject, {8, 1, false});

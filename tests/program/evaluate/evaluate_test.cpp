@@ -43,7 +43,7 @@ double call(const std::string& function, double x, double y) {
 
 }  // namespace
 
-TEST_CASE("leaves, arithmetic and the order of fields") {
+TEST_CASE("leaves, arithmetic and the order of fields are right") {
   const Program program = every_leaf();
   Arguments<double> arguments;
   arguments.parameters = {2};
@@ -55,7 +55,7 @@ TEST_CASE("leaves, arithmetic and the order of fields") {
   CHECK(evaluate(program, program.functions[0], arguments) == std::vector<double>{20, 2, 4});
 }
 
-TEST_CASE("calls are those of the C library") {
+TEST_CASE("evaluated calls have the values of the C library") {
   const std::pair<const char*, double (*)(double)> rows[] = {
       {"sin", std::sin},   {"cos", std::cos},   {"tan", std::tan},   {"asin", std::asin},
       {"acos", std::acos}, {"atan", std::atan}, {"sinh", std::sinh}, {"cosh", std::cosh},
@@ -67,7 +67,7 @@ TEST_CASE("calls are those of the C library") {
   CHECK(call("atan2 0 1", 0.3, -2) == std::atan2(0.3, -2.0));
 }
 
-TEST_CASE("kinked functions: sign(0) = 0, the others as usual") {
+TEST_CASE("kinked functions have their usual values, with sign(0) = 0") {
   CHECK(call("sign 0", 0, 0) == 0);
   CHECK(call("sign 0", -3, 0) == -1);
   CHECK(call("sign 0", 3, 0) == 1);
@@ -76,7 +76,7 @@ TEST_CASE("kinked functions: sign(0) = 0, the others as usual") {
   CHECK(call("max 0 1", 1, 2) == 2);
 }
 
-TEST_CASE("one program, every scalar") {
+TEST_CASE("one program is evaluated with every scalar type") {
   const Program program = testing::read_program(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = constant 1/3\n  2 = multiply 0 1\n"
       "  3 = sin 2\n  result 1 1 = 3\n");
@@ -90,7 +90,7 @@ TEST_CASE("one program, every scalar") {
   CHECK(evaluate(program, function, single).at(0) == std::sin(0.25F));
   CHECK(evaluate(program, function, extended).at(0) == std::sin(0.75L * (1.0L / 3.0L)));
   const Real value = evaluate(program, function, exact).at(0);
-  // 62 of the 64 digits.
+  // 62 of 64 digits.
   const cln::cl_F error = value.value() - sin(Real(cln::cl_RA("1/4"))).value();
   CHECK(cln::abs(error) < cln::cl_float(cln::expt(cln::cl_RA(10), -62), Real::format()));
 }

@@ -1,5 +1,5 @@
-// Sines: the errors of the table of polynomials, measured again in 40 digits; those of packs are
-// off by at most what a scene asks for, on the whole domain, those of numbers by 1.5 ulp.
+// Sines: errors in the table of polynomials, measured again in 40 digits. Sines of packs have the
+// error that a scene permits on the whole domain. Sines of single numbers have an error of 1.5 ulp.
 #include "program/evaluate/sines.hpp"
 
 #include <cln/float.h>
@@ -25,7 +25,7 @@ const cln::float_format_t digits = cln::float_format(40);
 
 cl_R angle(int step, int steps) { return cln::pi(digits) / 4 * step / steps; }
 
-/// first + x^power (c_0 + c_1 x^2 + …)
+/// first + x^power (c_0 + c_1 x^2 + ...)
 cl_R value(const SinePolynomial& polynomial, const cl_R& first, int power, const cl_R& x) {
   cl_R sum = 0;
   for (std::size_t i = polynomial.coefficients.size(); i-- > 0;) {
@@ -39,7 +39,7 @@ cl_R cosine(const SinePolynomial& polynomial, const cl_R& x) {
   return value(polynomial, 1 - x * x / 2, 4, x);
 }
 
-/// The largest of |difference| over the angles.
+/// max |difference| over the angles in [0, pi/4].
 template <class Difference>
 double largest(const Difference& difference) {
   constexpr int steps = 2000;
@@ -56,7 +56,7 @@ Scene scene_of(const Numerics& numerics) {
   return scene;
 }
 
-/// The scene of a scalar alone.
+/// A scene with this scalar type only.
 template <class Scalar>
 Scene scene_for() {
   Numerics numerics;
@@ -64,7 +64,7 @@ Scene scene_for() {
   return scene_of(numerics);
 }
 
-/// How far a value is off, in units of the last place of the exact one.
+/// The error of a value, in ulps of the exact value.
 template <class Scalar>
 double in_ulps(Scalar value, const Real& truth) {
   constexpr int digits_of_scalar = std::numeric_limits<Scalar>::digits;
@@ -74,7 +74,7 @@ double in_ulps(Scalar value, const Real& truth) {
   return std::abs(ScalarTraits<double>::from_real(error.value())) / ulp;
 }
 
-/// The larger error of sine and cosine of numbers.
+/// The larger error of sine and cosine at an angle, for single numbers.
 template <class Scalar>
 double worst_ulps(const Sines<Scalar>& numbers, Scalar angle) {
   const Real exact{exact_value(static_cast<double>(angle))};
@@ -82,7 +82,7 @@ double worst_ulps(const Sines<Scalar>& numbers, Scalar angle) {
   return std::max(in_ulps(sine, sin(exact)), in_ulps(cosine, cos(exact)));
 }
 
-/// The largest of them for angles beside the multiples of pi/4 in the domain, every `stride`th.
+/// The largest error next to multiples of pi/4 in the domain, from the `first`, every `stride`th.
 template <class Scalar>
 double worst_beside(std::size_t first, std::size_t stride) {
   const Sines<Scalar> numbers(scene_for<Scalar>(), SinesOf::numbers);
@@ -99,7 +99,7 @@ double worst_beside(std::size_t first, std::size_t stride) {
   return worst;
 }
 
-/// The largest error of sine and cosine over random angles of all magnitudes.
+/// The largest error of sine and cosine of packs, over random angles.
 template <class Scalar>
 double largest_error(const Numerics& numerics) {
   const Sines<Scalar> packs(scene_of(numerics), SinesOf::packs);
@@ -122,7 +122,7 @@ double largest_error(const Numerics& numerics) {
 
 }  // namespace
 
-TEST_CASE("the errors of the table are those of its polynomials, rounded up") {
+TEST_CASE("the table has the errors of its polynomials, rounded up") {
   for (const SinePolynomial& polynomial : sine_polynomials()) {
     const double error = largest([&](const cl_R& x) { return sine(polynomial, x) - cln::sin(x); });
     INFO("sine of degree " << polynomial.degree);
@@ -140,7 +140,7 @@ TEST_CASE("the errors of the table are those of its polynomials, rounded up") {
   }
 }
 
-TEST_CASE("the least degree that will do is taken") {
+TEST_CASE("the lowest sufficient degree is selected") {
   const auto degrees = [](const cl_RA& error, ScalarKind scalar) {
     return std::pair(cheapest(sine_polynomials(), error, scalar).degree,
                      cheapest(cosine_polynomials(), error, scalar).degree);
@@ -154,7 +154,7 @@ TEST_CASE("the least degree that will do is taken") {
   CHECK(degrees(cl_RA(1) / 1'000'000, in_float) == std::pair(5, 6));
 }
 
-TEST_CASE("every accuracy a scalar can have is reached") {
+TEST_CASE("the polynomials reach the best accuracy of each scalar type") {
   for (const ScalarKind scalar : {ScalarKind::single_precision, ScalarKind::double_precision}) {
     const cl_RA least = trigonometry_error({}, scalar);
     const cl_RA rounding = exact_value(angle_reduction(scalar).rounding);
@@ -163,7 +163,7 @@ TEST_CASE("every accuracy a scalar can have is reached") {
   }
 }
 
-TEST_CASE("multiples of the parts of pi/2 but the last are exact for all angles of the domain") {
+TEST_CASE("multiples of all but the last part of pi/2 are exact on the domain") {
   for (const auto& [scalar, bits] :
        {std::pair(ScalarKind::single_precision, 24), std::pair(ScalarKind::double_precision, 53)}) {
     const AngleReduction& known = angle_reduction(scalar);
@@ -172,13 +172,13 @@ TEST_CASE("multiples of the parts of pi/2 but the last are exact for all angles 
     for (std::size_t i = 0; i + 1 < known.parts.size(); ++i) {
       const cl_RA part = exact_value(known.parts[i]);
       rest = rest - part;
-      // A part is an odd number of its last bits: with those of k they have to fit the significand.
+      // A part is odd in its last bit. Its bits and the bits of k must fit the significand.
       cln::cl_I significand = cln::numerator(part);
       while (cln::evenp(significand)) significand = cln::exquo(significand, 2);
       CHECK(cln::integer_length(significand) + cln::integer_length(most) <=
             static_cast<std::uintptr_t>(bits));
     }
-    // The nearest angle to a multiple is 2^-61, in float 2^-28 away from it, its k below 256.
+    // The smallest distance of an angle to a multiple is 2^-61 (float 2^-28), for k below 256.
     const double nearest = std::ldexp(1.0, (bits == 53 ? -61 : -28) - bits);
     CHECK(cln::abs(rest) * 256 < exact_value(nearest));
     const cl_R inverse = 2 / cln::pi(digits) - exact_value(known.inverse);
@@ -186,7 +186,7 @@ TEST_CASE("multiples of the parts of pi/2 but the last are exact for all angles 
   }
 }
 
-TEST_CASE("sines and cosines are off by at most what is asked for, and need not be by less") {
+TEST_CASE("sines and cosines have at most the permitted error, and not much less") {
   Numerics numerics;
   CHECK(largest_error<double>(numerics) <= 0x1p-52);
   CHECK(largest_error<float>(numerics) <= 0x1p-23);
@@ -196,7 +196,7 @@ TEST_CASE("sines and cosines are off by at most what is asked for, and need not 
   CHECK(largest_error<float>(numerics) <= 1e-6);
 }
 
-TEST_CASE("angles beyond the domain have no value") {
+TEST_CASE("packs have no value for angles outside the domain") {
   const Sines<float> packs(Scene{}, SinesOf::packs);
   CHECK(std::isnan(packs.of(1001.0F).sine));
   CHECK(std::isnan(packs.of(-1001.0F).cosine));
@@ -212,7 +212,7 @@ TEST_CASE("quarter turns are exact") {
   CHECK(packs.of(std::acos(-1.0) / 2).sine == 1);
 }
 
-TEST_CASE("sines of numbers are off by 1.5 ulp, in float 0.9, and by 0.5 beside zeros") {
+TEST_CASE("sines of single numbers have errors of 1.5 ulp, float 0.9 ulp, and 0.5 ulp near zeros") {
   CHECK(worst_beside<double>(2, 62) <= 0.5001);  // multiples of pi/2
   CHECK(worst_beside<float>(2, 2) <= 0.5001);
   CHECK(worst_beside<double>(1, 62) <= 1.5);  // odd multiples of pi/4, where polynomials are worst
@@ -227,14 +227,14 @@ TEST_CASE("sines of numbers are off by 1.5 ulp, in float 0.9, and by 0.5 beside 
   CHECK(worst <= 1.5);
 }
 
-TEST_CASE("the nearest numbers to multiples of pi/2 keep their digits") {
+TEST_CASE("the numbers nearest to multiples of pi/2 keep their digits") {
   const Sines<double> in_double(scene_for<double>(), SinesOf::numbers);
   CHECK(worst_ulps(in_double, 0x1.6c6cbc45dc8dep+5) <= 0.5001);  // 29 pi/2
   const Sines<float> in_float(scene_for<float>(), SinesOf::numbers);
   CHECK(worst_ulps(in_float, 0x1.f9cbe2p+7F) <= 0.5001);  // 161 pi/2
 }
 
-TEST_CASE("numbers beyond the domain have the sines of the library") {
+TEST_CASE("single numbers outside the domain use the library's sines") {
   const Sines<double> numbers(Scene{}, SinesOf::numbers);
   CHECK(numbers.of(1.1e5).sine == std::sin(1.1e5));
   CHECK(numbers.of(-1e300).cosine == std::cos(-1e300));
@@ -243,7 +243,7 @@ TEST_CASE("numbers beyond the domain have the sines of the library") {
   CHECK(floats.of(1.1e3F).sine == std::sin(1.1e3F));
 }
 
-TEST_CASE("a scene that asks for the library has its sines") {
+TEST_CASE("a scene may select the library's sines for single numbers") {
   Scene scene;
   scene.numerics.has_library_sines = true;
   const Sines<double> numbers(scene, SinesOf::numbers);
@@ -256,7 +256,7 @@ TEST_CASE("a scene that asks for the library has its sines") {
   }
 }
 
-TEST_CASE("the sine of a zero has its sign") {
+TEST_CASE("the sine of a signed zero keeps the sign") {
   for (const SinesOf arithmetic : {SinesOf::packs, SinesOf::numbers}) {
     const Sines<double> sines(Scene{}, arithmetic);
     CHECK(std::signbit(sines.of(-0.0).sine));

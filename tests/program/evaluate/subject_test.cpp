@@ -1,4 +1,5 @@
-// States between binary arguments, exact numbers and text, and what their own rounding costs.
+// Conversion of states between binary arguments, exact numbers and text, and the effect of rounding
+// the arguments.
 #include "program/evaluate/subject.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Of the first entry of a program's first function.
+/// The conditioning K of the first entry of a program's first function; infinite if undefined.
 double conditioning(const std::string& text, const State& state,
                     std::vector<bool> parameters = {}) {
   const Program program = program_of(text);
@@ -39,7 +40,7 @@ const std::string head =
 
 }  // namespace
 
-TEST_CASE("arguments survive the way to an exact state and back") {
+TEST_CASE("arguments converted to an exact state and back are unchanged") {
   const System system = cart_pole_system();
   Arguments<double> arguments = arguments_at<double>(nominal_state(system.model, system.scene));
   arguments.q = {0.1, -1e300};
@@ -52,7 +53,7 @@ TEST_CASE("arguments survive the way to an exact state and back") {
   CHECK(back.t == arguments.t);
 }
 
-TEST_CASE("fixed parameters stay the exact decimals they are") {
+TEST_CASE("fixed parameters keep their exact decimals") {
   System system = cart_pole_system();
   system.scene.specialisation.fixed[1] = {cln::cl_R("1/10")};
   const auto arguments = arguments_at<double>(nominal_state(system.model, system.scene));
@@ -61,7 +62,7 @@ TEST_CASE("fixed parameters stay the exact decimals they are") {
   CHECK(state.parameters[3] != cln::cl_R("981/100"));
 }
 
-TEST_CASE("states are described by what varies") {
+TEST_CASE("a state is described by its variables and changed parameters") {
   const System system = cart_pole_system();
   State state = nominal_state(system.model, system.scene);
   state.q = {cln::cl_R("1/2"), cln::cl_R("-1/3")};
@@ -72,7 +73,7 @@ TEST_CASE("states are described by what varies") {
         "q = (0.5, -0.333333), v = (0, 0), a = (0, 0), u = (0), M = 1000");
 }
 
-TEST_CASE("long states are cut") {
+TEST_CASE("long states are abbreviated") {
   System system;
   system.model = chain(9).model;
   CHECK(describe(system.subject(), nominal_state(system.model, {})) ==
@@ -80,7 +81,7 @@ TEST_CASE("long states are cut") {
         "a = (0, 0, 0, 0, 0, 0, 0, 0, …)");
 }
 
-TEST_CASE("numbers beyond double are written too") {
+TEST_CASE("numbers beyond double are printed too") {
   CHECK(short_text(cln::cl_R("0")) == "0");
   CHECK(short_text(cln::cl_R("22/7")) == "3.14286");
   CHECK(short_text(cln::expt(cln::cl_RA(10), 400) * 3 / 2).find("e400") != std::string::npos);
@@ -96,23 +97,23 @@ TEST_CASE("functions are found by kind") {
   CHECK(find_function(system.program, OutputKind::user_value, 1) == nullptr);
 }
 
-TEST_CASE("numbers are there where all of them are defined") {
+TEST_CASE("values exist only if all entries are defined") {
   CHECK(defined_values({Real(1), Real(2)})->size() == 2);
   CHECK(defined_values({Real(1), Real::undefined()}) == std::nullopt);
 }
 
-TEST_CASE("m (x - y): each input counts, however much cancels") {
+TEST_CASE("m (x - y): each input contributes, despite cancellation") {
   const std::string text = head + "  3 = subtract 1 2\n  4 = multiply 0 3\n  result 1 1 = 4\n";
   CHECK(conditioning(text, at(2, 3, 2.5)) == Approx(2 * 0.5 + 2 * 3 + 2 * 2.5));
 }
 
-TEST_CASE("uses of one input are added before their magnitude is taken") {
+TEST_CASE("contributions of one input are added before the absolute value") {
   const std::string text =
       head + "  3 = multiply 1 1\n  4 = multiply 0 1\n  5 = subtract 3 4\n  result 1 1 = 5\n";
   CHECK(conditioning(text, at(3, 2, 0)) == Approx(2 * (2 * 2 - 3) + 3 * 2));
 }
 
-TEST_CASE("functions count by their slopes, quotients and roots too") {
+TEST_CASE("functions, quotients and roots contribute by their slopes") {
   const std::string text =
       head +
       "  3 = sin 1\n  4 = divide 3 2\n  5 = square_root 0\n  6 = multiply 4 5\n"
@@ -121,7 +122,7 @@ TEST_CASE("functions count by their slopes, quotients and roots too") {
   CHECK(conditioning(text, at(9, 0.5, 4)) == Approx(x / 2 + x + 0.5 * std::cos(0.5) / 4 * 3));
 }
 
-TEST_CASE("literals do not count, constants that a fixed parameter has left do") {
+TEST_CASE("literals do not contribute, but constants from a fixed parameter do") {
   const std::string text = head +
                            "  3 = constant 1/10\n  4 = constant 3\n  5 = constant 2\n"
                            "  6 = multiply 3 4\n  7 = multiply 6 5\n  result 1 1 = 7\n";
@@ -130,8 +131,8 @@ TEST_CASE("literals do not count, constants that a fixed parameter has left do")
   CHECK(conditioning(text, at(1, 1, 1), {true, true, false}) == Approx(1.2));
 }
 
-TEST_CASE("K is what its digits say where doubles lose them, underflow or overflow") {
-  // (1e20 x + x) - 1e20 x: the slopes by 1e20 x cancel.
+TEST_CASE("K is accurate if doubles cancel, underflow or overflow") {
+  // (1e20 x + x) - 1e20 x: the derivatives by 1e20 x cancel.
   const std::string cancelling = head +
                                  "  3 = constant 100000000000000000000\n  4 = multiply 3 1\n"
                                  "  5 = add 4 1\n  6 = subtract 5 4\n  result 1 1 = 6\n";
@@ -143,7 +144,7 @@ TEST_CASE("K is what its digits say where doubles lose them, underflow or overfl
   CHECK(conditioning(vanishing, at(1e-300, 1e100, 1e100)) == Approx(5e100));
 }
 
-TEST_CASE("K is undefined where a slope is") {
+TEST_CASE("K is infinite if a derivative is undefined") {
   const std::string text = head + "  3 = square_root 1\n  result 1 1 = 3\n";
   CHECK(std::isinf(conditioning(text, at(1, 0, 0))));
 }

@@ -1,4 +1,4 @@
-// Steps as they are emitted and compiled, one after another.
+// Runs the emitted and compiled step repeatedly.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,11 @@
 
 namespace elgen::test {
 
-/// The emitted step, compiled, with the energies, run on from where the model starts.
+/// Compiles the emitted step and energies of a model, and integrates from its start.
 class CompiledStep {
  public:
-  /// By midpoint, unless another method is named. `outputs` follows what is asked for here.
+  /// The default method is midpoint. `wanted.outputs` is appended to the outputs that this class
+  /// needs.
   explicit CompiledStep(StepScene wanted) : products_(stepped(emitted(std::move(wanted)))) {
     if (!products_.files) throw std::runtime_error(format(products_.diagnostics));
     const CheckedModel& checked = *products_.checked;
@@ -45,7 +46,9 @@ class CompiledStep {
 
   [[nodiscard]] const Arguments<double>& at() const { return at_; }
   [[nodiscard]] Arguments<double>& at() { return at_; }
-  [[nodiscard]] double residual() const { return residual_; }  ///< the largest entry
+  [[nodiscard]] double residual() const {
+    return residual_;
+  }  ///< largest |residual| of the last step
   [[nodiscard]] double energy() const { return code().call("energy_function", at_).front(); }
   [[nodiscard]] double momentum(std::size_t i) const { return code().call("momentum", at_)[i]; }
 

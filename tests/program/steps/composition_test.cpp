@@ -1,4 +1,4 @@
-// Calls as copies with other leaves: a(q, u) = q*u at q + h v.
+// Calls as inlined copies with other leaves: a(q, u) = q*u at q + h v.
 #include "program/steps/composition.hpp"
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ function bias
 
 }  // namespace
 
-TEST_CASE("a call copies what its entries need, with its leaves replaced") {
+TEST_CASE("a call copies the instructions of its entries, with its leaves replaced") {
   const Program from = read_program(callee);
   Program program{from.leaves};
   program.leaves.h = "h";
@@ -34,7 +34,7 @@ TEST_CASE("a call copies what its entries need, with its leaves replaced") {
   const Places v = compose.leaves(Opcode::velocity, 1);
   const Places moved = compose.moved(q, h, v);
   compose.name(moved, Opcode::coordinate, 2);
-  compose.name(q, Opcode::coordinate, 1);  // a leaf has its own name
+  compose.name(q, Opcode::coordinate, 1);  // no effect: a leaf keeps its own name
   Places entries = compose.call(from, from.functions[0], from.functions[0].fields[0],
                                 {.q = moved, .v = v, .number = 2});
   function.kind = OutputKind::bias;
@@ -60,7 +60,7 @@ function bias
 )");
 }
 
-TEST_CASE("two calls at one point are one") {
+TEST_CASE("two calls at the same point are shared") {
   const Program from = read_program(callee);
   Program program{from.leaves};
   Function function;
@@ -73,7 +73,7 @@ TEST_CASE("two calls at one point are one") {
   CHECK(function.instructions.size() == size);
 }
 
-TEST_CASE("what is 0 where it is called is not computed, nor what adds 0 or multiplies by 1") {
+TEST_CASE("operations that become 0, add 0 or multiply by 1 are not emitted") {
   const Program from = read_program(R"(parameters k m
 coordinates q
 function momentum

@@ -1,4 +1,4 @@
-// rk4 and verlet: their order, and values of rk4 beside a run.
+// rk4 and verlet: their order, and agreement of rk4 with a run.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace elgen::test {
 namespace {
 
-/// A pendulum whose rod becomes longer and shorter.
+/// A pendulum whose length varies with time.
 const std::string swinging = model_text("swinging", R"toml([[coordinate]]
 name = "x"
 start = { value = 0.6, rate = 0 }
@@ -29,7 +29,7 @@ equation = "x^2 + y^2 = 1 + 1/2*sin(3*t)"
 
 }  // namespace
 
-TEST_CASE("one step of rk4 is off by h^5, of verlet by h^3") {
+TEST_CASE("one step of rk4 has an error of O(h^5), of verlet O(h^3)") {
   const cln::cl_RA h = cln::cl_RA(1) / 100;
   for (const char* const name : {"cart_pole", "two_link_arm", "furuta_pendulum", "free_body"}) {
     INFO(name);
@@ -42,7 +42,7 @@ TEST_CASE("one step of rk4 is off by h^5, of verlet by h^3") {
   CHECK(local_order(verlet, somewhere(verlet), h) == Approx(3).margin(0.15));
 }
 
-TEST_CASE("a projected step is the step, then `projected`, to the bit") {
+TEST_CASE("a projected step is the step followed by `projected`, bit by bit") {
   for (const std::string& model : {model_file("five_bar"), model_file("rolling_ball"), swinging}) {
     const Stepped whole(model, "rk4", ", projected = true");
     State state = somewhere(whole);
@@ -66,7 +66,7 @@ TEST_CASE("a projected step is the step, then `projected`, to the bit") {
   }
 }
 
-TEST_CASE("one step of a composition is off by its order and 1 more") {
+TEST_CASE("one step of a composition has an error of O(h^(order + 1))") {
   const cln::cl_RA h = cln::cl_RA(1) / 100;
   for (const int order : {4, 8}) {
     const std::string more = ", order = " + std::to_string(order);
@@ -77,7 +77,7 @@ TEST_CASE("one step of a composition is off by its order and 1 more") {
   }
 }
 
-TEST_CASE("parts of a step are symmetric, and meet the conditions of their order") {
+TEST_CASE("substeps of a composition are symmetric and meet the conditions of their order") {
   CHECK(step_parts(0) == std::vector<cln::cl_RA>{1});
   for (const int order : {4, 8}) {
     const std::vector<cln::cl_RA> parts = step_parts(static_cast<std::uint32_t>(order));
@@ -91,7 +91,7 @@ TEST_CASE("parts of a step are symmetric, and meet the conditions of their order
   }
 }
 
-TEST_CASE("1000 periods of an ellipse of e = 0.6 end within 1e-5 by 2.1e6 accelerations") {
+TEST_CASE("1000 periods of an ellipse with e = 0.6 end within 1e-5 after 2.1e6 accelerations") {
   const std::string kepler = model_text("kepler", R"toml([[coordinate]]
 name = "x"
 start = { value = 0.4, rate = 0 }
@@ -102,7 +102,7 @@ start = { value = 0, rate = 2 }
 T = "1/2*dot(x)^2 + 1/2*dot(y)^2"
 V = "-1/sqrt(x^2 + y^2)"
 )toml");
-  // Kicks between two parts are one.
+  // The kicks of adjacent substeps are merged.
   const std::size_t accelerations =
       count_operations(Stepped(kepler, "verlet", ", order = 8").function()).sqrt;
   CHECK(accelerations == 18);
@@ -119,7 +119,7 @@ V = "-1/sqrt(x^2 + y^2)"
   CHECK(swing < 1e-9 * std::abs(start));
 }
 
-TEST_CASE("a step of rk4 is that of a run, which does not go by it, but for rounding") {
+TEST_CASE("a step of rk4 agrees with an independent run up to rounding") {
   const CompiledSystem compiled(shaken, start_options("x=0.3,y=-0.2,dot(x)=1,dot(y)=2", "u=0.5"));
   SimulationOptions options = steps_of("rk4", 0.05, 0.05);
   options.from = 0.25;
@@ -133,19 +133,19 @@ TEST_CASE("a step of rk4 is that of a run, which does not go by it, but for roun
   at.h = 0.05;
   const std::vector<double> next = evaluate(step.program(), step.function(), at);
   for (std::size_t i = 0; i < next.size(); ++i) {
-    CHECK(next[i] == Approx(last[i + 1]).epsilon(1e-14));  // behind t
+    CHECK(next[i] == Approx(last[i + 1]).epsilon(1e-14));  // last[0] is t
   }
 }
 
-TEST_CASE("verlet calls the accelerations twice, rk4 four times, and knows what they share") {
+TEST_CASE("verlet calls the accelerations twice, rk4 four times, with shared operations") {
   const OperationCounts once = count_operations(Stepped(shaken, "verlet").function());
   const OperationCounts all = count_operations(Stepped(shaken, "rk4").function());
-  // sin(3 t) in the middle is computed once.
+  // sin(3 t) at the midpoint is computed once.
   CHECK(once.sincos == 4);
   CHECK(all.sincos == 7);
 }
 
-TEST_CASE("quaternions stay of length 1, whatever the step is") {
+TEST_CASE("quaternions keep length 1 for any step size") {
   const Stepped step(model_file("quadrotor"), "rk4");
   State state = somewhere(step);
   state.h = 2;
@@ -155,7 +155,7 @@ TEST_CASE("quaternions stay of length 1, whatever the step is") {
   CHECK(square == Approx(1).epsilon(1e-15));
 }
 
-TEST_CASE("a step of no length changes nothing") {
+TEST_CASE("a step of length 0 changes nothing") {
   const Stepped step(model_file("two_link_arm"), "rk4");
   const State state = somewhere(step);
   const std::vector<double> next = step.values<double>(state);

@@ -1,4 +1,4 @@
-// L D L^T of symbols, evaluated.
+// Symbolic L D L^T, evaluated.
 #include <catch2/catch.hpp>
 
 #include "elgen/evaluate.hpp"
@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-/// n velocities; on a chain of frames, or on two limbs.
+/// A model with n velocities, on a chain of frames or on two branches.
 Model model_of(std::size_t n, bool branches) {
   Model model;
   model.velocities.resize(n);
@@ -17,7 +17,7 @@ Model model_of(std::size_t n, bool branches) {
   return model;
 }
 
-/// x of M x = r; the entries of both are parameters, but those that are 0.
+/// Solves M x = r. Non-zero entries of M and r are parameters.
 class Solved {
  public:
   Solved(const Model& model, std::vector<double> entries, std::size_t n)
@@ -51,7 +51,7 @@ class Solved {
   Program program_ = {};
 };
 
-/// Of an arrow: the first velocity is coupled with both others, these with nothing else.
+/// An arrow matrix and its right side: the first velocity is coupled with both others only.
 const std::vector<double> arrow{5, 2, 1, 2, 3, 0, 1, 0, 4, 9, 8, 13};
 
 void check_arrow(const std::vector<double>& x) {
@@ -64,21 +64,22 @@ void check_arrow(const std::vector<double>& x) {
 
 }  // namespace
 
-TEST_CASE("x solves M x = r, in either order") {
+TEST_CASE("x solves M x = r in both orders of elimination") {
   check_arrow(Solved(model_of(3, false), arrow, 3).x());
   check_arrow(Solved(model_of(3, true), arrow, 3).x());
 }
 
-TEST_CASE("where limbs branch, zeros between them stay and cost nothing") {
+TEST_CASE("zeros between branches stay zero and cost nothing") {
   const OperationCounts filled = Solved(model_of(3, false), arrow, 3).counts();
   const OperationCounts kept = Solved(model_of(3, true), arrow, 3).counts();
-  // L_21, L_31 of M, and L_32 where it fills in: 1/D_i each, L_ij, W_ij, and two substitutions.
+  // Three reciprocals 1/D_i; products for each L_ij and W_ij of L_21 and L_31, and for two
+  // substitutions. On a chain L_32 fills in.
   CHECK(kept.div == 3);
   CHECK(kept.mul == 11);
   CHECK(filled.mul > kept.mul);
 }
 
-TEST_CASE("a diagonal matrix is divided by") {
+TEST_CASE("a diagonal matrix only needs divisions") {
   const Solved diagonal(model_of(2, false), {2, 0, 0, 4, 6, 6}, 2);
   CHECK(diagonal.x() == std::vector<double>{3, 1.5});
   CHECK(diagonal.counts() == OperationCounts{.mul = 2, .div = 2});
@@ -86,7 +87,8 @@ TEST_CASE("a diagonal matrix is divided by") {
 
 namespace {
 
-/// M^-1 of columns of numbers from -2 to 6, which are parameters; M has 4, 5, 6 on its diagonal.
+/// Solves M x = column for many columns of the integers -2 ... 6, which are parameters. M has 4, 5,
+/// 6 on its diagonal.
 struct Columns {
   Columns(const std::vector<std::vector<int>>& columns, int coupling) {
     for (int i = -2; i <= 6; ++i) numbers.push_back(i);
@@ -129,7 +131,7 @@ std::vector<std::vector<int>> columns_of(int count) {
 
 }  // namespace
 
-TEST_CASE("many columns are repetitions, whatever is 0 in some") {
+TEST_CASE("many columns become repetitions, even if some have zeros") {
   CHECK(Columns(columns_of(15), 1).repetitions() == 0);
   std::vector<std::vector<int>> right = columns_of(20);
   right.insert(right.begin() + 4, {0, 0, 0});
@@ -147,7 +149,7 @@ TEST_CASE("many columns are repetitions, whatever is 0 in some") {
   }
 }
 
-TEST_CASE("columns of zeros but one entry are straight lines under a diagonal M") {
+TEST_CASE("unit columns with a diagonal M become straight-line code") {
   std::vector<std::vector<int>> columns;
   for (int i = 0; i < 18; ++i) columns.push_back({i % 3 == 0, i % 3 == 1, i % 3 == 2});
   CHECK(Columns(columns, 0).repetitions() == 0);

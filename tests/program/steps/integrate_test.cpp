@@ -1,4 +1,4 @@
-// Steps: what they are refused for, what they start from, and what they call.
+// Steps: refused systems, required outputs, and called functions.
 #include "elgen/integrate.hpp"
 
 #include <catch2/catch.hpp>
@@ -33,7 +33,7 @@ Model point(const std::string& potential) {
 
 }  // namespace
 
-TEST_CASE("verlet is refused where it is not symplectic, and says why") {
+TEST_CASE("verlet is refused with a reason if it is not symplectic") {
   CHECK_THAT(refusal(model_file("cart_pole"), "verlet"),
              Catch::Contains("E622") &&
                  Catch::Contains("`verlet` does not apply to this system: M depends on `theta`") &&
@@ -43,7 +43,7 @@ TEST_CASE("verlet is refused where it is not symplectic, and says why") {
              Catch::Contains("a force depends on `dot(x1)`"));
 }
 
-TEST_CASE("midpoint is refused where p is not M v + b of the coordinates") {
+TEST_CASE("midpoint is refused unless p = M v + b with coordinates only") {
   CHECK_THAT(
       refusal(model_file("free_body"), "midpoint"),
       Catch::Contains("`midpoint` does not apply to this system: `attitude` is a rotation") &&
@@ -52,7 +52,7 @@ TEST_CASE("midpoint is refused where p is not M v + b of the coordinates") {
              Catch::Contains("E622") && Catch::Contains("L is not quadratic in the rates"));
 }
 
-TEST_CASE("what midpoint calls is computed together, in the form that is asked for") {
+TEST_CASE("the outputs of a midpoint step are computed together, in the requested form") {
   const CheckedModel checked = checked_model(shaken);
   OutputRequest step{
       .kind = OutputKind::step, .form = Form::closed, .step = step_by(StepMethod::midpoint)};
@@ -62,7 +62,7 @@ TEST_CASE("what midpoint calls is computed together, in the form that is asked f
   for (const OutputRequest& each : needed) CHECK(each.form == Form::closed);
 }
 
-TEST_CASE("a step calls the form that is asked for, and is judged by what it needs") {
+TEST_CASE("a step calls the requested form, and its requirements have no form") {
   const CheckedModel checked = checked_model(shaken);
   OutputRequest step{.kind = OutputKind::step, .step = step_by(StepMethod::verlet)};
   step.form = Form::recursive;
@@ -74,7 +74,7 @@ TEST_CASE("a step calls the form that is asked for, and is judged by what it nee
   CHECK(needed.back().form == Form::recursive);
 }
 
-TEST_CASE("M is constant, forces and L are free of rates, but for T") {
+TEST_CASE("verlet needs a constant M, and forces and L without rates except in T") {
   const std::string kinetic = "T = \"dot(x)^2 + dot(x)*dot(y) + dot(y)^2\"\n";
   CHECK(obstacle(kinetic + "V = \"x*y + sin(t)*x\"\n").empty());
   CHECK(obstacle("T = \"x^2*dot(x)^2 + dot(y)^2\"\n") == "M depends on `x`");
@@ -87,7 +87,7 @@ TEST_CASE("M is constant, forces and L are free of rates, but for T") {
   CHECK(obstacle(kinetic + "D = \"dot(y)^2\"\n") == "a force depends on `dot(y)`");
 }
 
-TEST_CASE("time moves where the model knows it") {
+TEST_CASE("time advances if the model depends on it") {
   for (const bool moves : {false, true}) {
     const CheckedModel checked{point(moves ? "x*sin(t)" : "x^2"), {}};
     Program program;

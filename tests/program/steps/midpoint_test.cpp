@@ -1,4 +1,4 @@
-// The implicit midpoint rule: its order, what it conserves, what it leaves.
+// The implicit midpoint rule: its order, conserved quantities and residual.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -7,8 +7,8 @@
 namespace elgen::test {
 namespace {
 
-/// A cart on a ramp that a law lifts, with a damped pendulum of growing mass on it, in a field that
-/// makes p more than M v.
+/// A cart on a ramp that is lifted by a law, with a damped pendulum of growing mass, in a field
+/// with p = M v + b.
 const std::string lifted = model_text("lifted", R"toml([[coordinate]]
 name = "x"
 start = { value = 0.3, rate = 1 }
@@ -35,7 +35,7 @@ value = "u*sin(x) - dot(x)/5"
 
 }  // namespace
 
-TEST_CASE("one step of midpoint is off by h^3") {
+TEST_CASE("one step of midpoint has an error of O(h^3)") {
   const cln::cl_RA h = cln::cl_RA(1) / 100;
   for (const std::string& model : {model_file("cart_pole"), model_file("double_pendulum"),
                                    model_file("charged_particle"), shaken, lifted}) {
@@ -44,7 +44,7 @@ TEST_CASE("one step of midpoint is off by h^3") {
   }
 }
 
-TEST_CASE("in C the step has the same bits") {
+TEST_CASE("the step in C gives the same bits") {
   CompiledStep cpp({.model = lifted});
   CompiledStep c({.model = lifted, .outputs = "[emit]\nlanguage = \"c99\"\n"});
   for (int i = 0; i < 100; ++i) {
@@ -56,10 +56,10 @@ TEST_CASE("in C the step has the same bits") {
   CHECK(c.residual() == cpp.residual());
 }
 
-TEST_CASE("the energy swings and does not drift in a long run") {
+TEST_CASE("the energy oscillates without drift in a long run") {
   CompiledStep run({.model = model_file("double_pendulum")});
   const double start = run.energy();
-  double first = 0;  // the largest change in the first half of the run, and in the second
+  double first = 0;  // largest changes in the first and in the second half of the run
   double second = 0;
   double residual = 0;
   for (int i = 0; i < 100000; ++i) {
@@ -74,7 +74,7 @@ TEST_CASE("the energy swings and does not drift in a long run") {
   CHECK(residual < 1e-11);
 }
 
-TEST_CASE("the momentum of a cyclic coordinate stays, however few the iterations are") {
+TEST_CASE("the momentum of a cyclic coordinate is conserved for any number of iterations") {
   CompiledStep run({.model = model_file("cart_pole"), .more = ", iterations = 1"});
   run.at().v = {0.5, 3};
   run.at().q = {0, 1};
@@ -84,7 +84,7 @@ TEST_CASE("the momentum of a cyclic coordinate stays, however few the iterations
   CHECK(run.residual() > 1e-9);
 }
 
-TEST_CASE("compositions keep momenta, and leave the residual of their longest part") {
+TEST_CASE("compositions conserve momenta and return the residual of their longest substep") {
   CompiledStep run({.model = model_file("cart_pole"), .more = ", order = 4, iterations = 1"});
   run.at().v = {0.5, 3};
   run.at().q = {0, 1};
@@ -97,7 +97,7 @@ TEST_CASE("compositions keep momenta, and leave the residual of their longest pa
   CHECK(converged.residual() < 1e-14);
 }
 
-TEST_CASE("residuals shrink by about h with every iteration, down to rounding") {
+TEST_CASE("residuals shrink by a factor of about h per iteration, down to rounding") {
   double last = 1;
   for (const int iterations : {1, 2, 3, 4}) {
     CompiledStep run({.model = lifted, .more = ", iterations = " + std::to_string(iterations)});
@@ -110,10 +110,10 @@ TEST_CASE("residuals shrink by about h with every iteration, down to rounding") 
   CHECK(run.residual() < 1e-15);
 }
 
-TEST_CASE("an M of numbers costs nothing, and what does not move is computed once") {
+TEST_CASE("a numeric M costs nothing, and loop-invariant values are computed once") {
   const OperationCounts counts = count_operations(Stepped(shaken, "midpoint").function());
   CHECK(counts.div == 0);
-  CHECK(counts.sincos == 9 + 1);  // sin(3 (t + h/2)) is that of all iterations
+  CHECK(counts.sincos == 9 + 1);  // sin(3 (t + h/2)) is shared by all iterations
 }
 
 }  // namespace elgen::test

@@ -1,4 +1,4 @@
-// Model texts -> the program of their step, and its values.
+// From a model text to the program of its step, and its values.
 #pragma once
 
 #include <cln/real.h>
@@ -16,12 +16,12 @@
 
 namespace elgen::test {
 
-/// A scene with a step.
+/// A model with a step, as a scene.
 struct StepScene {
   std::string model;
   std::string method = {};
-  std::string more = {};     ///< of its entry, beginning with a comma
-  std::string outputs = {};  ///< lines of others
+  std::string more = {};     ///< further keys of the step's entry, starting with a comma
+  std::string outputs = {};  ///< further lines of [outputs]
   Goal goal = Goal::choose;
 };
 
@@ -35,7 +35,7 @@ inline Products stepped(const StepScene& wanted) {
       {make_source("test.toml", wanted.model), make_source("next.scene.toml", scene)}, options);
 }
 
-/// The step as a function of states; throws what is wrong.
+/// The step as a function of states. The constructor throws the diagnostics if there is no program.
 class Stepped {
  public:
   Stepped(const std::string& model, const std::string& method, const std::string& more = {})
@@ -46,16 +46,16 @@ class Stepped {
   [[nodiscard]] const Model& model() const { return products_.checked->model; }
   [[nodiscard]] const Program& program() const { return *products_.program; }
   [[nodiscard]] const Function& function() const { return program().functions.back(); }
-  /// Parameters at their values, the rest 0.
+  /// Parameters have their values; all other numbers are 0.
   [[nodiscard]] State origin() const { return nominal_state(model(), products_.checked->scene); }
 
-  /// q, v, and the residual of an implicit method.
+  /// The new q and v, then the residual of an implicit method.
   template <class Scalar>
   [[nodiscard]] std::vector<Scalar> values(const State& state) const {
     return evaluate(program(), function(), arguments_at<Scalar>(state));
   }
 
-  /// `count` steps over the time state.h, in 60 digits.
+  /// The state after `count` steps over the time state.h, in 60 digits.
   [[nodiscard]] State after(State state, int count) const {
     const cln::cl_R whole = state.h;
     state.h = whole / count;
@@ -78,7 +78,7 @@ inline std::string model_file(const std::string& name) {
   return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
 }
 
-/// Two masses on a spring and a pivot that is shaken, and pushed.
+/// Two coupled masses; the first hangs from a pivot shaken by time, the second has an input force.
 inline const std::string shaken = model_text("shaken", R"toml([[coordinate]]
 name = "x"
 [[coordinate]]
@@ -93,7 +93,7 @@ name = "u"
 on = "y"
 )toml");
 
-/// Somewhere, in motion, pushed, at t = 2/7.
+/// A generic state in motion, with inputs, at t = 2/7.
 inline State somewhere(const Stepped& step) {
   State state = step.origin();
   const cln::cl_RA part = cln::cl_RA(1) / 7;
@@ -105,7 +105,7 @@ inline State somewhere(const Stepped& step) {
   return state;
 }
 
-/// By how many powers of 2 the error of one step falls where the step is halved: its order plus 1.
+/// log2 of the error ratio between one step of h and one of h/2: the order of the method plus 1.
 inline double local_order(const Stepped& step, State state, const cln::cl_RA& h) {
   const auto error = [&](const cln::cl_R& length) {
     state.h = length;

@@ -1,4 +1,4 @@
-// Model texts -> compiled systems, and runs of them.
+// Compiled systems from model texts, and runs of them.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace elgen::test {
 
-/// Options as on the command line: --state, --input, --set.
+/// Options as given by --state, --input and --set.
 inline SceneOptions start_options(const std::string& starts, const std::string& laws = {},
                                   const std::string& values = {}) {
   SceneOptions options;
@@ -21,7 +21,8 @@ inline SceneOptions start_options(const std::string& starts, const std::string& 
   return options;
 }
 
-/// Derived as `elgen simulate` does, and compiled where that is asked for; throws what is wrong.
+/// A system derived as by `elgen simulate`, compiled when first needed. Throws the diagnostics on
+/// failure.
 class CompiledSystem {
  public:
   explicit CompiledSystem(const std::string& text, const SceneOptions& given = {},
@@ -49,7 +50,7 @@ class CompiledSystem {
     if (!products.program) return products.diagnostics;
     return simulate(*products.checked, *products.program, nullptr, options);
   }
-  /// The same, of a run that succeeds.
+  /// The trajectory of a run; throws the diagnostics if the run fails.
   [[nodiscard]] Trajectory trajectory(const SimulationOptions& options) const {
     Result<Trajectory> result = run(options);
     if (!result) throw std::runtime_error(format(result.diagnostics));
@@ -73,12 +74,12 @@ class CompiledSystem {
   mutable CompiledHeaders headers_ = {};
 };
 
-/// By one method in steps of a length.
+/// Options for a method with constant steps.
 inline SimulationOptions steps_of(const std::string& method, double step, double time) {
   return {.method = method, .time = time, .step = step};
 }
 
-/// q'' = -sin q from 1 rad at rest.
+/// q'' = -sin q, with q = 1 rad and rate 0 at the start.
 inline std::string pendulum_text() {
   return model_text("pendulum", R"toml([[coordinate]]
 name = "q"
@@ -92,7 +93,7 @@ V = "1 - cos(q)"
 /// 2 pi / agm(1, cos(1/2)).
 inline constexpr double pendulum_period = 6.69997566437;
 
-/// x'' = u - k x from x = 1 at rest, k = 4.
+/// x'' = u - k x, with x = 1, rate 0 at the start and k = 4.
 inline std::string spring_text() {
   return model_text("spring", R"toml([[coordinate]]
 name = "x"

@@ -1,5 +1,5 @@
-// Runs of models with constraints: against coordinates that need none, how far states get off, what
-// does work and what stays, and what is refused.
+// Runs of models with constraints: comparison with minimal coordinates, drift off the constraints,
+// work and conservation, and refused runs.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -13,14 +13,14 @@ using namespace elgen::test;
 
 namespace {
 
-/// In the evaluator, to its end.
+/// A run in the evaluator; throws the diagnostics if it fails.
 Trajectory evaluated(const CompiledSystem& system, const SimulationOptions& options) {
   Result<Trajectory> result = simulate(system.checked(), system.program(), nullptr, options);
   if (!result) throw std::runtime_error(format(result.diagnostics));
   return *result;
 }
 
-/// A bob on a rod of 1.3, which swings out of 5/13 at 2 rad/s.
+/// A bob on a rod of length 1.3, which starts at sin q = 5/13 with 2 rad/s.
 const std::string bob_on_rod = model_text("bob", R"toml([[coordinate]]
 name = "x"
 start = { value = 0.5, rate = 2.4 }
@@ -38,7 +38,7 @@ name = "rod"
 equation = "x^2 + y^2 = 1.69"
 )toml");
 
-/// The same by its angle: x = 1.3 sin q, y = -1.3 cos q.
+/// The same pendulum in its angle: x = 1.3 sin q, y = -1.3 cos q.
 const std::string bob_by_angle = model_text("bob", R"toml([[coordinate]]
 name = "q"
 start = { value = 0.39479111969976155, rate = 2 }
@@ -50,7 +50,7 @@ T = "1/2*m*1.69*dot(q)^2"
 V = "-m*g*1.3*cos(q)"
 )toml");
 
-/// Two coordinates of unit mass, with what follows.
+/// Two coordinates of a model with m = 1; `rest` is appended.
 std::string plane(const std::string& start_of_x, const std::string& rest) {
   return model_text("plane", "[[coordinate]]\nname = \"x\"\nstart = " + start_of_x +
                                  "\n[[coordinate]]\nname = \"y\"\n[parameters]\nm = 1\n" + rest);
@@ -60,7 +60,7 @@ const std::string free_in_plane = "[energy]\nT = \"1/2*m*(dot(x)^2 + dot(y)^2)\"
 
 }  // namespace
 
-TEST_CASE("a pendulum in x and y is after 10 s where its angle says") {
+TEST_CASE("a pendulum in x and y agrees after 10 s with a pendulum in its angle") {
   const SimulationOptions options{.time = 10, .tolerance = 1e-12};
   const Trajectory rod = CompiledSystem(bob_on_rod).trajectory(options);
   const Trajectory angle = CompiledSystem(bob_by_angle).trajectory(options);
@@ -74,7 +74,7 @@ TEST_CASE("a pendulum in x and y is after 10 s where its angle says") {
   CHECK_FALSE(angle.constraints);
 }
 
-TEST_CASE("rows have the multiplier of each constraint, by the inputs there") {
+TEST_CASE("rows contain the multiplier of each constraint, after the inputs") {
   const CompiledSystem system(bob_on_rod + "[[input]]\nname = \"u\"\non = \"x\"\n",
                               start_options("", "u=8*t"));
   SimulationOptions options = steps_of("rk4", 0.01, 1);
@@ -87,7 +87,7 @@ TEST_CASE("rows have the multiplier of each constraint, by the inputs there") {
   REQUIRE(run.rows.size() == 5);
   CHECK(run.rows.back()[5] == 6);
   for (const auto& row : run.rows) {
-    // x x'' + y y'' = -v^2, where m x'' = u + 2 lambda x and m y'' = -m g + 2 lambda y.
+    // x x'' + y y'' = -v^2, with m x'' = u + 2 lambda x and m y'' = -m g + 2 lambda y.
     const double square = row[3] * row[3] + row[4] * row[4];
     const double outwards = row[5] * row[1] - 2.1 * 9.7 * row[2];
     CHECK(row[6] == Approx(-(2.1 * square + outwards) / (2 * 1.69)));
@@ -95,7 +95,7 @@ TEST_CASE("rows have the multiplier of each constraint, by the inputs there") {
   CHECK(run.last == run.rows.back());
 }
 
-TEST_CASE("`projected` after every step keeps a run on its constraints, and nothing else does") {
+TEST_CASE("a run stays on its constraints only with a projection after every step") {
   const CompiledSystem system(bob_on_rod);
   for (SimulationOptions options : {steps_of("rk4", 0.02, 10), steps_of("dopri5", 0.05, 10),
                                     SimulationOptions{.time = 10, .tolerance = 1e-7}}) {
@@ -110,14 +110,14 @@ TEST_CASE("`projected` after every step keeps a run on its constraints, and noth
   }
 }
 
-TEST_CASE("a start off the constraints is moved onto them, and the report says by how much") {
+TEST_CASE("a start off the constraints is moved onto them, and the report states the changes") {
   std::string stretched = bob_on_rod;
   stretched.replace(stretched.find("0.5"), 3, "0.6");
   const CompiledSystem system(stretched);
   const Trajectory run = evaluated(system, steps_of("rk4", 0.01, 0.1));
   const std::vector<StartMove>& start = run.constraints->start;
   REQUIRE(start.size() == 4);
-  // Along the rod, and the rates to what is across it.
+  // Positions change along the rod; the rate along the rod becomes zero.
   const double stretch = 1.3 / std::sqrt(1.8);
   CHECK(start[0].name == "x");
   CHECK(start[0].by == Approx(0.6 * (stretch - 1)));
@@ -132,7 +132,7 @@ TEST_CASE("a start off the constraints is moved onto them, and the report says b
   CHECK(run.constraints->largest.position <= 1e-12);
 }
 
-TEST_CASE("what a state names is held, and the rest is solved for") {
+TEST_CASE("stated values are fixed, and the others are solved for") {
   const CompiledSystem system(bob_on_rod, start_options("x=0.6, dot(y)=0.5"));
   const Numbers start = stated_start(assembled_model(system.checked(), 0)->model);
   CHECK(start[0] == 0.6);
@@ -141,7 +141,7 @@ TEST_CASE("what a state names is held, and the rest is solved for") {
   CHECK(start[3] == 0.5);
 }
 
-TEST_CASE("joints of parallel robots are found from their platform, or their motors") {
+TEST_CASE("joints of parallel robots are found from their platform or their motors") {
   const CompiledSystem platform(read_text(ELGEN_SOURCE_DIR "/tests/run/simulate/rrr.toml"),
                                 start_options("x=0.05, y=0.02, phi=0.1, dot(x)=0.3"));
   const Trajectory run = evaluated(platform, {.time = 1e-6, .every = 1e-6});
@@ -170,7 +170,7 @@ TEST_CASE("joints of parallel robots are found from their platform, or their mot
   CHECK(bars.constraints->largest.position < 1e-12);
 }
 
-TEST_CASE("dependent rates follow from those that are named") {
+TEST_CASE("dependent rates follow from the stated rates") {
   const std::string disc = model_text("disc", R"toml([[coordinate]]
 name = "x"
 [[coordinate]]
@@ -204,7 +204,7 @@ equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
         "1.35 of `grip_1`, 0 of `grip_2`");
 }
 
-TEST_CASE("a state that was printed meets the constraints but for its last digits") {
+TEST_CASE("a printed state is accepted despite its rounded digits") {
   const CompiledSystem system(
       bob_on_rod, start_options("x=0.6, y=-1.1532562595, dot(x)=0.96104688289, dot(y)=0.5"));
   const Result<CheckedModel> assembled = assembled_model(system.checked(), 0);
@@ -216,7 +216,7 @@ TEST_CASE("a state that was printed meets the constraints but for its last digit
   CHECK_FALSE(assembled_model(rounded.checked(), 0));
 }
 
-TEST_CASE("the work of a rod that changes its length is taken off the energy") {
+TEST_CASE("the work of a rod of variable length is subtracted from the energy") {
   const CompiledSystem system(plane("{ value = 1, rate = 0 }", R"toml([energy]
 T = "m*(dot(x)^2 + dot(y)^2)"
 V = "20*m*y"
@@ -228,7 +228,7 @@ equation = "x^2 + y^2 = (1 + sin(3*t)/5)^2"
   REQUIRE(run.constraints->start.size() == 1);
   CHECK(run.constraints->start[0].name == "dot(x)");
   CHECK(run.constraints->start[0].by == Approx(0.6));
-  // By Runge and Kutta's method of order 4 in 20000 steps, elsewhere.
+  // Reference values: an independent Runge-Kutta method of order 4 with 20000 steps.
   CHECK(run.last[1] == Approx(0.3874429055).margin(1e-7));
   CHECK(run.last[2] == Approx(-1.0107072053).margin(1e-7));
   CHECK(run.last.back() - run.rows.front().back() == Approx(-5.0374783235).margin(1e-6));
@@ -236,7 +236,7 @@ equation = "x^2 + y^2 = (1 + sin(3*t)/5)^2"
   CHECK(run.energy.worst < 1e-8);
 }
 
-TEST_CASE("so is the work of a constraint on velocities that moves") {
+TEST_CASE("the work of a moving velocity constraint is subtracted too") {
   const CompiledSystem system(plane("{ value = 1, rate = 0 }", R"toml([energy]
 T = "1/2*m*(dot(x)^2 + dot(y)^2)"
 V = "2*x^2 + x*y + y^2"
@@ -251,7 +251,7 @@ equation = "dot(x) = 2"
   CHECK(run.energy.worst < 1e-8);
 }
 
-TEST_CASE("a start is assembled at the time it is at") {
+TEST_CASE("a start is assembled at the start time") {
   const CompiledSystem system(plane("{ value = 0 }", free_in_plane + R"toml([[constraint]]
 name = "belt"
 equation = "x = 3*t"
@@ -263,7 +263,7 @@ equation = "x = 3*t"
   CHECK(run.last[1] == Approx(9));
 }
 
-TEST_CASE("a momentum that a constraint touches is not said to stay") {
+TEST_CASE("a momentum affected by a constraint is not listed as conserved") {
   const CompiledSystem system(plane("{ value = 1, rate = 0 }", R"toml([[coordinate]]
 name = "z"
 start = { value = 0, rate = 2 }
@@ -281,7 +281,7 @@ equation = "x^2 + y^2 = 1"
   CHECK(run.last[1] == Approx(std::cos(3)).margin(1e-6));
 }
 
-TEST_CASE("a disc that rolls and turns evenly draws a circle") {
+TEST_CASE("a disc that rolls and turns uniformly traces a circle") {
   const CompiledSystem system(model_text("disc", R"toml([[coordinate]]
 name = "x"
 unit = "m"
@@ -322,7 +322,7 @@ equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
   CHECK(run.momenta.front().name == "head");
 }
 
-TEST_CASE("with and without projection quaternions keep their length") {
+TEST_CASE("quaternions keep their length with and without projection") {
   const CompiledSystem system(model_text("body", R"toml([[coordinate]]
 name = "e"
 kind = "rotation"
@@ -355,7 +355,7 @@ equation = "z(P) = 0"
   }
 }
 
-TEST_CASE("a reference keeps to the constraints in long double") {
+TEST_CASE("a reference run meets the constraints in long double") {
   const CompiledSystem rod(bob_on_rod);
   const CompiledSystem angle(bob_by_angle);
   const Result<ReferenceRun> in_plane = reference_run(rod.checked(), rod.program(), 3);
@@ -366,7 +366,7 @@ TEST_CASE("a reference keeps to the constraints in long double") {
   CHECK(std::abs(in_plane->last[1] + 1.3 * std::cos(by_angle->last[0])) < 1e-13);
 }
 
-TEST_CASE("E538: a start near which nothing meets the constraints") {
+TEST_CASE("E538: no pose near the start meets the constraints") {
   const CheckedModel checked = checked_model(
       plane("{ value = 1 }",
             free_in_plane + "[[constraint]]\nname = \"rod\"\nequation = \"x^2 + y^2 = -1\"\n"));
@@ -375,7 +375,7 @@ TEST_CASE("E538: a start near which nothing meets the constraints") {
   CHECK(assembled.diagnostics.front().code == Code::E538);
 }
 
-TEST_CASE("E539: symplectic methods and their compositions know of no constraints") {
+TEST_CASE("E539: symplectic methods and their compositions do not support constraints") {
   const CompiledSystem system(bob_on_rod);
   for (const std::string method : {"verlet", "midpoint"}) {
     for (const std::uint32_t order : {2U, 4U, 8U}) {

@@ -1,4 +1,4 @@
-// Energy that runs by steps of one length lose: what is told, what ends with 1, and what is right.
+// Energy lost by runs with constant steps: messages, exit code 1, and runs without loss.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -30,7 +30,7 @@ Result<Trajectory> by_rk4(const std::string& text, double step, double time,
   return simulate(system.checked(), system.program(), nullptr, steps_of("rk4", step, time));
 }
 
-/// The message of the one E648; "" where nothing is told.
+/// The message of the only diagnostic, an E648; "" if there is none.
 std::string told(const Result<Trajectory>& run) {
   REQUIRE(run);
   if (run.diagnostics.empty()) return "";
@@ -41,8 +41,7 @@ std::string told(const Result<Trajectory>& run) {
 
 }  // namespace
 
-TEST_CASE(
-    "an orbit that steps throw out of its well loses its energy, whatever V is measured from") {
+TEST_CASE("an orbit ejected from its well by large steps loses energy, for any offset of V") {
   for (const std::string offset : {"", " + 1000000", " - 1000000"}) {
     INFO(offset);
     const auto run = by_rk4(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)" + offset + "\"\n"), 0.01, 5);
@@ -53,21 +52,21 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("an energy given whole is judged by |v.p| + |L|") {
+TEST_CASE("the energy of a Lagrangian given as L is scaled by |v.p| + |L|") {
   const auto run =
       by_rk4(orbit("L = \"1/2*(dot(x)^2 + dot(y)^2) + 1/sqrt(x^2 + y^2)\"\n"), 0.01, 5);
   CHECK(mentions(told(run), " of the largest |v.p| + |L|, "));
   CHECK(run->loses_energy);
 }
 
-TEST_CASE("short steps lose nothing, and a system at rest has nothing to lose") {
+TEST_CASE("short steps lose nothing, and neither does a system at rest") {
   const std::string far = orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n");
   const auto kept = by_rk4(far, 0.01, 1);
   CHECK(told(kept).empty());
   CHECK_FALSE(kept->loses_energy);
   const auto still = by_rk4(orbit(kinetic), 0.01, 1, start_options("dot(y)=0"));
   CHECK(told(still).empty());
-  // Rounding of V is more than T there.
+  // The rounding error of V exceeds T here.
   const std::string top = model_text("top", R"toml([[coordinate]]
 name = "q"
 start = { value = "pi", rate = 0 }
@@ -78,17 +77,17 @@ V = "-7.3*cos(q) + 1/3"
   CHECK(told(by_rk4(top, 0.01, 2)).empty());
 }
 
-TEST_CASE("the work of forces and inputs is no loss") {
+TEST_CASE("the work of forces and inputs is not a loss") {
   CHECK(told(by_rk4(spring_text(), 0.01, 5, start_options("", "u=-dot(x)"))).empty());
 }
 
-TEST_CASE("between 1 and 10 % a loss is told, and that is all") {
+TEST_CASE("a loss between 1 and 10 % is only reported") {
   const auto run = by_rk4(spring_text(), 0.4, 10);
   CHECK(mentions(told(run), " % of the largest |T| plus the range of V, "));
   CHECK_FALSE(run->loses_energy);
 }
 
-TEST_CASE("verlet and midpoint may swing, and may not drift") {
+TEST_CASE("the energy of verlet and midpoint may oscillate but not drift") {
   const auto run = [](const std::string& method, double step, double time) {
     const CompiledSystem spring(spring_text());
     return spring.run(steps_of(method, step, time));
@@ -104,19 +103,19 @@ TEST_CASE("verlet and midpoint may swing, and may not drift") {
   CHECK(lost->loses_energy);
 }
 
-TEST_CASE("an entry of conserved is told of, and is no reason to fail") {
+TEST_CASE("a changed entry of `conserved` is reported, but the run does not fail") {
   const std::string text = spring_text() + "[[expect]]\nconserved = [\"E\"]\n";
   CHECK(told(by_rk4(text, 0.01, 5)).empty());
   const auto run = by_rk4(text, 0.01, 5, start_options("", "u=1"));
   CHECK(mentions(told(run), "`E` of `conserved` deviates by up to "));
   CHECK_FALSE(run->loses_energy);
-  // Terms that cancel: y and its rate stay 0.
+  // The terms cancel: y and its rate stay 0.
   const std::string turn = orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n") +
                            "[[expect]]\nconserved = [\"x*dot(y) - y*dot(x)\"]\n";
   CHECK(told(by_rk4(turn, 0.001, 0.5, start_options("dot(y)=0"))).empty());
 }
 
-TEST_CASE("runs that choose their steps are judged by their tolerance") {
+TEST_CASE("runs with adaptive steps are judged by their tolerance") {
   const CompiledSystem system(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n"));
   const auto run = system.run({.time = 5});
   CHECK(told(run).empty());

@@ -1,5 +1,5 @@
-// Kinks of forces and laws, and rates that dry friction holds, against closed forms and a reference
-// of DOP853 with events at 1e-13, which knows which joint sticks.
+// Kinks of forces and laws, and rates held by dry friction. References: closed forms, and DOP853
+// with event detection at 1e-13, which tracks the sticking joints.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -41,7 +41,7 @@ on = "q"
 value = "-(Fc + (Fs - Fc)*exp(-(dot(q)/vs)^2))*sign(dot(q)) - s*dot(q)"
 )toml");
 
-/// A block of 1 kg at rest, with dry friction of 1/2 N, and an input.
+/// A block of 1 kg at rest, with dry friction of 1/2 N and an input.
 const std::string block = model_text("block", R"toml([[coordinate]]
 name = "x"
 [energy]
@@ -54,7 +54,7 @@ name = "u"
 on = "x"
 )toml");
 
-/// Two joints that M couples, both with dry friction.
+/// Two joints coupled by M, both with dry friction.
 const std::string arm = model_text("arm", R"toml([[coordinate]]
 name = "a"
 start = { value = 0.3, rate = 1 }
@@ -81,7 +81,7 @@ Result<Trajectory> run(const std::string& text, const SimulationOptions& options
   return simulate(system.checked(), system.program(), nullptr, options);
 }
 
-/// The end of a run that succeeds without a word, with E - E0 - work as it should be.
+/// The last row of a run without diagnostics. E - E0 - work must be below 1e-8.
 std::vector<double> end_of(const std::string& text, const SimulationOptions& options,
                            const SceneOptions& given = {}) {
   const Result<Trajectory> trajectory = run(text, options, given);
@@ -97,7 +97,7 @@ struct Rest {
   double q = 0;
 };
 
-/// The first instant at which the only rate is 0.
+/// The first time at which the only rate is 0, and the position there.
 Rest rest_of(const std::string& text) {
   const CompiledSystem compiled(text);
   System system(compiled.checked(), compiled.program(), nullptr);
@@ -115,7 +115,7 @@ Rest rest_of(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("two-sided Coulomb friction brings a joint to rest, and keeps it there") {
+TEST_CASE("two-sided Coulomb friction stops a joint and holds it") {
   // v' = -(Tcp + B v)/J
   const double t = 0.05 / 0.00148 * std::log1p(0.00148 * 2 / 0.395);
   const double q = (2 * 0.05 - 0.395 * t) / 0.00148;
@@ -132,14 +132,14 @@ TEST_CASE("two-sided Coulomb friction brings a joint to rest, and keeps it there
   CHECK(back[2] == 0);
 }
 
-TEST_CASE("Stribeck friction brings a joint to rest") {
+TEST_CASE("Stribeck friction stops a joint") {
   const Rest rest = rest_of(stribeck);
   CHECK(rest.t == Approx(0.30614303618).margin(1e-8));
   CHECK(rest.q == Approx(0.30596137282).margin(1e-8));
   CHECK(end_of(stribeck, {.time = 2})[2] == 0);
 }
 
-TEST_CASE("a law breaks friction as soon as it exceeds it") {
+TEST_CASE("an input law overcomes friction as soon as it exceeds the friction") {
   // At rest until t = 1/2, then x'' = t - 1/2.
   const std::vector<double> last = end_of(block, {.time = 2}, start_options("", "u=t"));
   CHECK(last[1] == Approx(std::pow(1.5, 3) / 6).margin(1e-8));
@@ -148,13 +148,13 @@ TEST_CASE("a law breaks friction as soon as it exceeds it") {
   const std::vector<double> rest = end_of(block, {.time = 9}, start_options("", "u=0.49*sin(t)"));
   CHECK(rest[1] == 0);
   CHECK(rest[2] == 0);
-  // Inputs that are held break it at an instant.
+  // Sampled inputs (`hold`) overcome it at a sampling time.
   const std::vector<double> held =
       end_of(block, {.time = 2, .hold = 0.8}, start_options("", "u=t"));
   CHECK(held[2] == Approx(0.8 * 0.3 + 0.4 * 1.1).margin(1e-8));
 }
 
-TEST_CASE("a rate is held at the speed of a belt, too, and a law may be the friction") {
+TEST_CASE("friction can hold a rate at the speed of a belt, or be an input law") {
   const std::string belt = model_text("belt", R"toml([[coordinate]]
 name = "x"
 [energy]
@@ -174,8 +174,8 @@ on = "x"
   CHECK(last[2] == 0);
 }
 
-TEST_CASE("two joints that M couples stick one after the other, together, and break away") {
-  // They stick at t = 0.4467 (a) and 0.5238 (both); a breaks at 2.7499 and b at 2.9255.
+TEST_CASE("two joints coupled by M stick one after the other, then together, and break away") {
+  // a sticks at t = 0.4467, both stick at 0.5238; a breaks away at 2.7499, b at 2.9255.
   const auto at = [](double time) {
     return end_of(arm, {.time = time, .tolerance = 1e-11}, start_options("", "u=3*sin(t)"));
   };
@@ -191,7 +191,7 @@ TEST_CASE("two joints that M couples stick one after the other, together, and br
   CHECK(last[4] == Approx(-0.299408925443).margin(1e-8));
 }
 
-TEST_CASE("rates that reach their kinks at one instant are held at once") {
+TEST_CASE("rates that reach their kinks at the same time are held together") {
   const std::vector<double> last = end_of(model_text("twins", R"toml([[coordinate]]
 name = "a"
 start = { value = 0, rate = 1 }
@@ -214,7 +214,7 @@ value = "-sign(dot(b))"
   CHECK(last[4] == 0);
 }
 
-TEST_CASE("friction holds what a constraint ties to its rate") {
+TEST_CASE("friction holds a rate that a constraint couples to another rate") {
   const std::vector<double> last = end_of(model_text("tied", R"toml([[coordinate]]
 name = "x"
 start = { value = 0, rate = 1 }
@@ -237,7 +237,7 @@ value = "-sign(dot(x))"
   CHECK(last[4] == Approx(0).margin(1e-12));
 }
 
-TEST_CASE("a kink that is crossed is no end, and costs no digit") {
+TEST_CASE("crossing a kink neither ends a run nor costs accuracy") {
   const std::string wall = model_text("wall", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = -1 }
@@ -259,13 +259,13 @@ T = "1/2*dot(x)^2"
 on = "x"
 value = "-sign(x)"
 )toml");
-  // A period of 4 sqrt(2).
+  // The period is 4 sqrt(2).
   const std::vector<double> last = end_of(jump, {.time = 8 * std::sqrt(2)});
   CHECK(last[1] == Approx(1).margin(1e-7));
   CHECK(last[2] == Approx(0).margin(1e-7));
 }
 
-TEST_CASE("kinks are crossed far from t = 0, where times are 2e-9 apart") {
+TEST_CASE("kinks are crossed at t = 1e7, where adjacent doubles are 2e-9 apart") {
   const SceneOptions given = start_options("x=0.47", "u=-30*x");
   const double right = end_of(block, {.time = 3}, given)[1];
   const Result<Trajectory> far = run(block, {.from = 1e7, .time = 3}, given);
@@ -274,7 +274,7 @@ TEST_CASE("kinks are crossed far from t = 0, where times are 2e-9 apart") {
   CHECK(far->last[1] == Approx(right).margin(1e-6));
 }
 
-TEST_CASE("a motion that slides along another kink ends, with the name of the kink and a remedy") {
+TEST_CASE("a motion that slides along another kind of kink ends, with a message and a hint") {
   const std::string free = model_text("loose", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 0 }
@@ -295,15 +295,15 @@ on = "x"
     CHECK(mentions(end.hint, "tanh(x/width), and `--method rk4 --step` goes on"));
   };
   slides(free, "-10*sign(x + dot(x))", "sign(x + dot(x))");
-  // A start on the kink itself.
+  // The start is on the kink itself.
   slides(read_text(ELGEN_SOURCE_DIR "/models/cart_pole.toml"), "-10*sign(x + dot(x))",
          "sign(x + dot(x))");
-  // A rate alone, and a force that acts on another one.
+  // A force on y with a kink in the rate of x.
   const std::string drag = "[[force]]\non = \"y\"\nvalue = \"-sign(dot(x) + dot(y) - 1)\"\n";
   slides(free + drag, "0", "sign(dot(x) + dot(y) - 1)");
 }
 
-TEST_CASE("steps of one length creep through friction, and tell what they lose") {
+TEST_CASE("constant steps creep through friction and report their energy loss") {
   const Result<Trajectory> creeps =
       run(coulomb, steps_of("rk4", 0.01, 40), start_options("dot(q)=2"));
   REQUIRE(creeps);

@@ -1,5 +1,4 @@
-// Methods: which there are, what is refused of one and why, their orders, and tolerances that
-// decide.
+// Methods: their names, refused options, orders, and tolerances.
 #include "run/steps/methods.hpp"
 
 #include <catch2/catch.hpp>
@@ -27,7 +26,7 @@ std::string rule_of(const SimulationOptions& options) {
 
 }  // namespace
 
-TEST_CASE("every method has the order that it is known for") {
+TEST_CASE("every method has its known order") {
   const std::map<std::string_view, double> orders{
       {"rk4", 4}, {"dopri5", 5}, {"verlet", 2}, {"midpoint", 2}};
   REQUIRE(orders.size() == method_table().size());
@@ -39,7 +38,7 @@ TEST_CASE("every method has the order that it is known for") {
           pendulum.trajectory(steps_of(std::string(method.name), step, pendulum_period)).last;
       return std::hypot(last[1] - 1, last[2]);
     };
-    // Steps for which neither rounding nor the next order is felt.
+    // With these steps neither rounding nor the next order is noticeable.
     const double length = pendulum_period / 100;
     const double order = std::log2(error(length) / error(length / 2));
     CHECK(order > orders.at(method.name) - 0.3);
@@ -47,7 +46,7 @@ TEST_CASE("every method has the order that it is known for") {
   }
 }
 
-TEST_CASE("methods have names") {
+TEST_CASE("methods are found by name") {
   CHECK(find_method({.method = "rk4"})->name == "rk4");
   CHECK(message(find_method({.method = "rk5"}).diagnostics) ==
         "E620 unknown method `rk5` | did you mean `rk4`?");
@@ -57,7 +56,7 @@ TEST_CASE("methods have names") {
   }
 }
 
-TEST_CASE("orders are of the methods that have them") {
+TEST_CASE("an order is accepted only if the method has it") {
   CHECK(find_method({.method = "rk4", .order = 4})->order == 4);
   CHECK(message(find_method({.method = "rk4", .order = 8}).diagnostics) ==
         "E647 `rk4` has no order 8 | it has 4");
@@ -67,7 +66,7 @@ TEST_CASE("orders are of the methods that have them") {
         "E647 `verlet` has no order 3 | it has 2, 4, 8");
 }
 
-TEST_CASE("compositions have the orders that are asked for") {
+TEST_CASE("compositions have the requested order") {
   const CompiledSystem pendulum(pendulum_text());
   for (const std::string name : {"verlet", "midpoint"}) {
     for (const auto& [order, steps] : {std::pair{4U, 40}, std::pair{8U, 12}}) {
@@ -87,14 +86,15 @@ TEST_CASE("compositions have the orders that are asked for") {
   }
 }
 
-TEST_CASE("verlet and midpoint go by a program of `step`") {
+TEST_CASE("runs of verlet and midpoint use the output `step`") {
   CHECK(step_of_run({.method = "verlet"}) == step_by(StepMethod::verlet));
   CHECK(step_of_run({.method = "verlet", .order = 2}) == step_by(StepMethod::verlet));
   CHECK(step_of_run({.method = "midpoint", .order = 8}) == step_by(StepMethod::midpoint, 8));
   for (const char* name : {"rk4", "dopri5", "rk5"}) CHECK_FALSE(step_of_run({.method = name}));
 }
 
-TEST_CASE("times, steps and tolerances are positive, and one rule decides the steps") {
+TEST_CASE(
+    "times, steps and tolerances must be positive, and only one of step and tolerance is given") {
   CHECK(rule_of({.time = 1}).empty());
   CHECK(step_rule(*find_method({}), {.time = 1})->tolerance == 1e-9);
   CHECK(rule_of({.time = -1}) == "E621 `--time -1` is not a positive number");
@@ -111,7 +111,7 @@ TEST_CASE("times, steps and tolerances are positive, and one rule decides the st
         "E621 `rk4` does not choose its steps by a tolerance | give `--step`, or use `dopri5`");
 }
 
-TEST_CASE("a smaller tolerance gives a smaller error by more steps") {
+TEST_CASE("a smaller tolerance gives a smaller error with more steps") {
   const CompiledSystem pendulum(pendulum_text());
   const auto run = [&](double tolerance) {
     return pendulum.trajectory({.time = pendulum_period, .tolerance = tolerance});
@@ -125,17 +125,17 @@ TEST_CASE("a smaller tolerance gives a smaller error by more steps") {
   CHECK(fine.last[0] == pendulum_period);
 }
 
-TEST_CASE("rk4 loses 9.03e-8 of the pendulum's energy in each period of a hundred steps") {
+TEST_CASE("rk4 loses 9.03e-8 of the pendulum's energy per period of a hundred steps") {
   const CompiledSystem pendulum(pendulum_text());
   const Trajectory run =
       pendulum.trajectory(steps_of("rk4", pendulum_period / 100, 100 * pendulum_period));
   CHECK(run.steps == 10000);
   CHECK(run.energy.worst == Approx(9.03e-6).epsilon(0.01));
-  // From the middle of the first tenth to that of the last: nine tenths of it.
+  // The mean of the last tenth minus the mean of the first: nine tenths of the loss.
   CHECK(run.energy.secular == Approx(-0.9 * 9.03e-6).epsilon(0.01));
 }
 
-TEST_CASE("a tolerance that no step meets ends the run") {
+TEST_CASE("a run ends if no step meets its tolerance") {
   const CompiledSystem compiled(model_text("wall", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 0 }

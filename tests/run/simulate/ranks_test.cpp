@@ -1,5 +1,5 @@
-// Places where M or the constraints lose rank: what is said at states by hand, and runs that meet
-// one by all kinds of steps.
+// Loss of rank of M or of the constraints: messages at given states, and runs into such a state
+// with all kinds of steps.
 #include "run/simulate/ranks.hpp"
 
 #include <catch2/catch.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 std::string five_bar() { return read_text(ELGEN_SOURCE_DIR "/models/five_bar.toml"); }
 
-/// A crank as long as its rod: where both are upright the guide holds neither.
+/// A crank as long as its rod; if both are upright, the guide constrains neither.
 const std::string crank = model_text("crank", R"toml([[coordinate]]
 name = "a"
 start = { value = 0.5, rate = 2 }
@@ -34,7 +34,7 @@ name = "guide"
 equation = "sin(a) + sin(b) = 0"
 )toml");
 
-/// `squares` of dot(y)^2 beside a mass that x and y move together.
+/// A mass moved by x and y together, plus `squares` times dot(y)^2.
 std::string two_rates(const std::string& squares) {
   return model_text("rates", R"toml([[coordinate]]
 name = "x"
@@ -52,7 +52,7 @@ Result<Trajectory> in_evaluator(const CompiledSystem& system, const SimulationOp
   return simulate(system.checked(), system.program(), nullptr, options);
 }
 
-/// What is said of the last of some states.
+/// The message for the last of these states; no earlier state has one.
 std::string said_of(const CompiledSystem& system, const std::vector<Numbers>& states) {
   System evaluator(system.checked(), system.program(), nullptr);
   RankWatch ranks(evaluator, "go elsewhere");
@@ -69,7 +69,7 @@ std::string said_of(const CompiledSystem& system, const std::vector<Numbers>& st
 
 }  // namespace
 
-TEST_CASE("a pivot that falls far, or changes its sign, is told with its velocity") {
+TEST_CASE("a pivot that becomes small or changes its sign is reported with its velocity") {
   const CompiledSystem shrinking(two_rates("y^2"));
   CHECK(said_of(shrinking, {{0, 1, 0, 0}, {0, 1e-3, 0, 0}}).empty());
   CHECK(said_of(shrinking, {{0, 1, 0, 0}, {0, 1e-5, 3, -2}}) ==
@@ -81,7 +81,7 @@ TEST_CASE("a pivot that falls far, or changes its sign, is told with its velocit
         "= 0, y = -0.5, dot(x) = 0, dot(y) = 0");
 }
 
-TEST_CASE("a row that shrinks, or turns round, is told with its constraint") {
+TEST_CASE("a constraint row that shrinks or reverses is reported with its constraint") {
   const CompiledSystem system(crank);
   const auto at = [](double a) { return Numbers{a, -a, 1, -1}; };
   CHECK(said_of(system, {at(0.5), at(1.5)}).empty());
@@ -92,7 +92,7 @@ TEST_CASE("a row that shrinks, or turns round, is told with its constraint") {
                  "rank is lost, because the row of `guide` in A reverses, before t = 7"));
 }
 
-TEST_CASE("inertias that become small, and rows that turn with the motion, lose no rank") {
+TEST_CASE("small inertias and rows that rotate with the motion are no loss of rank") {
   const CompiledSystem orbit(model_text("orbit", R"toml([[coordinate]]
 name = "r"
 start = { value = 1, rate = 0 }
@@ -117,7 +117,7 @@ equation = "x^2 + y^2 = 1"
   CHECK(said_of(rod, {{1, 0, 0, 1}, {-0.3, std::sqrt(0.91), 1, 0}, {-1, 0, 0, 0}}).empty());
 }
 
-TEST_CASE("runs that meet a singular place stop, by any tolerance and any step") {
+TEST_CASE("runs into a singular state stop for every tolerance and step") {
   const CompiledSystem bars(five_bar());
   const CompiledSystem with_guide(crank);
   const auto stops = [](const CompiledSystem& system, const SimulationOptions& options,
@@ -140,7 +140,7 @@ TEST_CASE("runs that meet a singular place stop, by any tolerance and any step")
   }
 }
 
-TEST_CASE("steps of one length go through where that is asked for") {
+TEST_CASE("runs with constant steps pass a singular state on request") {
   SimulationOptions options = steps_of("rk4", 1e-4, 0.3);
   options.through_singular = true;
   const Result<Trajectory> run = in_evaluator(CompiledSystem(five_bar()), options);
@@ -149,7 +149,7 @@ TEST_CASE("steps of one length go through where that is asked for") {
   CHECK(run->energy.worst < 1e-11);
 }
 
-TEST_CASE("no reference goes through a singular place") {
+TEST_CASE("a reference run never passes a singular state") {
   const CompiledSystem bars(five_bar());
   const Result<ReferenceRun> through = reference_run(bars.checked(), bars.program(), 0.3);
   REQUIRE_FALSE(through);
@@ -158,7 +158,7 @@ TEST_CASE("no reference goes through a singular place") {
   CHECK(reference_run(bars.checked(), bars.program(), 0.2));
 }
 
-TEST_CASE("a step too short says which pivot fell") {
+TEST_CASE("if a step becomes too short, the small pivot is named") {
   const CompiledSystem system(model_text("lever", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = -1 }
@@ -172,14 +172,14 @@ T = "1/2*(1 + cos(x))*dot(x)^2"
   CHECK(mentions(message, ": the pivot of `dot(x)` in M is "));
 }
 
-TEST_CASE("energy that no tolerance allows to lose is a warning, and what it allows is none") {
+TEST_CASE("an energy loss beyond the tolerance is a warning, a loss within it is not") {
   const std::string start = R"toml([[coordinate]]
 name = "x"
 start = { value = 0, rate = -1 }
 [energy]
 T = "1/2*dot(x)^2"
 )toml";
-  // One step from the top of a hill leads beyond its foot.
+  // One step from the top of the hill goes beyond its foot.
   const CompiledSystem hill(model_text("hill", start + "V = \"exp(-1e6*x^2)\"\n"));
   const CompiledSystem wall(model_text("wall", start + "V = \"exp(-5*x)\"\n"));
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) {

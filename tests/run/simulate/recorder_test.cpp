@@ -1,4 +1,4 @@
-// The recorded rows of samples, and the drifts of sequences of numbers that are known.
+// Recorded rows of samples, and drifts of known sequences of numbers.
 #include "run/simulate/recorder.hpp"
 
 #include <catch2/catch.hpp>
@@ -27,7 +27,7 @@ T = "1/2*J*dot(turn)^2 + 1/2*m*dot(x)^2"
 
 }  // namespace
 
-TEST_CASE("rows have wrapped angles, and momenta are those of cyclic coordinates") {
+TEST_CASE("rows contain wrapped angles, and momenta of cyclic coordinates") {
   const CompiledSystem compiled(wheel, start_options("dot(turn)=3"));
   System system(compiled.checked(), compiled.program(), &compiled.functions());
   const SimulationOptions options{.time = 1, .every = 1};
@@ -48,7 +48,7 @@ TEST_CASE("rows have wrapped angles, and momenta are those of cyclic coordinates
   CHECK(trajectory.energy.name == "E - E0");
 }
 
-TEST_CASE("entries of conserved are followed by their text and in their unit") {
+TEST_CASE("entries of `conserved` are recorded with their text and unit") {
   const CompiledSystem compiled(
       wheel +
           "[[expect]]\nconserved = [\"E\", \"p(turn)\", \"\"\"\n  x -\n  t*dot(x)\"\"\", "
@@ -77,7 +77,7 @@ TEST_CASE("entries of conserved are followed by their text and in their unit") {
   CHECK(trajectory.conserved[3].drift == 0);
 }
 
-TEST_CASE("a number that is not finite ends the run, with the last state that was") {
+TEST_CASE("a number that is not finite ends the run, with the last finite state") {
   const CompiledSystem compiled(wheel, start_options("dot(turn)=3"));
   System system(compiled.checked(), compiled.program(), &compiled.functions());
   const SimulationOptions options{.time = 1};
@@ -92,7 +92,7 @@ TEST_CASE("a number that is not finite ends the run, with the last state that wa
         "dot(x) = 0");
 }
 
-TEST_CASE("the worst magnitude, and the mean of the last tenth less that of the first") {
+TEST_CASE("a drift has the worst magnitude, and the last tenth's mean minus the first tenth's") {
   DriftMeter meter;
   for (int i = 0; i <= 100; ++i) meter.add(i / 100.0, 1, -i, 50 + i);
   const Drift drift = meter.drift("E", "size");
@@ -103,7 +103,7 @@ TEST_CASE("the worst magnitude, and the mean of the last tenth less that of the 
   CHECK(drift.secular == Approx((-95.0 + 5) / 150));
 }
 
-TEST_CASE("long steps count for the time they take") {
+TEST_CASE("means are weighted by the length of steps") {
   DriftMeter meter;
   meter.add(0, 0, 7, 1);
   meter.add(0.01, 3, 1, 1);
@@ -112,7 +112,7 @@ TEST_CASE("long steps count for the time they take") {
   CHECK(meter.drift("", "").secular == 4 - 2);
 }
 
-TEST_CASE("of nothing but zeros the drift is absolute") {
+TEST_CASE("if all magnitudes are zero, the drift is absolute") {
   DriftMeter meter;
   meter.add(0, 0, 0, 0);
   meter.add(1, 1, 0, 0);
@@ -120,7 +120,7 @@ TEST_CASE("of nothing but zeros the drift is absolute") {
   CHECK(meter.drift("", "").worst == 0);
 }
 
-TEST_CASE("the multiplier has its unit, and what was timed is told") {
+TEST_CASE("a multiplier has its unit, and the timed code is named") {
   const CompiledSystem system(model_text("sled", R"toml([[coordinate]]
 name = "x"
 unit = "m"

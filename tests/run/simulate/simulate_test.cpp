@@ -1,5 +1,4 @@
-// Whole runs: trajectories that were computed elsewhere to 30 digits, rows, and inputs that are
-// held.
+// Whole runs: trajectories with external references in 30 digits, rows, and sampled inputs.
 #include "elgen/simulate.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// The refusal of a start of a point on a sphere, with or without its `singular`.
+/// The refusal of a start of a point on a sphere; `singular` is a line of the coordinate.
 std::string start_refusal(const std::string& start, const std::string& singular) {
   const CompiledSystem compiled(model_text("sphere", R"toml([[coordinate]]
 name = "theta"
@@ -33,12 +32,12 @@ const std::string stated = "singular = \"sin(theta)\"\n";
 
 }  // namespace
 
-TEST_CASE("references of fourteen systems end where they are known to") {
+TEST_CASE("reference runs of fourteen systems end at their known states") {
   const auto cases = nlohmann::json::parse(
       read_text(std::string(ELGEN_SOURCE_DIR) + "/tests/run/simulate/trajectories.json"));
   REQUIRE(cases.size() == 14);
-  // The least error of a step is amplified by the largest sensitivity up to that time; a hundred
-  // times that, and once more for each second, is left for the number of steps.
+  // The smallest error of a step is amplified by the largest sensitivity up to this time. The
+  // number of steps multiplies it by another hundred, plus one per second.
   const double tolerance = 3e-15;
   for (const auto& one : cases) {
     const CompiledSystem compiled(one["model"], start_options(one["start"]));
@@ -63,7 +62,7 @@ TEST_CASE("references of fourteen systems end where they are known to") {
   }
 }
 
-TEST_CASE("rows stand at their times, the start and the end among them") {
+TEST_CASE("rows are at their times, including the start and the end") {
   const CompiledSystem pendulum(pendulum_text());
   const Trajectory run =
       pendulum.trajectory({.method = "rk4", .from = 2, .time = 1, .step = 0.04, .every = 0.3});
@@ -71,7 +70,7 @@ TEST_CASE("rows stand at their times, the start and the end among them") {
   for (std::size_t i = 0; i < 4; ++i) CHECK(run.rows[i][0] == 2 + 0.3 * static_cast<double>(i));
   CHECK(run.rows.back()[0] == 3);
   CHECK(run.rows.back() == run.last);
-  // Eight steps in each third, three in what is left.
+  // Eight steps in each third, three in the remainder.
   CHECK(run.steps == 3 * 8 + 3);
   CHECK(run.columns.size() == 4);
   CHECK(run.columns[2].name == "dot(q)");
@@ -79,7 +78,7 @@ TEST_CASE("rows stand at their times, the start and the end among them") {
   CHECK(pendulum.trajectory(steps_of("rk4", 0.1, 1)).rows.empty());
 }
 
-TEST_CASE("columns that are asked for have panels, and a point its place in every row") {
+TEST_CASE("requested columns have panels, and every row contains the position of a point") {
   const CompiledSystem bob(model_text("bob", R"toml([[coordinate]]
 name = "q"
 start = { value = 1, rate = 0 }
@@ -122,7 +121,7 @@ vector = ["0", "-9"]
   CHECK(unknown[2].hint == "did you mean `bob`?");
 }
 
-TEST_CASE("an input that is held is constant from one of its instants to the next") {
+TEST_CASE("a sampled input is constant from one sampling time to the next") {
   // x'' = -1 until 1/4, then -31/32.
   const CompiledSystem held(spring_text(), start_options("", "u=-x", "k=0"));
   SimulationOptions options{.method = "rk4", .time = 0.5, .step = 0.25};
@@ -132,7 +131,7 @@ TEST_CASE("an input that is held is constant from one of its instants to the nex
   CHECK(run.last[2] == Approx(-0.25 - 0.96875 / 4).epsilon(1e-14));
 }
 
-TEST_CASE("E0 = 0 is no scale: drifts are relative to |T| + |V|") {
+TEST_CASE("if E0 = 0, drifts are relative to |T| + |V|") {
   const CompiledSystem balanced(model_text("balanced", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 2 }
@@ -145,7 +144,7 @@ V = "-2*x^2"
   CHECK(run.energy.worst < 1e-3);
 }
 
-TEST_CASE("a trajectory that leaves the finite numbers says when, and where it was") {
+TEST_CASE("a trajectory that becomes infinite reports the time and the state") {
   const CompiledSystem runaway(model_text("runaway", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 0 }
@@ -161,7 +160,7 @@ V = "-x^4"
   CHECK(mentions(ended.message, "where x = "));
 }
 
-TEST_CASE("locks and fixed parameters of a scene are part of what runs") {
+TEST_CASE("locks and fixed parameters of a scene apply to its runs") {
   SceneOptions options = start_options("x=1/2");
   options.fixed = {make_source("command line", "k=9")};
   const CompiledSystem fixed(spring_text(), options);
@@ -169,14 +168,14 @@ TEST_CASE("locks and fixed parameters of a scene are part of what runs") {
   CHECK(run.last[1] == Approx(-0.5));
 }
 
-TEST_CASE("where a stated factor is zero, up to the rounding of pi, the chart breaks") {
+TEST_CASE("the chart is singular if a declared factor is zero, up to the rounding of pi") {
   const std::string broken = "the chart of `theta` breaks at the start, where `sin(theta)` is zero";
   CHECK(start_refusal("theta=0", stated) == broken);
   CHECK(start_refusal("theta=pi", stated) == broken);
   CHECK(start_refusal("theta=1e-7", stated).empty());
 }
 
-TEST_CASE("where M is singular the pivot is named") {
+TEST_CASE("if M is singular, the pivot is named") {
   CHECK(start_refusal("theta=1e-9", "").empty());
   const std::string broken = start_refusal("theta=0", "");
   CHECK(broken.starts_with("M is singular at the start: the relative pivot of `dot(phi)` is "));

@@ -1,5 +1,5 @@
-// verlet and midpoint as runs: values by hand, what is known of their energies, and inputs that are
-// held over a step.
+// Runs of verlet and midpoint: values by hand, known properties of their energies, and inputs held
+// over a step.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -9,14 +9,14 @@
 using namespace elgen;
 using namespace elgen::test;
 
-TEST_CASE("one step of verlet by hand") {
+TEST_CASE("one step of verlet has the values computed by hand") {
   // x = 1, v = 0, a = -4 x
   const auto last = CompiledSystem(spring_text()).trajectory(steps_of("verlet", 0.5, 0.5)).last;
   CHECK(last[1] == 0.5);
   CHECK(last[2] == -1.5);
 }
 
-TEST_CASE("a run is the emitted step, call by call") {
+TEST_CASE("a run calls the emitted step") {
   const std::string text =
       read_text(std::string(ELGEN_SOURCE_DIR) + "/models/double_pendulum.toml");
   const CompiledSystem compiled(text, {}, step_by(StepMethod::midpoint));
@@ -37,7 +37,7 @@ TEST_CASE("verlet on an oscillator conserves p^2 + q^2 (1 - h^2/4)") {
   CHECK(run.energy.worst == Approx(0.0025).epsilon(1e-3));
 }
 
-TEST_CASE("the pendulum's energy swings, and does not drift") {
+TEST_CASE("the pendulum's energy oscillates without drift") {
   const CompiledSystem pendulum(pendulum_text());
   for (const auto& [method, swing, drift] :
        {std::tuple{"verlet", 1.036e-3, 1e-5}, std::tuple{"midpoint", 8.591e-5, 1e-6}}) {
@@ -46,19 +46,21 @@ TEST_CASE("the pendulum's energy swings, and does not drift") {
         pendulum.trajectory(steps_of(method, pendulum_period / 100, 1000 * pendulum_period));
     CHECK(run.steps == 100000);
     CHECK(run.energy.worst == Approx(swing).epsilon(0.02));
-    // A tenth of the run is a whole number of periods but for a phase of one step, so its mean is
-    // known to 1e-2 of the swing in 1e2 periods. 1e6 periods, run once, gave 1.2e-10.
+    // A tenth of the run is a whole number of periods except for a phase of one step. So in 1e2
+    // periods the mean is accurate to 1e-2 of the oscillation. A single run of 1e6 periods gave
+    // 1.2e-10.
     CHECK(std::abs(run.energy.secular) < drift);
   }
 }
 
-TEST_CASE("by midpoint an oscillator keeps its energy: the rule is a rotation of (q, p)") {
+TEST_CASE("midpoint conserves an oscillator's energy: the rule rotates (q, p)") {
   const CompiledSystem spring(spring_text());
   const Trajectory run = spring.trajectory(steps_of("midpoint", 0.1, 1000));
   CHECK(run.energy.worst < 1e-12);
 }
 
-TEST_CASE("by midpoint a heavy top does not drift, and its cyclic momenta stay to rounding") {
+TEST_CASE(
+    "with midpoint a heavy top does not drift, and cyclic momenta are constant up to rounding") {
   const CompiledSystem top(read_text(std::string(ELGEN_SOURCE_DIR) + "/models/heavy_top.toml"));
   const Trajectory run = top.trajectory(steps_of("midpoint", 0.001, 20));
   CHECK(run.steps == 20000);
@@ -69,7 +71,7 @@ TEST_CASE("by midpoint a heavy top does not drift, and its cyclic momenta stay t
   for (const Drift& momentum : run.momenta) CHECK(momentum.worst < 1e-11);
 }
 
-TEST_CASE("by midpoint forces act in the middle of a step, and so does their work") {
+TEST_CASE("midpoint evaluates forces and their work at the midpoint") {
   const CompiledSystem damped(spring_text() + "[[force]]\non = \"x\"\nvalue = \"-1/2*dot(x)\"\n");
   const auto run = [&](double step) { return damped.trajectory(steps_of("midpoint", step, 5)); };
   // x = exp(-t/4) (cos w t + sin(w t)/(4 w)), w^2 = 4 - 1/16
@@ -78,11 +80,11 @@ TEST_CASE("by midpoint forces act in the middle of a step, and so does their wor
   const double error = run(0.01).last[1] - exact;
   CHECK(std::abs(error) < 1e-3);
   CHECK(error / (run(0.005).last[1] - exact) == Approx(4).epsilon(0.02));
-  // E - W is exact for a quadratic V, of which the rule takes the power at the midpoint.
+  // E - W is exact for a quadratic V, because the rule evaluates the power at the midpoint.
   CHECK(run(0.01).energy.worst < 1e-12);
 }
 
-TEST_CASE("work of forces and of time is counted to the order of the methods") {
+TEST_CASE("the work of forces and of time has the order of the method") {
   const CompiledSystem driven(spring_text(), start_options("", "u=sin(3*t)"));
   const CompiledSystem stiffened(model_text("stiffened", R"toml([[coordinate]]
 name = "x"
@@ -100,8 +102,8 @@ V = "1/2*x^2*(1 + sin(t)/4)"
   }
 }
 
-TEST_CASE("an input keeps over a step the value that its law has at the start") {
-  // x'' = -1 in the first step, -31/32 in the second one.
+TEST_CASE("during a step an input has its law's value at the start of the step") {
+  // x'' = -1 in the first step, -31/32 in the second.
   const CompiledSystem held(spring_text(), start_options("", "u=-x", "k=0"));
   for (const char* method : {"verlet", "midpoint"}) {
     INFO(method);
@@ -109,19 +111,19 @@ TEST_CASE("an input keeps over a step the value that its law has at the start") 
         held.trajectory({.method = method, .time = 0.5, .step = 0.25, .every = 0.25});
     CHECK(run.last[1] == Approx(0.8759765625).epsilon(1e-14));
     CHECK(run.last[2] == Approx(-0.25 - 0.96875 / 4).epsilon(1e-14));
-    // A row has the input of the step that begins there.
+    // A row contains the input of the step that starts there.
     CHECK(run.rows[1][3] == Approx(-0.96875).epsilon(1e-14));
   }
 }
 
-TEST_CASE("a law may depend on rates: it is a constant force in a step") {
+TEST_CASE("a law may depend on rates: it is a constant force during a step") {
   const CompiledSystem damped(spring_text(), start_options("", "u=-dot(x)/2"));
   const Trajectory run = damped.trajectory(steps_of("verlet", 0.001, 5));
   CHECK(std::abs(run.last.back()) < 0.5);
   CHECK(run.energy.worst < 1e-4);
 }
 
-TEST_CASE("E622: a method that is not for the system") {
+TEST_CASE("E622: a method that does not suit the system") {
   const CompiledSystem particle(model_text("particle", R"toml([[coordinate]]
 name = "x"
 [energy]
@@ -134,7 +136,7 @@ L = "-sqrt(1 - dot(x)^2)"
       "[E622]: `midpoint` does not apply to this system: L is not quadratic in the rates"));
 }
 
-TEST_CASE("a step whose equations are not solved ends the run") {
+TEST_CASE("a run ends if the equations of a step are not solved") {
   const CompiledSystem well(model_text("well", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 0 }

@@ -1,4 +1,5 @@
-// Queries that steps make of a system, and expressions of a model at a state, by hand.
+// Queries about a system that steps need, and expressions of a model at a state, against values by
+// hand.
 #include "run/steps/system.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +13,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// A pendulum on a cart that is pushed, dragged and moved up and down.
+/// A pendulum on a cart with an input, drag, and prescribed vertical motion.
 const std::string cart = model_text("cart", R"toml([[coordinate]]
 name = "x"
 start = { value = 2, rate = 3 }
@@ -33,7 +34,7 @@ on = "y"
 limits = [-1, 1]
 )toml");
 
-/// The law of `u` at x = 0.3, y = -2, dx/dt = 0.5, dy/dt = 7, t = 4, k = 3.
+/// The value of u's law at x = 0.3, y = -2, dx/dt = 0.5, dy/dt = 7, t = 4, k = 3.
 double law(const std::string& text) {
   const CheckedModel checked = checked_model(model_text("plane", R"toml([[coordinate]]
 name = "x"
@@ -65,13 +66,13 @@ on = "x"
 
 }  // namespace
 
-TEST_CASE("a system starts where the model says") {
+TEST_CASE("a system starts at the model's start") {
   const CompiledSystem compiled(cart, start_options("y=1/4,dot(y)=-1"));
   System system(compiled.checked(), compiled.program(), &compiled.functions());
   CHECK(system.start() == Numbers{2, 0.25, 3, -1, 0});
 }
 
-TEST_CASE("momenta, energies, and the power of forces and of time") {
+TEST_CASE("momenta, energies, and the power of forces and of time are right") {
   const CompiledSystem compiled(cart, start_options("", "u=dot(x)/6"));
   System system(compiled.checked(), compiled.program(), &compiled.functions());
   const Numbers state{2, 0.25, 3, -1, 0};
@@ -91,7 +92,7 @@ TEST_CASE("momenta, energies, and the power of forces and of time") {
   CHECK(system.does_work());
 }
 
-TEST_CASE("momenta of cyclic coordinates that no force acts on are conserved") {
+TEST_CASE("momenta of cyclic coordinates without forces are conserved") {
   const CompiledSystem compiled(cart);
   const System system(compiled.checked(), compiled.program(), &compiled.functions());
   CHECK(system.cyclic() == std::vector<std::uint32_t>{0});
@@ -107,7 +108,7 @@ on = "x"
   CHECK(System(pushed.checked(), pushed.program(), &pushed.functions()).cyclic().empty());
 }
 
-TEST_CASE("inputs stay inside their limits, and where they are held") {
+TEST_CASE("inputs are clamped to their limits, and held inputs are constant") {
   const CompiledSystem compiled(cart, start_options("", "u=3*x + t"));
   System system(compiled.checked(), compiled.program(), &compiled.functions());
   const double q[] = {0.1, 0};
@@ -119,7 +120,7 @@ TEST_CASE("inputs stay inside their limits, and where they are held") {
   CHECK(system.inputs(far, v, 0).front() == Approx(0.5));
 }
 
-TEST_CASE("a law that is one number is not cut off") {
+TEST_CASE("a constant law is not clamped") {
   const CompiledSystem compiled(cart, start_options("", "u=2*2"));
   System system(compiled.checked(), compiled.program(), &compiled.functions());
   const double q[] = {0.1, 0};
@@ -127,7 +128,7 @@ TEST_CASE("a law that is one number is not cut off") {
   CHECK(system.inputs(q, v, 0.2).front() == 4);
 }
 
-TEST_CASE("power is that of the laws at the state, or of the inputs that were last asked for") {
+TEST_CASE("power uses the laws at the state, held_power the inputs of the last call") {
   const CompiledSystem compiled(cart, start_options("", "u=x/10"));
   System system(compiled.checked(), compiled.program(), nullptr);
   const double q[] = {2, 0};
@@ -139,7 +140,7 @@ TEST_CASE("power is that of the laws at the state, or of the inputs that were la
   CHECK(system.power(near, v, 0) == Approx(5 + 0.1 - 0.5));
 }
 
-TEST_CASE("laws see the angle that rows show") {
+TEST_CASE("laws use the wrapped angle, as rows do") {
   const CompiledSystem compiled(model_text("wheel", R"toml([[coordinate]]
 name = "turn"
 unit = "rad"
@@ -161,7 +162,7 @@ on = "turn"
   CHECK(system.inputs(q, v, 0).front() == Approx(2 * M_PI - 4));
 }
 
-TEST_CASE("in the evaluator all is as it was compiled") {
+TEST_CASE("the evaluator and the compiled code give the same values") {
   const CompiledSystem compiled(cart, start_options("", "u=dot(x)/6"));
   System code(compiled.checked(), compiled.program(), &compiled.functions());
   System evaluator(compiled.checked(), compiled.program(), nullptr);
@@ -178,7 +179,7 @@ TEST_CASE("in the evaluator all is as it was compiled") {
   CHECK(evaluator.momentum_scales(q, v, 0.5) == code.momentum_scales(q, v, 0.5));
 }
 
-TEST_CASE("of an L given whole the magnitude is that of v.p and of L") {
+TEST_CASE("the magnitude of a Lagrangian given as L is |v.p| + |L|") {
   const CompiledSystem compiled(model_text("particle", R"toml([[coordinate]]
 name = "x"
 [energy]
@@ -191,7 +192,7 @@ L = "-sqrt(1 - dot(x)^2) - x"
   CHECK(system.energy_parts(q, v, 0).magnitude() == Approx(0.6 * 0.75 + 2.8));
 }
 
-TEST_CASE("sums, products, quotients, powers and functions") {
+TEST_CASE("sums, products, quotients, powers and functions are evaluated") {
   CHECK(law("-k*x + y/4 - 1") == Approx(-0.9 - 0.5 - 1));
   CHECK(law("x^2 + k^(-1/2)") == Approx(0.09 + 1 / std::sqrt(3)));
   CHECK(law("atan2(x, y) + sin(pi*x)") == Approx(std::atan2(0.3, -2) + std::sin(M_PI * 0.3)));
@@ -199,19 +200,19 @@ TEST_CASE("sums, products, quotients, powers and functions") {
   CHECK(law("exp(t) - log(k)") == Approx(std::exp(4) - std::log(3)));
 }
 
-TEST_CASE("names stand for what the model says of them") {
+TEST_CASE("names have the values that the model defines") {
   CHECK(law("product + push") == Approx(-0.6 + 8));
   CHECK(law("y(P)") == 4);
 }
 
-TEST_CASE("rates are those along the motion") {
+TEST_CASE("rates are rates along the motion") {
   CHECK(law("dot(x)*dot(y)") == 3.5);
   CHECK(law("dot(product)") == Approx(0.5 * -2 + 0.3 * 7));
   CHECK(law("v2(P)") == Approx(0.25 + 28 * 28));
   CHECK(law("dot(push)") == 2);
 }
 
-TEST_CASE("components of rotations turn with their angular velocity") {
+TEST_CASE("points of rotating frames move with the angular velocity") {
   const CheckedModel checked = checked_model(model_text("body", R"toml([[coordinate]]
 name = "x"
 [[coordinate]]
@@ -243,7 +244,7 @@ T = "dot(x)^2"
   StateFunction function(checked.model, checked.scene.laws.at("u"), others);
   const double q[] = {0, 1, 0, 0, 0};
   const double v[] = {0, 0.5, -1, 2};
-  // w x p = (-1*3 - 2*2, 2*1 - 0.5*3, 0.5*2 + 1*1) at the axes of the world
+  // w x p = (-1*3 - 2*2, 2*1 - 0.5*3, 0.5*2 + 1*1) in world axes
   CHECK(function(q, v, 0) == Approx(49 + 0.25 + 4 - 1));
   const double turned[] = {0, 0.5, 0.5, -0.5, 0.5};
   CHECK(function(turned, v, 0) == Approx(49 + 0.25 + 4 - 1));

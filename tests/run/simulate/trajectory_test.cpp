@@ -1,4 +1,4 @@
-// A trajectory in a few lines, as a table, as an object, and as a plot.
+// A trajectory as text, CSV, JSON and as a plot.
 #include <tinyxml2.h>
 
 #include <catch2/catch.hpp>
@@ -40,7 +40,7 @@ Trajectory seven_columns() {
 
 }  // namespace
 
-TEST_CASE("last state, drifts, and the cost of a step") {
+TEST_CASE("the text has the last state, the drifts and the cost of a step") {
   Trajectory trajectory;
   trajectory.model = "top";
   trajectory.method = "rk4";
@@ -63,7 +63,7 @@ TEST_CASE("last state, drifts, and the cost of a step") {
 )");
 }
 
-TEST_CASE("constraints are told of with the unit that they have in common") {
+TEST_CASE("constraints are reported with their common unit") {
   Trajectory trajectory = two_columns();
   trajectory.last = {1, 0.5};
   trajectory.constraints = KeptConstraints{{1e-15, 2e-14}, "m^2", "m^2/s", {{"x", "m", -1e-3}}};
@@ -83,11 +83,11 @@ TEST_CASE("constraints are told of with the unit that they have in common") {
   CHECK_FALSE(nlohmann::json::parse(to_json(trajectory))["constraints"].contains("position"));
 }
 
-TEST_CASE("a table has a line for each row, in digits that read back") {
+TEST_CASE("CSV has a line for each row, with digits that are read back exactly") {
   CHECK(to_csv(two_columns()) == "t,phi\n0,0.1\n1,0.3333333333333333\n");
 }
 
-TEST_CASE("an object has the rows, what they are, and the drifts") {
+TEST_CASE("JSON has the rows, their columns and the drifts") {
   const auto object = nlohmann::json::parse(to_json(two_columns()));
   CHECK(object["model"] == "top");
   CHECK(object["columns"][1]["name"] == "phi");
@@ -101,7 +101,7 @@ TEST_CASE("an object has the rows, what they are, and the drifts") {
   CHECK(object["conserved"][0]["drift"] == 1.5e-12);
 }
 
-TEST_CASE("a plot is XML with a panel for each name, and a curve for each column in it") {
+TEST_CASE("a plot is XML with a panel for each name, and a curve for each of its columns") {
   const std::string svg = to_svg(seven_columns());
   tinyxml2::XMLDocument document;
   REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
@@ -113,7 +113,7 @@ TEST_CASE("a plot is XML with a panel for each name, and a curve for each column
   CHECK_FALSE(mentions(svg, "nan"));
 }
 
-TEST_CASE("a plot has the title of the model, or its name, and says by what it was made") {
+TEST_CASE("a plot has the title or name of the model, and its method and steps") {
   Trajectory trajectory = two_columns();
   CHECK(mentions(to_svg(trajectory), "font-weight=\"bold\">top</text>"));
   CHECK(mentions(to_svg(trajectory), ">top by rk4: 0 steps to t = 1 s<"));
@@ -122,18 +122,18 @@ TEST_CASE("a plot has the title of the model, or its name, and says by what it w
   CHECK(mentions(to_svg(trajectory), ">top by rk4: 0 steps to t = 1 s<"));
 }
 
-TEST_CASE("of E the way from its start is drawn, in a digit more than tells ticks apart") {
+TEST_CASE("the energy panel shows E - E0, with one digit more than distinguishes its ticks") {
   const std::string svg = to_svg(seven_columns());
   CHECK(mentions(svg, ">E − E₀ [J]<"));
   CHECK(mentions(svg, ">2.00e-09<"));
   CHECK(mentions(svg, ">1.00e-08<"));
-  // The curve fills its panel, but for the margins, from corner to corner.
+  // The curve fills its panel from corner to corner, except for the margins.
   const std::size_t path = svg.rfind("<path");
   CHECK(mentions(svg.substr(path), "d=\"M92.0 579.9"));
   CHECK(mentions(svg.substr(path), "L712.0 478.1\""));
 }
 
-TEST_CASE("the work that was done is taken off the way of E") {
+TEST_CASE("work is subtracted from the plotted energy") {
   Trajectory trajectory = seven_columns();
   trajectory.columns.back().panel = "E − E₀ − work";
   for (auto& row : trajectory.rows) {
@@ -147,7 +147,7 @@ TEST_CASE("the work that was done is taken off the way of E") {
   CHECK(mentions(svg.substr(path), "L712.0 529.0\""));
 }
 
-TEST_CASE("rounding is a flat line, whatever its shape") {
+TEST_CASE("rounding errors are plotted as a flat line") {
   Trajectory trajectory;
   trajectory.energy.scale = 1;
   trajectory.columns = {{"t", "s", ""},
@@ -165,7 +165,7 @@ TEST_CASE("rounding is a flat line, whatever its shape") {
   CHECK_FALSE(mentions(to_svg(trajectory), "d=\"M92.0 529.0L712.0 529.0\""));
 }
 
-TEST_CASE("the path of a point is drawn at equal scales, from where it is marked") {
+TEST_CASE("the path of a point has equal scales and a marked start") {
   Trajectory trajectory;
   trajectory.path = "bob";
   trajectory.columns = {{"t", "s", ""},
@@ -186,7 +186,7 @@ TEST_CASE("the path of a point is drawn at equal scales, from where it is marked
   CHECK_FALSE(mentions(svg, "t [s]"));
 }
 
-TEST_CASE("the path of a point that rests, or moves along an axis, is drawn, too") {
+TEST_CASE("the path of a point at rest or along an axis is drawn too") {
   Trajectory trajectory;
   trajectory.path = "bob";
   trajectory.columns = {
@@ -197,7 +197,7 @@ TEST_CASE("the path of a point that rests, or moves along an axis, is drawn, too
   CHECK(mentions(to_svg(trajectory), "d=\"M402.0 657.0L402.0 83.0\""));
 }
 
-TEST_CASE("ticks are told apart however near each other they are") {
+TEST_CASE("labels distinguish ticks, however close they are") {
   Trajectory trajectory;
   trajectory.columns = {{"t", "s", ""}, {"x", "m", "x"}};
   trajectory.rows = {{0, 1}, {1, 1 + 1e-7}};
@@ -206,7 +206,7 @@ TEST_CASE("ticks are told apart however near each other they are") {
   CHECK(mentions(svg, ">1.00000004<"));
 }
 
-TEST_CASE("curves of one panel differ in their dashes, and wrapped angles are interrupted") {
+TEST_CASE("curves of a panel differ in their dashes, and wrapped angles are interrupted") {
   const std::string svg = to_svg(seven_columns());
   CHECK(count(svg, "stroke-dasharray=\"none\"") == 4);
   CHECK(count(svg, "stroke-dasharray=\"9 4\"") == 1);

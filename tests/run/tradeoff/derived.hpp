@@ -1,4 +1,4 @@
-// Model texts -> what designs are planned from.
+// Derived products for tests of trade-offs, from model texts.
 #pragma once
 
 #include <stdexcept>
@@ -11,8 +11,8 @@
 
 namespace elgen::test {
 
-/// One output of the model, derived; throws what is wrong. `scene` is what follows its name;
-/// `ranges` are those of --range.
+/// Derives one output of the model; throws the diagnostics on failure. `scene` follows the scene's
+/// name, `ranges` are the arguments of --range.
 inline Products derived(const std::string& text, const std::string& output,
                         const std::string& scene = {},
                         const std::vector<SourcePointer>& ranges = {}) {

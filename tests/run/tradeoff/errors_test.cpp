@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Three states of a field of two entries and one of one entry.
+/// Three states of two fields with two entries and one entry.
 TradeoffStates three_states() {
   TradeoffStates states;
   states.states.resize(3);
@@ -21,7 +21,7 @@ TradeoffStates three_states() {
   return states;
 }
 
-/// A coordinate and its rate, of which the largest were 4 and 10.
+/// A reference run with final q and v, and largest values 4 and 10 on the way.
 ReferenceRun ending(double q, double v) { return {.last = {q, v}, .largest = {4, 10}}; }
 
 Model one_angle(bool wraps) {
@@ -32,7 +32,7 @@ Model one_angle(bool wraps) {
 
 }  // namespace
 
-TEST_CASE("errors are relative to the largest magnitude of their field, the worst of each state") {
+TEST_CASE("an error is the worst of all fields, relative to the largest magnitude of its field") {
   const std::vector<double> errors =
       state_errors({1, 2, -4.4, 0.2, 0, 1, 10, 20.3, 30}, three_states());
   REQUIRE(errors.size() == 3);
@@ -41,13 +41,13 @@ TEST_CASE("errors are relative to the largest magnitude of their field, the wors
   CHECK(errors[2] == Approx(0.1));
 }
 
-TEST_CASE("digits beyond those of double count") {
+TEST_CASE("digits beyond double count") {
   TradeoffStates states = three_states();
   states.exact[0][0].low = 1e-22;
   CHECK(state_errors({1, 2, -4, 0, 0, 1, 10, 20, 30}, states)[0] == Approx(0.25e-22));
 }
 
-TEST_CASE("what is no number, or should be 0, is infinitely wrong") {
+TEST_CASE("NaN, or a non-zero value instead of 0, has an infinite error") {
   TradeoffStates states = three_states();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(std::isinf(state_errors({1, nan, -4, 0, 0, 1, 10, 20, 30}, states)[1]));
@@ -57,16 +57,14 @@ TEST_CASE("what is no number, or should be 0, is infinitely wrong") {
 }
 
 TEST_CASE(
-    "of three samples the worst error counts, its noise reaches to the least, and a margin is over "
-    "both") {
+    "worst and least of three samples are the largest and smallest error, each with a margin") {
   const DesignErrors errors = errors_of({{3e-7, 2e-8, {}}, {2e-7, 1e-8, {}}, {4e-7, 3e-8, {}}});
   CHECK(errors.worst == Approx(1.5 * 4e-7));
   CHECK(errors.least == Approx(1.5 * 2e-7));
   CHECK(errors.median == 2e-8);
 }
 
-TEST_CASE(
-    "every method and order is planned with steps of three lengths, one by one and in packs") {
+TEST_CASE("every method and order is planned with steps of three sizes, singly and in packs") {
   const std::vector<PlannedRun> runs = planned_runs(10);
   CHECK(runs.size() == (1 + 3 + 3) * 3 * 2);
   const auto named = [&](const std::vector<std::string>& values) {
@@ -83,7 +81,7 @@ TEST_CASE(
   CHECK(verlet.design.step == step_by(StepMethod::verlet, 8));
 }
 
-TEST_CASE("runs are planned with steps of the lengths that are asked for") {
+TEST_CASE("runs are planned with the requested step sizes") {
   const std::vector<PlannedRun> runs = planned_runs(0.3, {0.1, 1e-3});
   CHECK(runs.size() == (1 + 3 + 3) * 2 * 2);
   CHECK(runs[0].values == std::vector<std::string>{"rk4", "4", "0.1 s", "one"});
@@ -92,14 +90,14 @@ TEST_CASE("runs are planned with steps of the lengths that are asked for") {
   CHECK(runs[2].steps == 300);
 }
 
-TEST_CASE("errors at the end are relative to the largest magnitude of each number on the way") {
+TEST_CASE("final errors are relative to the largest magnitude of each number during the run") {
   const DesignErrors errors = errors_of({1.4, 5.1}, ending(1, 5), one_angle(false));
   CHECK(errors.worst == Approx(0.1));
   CHECK(errors.median == Approx(0.1));
   CHECK(errors_of({1, 5}, ending(1, 5), one_angle(false)).worst == 0);
 }
 
-TEST_CASE("angles that wrap are near each other across the jump") {
+TEST_CASE("wrapped angles on both sides of the jump are close") {
   CHECK(errors_of({3.1, 5}, ending(-3.1, 5), one_angle(true)).worst < 0.03);
   CHECK(errors_of({3.1, 5}, ending(-3.1, 5), one_angle(false)).worst > 1);
 }
@@ -129,7 +127,7 @@ on = "x"
   const StepLoops loops{.one = advance, .in_packs = advance, .entries = 3};
   const CheckedModel& checked = *products.checked;
   const PlannedRun run{{}, {}, 2};
-  // x = 1 + 2, v = 2 + 0; x = 3 + 2, v = 2 - 1
+  // x = 1 + 2, v = 2 + 0; then x = 3 + 2, v = 2 - 1.
   CHECK(end_of_run(checked, *products.program, loops, run, 2) == std::vector<double>{5, 1});
   const TimedWork packs = timed_steps(checked, *products.program, loops, true, 0.01);
   packs.run();

@@ -1,4 +1,4 @@
-// Measuring: who is called when, and how often; how long it takes is not looked at.
+// Measurements: the order and number of calls, but not the measured times.
 #include <catch2/catch.hpp>
 #include <chrono>
 
@@ -16,7 +16,7 @@ void pass(std::chrono::microseconds time) {
 
 }  // namespace
 
-TEST_CASE("alternatives take turns, nine rounds of them at least") {
+TEST_CASE("alternatives take turns in at least nine rounds") {
   std::string calls;
   const auto work = [&calls](char name) {
     return [&calls, name] {
@@ -39,14 +39,14 @@ TEST_CASE("alternatives take turns, nine rounds of them at least") {
   }
 }
 
-TEST_CASE("what is over before the clock moves is repeated") {
+TEST_CASE("work shorter than a clock tick is repeated") {
   std::size_t calls = 0;
   Spread spread;
   find_costs({{[&calls] { ++calls; }, 1, &spread}}, 0);
   CHECK(calls > 100);
 }
 
-TEST_CASE("where nothing is timed no time passes") {
+TEST_CASE("without work no time passes") {
   find_costs({}, 1e6);
   SUCCEED();
 }

@@ -1,4 +1,4 @@
-// Plans: which designs there are.
+// Plans: the designs to compare.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -23,7 +23,7 @@ bool has(const TradeoffPlan& plan, const Texts& values) {
   return std::ranges::find(plan.designs, values, &PlannedDesign::values) != plan.designs.end();
 }
 
-/// "message; hint" of the refusal.
+/// The refusal as "message; hint".
 std::string refusal(const std::string& text, const DesignChoices& choices) {
   const Products products = derived(text, "momentum");
   const auto refused = plan(*products.checked, *products.program, choices);
@@ -31,7 +31,7 @@ std::string refusal(const std::string& text, const DesignChoices& choices) {
   return refused.diagnostics.front().message + "; " + refused.diagnostics.front().hint;
 }
 
-/// One mass on an axis, whose momentum has no sine.
+/// One mass on an axis; its momentum has no sine.
 const std::string mass = model_text("mass", R"toml([[coordinate]]
 name = "x"
 [parameters]
@@ -42,7 +42,7 @@ T = "m*dot(x)^2"
 
 }  // namespace
 
-TEST_CASE("polynomials of 1e-7 are in packs of double, and nowhere else") {
+TEST_CASE("polynomials of 1e-7 are planned only for packs of double") {
   const TradeoffPlan plan = planned(pendulum_text(), "inverse_dynamics");
   CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters"});
   CHECK(plan.designs.size() == 10);
@@ -52,20 +52,20 @@ TEST_CASE("polynomials of 1e-7 are in packs of double, and nowhere else") {
   CHECK_FALSE(has(plan, {"double", "one", "1e-7", "fixed"}));
 }
 
-TEST_CASE("dimensions in which all designs are alike are left out") {
+TEST_CASE("dimensions without a choice are omitted") {
   const TradeoffPlan plan = planned(mass, "momentum");
   CHECK(plan.dimensions == Texts{"batch", "parameters"});
   CHECK(plan.designs.size() == 4);
 }
 
-TEST_CASE("a dimension that is asked for multiplies the designs") {
+TEST_CASE("a requested dimension multiplies the designs") {
   const TradeoffPlan plan = planned(pendulum_text(), "gravity", {.more = {"order"}});
   CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "order"});
   CHECK(plan.designs.size() == 10 * 3);
   CHECK(has(plan, {"float", "one", "full", "fixed", "3"}));
 }
 
-TEST_CASE("wider scalars are tried of one state in double where they are asked for") {
+TEST_CASE("wider scalars are planned on request, for single states in double") {
   const TradeoffPlan plan = planned(pendulum_text(), "gravity", {.more = {"inner"}});
   CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "inner"});
   CHECK(plan.designs.size() == 10 + 4);
@@ -78,7 +78,7 @@ TEST_CASE("wider scalars are tried of one state in double where they are asked f
         "one state in double");
 }
 
-TEST_CASE("calls of the library are tried of one state where they are asked for") {
+TEST_CASE("library calls are planned on request, for single states") {
   const TradeoffPlan plan = planned(pendulum_text(), "gravity", {.more = {"trigonometry"}});
   CHECK(plan.designs.size() == 10 + 4);
   CHECK(has(plan, {"double", "one", "library", "arguments"}));
@@ -95,7 +95,7 @@ TEST_CASE("calls of the library are tried of one state where they are asked for"
         "no design fits `--trigonometry library`; the output has no sine and no cosine");
 }
 
-TEST_CASE("of a pinned dimension one value is tried, in a column that stays") {
+TEST_CASE("a pinned dimension has one value, and keeps its column") {
   const TradeoffPlan plan =
       planned(pendulum_text(), "gravity", {.pinned = {{"batch", "one"}, {"order", "3"}}});
   CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "order"});
@@ -103,7 +103,7 @@ TEST_CASE("of a pinned dimension one value is tried, in a column that stays") {
   CHECK(has(plan, {"float", "one", "fixed", "3"}));
 }
 
-TEST_CASE("E645: pinned values that no design has together") {
+TEST_CASE("E645: no design has all pinned values") {
   CHECK(refusal(mass, {.pinned = {{"scalar", "float"}}}) ==
         "no design fits `--scalar float`; a number of the output does not fit float");
   CHECK(refusal(mass, {.pinned = {{"batch", "packs"}, {"trigonometry", "1e-7"}}}) ==
@@ -111,12 +111,12 @@ TEST_CASE("E645: pinned values that no design has together") {
         "cosine");
 }
 
-TEST_CASE("E631: a dimension that nobody knows") {
+TEST_CASE("E631: an unknown dimension") {
   CHECK(refusal(mass, {.more = {"ordr", "scalar"}}) ==
         "unknown dimension `ordr`; did you mean `order`?");
 }
 
-TEST_CASE("designs that differ in the scalar, in packs or in their sines are derived alike") {
+TEST_CASE("designs that differ only in scalar, packs or sines share a derivation") {
   const Design design{.scalar = ScalarKind::single_precision,
                       .in_packs = true,
                       .trigonometry = "1e-7",

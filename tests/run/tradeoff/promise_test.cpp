@@ -1,4 +1,4 @@
-// Rows of scenes that promise an error: code that breaks the promise turns them red.
+// Certificate rows of scenes with max_error: code with a larger error makes them fail.
 #include <catch2/catch.hpp>
 #include <memory>
 
@@ -11,7 +11,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// Of the gravity of a pendulum, each value times `factor`, as the header and as users compile it.
+/// The rows for the gravity of a pendulum with each value multiplied by `factor`, for the header as
+/// written and as users compile it.
 std::vector<CertificateRow> rows_of(const std::string& numeric, double factor) {
   const Products products = derived(pendulum_text(), "gravity", "[numeric]\n" + numeric);
   const Changed code(*products.program, "gravity", [factor](double x) { return factor * x; });
@@ -24,7 +25,7 @@ std::vector<CertificateRow> rows_of(const std::string& numeric, double factor) {
 
 }  // namespace
 
-TEST_CASE("code within the error of its scene has rows that hold") {
+TEST_CASE("rows hold for code within the scene's max_error") {
   const std::vector<CertificateRow> rows = rows_of("max_error = 1e-6\n", 1 + 0.9e-6);
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].check == "max_error");
@@ -38,14 +39,14 @@ TEST_CASE("code within the error of its scene has rows that hold") {
   }
 }
 
-TEST_CASE("code that is farther off fails") {
+TEST_CASE("rows fail for code with a larger error") {
   for (const CertificateRow& row : rows_of("max_error = 1e-6\n", 1 + 2e-6)) {
     CHECK(row.verdict == Verdict::fails);
     CHECK(row.worst == "2.00e-06 of the largest value");
   }
 }
 
-TEST_CASE("a promise is about the scalars of the scene") {
+TEST_CASE("max_error applies to the scalars of the scene") {
   const auto verdicts = [](const std::string& scalars) {
     std::vector<Verdict> found;
     for (const CertificateRow& row :
@@ -60,7 +61,7 @@ TEST_CASE("a promise is about the scalars of the scene") {
   CHECK(verdicts("\"float\", \"double\"") == std::vector{fails, holds, fails, holds});
 }
 
-TEST_CASE("a promise is about the ranges of the scene") {
+TEST_CASE("max_error applies to the ranges of the scene") {
   const std::vector<CertificateRow> rows =
       rows_of("max_error = 1\nranges = { q = [0.25, 0.25] }\n", 2);
   REQUIRE(rows.size() == 2);
@@ -84,7 +85,7 @@ V = "sqrt(x - 9/10)"
   CHECK(rows[0].verdict == Verdict::skipped);
 }
 
-TEST_CASE("a scene that promises nothing has no such rows, nor has code that is not compiled") {
+TEST_CASE("without max_error or without compiled code there are no rows") {
   CHECK(rows_of("prefer = \"speed\"\n", 2).empty());
   const Products products = derived(pendulum_text(), "gravity", "[numeric]\nmax_error = 1e-6\n");
   CHECK(promised_errors(*products.checked, *products.program, {}, {}).empty());

@@ -1,4 +1,4 @@
-// Designs as scenes.
+// Designs written as scenes.
 #include <catch2/catch.hpp>
 
 #include "run/tradeoff/derived.hpp"
@@ -9,7 +9,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Of a design from a model, or from a scene by what follows its name.
+/// The scene text of a design, from the model or from a scene whose text after its name is `scene`.
 std::string text_of(const Design& design, const std::string& scene = {},
                     const std::string& output = "inverse_dynamics") {
   const Products products = derived(pendulum_text(), output, scene);
@@ -21,7 +21,7 @@ std::string text_of(const Design& design, const std::string& scene = {},
   return scene_text({*products.checked, &*syntax}, design, "test.toml");
 }
 
-/// Derives the text as a scene.
+/// Runs the pipeline with the text as a scene.
 Products run(const std::string& text) {
   PipelineOptions options;
   options.goals = {Goal::emit};
@@ -62,7 +62,7 @@ batch = true
                                     "pendulum_double_packs_1e7_fixed_batch.hpp") == 1);
 }
 
-TEST_CASE("what a scene says of anything else stays, in the place of its own choices") {
+TEST_CASE("other keys of a scene are kept, and its choices are replaced") {
   const std::string text =
       text_of({.scalar = ScalarKind::single_precision},
               "[outputs]\ninverse_dynamics = { form = \"closed\" }\n"
@@ -76,14 +76,14 @@ TEST_CASE("what a scene says of anything else stays, in the place of its own cho
   (void)run(text);
 }
 
-TEST_CASE("a design in a wider scalar is a scene with inner") {
+TEST_CASE("a design with a wider scalar is a scene with `inner`") {
   const std::string text = text_of({.inner = InnerScalar::double_double}, {});
   CHECK(mentions(text, "_in_doubledouble\"\n"));
   CHECK(mentions(text, "scalar = [\"double\"]\ninner = \"double-double\"\n"));
   CHECK(run(text).checked->scene.numerics.inner == InnerScalar::double_double);
 }
 
-TEST_CASE("a design with the library's sines says so, one with those in line says nothing") {
+TEST_CASE("only a design with the library's sines has the key `trigonometry`") {
   const std::string library = "[numeric]\ntrigonometry = { scalar = \"library\" }\n";
   const std::string text = text_of({.trigonometry = "library"});
   CHECK(mentions(text, "_library\"\n"));
@@ -93,13 +93,13 @@ TEST_CASE("a design with the library's sines says so, one with those in line say
   CHECK(mentions(text_of({.step = step_by(StepMethod::rk4)}, library), "\"library\""));
 }
 
-TEST_CASE("all parameters are fixed beside those that the scene has fixed at other values") {
+TEST_CASE("a design with fixed parameters fixes all, and keeps the scene's fixed values") {
   const std::string text = text_of({.is_fixed = true}, "[parameters]\nfixed = { g = \"1/3\" }\n");
   CHECK(mentions(text, "fixed = { m = 2, l = \"sqrt(2)\", g = \"1/3\", k = 1 }"));
   CHECK(run(text).checked->scene.specialisation.fixed.size() == 4);
 }
 
-TEST_CASE("an expansion is about the start, an exact design without the scene's own") {
+TEST_CASE("an expansion is about the start, and an exact design omits the scene's expansion") {
   const std::string output = "gravity";
   CHECK(mentions(text_of({.order = "3"}, {}, output), "order = 3\nabout = { q = \"0.5\" }"));
   const std::string small = "[approximate]\norder = 1\nabout = { q = 0 }\n";
@@ -108,7 +108,7 @@ TEST_CASE("an expansion is about the start, an exact design without the scene's 
   CHECK_FALSE(mentions(text_of(exact_design, small, output), "approximate"));
 }
 
-TEST_CASE("a step of a run is a scene with its method and order, and says for which steps") {
+TEST_CASE("the step of a run is a scene with its method and order, and a doc of its step size") {
   const std::string text = text_of(
       {.in_packs = true, .step = step_by(StepMethod::verlet, 8), .doc = "For steps of 0.01 s."});
   CHECK(mentions(text, "name = \"double_packs_verlet_8\"\ndoc = \"For steps of 0.01 s.\"\n"));
@@ -118,7 +118,7 @@ TEST_CASE("a step of a run is a scene with its method and order, and says for wh
                  "[outputs]\nstep = { method = \"rk4\" }\n"));
 }
 
-TEST_CASE("a scene promises an error, in its own ranges and those that were given") {
+TEST_CASE("a scene contains max_error, its own ranges and the given ranges") {
   const Products products = derived(pendulum_text(), "inverse_dynamics");
   const SourcePointer source = make_source("test.scene.toml",
                                            "format = 1\nmodel = \"test.toml\"\nname = \"given\"\n"
@@ -141,7 +141,7 @@ TEST_CASE("a scene promises an error, in its own ranges and those that were give
   CHECK(numerics.ranges[2].high == 1e-5);
 }
 
-TEST_CASE("the path of a model is escaped as TOML wants it") {
+TEST_CASE("the path of a model is escaped as in TOML") {
   const Products products = derived(pendulum_text(), "inverse_dynamics");
   CHECK(mentions(scene_text({*products.checked}, {}, "a\t\"b\".toml"),
                  R"(model = "a\u0009\"b\".toml")"));

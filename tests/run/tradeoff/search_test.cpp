@@ -1,4 +1,5 @@
-// The search for the state at which a design is worst. Designs are the evaluator with a mistake.
+// The search for the state with a design's largest error. Designs are the evaluator plus a known
+// error.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// An output of one entry, at 1000 states.
+/// An output with one entry, at 1000 states.
 class Searched {
  public:
   Searched(const std::string& text, const std::string& output)
@@ -24,7 +25,7 @@ class Searched {
 
   [[nodiscard]] const TradeoffStates& states() const { return states_; }
 
-  /// mistake(q) is relative to the largest value.
+  /// The design's values with the error mistake(q), relative to the largest value.
   template <class Scalar = double, class Mistake>
   [[nodiscard]] DesignValues with(const Mistake& mistake) const {
     return [this, mistake](const std::vector<Arguments<double>>& states) {
@@ -54,7 +55,7 @@ class Searched {
   double scale_ = 0;
 };
 
-/// Between the states that are farthest apart.
+/// The interval between two adjacent samples of q.
 struct Gap {
   double middle = 0;
   double width = 0;
@@ -74,7 +75,7 @@ Gap widest_gap(const TradeoffStates& states) {
 
 }  // namespace
 
-TEST_CASE("the search climbs a peak between the states, the same way every time") {
+TEST_CASE("the search climbs a peak between the states, reproducibly") {
   const Searched searched(pendulum_text(), "gravity");
   const Gap gap = widest_gap(searched.states());
   const DesignValues peak = searched.with([gap](double q) {
@@ -91,7 +92,7 @@ TEST_CASE("the search climbs a peak between the states, the same way every time"
   CHECK(again.where.q == found.where.q);
 }
 
-TEST_CASE("the search goes to the ends of ranges and not beyond, and parameters stay") {
+TEST_CASE("the search reaches the ends of ranges but not further, and keeps parameters") {
   std::string text = pendulum_text();
   text.replace(text.find("g = 9.81"), 8, "g = { value = 9.81, min = 1, max = 20 }");
   const Searched searched(text, "gravity");
@@ -102,7 +103,7 @@ TEST_CASE("the search goes to the ends of ranges and not beyond, and parameters 
   CHECK(found.where.parameters == searched.states().states.front().parameters);
 }
 
-TEST_CASE("a search visits as many states as the sample that it starts from allows") {
+TEST_CASE("the number of visited states is proportional to the sample") {
   const Products products = derived(pendulum_text(), "inverse_dynamics");
   const auto visited = [&products](std::size_t count) {
     const auto states = tradeoff_states(*products.checked, *products.program, {.count = count});
@@ -118,7 +119,7 @@ TEST_CASE("a search visits as many states as the sample that it starts from allo
   CHECK(visited(1000) == Approx(21 * 1000).epsilon(0.05));
 }
 
-TEST_CASE("where numbers of float are taken, their rounding counts") {
+TEST_CASE("rounding of the state to float counts as error") {
   const Searched searched(pendulum_text(), "gravity");
   const auto right = [](double) { return 0.0; };
   const double in_float = searched.found(searched.with<float>(right)).worst;
@@ -127,7 +128,7 @@ TEST_CASE("where numbers of float are taken, their rounding counts") {
   CHECK(searched.found(searched.with(right)).worst < 1e-15);
 }
 
-TEST_CASE("states outside the domain are passed over") {
+TEST_CASE("states outside the domain are ignored") {
   const Searched searched(model_text("root", R"toml([[coordinate]]
 name = "x"
 range = [-0.1, 1]
@@ -141,7 +142,7 @@ V = "sqrt(x)"
   CHECK(found.where.q[0] >= 0);
 }
 
-TEST_CASE("an output that reads no state is as far off as it is") {
+TEST_CASE("an output that depends on no state has its constant error") {
   const Searched searched(pendulum_text(), "mass_matrix");
   CHECK(searched.found(searched.with([](double) { return 1e-5; })).worst == Approx(1e-5));
 }

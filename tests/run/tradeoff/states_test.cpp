@@ -1,4 +1,4 @@
-// States of a trade-off, and what is exact there.
+// States of a trade-off, and exact values at these states.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -18,7 +18,7 @@ Result<TradeoffStates> states_in(const std::string& ranges, std::size_t count = 
 
 }  // namespace
 
-TEST_CASE("states are inside the ranges, and exact values go beyond double") {
+TEST_CASE("states are inside the ranges, and exact values have more digits than double") {
   const Result<TradeoffStates> states = states_in("q=-0.1..0.1,dot(dot(q))=1..1,t=0..0");
   REQUIRE(states);
   CHECK(states->field_sizes == std::vector<std::size_t>{1});
@@ -40,7 +40,7 @@ TEST_CASE("states are inside the ranges, and exact values go beyond double") {
   CHECK(differ);
 }
 
-TEST_CASE("ranges of the scene narrow those of the model, and given ones those of the scene") {
+TEST_CASE("the scene's ranges narrow the model's, and given ranges narrow the scene's") {
   const Products products = derived(pendulum_text(), "inverse_dynamics",
                                     "[numeric]\nranges = { q = [-0.2, 0.1], t = [2, 2] }\n",
                                     {make_source("command line", "q=-0.1..0.3")});

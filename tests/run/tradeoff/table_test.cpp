@@ -1,5 +1,5 @@
-// Tables: ranks, the order of rows, the front, what is chosen, and how people and programs see
-// them. Costs and errors are made up, so that nothing is measured.
+// Tables: ranks, order of rows, the Pareto front, the picked design, and all output formats. Costs
+// and errors are invented, so nothing is measured.
 #include <tinyxml2.h>
 
 #include <catch2/catch.hpp>
@@ -17,8 +17,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// Quartiles 5 % to either side of the cost; five times as much by one state per call in packs.
-/// `noise`: the worst error over the least.
+/// A row with quartiles 5 % around its cost. In packs a call for a single state costs five times as
+/// much. `noise` is the worst error divided by the least.
 TradeoffRow row_of(std::vector<std::string> values, double cost, double error, double noise = 1) {
   const double call = values.back() == "packs" ? 5 * cost : cost;
   return {.values = std::move(values),
@@ -31,7 +31,7 @@ TradeoffRow failed_row(std::vector<std::string> values, std::string why) {
   return {.values = std::move(values), .failure = std::move(why)};
 }
 
-/// Of two scalars, in packs or not, measured in the order of a plan.
+/// Two scalars, singly and in packs, in the order of a plan.
 TradeoffTable sample_table() {
   return {.model = "arm",
           .subject = "gravity",
@@ -51,7 +51,7 @@ struct Figures {
   double noise = 1;
 };
 
-/// "b1* a1 c2": the first values of the rows, with the ranks and the front.
+/// The first values of the rows with their ranks, and a star on the front: "b1* a1 c2".
 std::string order_in(TradeoffTable table) {
   std::string text;
   for (const TradeoffRow& row : judged(std::move(table)).rows) {
@@ -61,7 +61,7 @@ std::string order_in(TradeoffTable table) {
   return text;
 }
 
-/// Of rows "a", "b", … as they are given.
+/// The order of rows named "a", "b", ... with these figures.
 std::string order_of(const std::vector<Figures>& rows) {
   TradeoffTable table{.dimensions = {"name"}};
   for (const auto& [cost, error, noise] : rows) {
@@ -73,7 +73,7 @@ std::string order_of(const std::vector<Figures>& rows) {
 
 }  // namespace
 
-TEST_CASE("the cheapest row is first, failed ones are last, and what nothing beats is the front") {
+TEST_CASE("rows are sorted by cost, failed rows are last, and undominated rows are the front") {
   const TradeoffTable table = judged(sample_table());
   REQUIRE(table.rows.size() == 5);
   CHECK(name_of(table.rows[0]) == "float, packs");
@@ -91,21 +91,21 @@ TEST_CASE("the cheapest row is first, failed ones are last, and what nothing bea
   CHECK(ranks == std::vector<std::size_t>{1, 2, 3, 3, 0});
 }
 
-TEST_CASE("quartiles that overlap those of the cheapest are one rank, which errors decide") {
+TEST_CASE("rows whose quartiles overlap the cheapest row's share a rank, sorted by error") {
   CHECK(order_of({{10, 1e-7}, {10.4, 1e-9}}) == "b1* a1");
   CHECK(order_of({{10, 1e-9}, {10.4, 1e-7}}) == "a1* b1");
   CHECK(order_of({{10, 1e-7}, {12, 1e-9}}) == "a1* b2*");
 }
 
-TEST_CASE("a rank does not go on from one overlap to the next") {
+TEST_CASE("ranks do not chain overlaps") {
   CHECK(order_of({{11.5, 1e-9}, {10, 1e-7}, {10.8, 1e-8}}) == "c1* b1 a2*");
 }
 
-TEST_CASE("of designs that are as good as each other the first one of the plan is on the front") {
+TEST_CASE("of equally good designs only the plan's first is on the front") {
   CHECK(order_of({{5.1, 1e-3}, {5, 1e-3}, {4.9, 1e-3}}) == "a1* b1 c1");
 }
 
-TEST_CASE("costs within 1.1 times are one rank, however narrow their quartiles are") {
+TEST_CASE("costs within a factor of 1.1 share a rank, even with narrow quartiles") {
   const auto ranked = [](double dearer) {
     TradeoffTable table{.rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, dearer, 1e-9)}};
     for (TradeoffRow& row : table.rows) row.cost.low = row.cost.high = row.cost.median;
@@ -115,30 +115,30 @@ TEST_CASE("costs within 1.1 times are one rank, however narrow their quartiles a
   CHECK(ranked(11.1) == "a1* b2*");
 }
 
-TEST_CASE("of errors that are equal within their noise the cheaper has the star") {
+TEST_CASE("of errors equal within their noise, the cheaper row has the star") {
   CHECK(order_of({{1, 1e-7, 1.2}, {2, 0.9e-7, 1.3}}) == "a1* b2");
   CHECK(order_of({{1, 1e-7, 1.2}, {2, 0.7e-7, 1.3}}) == "a1* b2*");
   CHECK(order_of({{1, 1e-7, 4}, {2, 0.7e-7, 1.3}}) == "a1* b2");
-  // The noise of an error reaches from its least to its worst, which is the one that counts.
+  // The noise of an error ranges from its least to its worst value; comparisons use the worst.
   CHECK(order_of({{1, 1e-7, 1.2}, {2, 0.9e-7, 100}}) == "a1* b2");
 }
 
-TEST_CASE("errors within 1.1 times are equal without noise, too") {
+TEST_CASE("errors within a factor of 1.1 are equal even without noise") {
   CHECK(order_of({{1, 1e-7}, {2, 0.95e-7}}) == "a1* b2");
   CHECK(order_of({{1, 1e-7}, {2, 0.85e-7}}) == "a1* b2*");
 }
 
-TEST_CASE("errors are compared with those of stars alone") {
+TEST_CASE("errors are compared only with rows on the front") {
   CHECK(order_of({{1, 1e-7}, {2, 0.95e-7, 100}, {3, 0.87e-7}}) == "a1* b2 c3*");
   CHECK(order_of({{1, 1.5, 100}, {2, 0.9}}) == "a1 b2*");
 }
 
-TEST_CASE("nothing that is off by more than all of it is on the front") {
+TEST_CASE("a row with an error above 100 % is not on the front") {
   CHECK(order_of({{1, INFINITY}, {2, 1.1}, {3, 1}, {4, 0.5}}) == "a1 b2 c3* d4*");
   CHECK(order_of({{1, 1.1}}) == "a1");
 }
 
-TEST_CASE("what is below the reference is not ranked, and is chosen by what that is known to") {
+TEST_CASE("a row below the reference is not on the front, but may be picked") {
   TradeoffTable table = sample_table();
   table.rows[0] = row_of({"double", "1"}, 2, 1e-13);
   table.rows[0].is_below_reference = true;
@@ -155,7 +155,7 @@ TEST_CASE("what is below the reference is not ranked, and is chosen by what that
   CHECK_FALSE(json[1]["error"].contains("below_reference"));
 }
 
-TEST_CASE("the cheapest design within an error, and the most accurate one") {
+TEST_CASE("cheapest_within and most_accurate select rows") {
   const TradeoffTable table = judged(sample_table());
   CHECK(name_of(*cheapest_within(table, 1e-6)) == "float, packs");
   CHECK(name_of(*cheapest_within(table, 1e-15)) == "double, packs");
@@ -164,7 +164,7 @@ TEST_CASE("the cheapest design within an error, and the most accurate one") {
   CHECK(most_accurate(TradeoffTable{.rows = {failed_row({}, "E705")}}) == nullptr);
 }
 
-TEST_CASE("of designs that cost the same the most accurate one is picked") {
+TEST_CASE("of designs with equal cost the most accurate is picked") {
   TradeoffTable table = judged(
       {.dimensions = {"name"}, .rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, 10.4, 1e-9)}});
   CHECK(picked(table) == nullptr);
@@ -174,7 +174,7 @@ TEST_CASE("of designs that cost the same the most accurate one is picked") {
   CHECK(picked(table) == nullptr);
 }
 
-TEST_CASE("rows are in columns, those of the front have a star, a failed one says why") {
+TEST_CASE("text has columns, stars on the front, and the reasons of failures") {
   TradeoffTable table = judged(sample_table());
   table.sentences = {"one", "two"};
   table.max_error = 1e-6;
@@ -196,8 +196,7 @@ cheapest within 1e-06: float, packs; 4 ns per state, 20 ns per call, error 2.0e-
 )");
 }
 
-TEST_CASE(
-    "where a call is no other cost it has no column, and where nothing is picked no line is") {
+TEST_CASE("without call costs there is no column, and without a pick there is no line") {
   TradeoffTable table = judged({.model = "arm",
                                 .subject = "2 s in time",
                                 .cost = "ns per run",
@@ -221,7 +220,7 @@ measured on a processor, g++ 12
   CHECK(to_text(table) == text + "cheapest within 0.0001: rk4; 40 ns per run, error 1.0e-05\n");
 }
 
-TEST_CASE("the object has a design for every row") {
+TEST_CASE("JSON has a design for every row") {
   TradeoffTable table = judged(sample_table());
   table.sentences = {"one"};
   const auto json = nlohmann::json::parse(to_json(table));
@@ -242,7 +241,7 @@ TEST_CASE("the object has a design for every row") {
   CHECK_FALSE(json.contains("pick"));
 }
 
-TEST_CASE("the object has the row that is picked, or null") {
+TEST_CASE("JSON has the picked row, or null") {
   TradeoffTable table = judged(sample_table());
   table.max_error = 1e-15;
   const auto json = nlohmann::json::parse(to_json(table));
@@ -252,12 +251,12 @@ TEST_CASE("the object has the row that is picked, or null") {
   CHECK(nlohmann::json::parse(to_json(table))["pick"].is_null());
 }
 
-TEST_CASE("what is infinitely wrong is null in JSON") {
+TEST_CASE("an infinite error is null in JSON") {
   const TradeoffTable table{.dimensions = {"a"}, .rows = {row_of({"1"}, 1, INFINITY)}};
   CHECK(nlohmann::json::parse(to_json(table))["designs"][0]["error"]["worst"].is_null());
 }
 
-TEST_CASE("cells with quotes are quoted, failed rows have none of the numbers") {
+TEST_CASE("CSV quotes cells with quotes, and failed rows have no numbers") {
   TradeoffTable table = judged(sample_table());
   table.rows.erase(table.rows.begin() + 1, table.rows.end() - 1);
   table.max_error = 1e-6;
@@ -268,7 +267,7 @@ TEST_CASE("cells with quotes are quoted, failed rows have none of the numbers") 
         "half,one,,,,,,,,,0,0,\"E709: \"\"c++\"\" exits 1\"\n");
 }
 
-TEST_CASE("a plot is XML with every design that has numbers, and the Pareto front is a staircase") {
+TEST_CASE("a plot is XML with every measured design, and a staircase of the Pareto front") {
   const std::string svg = to_svg(judged(sample_table()));
   tinyxml2::XMLDocument document;
   REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
@@ -280,7 +279,7 @@ TEST_CASE("a plot is XML with every design that has numbers, and the Pareto fron
   CHECK_FALSE(mentions(svg, "E709"));
 }
 
-TEST_CASE("a plot names its axes, the dimensions, and what marks and line mean") {
+TEST_CASE("a plot labels its axes and dimensions, and explains its marks and lines") {
   TradeoffTable table = sample_table();
   const std::string svg = to_svg(judged(table));
   for (const char* const text :
@@ -296,13 +295,13 @@ TEST_CASE("a plot names its axes, the dimensions, and what marks and line mean")
   CHECK(count(with_grey, "fill=\"#bbb\"") == 2);
 }
 
-TEST_CASE("marks of the front are drawn last, so that none of theirs is covered") {
+TEST_CASE("marks of the front are drawn last, so that no other mark covers them") {
   const std::string svg = to_svg(
       judged({.dimensions = {"name"}, .rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, 10, 1e-7)}}));
   CHECK(svg.rfind("fill=\"black\"") > svg.rfind("fill=\"white\""));
 }
 
-TEST_CASE("shapes tell the values of the first dimension apart") {
+TEST_CASE("shapes distinguish the values of the first dimension") {
   const std::string svg = to_svg(judged(sample_table()));
   CHECK(count(svg, "d=\"M-5 0A") == 4);
   CHECK(count(svg, "d=\"M-4.5 ") == 4);

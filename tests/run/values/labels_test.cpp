@@ -1,4 +1,4 @@
-// Labels of rows and columns: one per entry and no label twice, of every output of every model.
+// Labels of rows and columns: one per entry and no duplicates, for every output of every model.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <set>
@@ -13,7 +13,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Count, lines and single lines agree along an extent, and no two lines have one text.
+/// The count, the list and single lines along an extent agree, and all texts differ.
 void check_lines(const Model& model, Extent extent, std::uint32_t user) {
   const std::vector<Line> lines = lines_along(model, extent, user);
   CHECK(lines.size() == extent_of(model, extent, user));
@@ -28,7 +28,7 @@ void check_lines(const Model& model, Extent extent, std::uint32_t user) {
   }
 }
 
-/// Every output of a model, labelled and evaluated: as many values as labels, no label twice.
+/// Checks labels and values of every output: as many values as labels, no duplicate labels.
 void check_labels(const CheckedModel& checked) {
   const ValueTable table = table_of(checked, 17);
   const State start = start_state(checked.model, checked.scene);
@@ -53,7 +53,7 @@ void check_labels(const CheckedModel& checked) {
   }
 }
 
-/// All outputs that a model can give, also those given by name only.
+/// The model with all its outputs, including outputs that must be named.
 CheckedModel with_all_outputs(const std::string& text, const FileSyntax* scene) {
   SceneOptions options;
   options.purpose = purpose::rest;
@@ -79,7 +79,7 @@ std::string text_at_start(const std::string& model, const std::string& output) {
 
 }  // namespace
 
-TEST_CASE("rows and columns of every output of every model and scene have labels of their own") {
+TEST_CASE("rows and columns of all outputs of all models and scenes have distinct labels") {
   const std::filesystem::path models = std::string(ELGEN_SOURCE_DIR) + "/models";
   for (const auto& path : inputs_in(models, ".toml")) {
     INFO(path.filename());
@@ -97,7 +97,7 @@ TEST_CASE("rows and columns of every output of every model and scene have labels
   }
 }
 
-TEST_CASE("rows of an [[output]] are named by it, of a frame by axes") {
+TEST_CASE("rows of an [[output]] have its name, rows of a frame its axes") {
   const std::string arm = model_text("arm", R"toml([[coordinate]]
 name = "x"
 unit = "m"
@@ -147,7 +147,7 @@ jacobian = true
                  "  x  1.0  0.0  0.0  0.0\n"));
 }
 
-TEST_CASE("derivatives of outputs along the motion have none by accelerations") {
+TEST_CASE("derivatives of motion outputs have no derivatives by acceleration") {
   const std::string sensor = R"toml(format = 1
 [model]
 name = "accel"
@@ -178,20 +178,20 @@ jacobian = true
         "sensor_derivatives.by_position\n       x\n    -3.0\n"
         "sensor_derivatives.by_velocity\n      x\n    0.0\n"
         "sensor_derivatives.by_input\n      u\n    0.5\n");
-  // If the motion is given, the acceleration is an argument.
+  // Without `motion = true` the acceleration is an argument.
   const std::string motion = "motion = true\n";
   std::string given = sensor;
   given.erase(given.find(motion), motion.size());
   CHECK(mentions(text_at_rest(given), "sensor_derivatives.by_acceleration\n      x\n    1.0\n"));
 }
 
-TEST_CASE("the torque that inputs cannot make is a value, too") {
+TEST_CASE("the torque beyond the inputs is a value too") {
   const std::string crank = read_text(std::string(ELGEN_SOURCE_DIR) + "/models/slider_crank.toml");
   CHECK(mentions(text_at_start(crank, "constrained_inverse_dynamics"),
                  "constrained_inverse_dynamics.unbalanced\n  a  0.0 N*m\n"));
 }
 
-TEST_CASE("the rows of reaction are the coordinates that a scene holds") {
+TEST_CASE("the rows of `reaction` are the locked coordinates") {
   const std::string plane = R"toml(format = 1
 [model]
 name = "plane"

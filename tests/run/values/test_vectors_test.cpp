@@ -1,4 +1,4 @@
-// Test vectors: their states, seeds, digits, and what each record has.
+// Test vectors: their states, seeds, digits, and records.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
@@ -8,7 +8,7 @@
 using namespace elgen;
 using namespace elgen::test;
 
-TEST_CASE("states are the start, then at rest, moving, and with other parameters") {
+TEST_CASE("states are the start, then rest, motion, and changed parameters in turn") {
   const Vectors vectors(block, {.samples = 7}, "kinetic_energy,forward_dynamics");
   REQUIRE(vectors.table);
   const Json values = Json::parse(to_json(*vectors.table))["values"];
@@ -30,7 +30,7 @@ TEST_CASE("states are the start, then at rest, moving, and with other parameters
   }
 }
 
-TEST_CASE("states of vectors are on the constraints, but where values tell how far off they are") {
+TEST_CASE("states of vectors are on the constraints, except for constraint residuals") {
   const Vectors vectors(file_of("pendulum_xy"), {.samples = 7},
                         "gravity,forward_dynamics,constraint_residual");
   REQUIRE(vectors.table);
@@ -42,7 +42,7 @@ TEST_CASE("states of vectors are on the constraints, but where values tell how f
     const double x = record["q"][0];
     const double y = record["q"][1];
     const double l = record["p"]["l"];
-    // Coordinates are rounded once, and so are squares and sums.
+    // Coordinates, squares and sums are rounded once each.
     const bool is_on_rod = std::abs(x * x + y * y - l * l) <= 1e-15 * (1 + l * l);
     const bool is_residual = record["function"] == "constraint_residual";
     if (record["state"] != "start") CHECK(is_on_rod != is_residual);
@@ -58,7 +58,7 @@ TEST_CASE("states of vectors are on the constraints, but where values tell how f
   CHECK_FALSE(mentions(to_json(*Vectors(block, {.samples = 1}).table), "off_constraints"));
 }
 
-TEST_CASE("states of vectors not projected onto the constraints are counted") {
+TEST_CASE("states that Newton steps cannot move onto the constraints are counted") {
   const std::string wall = model_text("wall", R"toml(
 [[coordinate]]
 name = "x"
@@ -81,7 +81,7 @@ equation = "x^2 + d^2 = l^2"
   CHECK(mentions(to_header(*vectors.table), " omitted: not projected onto the constraints."));
 }
 
-TEST_CASE("vectors are the same for a seed, and others for another") {
+TEST_CASE("a seed determines the vectors") {
   const auto text = [](std::uint64_t seed) {
     return to_json(*Vectors(block, {.samples = 4, .seed = seed}, "kinetic_energy").table);
   };
@@ -89,7 +89,7 @@ TEST_CASE("vectors are the same for a seed, and others for another") {
   CHECK(text(1) != text(2));
 }
 
-TEST_CASE("fewer digits are kept where terms cancel, and all of what is exact") {
+TEST_CASE("cancelling terms have fewer correct digits, exact values have all") {
   const std::string text = model_text("sums", R"(
 [[coordinate]]
 name = "q"
@@ -109,7 +109,7 @@ value = "q"
   CHECK(vectors.table->records[1].digits[0] == 17);
 }
 
-TEST_CASE("every kind of model has as many values as fields, and digits") {
+TEST_CASE("every kind of model has as many values and digits as entries") {
   for (const std::string name : {"cart_pole", "pendulum_xy", "quadrotor", "kepler_polar"}) {
     INFO(name);
     const Vectors vectors(file_of(name), {.samples = 2});
@@ -132,7 +132,7 @@ TEST_CASE("every kind of model has as many values as fields, and digits") {
   }
 }
 
-TEST_CASE("vectors of an output that reads a function left open are refused by its name") {
+TEST_CASE("vectors of outputs with an open function are refused with its name") {
   const std::string text = block + "[[function]]\nname = \"V\"\nof = [\"x\"]\nsample = \"x\"\n";
   const std::string open = text.substr(0, text.find("[energy]")) + "[energy]\nV = \"V\"\n" +
                            text.substr(text.find("[energy]") + std::string("[energy]\n").size());

@@ -1,4 +1,4 @@
-// Values at a state: digits, states, and what each record has.
+// Values at a state: digits, states, and records.
 #include "elgen/values.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,9 +10,9 @@
 using namespace elgen;
 using namespace elgen::test;
 
-/// Taylor, Classical Mechanics (2005), equation (11.37) and the lines before it: M and the
-/// accelerations of a double pendulum with absolute angles, by mpmath in 70 digits.
-TEST_CASE("mass matrix and accelerations of the double pendulum are those of the book") {
+/// Taylor, Classical Mechanics (2005), equation (11.37) and the preceding lines: M and the
+/// accelerations of a double pendulum with absolute angles, evaluated by mpmath in 70 digits.
+TEST_CASE("mass matrix and accelerations of the double pendulum agree with the book") {
   const SceneOptions options = options_of("theta1=0.1, theta2=-0.2, dot(theta1)=2, dot(theta2)=-1",
                                           "mass_matrix,forward_dynamics");
   const CheckedModel checked = checked_model(file_of("double_pendulum"), options);
@@ -37,7 +37,7 @@ TEST_CASE("mass matrix and accelerations of the double pendulum are those of the
                  "-7.101187019450683540632670504377957262624,,state,"));
 }
 
-TEST_CASE("the state is the start, and what is stated beside it") {
+TEST_CASE("the state is the start with the stated changes") {
   const Json plain = evaluated(block, options_of("", "inverse_dynamics,kinetic_energy"));
   const Json energy = plain["values"][0];
   CHECK(energy["function"] == "kinetic_energy");
@@ -53,7 +53,7 @@ TEST_CASE("the state is the start, and what is stated beside it") {
   CHECK(stated["value"] == Json{12.0});
 }
 
-TEST_CASE("functions with inputs have an empty list of them in models without inputs") {
+TEST_CASE("functions with inputs have an empty list of inputs in models without inputs") {
   for (const auto& [text, inputs] :
        {std::pair{block, 1U}, std::pair{block.substr(0, block.find("[[input]]")), 0U}}) {
     const Vectors vectors(text, {.samples = 2}, "forward_dynamics,mass_matrix");
@@ -71,21 +71,21 @@ TEST_CASE("functions with inputs have an empty list of them in models without in
       REQUIRE(record.contains("u") == takes_inputs);
       if (takes_inputs) CHECK(record["u"].size() == inputs);
     }
-    // C has no empty arrays, and rows have no empty names.
+    // C has no empty arrays, and CSV columns have no empty names.
     CHECK(mentions(to_header(*vectors.table), "double u[") == (inputs > 0));
     CHECK(mentions(to_csv(*vectors.table),
                    inputs > 0 ? ",state,m,x,dot(x),u\n" : ",state,m,x,dot(x)\n"));
   }
 }
 
-TEST_CASE("momenta are those of the rates, or stated") {
+TEST_CASE("momenta follow from the rates, or are stated") {
   CHECK(evaluated(block, options_of("", "hamiltonian"))["values"][0]["momenta"] == Json{-4.0});
   const Json stated = evaluated(block, options_of("p(x)=8", "hamiltonian"))["values"][0];
   CHECK(stated["momenta"] == Json{8.0});
   CHECK(stated["value"] == Json{8.0});
 }
 
-TEST_CASE("inputs are what their laws say at the state and the time") {
+TEST_CASE("inputs have their laws' values at the state and time") {
   const std::string text = block + "[[force]]\nname = \"pull\"\non = \"x\"\nvalue = \"2*t\"\n";
   SceneOptions options = options_of("t=3, x=0.5", "forward_dynamics");
   options.laws = option("u=-4*x - t");
@@ -95,7 +95,7 @@ TEST_CASE("inputs are what their laws say at the state and the time") {
   CHECK(record["value"][0] == 0.25);
 }
 
-TEST_CASE("what cancels on paper is 0, and small values keep their digits") {
+TEST_CASE("terms that cancel give exactly 0, and small values keep their digits") {
   const std::string text = model_text("sums", R"(
 [[coordinate]]
 name = "q"
@@ -111,13 +111,13 @@ value = "exp(q) - 1 - q - q^2/2"
   const Json values = evaluated(text, options_of("q=1e-20", "zero,small"))["values"];
   CHECK(values[0]["value"] == Json{0.0});
   CHECK(values[1]["value"][0] == Approx(1e-60 / 6).epsilon(1e-15));
-  // Smaller than the rounding of the oracle's working digits.
+  // Smaller than a rounding error at the oracle's working precision.
   const Json smaller = evaluated(text, options_of("q=1e-40", "zero,small"))["values"];
   CHECK(smaller[0]["value"] == Json{0.0});
   CHECK(smaller[1]["value"][0] == Approx(1e-120 / 6).epsilon(1e-15));
 }
 
-TEST_CASE("a quaternion is scaled to length 1") {
+TEST_CASE("a stated quaternion is normalised") {
   const Json record =
       evaluated(file_of("quadrotor"), options_of("attitude=[3,0,4,0]", "mass_matrix"))["values"][0];
   const std::vector<double> q = record["q"];
@@ -125,7 +125,7 @@ TEST_CASE("a quaternion is scaled to length 1") {
   CHECK(std::count(q.begin(), q.end(), 0.8) == 1);
 }
 
-TEST_CASE("constraints move what is not named, unless the state is to stay as it is") {
+TEST_CASE("constraints change values that are not stated, unless projection is off") {
   const SceneOptions options = options_of("x=0.3", "constraint_residual");
   const Json moved = evaluated(file_of("pendulum_xy"), options)["values"][0];
   CHECK(std::abs(moved["value"][0].get<double>()) < 1e-50);
@@ -134,7 +134,7 @@ TEST_CASE("constraints move what is not named, unless the state is to stay as it
   CHECK(std::abs(stays["value"][0].get<double>()) > 1e-3);
 }
 
-TEST_CASE("an output without a value is an error beside the values of the others") {
+TEST_CASE("an output without a value is an error, and the others have values") {
   const std::string text = block + "[[output]]\nname = \"y\"\nvalue = \"1/(x - 2*m/m)\"\n";
   const CheckedModel checked = checked_model(text, options_of("", "kinetic_energy,y"));
   const Result<ValueTable> values = state_values(checked, {});
@@ -145,7 +145,7 @@ TEST_CASE("an output without a value is an error beside the values of the others
   CHECK(values.diagnostics[0].message == "`y` has no value at this state");
 }
 
-/// The message of the one output without a value.
+/// The message for the only output without a value.
 std::string refused(const std::string& text, const std::string& state, const std::string& output) {
   const CheckedModel checked = checked_model(text, options_of(state, output));
   const Result<ValueTable> values = state_values(checked, {});
@@ -153,7 +153,7 @@ std::string refused(const std::string& text, const std::string& state, const std
   return values.diagnostics[0].message;
 }
 
-TEST_CASE("an output that no digits tell is an error of its own words") {
+TEST_CASE("an output that no precision decides has its own error") {
   const std::string text = block + "[[output]]\nname = \"y\"\nvalue = \"1 - cos(x^4)\"\n";
   CHECK(evaluated(text, options_of("x=1e-25", "y"))["values"][0]["value"][0] ==
         Approx(5e-201).epsilon(1e-15));
@@ -162,7 +162,7 @@ TEST_CASE("an output that no digits tell is an error of its own words") {
         "number in them is too large");
 }
 
-TEST_CASE("a spring of length 0 has no force at its anchor, and vectors leave the state out") {
+TEST_CASE("a spring of length 0 has no force at its anchor, and vectors omit that state") {
   const std::string spring = model_text("spring", R"toml(
 [[coordinate]]
 name = "x"
@@ -186,7 +186,7 @@ V = "F*sqrt(x^2 + y^2)"
   CHECK(records[2]["state"] == "start");
 }
 
-TEST_CASE("what cancels in 1e100 is seen, and the rest is 0") {
+TEST_CASE("terms that cancel at 1e100 keep their difference, and exact zeros are 0") {
   const std::string text = model_text("large", R"toml(
 [[coordinate]]
 name = "x"

@@ -1,4 +1,4 @@
-// Values and vectors of models, for tests of both.
+// Values and vectors of models for their tests.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -31,7 +31,7 @@ inline SceneOptions options_of(const std::string& state, const std::string& outp
   return options;
 }
 
-/// The record of a function as JSON, at the state of these options.
+/// The values at the state of these options, as JSON.
 inline Json evaluated(const std::string& text, const SceneOptions& given,
                       const StateOptions& how = {}) {
   const CheckedModel checked = checked_model(text, given);
@@ -40,7 +40,7 @@ inline Json evaluated(const std::string& text, const SceneOptions& given,
   return Json::parse(to_json(*values));
 }
 
-/// Derived, with vectors of it.
+/// Derives a model and computes its test vectors.
 class Vectors {
  public:
   explicit Vectors(const std::string& text, const VectorOptions& options = {},
