@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -202,8 +203,42 @@ Places latex_commands(const SourceTree& tree) {
       R"(^(?! *//).*\\(frac|sqrt|left|right|text|mathrm|mathbf|dot|ddot|partial|cdot)\b)");
 }
 
+/// Lower-case words with one space around each; other characters become spaces.
+std::string words_of(const std::string& text) {
+  std::string words = " ";
+  for (const char c : text) {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      words += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (words.back() != ' ') {
+      words += ' ';
+    }
+  }
+  return words + ' ';
+}
+
+bool has_noun_clause(const std::string& comment) {
+  static const std::regex opening(R"([/!]?<? (Of|That of|Those|What)\b)");
+  constexpr std::array phrases{" but for ", " of which ", " those that ",   " likewise ",
+                               " of what ", " that of ",  " stands there ", " stands beside "};
+  const std::string words = words_of(comment);
+  return std::regex_search(comment, opening, std::regex_constants::match_continuous) ||
+         std::any_of(phrases.begin(), phrases.end(),
+                     [&](const char* phrase) { return mentions(words, phrase); });
+}
+
+/// Unlike other rules, this one counts the tests too.
 Places noun_clauses(const SourceTree& tree) {
-  return matching_lines(tree, "//", R"(//[/!]?<? (Of|That of|Those|What)\b)");
+  Places found;
+  for (const auto& [path, text] : tree) {
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(text)) {
+      ++number;
+      const std::size_t start = line.find("//");
+      if (start == std::string::npos || !has_noun_clause(line.substr(start + 2))) continue;
+      found.push_back(path + ":" + std::to_string(number) + ": " + line.substr(indent_of(line)));
+    }
+  }
+  return found;
 }
 
 struct Rule {

@@ -102,17 +102,32 @@ TEST_CASE("the reason of a numeric constant is on its line, or above its group o
         std::vector<std::string>{"src/first/a.cpp:1: constexpr int a = 3;"});
 }
 
-TEST_CASE("comparisons with a language, generators and noun clauses are counted by line") {
+TEST_CASE("comparisons with a language, generators and LaTeX are counted by line") {
   CHECK(places_of("languages", "row(LanguageId::cpp);\nif (id != LanguageId::cpp) return;\n") ==
         std::vector<std::string>{"src/first/a.cpp:2: if (id != LanguageId::cpp) return;"});
   CHECK(places_of("randoms", "// Random points(3)\nvoid f(Random& r);\nRandom r(seed);\n") ==
         std::vector<std::string>{"src/first/a.cpp:3: Random r(seed);"});
   CHECK(places_of("latex", "// \\frac{1}{2}\nread(\"\\\\dot{q}\");\nread(\"q\\n\");\n") ==
         std::vector<std::string>{"src/first/a.cpp:2: read(\"\\\\dot{q}\");"});
+}
+
+TEST_CASE("noun clauses are counted at the start of a comment, and phrases anywhere in it") {
   CHECK(
       places_of("noun-clauses", "// Whatever it is.\n/// What is left.\nint n;  ///< Of one.\n") ==
       std::vector<std::string>{"src/first/a.cpp:2: /// What is left.",
                                "src/first/a.cpp:3: int n;  ///< Of one."});
+  CHECK(places_of("noun-clauses",
+                  "f(\"likewise\");\n// It stops; but forces act, likewise.\n"
+                  "// A pole (but for one).\n// A pole, but forced.\n") ==
+        std::vector<std::string>{"src/first/a.cpp:2: // It stops; but forces act, likewise.",
+                                 "src/first/a.cpp:3: // A pole (but for one)."});
+}
+
+TEST_CASE("noun clauses of tests are counted") {
+  const SourceTree tree{{"src/layers.txt", "first :\n"},
+                        {"src/first/a.cpp", "int n;\nint m;\n"},
+                        {"tests/first/b.cpp", "int n;\n// Those of a.\n"}};
+  CHECK(broken_ratchets(tree, rows_with("noun-clauses", 1)).empty());
 }
 
 TEST_CASE("a class of 13 members or 21 methods is large, a struct of data is not") {
