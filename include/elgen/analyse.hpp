@@ -241,7 +241,7 @@ enum class ClaimStatus : std::uint8_t {
 
 /// The verdict on an [[equilibrium]]: bias(q, 0) = B u at the point, and det(x M - K)/det M is the
 /// product of x - w^2 over its frequencies.
-struct JudgedEquilibrium {
+struct EquilibriumVerdict {
   std::string name = {};
   ClaimStatus balance = ClaimStatus::open;
   std::optional<ClaimStatus> frequencies = {};  ///< none: the model states no frequencies
@@ -250,7 +250,7 @@ struct JudgedEquilibrium {
 
 /// One verdict per [[equilibrium]], in the order of the model. Empty if a scene expands the
 /// equations or a function is open.
-[[nodiscard]] std::vector<JudgedEquilibrium> judge_equilibria(const CheckedModel& checked,
-                                                              const Program& recursive);
+[[nodiscard]] std::vector<EquilibriumVerdict> check_equilibria(const CheckedModel& checked,
+                                                               const Program& recursive);
 
 }  // namespace elgen

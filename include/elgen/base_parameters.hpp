@@ -21,7 +21,7 @@
 namespace elgen {
 
 /// factor pi_parameter
-struct WeighedParameter {
+struct WeightedParameter {
   std::uint32_t parameter = 0;
   cln::cl_R factor = 1;
 };
@@ -29,7 +29,7 @@ struct WeighedParameter {
 /// A kept column: value = pi_parameter + the sum of `others`.
 struct BaseParameter {
   std::uint32_t parameter = 0;
-  std::vector<WeighedParameter> others = {};
+  std::vector<WeightedParameter> others = {};
   cln::cl_R value = 0;  ///< at the parameter values of the model
 };
 

@@ -32,12 +32,12 @@ struct OutputBase {
 
 /// `output` "" selects inverse_dynamics, or the first output if the scene lacks it. Notes on the
 /// model are among the diagnostics. Errors: E601, E606, E630, E633, and the errors of check().
-[[nodiscard]] Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
-                                             const std::vector<SourcePointer>& ranges,
-                                             const Limits& limits);
+[[nodiscard]] Result<OutputBase> read_output_base(const Inputs& inputs, const std::string& output,
+                                                  const std::vector<SourcePointer>& ranges,
+                                                  const Limits& limits);
 
 /// Removes all other outputs from the scene and the program. A lock may have added its reaction.
-void keep_only(const std::vector<std::string>& outputs, Products& products);
+void keep_outputs(const std::vector<std::string>& outputs, Products& products);
 
 struct DesignRequest {
   Inputs inputs = {};
@@ -53,8 +53,8 @@ struct MeasuredTable {
 
 /// Warnings of the model are among the diagnostics. Errors: E601, E603, E630, E631, E633, E644,
 /// E645, E704, and the errors of the pipeline.
-[[nodiscard]] Result<MeasuredTable> measured_designs(const DesignRequest& request,
-                                                     const BenchProcess& process);
+[[nodiscard]] Result<MeasuredTable> measure_designs(const DesignRequest& request,
+                                                    const BenchProcess& process);
 
 struct RunRequest {
   Inputs inputs = {};
@@ -66,7 +66,7 @@ struct RunRequest {
 /// the model are among the diagnostics. A sentence of the table names the methods that do not fit
 /// the system. Errors: E621, E623, E624 of the reference run, and the errors of the pipeline. Cost:
 /// one derivation and one compilation for each method and order.
-[[nodiscard]] Result<MeasuredTable> measured_runs(const RunRequest& request,
-                                                  const BenchProcess& process);
+[[nodiscard]] Result<MeasuredTable> measure_runs(const RunRequest& request,
+                                                 const BenchProcess& process);
 
 }  // namespace elgen

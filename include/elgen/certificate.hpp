@@ -91,7 +91,7 @@ struct VerifyOptions {
   /// sums.
   bool extremes = false;
   /// The verdicts on every [[equilibrium]]; may be null.
-  const std::vector<JudgedEquilibrium>* claims = nullptr;
+  const std::vector<EquilibriumVerdict>* claims = nullptr;
   /// Is called with each step: "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
 };
@@ -128,9 +128,9 @@ struct SelfCheck {
   /// Lost digits of the worst entry, inside the ranges; none if no state determines them.
   std::optional<double> digits_lost = {};
   std::string failure = {};  ///< empty: passed; otherwise the output, the state and both values
-  std::size_t sampled_zeros = 0;   ///< entries that depend on zeros without a proof
-  std::size_t outside = 0;         ///< states at which oracle and program both have no value
-  bool lacks_value = false;        ///< the failure: an output has no value at any state
+  std::size_t sampled_zeros = 0;      ///< entries that depend on zeros without a proof
+  std::size_t outside = 0;            ///< states at which oracle and program both have no value
+  bool has_undefined_output = false;  ///< the failure: an output has no value at any state
   std::optional<Span> place = {};  ///< in that case: the first of its expressions without a value
   std::string remedy = {};         ///< in that case: a hint
   std::size_t inside = 0;          ///< states visited inside the ranges

@@ -39,7 +39,7 @@ struct FormCosts {
   /// recursive form keeps its digits (choose/text_errors.hpp).
   std::optional<std::size_t> inaccurate = {};
   Form chosen = Form::recursive;
-  bool is_asked_for = false;  ///< the scene demands this form at any cost
+  bool is_demanded = false;  ///< the scene demands this form at any cost
 };
 
 struct Choice {
@@ -65,7 +65,8 @@ enum class Reader : std::uint8_t {
 
 /// Replaces functions by their closed forms if these are short enough: for code in `functions`, for
 /// people in `readable`. Unlike choose() it ignores costs and lost digits of the recursive form.
-[[nodiscard]] Program written(Program program, Reader reader, const PresentBudget& budget = {});
+[[nodiscard]] Program with_closed_forms(Program program, Reader reader,
+                                        const PresentBudget& budget = {});
 
 /// V and its derivatives (PotentialEquations), each in one form.
 struct RewrittenPotential {
@@ -77,9 +78,9 @@ struct RewrittenPotential {
 /// the zeros of sums or costs less. None if V and its derivatives equal their text or their closed
 /// form, or if the scene prefers speed. Cost: choose() up to eighteen times if typed sums lose
 /// digits.
-[[nodiscard]] std::optional<RewrittenPotential> rewritten_potential(const Program& potential,
-                                                                    const Domain& domain,
-                                                                    const Scene& scene);
+[[nodiscard]] std::optional<RewrittenPotential> rewrite_potential(const Program& potential,
+                                                                  const Domain& domain,
+                                                                  const Scene& scene);
 
 /// The domain of functions that read V and its derivatives as open values after the model's own
 /// ones.
@@ -89,7 +90,7 @@ struct RewrittenPotential {
 /// such a value then replace their counterparts in `choice`; readable forms stay. Nothing changes
 /// if a function would lose digits that it keeps now, for example if V cancels the weight of
 /// bodies.
-void put_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
-                   Choice& choice);
+void insert_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
+                      Choice& choice);
 
 }  // namespace elgen

@@ -112,7 +112,7 @@ struct PresentBudget {
                                              const PresentBudget& budget = {});
 
 /// True if present_for_proofs() rewrites a function that is an opaque atom for present().
-[[nodiscard]] bool is_taken_apart(FunctionId function);
+[[nodiscard]] bool is_rewritten_for_proofs(FunctionId function);
 
 /// The sums of a program that may stay unexpanded, each a function of one entry, without
 /// duplicates: bases of powers; arguments of roots, of quotients and of functions other than sin,
@@ -128,7 +128,7 @@ struct PresentBudget {
                                   const PresentBudget& budget = {});
 
 /// True if x = y is proved: x - y is the empty sum. False proves nothing if roots or calls occur.
-[[nodiscard]] bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
+[[nodiscard]] bool is_proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
 
 /// True if no algebraic relation joins atoms of this kind: leaves, pi, and e^(i m/12) of their
 /// monomials m. Closed forms do not know the relations of e^(i m/24), roots, and e^(ix) of
@@ -145,8 +145,8 @@ enum class ZeroProof : std::uint8_t {
 /// Proves entries to be 0 by their closed forms, or else by their forms for proofs, in the order of
 /// the fields. A form over budget proves nothing. Cost: one closed form per entry, at most two,
 /// within `budget`.
-[[nodiscard]] std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
-                                                  const PresentBudget& budget = {});
+[[nodiscard]] std::vector<ZeroProof> prove_zeros(const Program& program, Function function,
+                                                 const PresentBudget& budget = {});
 
 /// dq/dt of every coordinate; empty if the model has no rotation, since dq/dt = v then.
 [[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);

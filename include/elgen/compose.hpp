@@ -24,9 +24,9 @@ inline constexpr std::string_view rate_part = "rates";
 
 /// From this number of velocities on, these outputs are composed. With fewer velocities they are
 /// written out and have closed forms.
-inline constexpr std::size_t least_of_composed = 10;
+inline constexpr std::size_t min_composed_velocities = 10;
 
 /// The same program; every function of parts is replaced by its output.
-[[nodiscard]] Program composed(Program program);
+[[nodiscard]] Program compose_outputs(Program program);
 
 }  // namespace elgen

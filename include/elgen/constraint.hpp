@@ -43,9 +43,8 @@ struct Constraint {
 /// Empty for a row of `equation`, and if no row remains.
 ///
 ///     coincide = ["P", "Q"], y   ->   "`equation = ["x(P) = x(Q)", "z(P) = z(Q)"]` is enough"
-[[nodiscard]] std::string equations_instead(const std::vector<Constraint>& rows,
-                                            const std::vector<bool>& without,
-                                            const Constraint& row);
+[[nodiscard]] std::string equation_hint(const std::vector<Constraint>& rows,
+                                        const std::vector<bool>& without, const Constraint& row);
 
 inline constexpr std::uint32_t quaternion_size = 4;
 inline constexpr std::uint32_t axis_count = 3;
@@ -92,10 +91,10 @@ struct Variant {
 };
 
 /// The new positions of the entries of a list after some entries are removed.
-class PlacesLeft {
+class RemainingPositions {
  public:
   /// Nothing is removed yet.
-  explicit PlacesLeft(std::size_t size) : places_(size, 0) { remove(0, 0); }
+  explicit RemainingPositions(std::size_t size) : places_(size, 0) { remove(0, 0); }
 
   void remove(std::uint32_t first, std::uint32_t count) {
     std::uint32_t next = 0;
@@ -112,7 +111,7 @@ class PlacesLeft {
 
   /// Erases the removed entries from a list.
   template <class List>
-  void thin(List& list) const {
+  void erase_removed(List& list) const {
     List left;
     for (std::size_t i = 0; i < list.size(); ++i) {
       if (places_[i]) left.push_back(std::move(list[i]));
@@ -122,7 +121,7 @@ class PlacesLeft {
 
   /// The list at its old size, with 0 for each removed entry.
   template <class List>
-  [[nodiscard]] List spread(const List& left) const {
+  [[nodiscard]] List with_zeros(const List& left) const {
     List list(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
       if (places_[i]) list[i] = left[*places_[i]];
@@ -135,10 +134,10 @@ class PlacesLeft {
 };
 
 /// The new positions of the entries of q, v and u after variables are removed.
-struct VariablesLeft {
-  PlacesLeft coordinates;
-  PlacesLeft velocities;
-  PlacesLeft inputs = PlacesLeft(0);
+struct RemainingVariables {
+  RemainingPositions coordinates;
+  RemainingPositions velocities;
+  RemainingPositions inputs = RemainingPositions(0);
 
   void remove(const Held& variable) {
     coordinates.remove(variable.coordinate, variable.coordinate_count());

@@ -78,10 +78,10 @@ struct KeyChange {
                                                   const Renames& renames = {});
 
 enum class EntryVerdict : std::uint8_t {
-  identical,       ///< the same instructions
-  equal,           ///< different instructions, equal values
-  not_told_apart,  ///< undecided: equal at all points, but with roots or kinks, so that points
-                   ///< prove nothing
+  identical,  ///< the same instructions
+  equal,      ///< different instructions, equal values
+  undecided,  ///< undecided: equal at all points, but with roots or kinks, so that points
+              ///< prove nothing
   different,
   added,
   removed,
@@ -99,7 +99,7 @@ struct EntryChange {
   std::string unit = {};   ///< of the entry; "" if unknown
   EntryVerdict verdict = EntryVerdict::identical;
   bool is_proved = false;       ///< `equal` is proved by the closed form of the difference
-  bool is_told_apart = true;    ///< false if the entry is undecided only because a proof is missing
+  bool is_certain = true;       ///< false if the entry is undecided only because a proof is missing
   std::string before = {};      ///< closed form; "" if there is none
   std::string after = {};       ///< that is short enough to read
   std::string difference = {};  ///< after - before
@@ -165,7 +165,7 @@ struct SystemChange {
   std::vector<OutputChange> outputs = {};
   std::vector<InterfaceChange> interface = {};
   std::optional<std::vector<OperationsChange>> operations = {};  ///< none: unknown
-  bool is_told_apart = true;  ///< false if some entries are equal only at points
+  bool is_certain = true;  ///< false if some entries are equal only at points
   /// If `extended`: values of the new parameters at which all entries equal the old ones.
   std::string extension = {};
   /// Entries of [[expect]] that held before and fail now: "gravity[2,1]".

@@ -21,7 +21,7 @@ struct FieldEquations {
 struct OutputEquations {
   OutputRequest request = {};
   std::vector<FieldEquations> fields = {};
-  ExpressionMap<std::string> told = {};  ///< names of definitions, by their symbols
+  ExpressionMap<std::string> value_names = {};  ///< names of definitions, by their symbols
   /// For a function of parts (elgen/compose.hpp): the velocities in the order in which M is
   /// eliminated.
   std::vector<std::uint32_t> elimination = {};
@@ -34,7 +34,7 @@ struct EquationsOfMotion {
   std::vector<OutputEquations> outputs = {};  ///< in the order of the scene; without `dynamics`
   /// Forward dynamics by articulated bodies, over its own definitions, if that may be shorter. If
   /// it is shorter for every M, `outputs` does not contain forward dynamics.
-  std::vector<EquationsOfMotion> other_routes = {};
+  std::vector<EquationsOfMotion> alternatives = {};
 };
 
 /// Derives every requested output. The headers of src/derive/ explain the mechanics.

@@ -26,7 +26,7 @@ struct StatedLeaf {
 /// not listed follow from the rates.
 struct StatedState {
   std::vector<StatedLeaf> leaves = {};
-  cln::cl_R within = 0;  ///< tolerance of an entry, relative to the largest entry
+  cln::cl_R tolerance = 0;  ///< tolerance of an entry, relative to the largest entry
 };
 
 /// One [[expect]] line: the closed form of every entry of an output's field, row-major. Repetitions
@@ -50,7 +50,7 @@ struct Expectation {
   /// True if the entries are constants of motion, not entries of an output.
   [[nodiscard]] bool is_conserved() const { return output == "conserved"; }
   /// True if the entries vanish along the motion.
-  [[nodiscard]] bool are_equations() const { return output == "equations"; }
+  [[nodiscard]] bool is_equations() const { return output == "equations"; }
 };
 
 }  // namespace elgen

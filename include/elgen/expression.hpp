@@ -44,7 +44,7 @@ enum FrameComponent : std::uint32_t {
   frame_rotation = 0,  ///< Frame::rotation, row-major
   frame_origin = 9,
   frame_angular_velocity = 12,
-  frame_turning = 15,  ///< Frame::turning
+  frame_recursive_spin = 15,  ///< Frame::turning
   components_per_frame = 18,
 };
 

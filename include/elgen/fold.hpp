@@ -15,8 +15,8 @@ namespace elgen {
 
 /// The value of one instruction from the `values` of its operands, by index.
 template <class Rules, class Values>
-[[nodiscard]] auto folded(Rules&& rules, const Program& program, const Instruction& i,
-                          const Values& values) {
+[[nodiscard]] auto fold_instruction(Rules&& rules, const Program& program, const Instruction& i,
+                                    const Values& values) {
   switch (i.opcode) {
     case Opcode::constant:
       return rules.constant(program.constants[i.a]);
@@ -49,7 +49,7 @@ template <class Value, class Rules>
   std::vector<Value> values;
   values.reserve(function.instructions.size());
   for (const Instruction& i : function.instructions) {
-    values.push_back(folded(rules, program, i, values));
+    values.push_back(fold_instruction(rules, program, i, values));
   }
   return values;
 }

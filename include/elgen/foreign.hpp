@@ -37,7 +37,7 @@ struct ForeignOptions {
 /// repeats this. The scene must contain the outputs. E601: a name is not one output or field. E603:
 /// `dynamics`, which only repeats other outputs. E716: the function cannot be called. Cost: the
 /// oracle at each state; for wrong results, once more for each of up to 300 conventions.
-[[nodiscard]] Result<Verification> judge_foreign(const CheckedModel& checked,
-                                                 const ForeignOptions& options);
+[[nodiscard]] Result<Verification> compare_foreign_code(const CheckedModel& checked,
+                                                        const ForeignOptions& options);
 
 }  // namespace elgen

@@ -23,7 +23,7 @@ struct ForeignAnswers {
   /// Why further states are missing, or how the code fails after the last one; empty: none missing.
   std::string failure = {};
   /// Its output on stderr (of a library also on stdout), as lines of a message: ":\n    Traceback".
-  std::string said = {};
+  std::string error_output = {};
 };
 
 /// The results of the function at each state, which should be fields of `output` in order. It takes

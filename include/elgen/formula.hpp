@@ -72,7 +72,7 @@ using Formulas = std::vector<Formula>;
 /// A symbol with its name. `is_long`: it needs brackets in powers, for example V'(r).
 [[nodiscard]] Formula symbol_formula(std::string name, Glyphs glyphs, bool is_long = false);
 /// A formula in LaTeX, as in tables. Its text is an ASCII drawing on one line.
-[[nodiscard]] Formula typed_formula(std::string_view latex);
+[[nodiscard]] Formula latex_formula(std::string_view latex);
 
 [[nodiscard]] Formula pi_formula();
 
@@ -86,7 +86,7 @@ using Formulas = std::vector<Formula>;
 [[nodiscard]] Formula power_of(Formula base, Formula exponent);
 [[nodiscard]] Formula root_of(Formula radicand);
 [[nodiscard]] Formula call_of(FunctionId function, Formulas arguments);
-[[nodiscard]] Formula either_sign(Formula x);
+[[nodiscard]] Formula plus_minus(Formula x);
 [[nodiscard]] Formula bars(Formula x);
 [[nodiscard]] Formula group(Formula x);
 [[nodiscard]] Formula relation(Formula left, Formula right, std::string sign = "=");

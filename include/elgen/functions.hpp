@@ -29,7 +29,7 @@ enum class FunctionDomain : std::uint8_t { all, up_to_one, above_zero, above_min
 enum class FunctionUnits : std::uint8_t { pure, kept, shared, ratio, ignored };
 
 /// The limits of f(x) for x -> -infinity and x -> +infinity; they may be infinite.
-struct FarValues {
+struct LimitsAtInfinity {
   double left;
   double right;
 };
@@ -45,7 +45,7 @@ struct FunctionRow {
   std::string_view latex;     ///< "\\sin"
   int exact_at;
   int exact_value;
-  std::optional<FarValues> far_values;
+  std::optional<LimitsAtInfinity> limits_at_infinity;
   FunctionId id = {};
   std::string_view name = {};
   std::size_t arity = 0;
@@ -74,12 +74,12 @@ struct FunctionRow {
 }
 
 /// The function with the same growth for large |x|: stumpff(x, k) with k < 0 grows like cosh(x).
-[[nodiscard]] constexpr FunctionId far_out(FunctionId id, bool has_negative_order) {
+[[nodiscard]] constexpr FunctionId growth_function(FunctionId id, bool has_negative_order) {
   return id == FunctionId::stumpff && has_negative_order ? FunctionId::cosh : id;
 }
 
 /// The special name of stumpff(x, k); "" if k has none.
-[[nodiscard]] inline std::string_view name_of_order(const cln::cl_RA& k) {
+[[nodiscard]] inline std::string_view stumpff_name(const cln::cl_RA& k) {
   return k == 1 ? "sinc" : k == 2 ? "cosc" : "";
 }
 

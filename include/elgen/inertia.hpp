@@ -14,6 +14,6 @@ using InertiaTensor = std::array<cln::cl_R, 6>;
 /// x^T dm are positive semidefinite. Each principal inertia is then non-negative and at most the
 /// sum of the other two. The diagonal of S is first raised by 1/1000 of the trace, because inertias
 /// rounded to three digits may violate the condition for thin plates.
-[[nodiscard]] bool is_of_a_body(const InertiaTensor& inertia);
+[[nodiscard]] bool is_physical_inertia(const InertiaTensor& inertia);
 
 }  // namespace elgen

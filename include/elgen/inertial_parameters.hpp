@@ -58,11 +58,11 @@ struct CoupledParameters {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
 };
-[[nodiscard]] std::optional<CoupledParameters> coupled_in(
+[[nodiscard]] std::optional<CoupledParameters> find_coupled_parameters(
     const Model& model, ExpressionId expression, const std::vector<std::uint32_t>& parameters);
 
 /// The parameters in order that occur in D, in no other root of the equations, and in which D is
 /// jointly affine.
-[[nodiscard]] std::vector<std::uint32_t> parameters_of_friction(const Model& model);
+[[nodiscard]] std::vector<std::uint32_t> friction_parameters(const Model& model);
 
 }  // namespace elgen

@@ -23,8 +23,8 @@ namespace elgen {
 /// The exact states of rest at which inspect() checks an [[equilibrium]]. Up to four parameter sets
 /// that meet its condition are tried, first the values of the model. Empty if no drawn set meets
 /// the condition, or if bias and B have no value there.
-[[nodiscard]] std::vector<State> sampled_equilibrium(const CheckedModel& checked,
-                                                     const Equilibrium& equilibrium);
+[[nodiscard]] std::vector<State> sample_equilibrium(const CheckedModel& checked,
+                                                    const Equilibrium& equilibrium);
 
 /// Computes the momenta of `[routh]`: the declared value, or the value at the start. E635: L
 /// depends on the coordinate at one of 8 sampled states, the momenta do not determine the rates, or
@@ -40,6 +40,6 @@ namespace elgen {
 [[nodiscard]] std::string quotient_hint(const Model& model, const State& state);
 
 /// The residuals of an assembly: "0.5 m of `loop_x`, 0.1 m of `loop_y"; f, or r if has_pose.
-[[nodiscard]] std::string what_is_left(const Model& model, const Assembly& at);
+[[nodiscard]] std::string residual_text(const Model& model, const Assembly& at);
 
 }  // namespace elgen

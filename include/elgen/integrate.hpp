@@ -28,15 +28,15 @@ namespace elgen {
 /// The outputs that a step calls, and the outputs that decide whether the method applies (M, p and
 /// bias if the system must be separable). midpoint calls fields of one `dynamics`, which shares
 /// their common subexpressions.
-[[nodiscard]] std::vector<OutputRequest> needed_for_step(const Model& model,
-                                                         const OutputRequest& step);
+[[nodiscard]] std::vector<OutputRequest> outputs_for_step(const Model& model,
+                                                          const OutputRequest& step);
 
 /// The reason why kick, drift, kick is not symplectic or not explicit; "" if it is both. The model
 /// has no rotations (E622 of the scene). `program` must contain mass_matrix, momentum and bias.
 /// Which leaves their instructions load decides.
-[[nodiscard]] std::string not_separable(const CheckedModel& checked, const Program& program);
+[[nodiscard]] std::string nonseparable_reason(const CheckedModel& checked, const Program& program);
 
-/// Appends the function of the request to `program`. `calls` has the outputs of needed_for_step()
+/// Appends the function of the request to `program`. `calls` has the outputs of outputs_for_step()
 /// in chosen forms. E622: the method does not apply to the system.
 [[nodiscard]] Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step,
                                    const Program& calls, Program& program);

@@ -65,8 +65,8 @@ struct SymbolPlace {
 };
 
 /// The physical meaning of the values that are being defined, for names of temporaries
-/// (derive/formulate/telling.hpp).
-struct Wording {
+/// (derive/formulate/name_scope.hpp).
+struct ValueMeaning {
   std::string kind = {};  ///< "moment"; "": no name
   std::string frame = {};
   std::string axis = {};
@@ -74,7 +74,7 @@ struct Wording {
 
 /// Names of definitions by their meaning when an output first used them: "moment_link5_y", then
 /// "moment_link5_y_2", … for further definitions with the same meaning.
-struct ToldDefinitions {
+struct ValueNames {
   ExpressionMap<std::string> names = {};   ///< by symbol
   std::map<std::string, int> counts = {};  ///< definitions with the same words
 };
@@ -84,8 +84,8 @@ struct Definitions {
   std::vector<Definition> list = {};
   ExpressionMap<SymbolPlace> places = {};      ///< of leaves and definitions
   ExpressionMap<GiNaC::ex> known_values = {};  ///< value -> symbol: each value is defined once
-  Wording wording = {};
-  ToldDefinitions told = {};  ///< for the output that is being derived
+  ValueMeaning meaning = {};
+  ValueNames value_names = {};  ///< for the output that is being derived
 };
 
 /// The name and origin of a new definition.
@@ -125,7 +125,7 @@ struct PointMass {
 
 /// The moments of inertia of a body outside frames, about the axes of its angular velocity w: adds
 /// 1/2 w.I w to T.
-struct TurningBody {
+struct RotatingBody {
   std::vector<GiNaC::ex> spin;     ///< w, or w_z
   std::vector<GiNaC::ex> inertia;  ///< xx yy zz xy xz yz, or zz
   Entity origin;
@@ -139,10 +139,10 @@ struct PointForce {
 
 using ExVector3 = std::array<GiNaC::ex, 3>;
 
-/// One elementary transform (see FrameStep): x_parent = R x + p, with R = 1 or p = 0.
-struct TreeStep {
-  std::optional<std::uint32_t> parent = {};  ///< the previous step; none: the world
-  FrameStepKind kind = FrameStepKind::translation;
+/// One elementary transform (see ElementaryTransform): x_parent = R x + p, with R = 1 or p = 0.
+struct TreeTransform {
+  std::optional<std::uint32_t> parent = {};  ///< the previous transform; none: the world
+  TransformKind kind = TransformKind::translation;
   ExVector3 vector;  ///< p in the axes of the parent, or the unit axis of the turn
   GiNaC::ex angle = 0;
   /// Of any length; for a rotation of the model a unit quaternion.
@@ -152,11 +152,11 @@ struct TreeStep {
   Entity origin = {};
 };
 
-/// A rigid body in the axes after a step: mass, com c, and inertia (xx yy zz xy xz yz, empty for a
-/// point) about the origin or about the com. About the com T = 1/2 m v_c^2 + 1/2 w.I w. About the
-/// origin T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w with h = m c.
+/// A rigid body in the axes after a transform: mass, com c, and inertia (xx yy zz xy xz yz, empty
+/// for a point) about the origin or about the com. About the com T = 1/2 m v_c^2 + 1/2 w.I w. About
+/// the origin T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w with h = m c.
 struct RigidBody {
-  std::optional<std::uint32_t> step = {};  ///< none: fixed to the world
+  std::optional<std::uint32_t> transform = {};  ///< none: fixed to the world
   GiNaC::ex mass = 0;
   ExVector3 com;
   std::vector<GiNaC::ex> inertia = {};
@@ -166,10 +166,10 @@ struct RigidBody {
   Entity origin = {};
 };
 
-/// A force through the point `at` (axes after `step`) and a moment, acting on the frame after
-/// `step`. Force and moment are in the axes after `axes` (none: the world).
+/// A force through the point `at` (axes after `transform`) and a moment, acting on the frame after
+/// `transform`. Force and moment are in the axes after `axes` (none: the world).
 struct Wrench {
-  std::optional<std::uint32_t> step = {};
+  std::optional<std::uint32_t> transform = {};
   std::optional<std::uint32_t> axes = {};
   ExVector3 at;
   ExVector3 force;
@@ -178,15 +178,15 @@ struct Wrench {
 
 /// The frames as a tree of elementary transforms, parents first, with their bodies and wrenches.
 struct FrameTree {
-  std::vector<TreeStep> steps = {};
+  std::vector<TreeTransform> transforms = {};
   std::vector<RigidBody> bodies = {};
   std::vector<Wrench> wrenches = {};
 };
 
-/// The twist of the frame after a step: its angular velocity, and the velocity of its origin.
+/// The twist of the frame after a transform: its angular velocity, and the velocity of its origin.
 struct TwistOutput {
-  std::optional<std::uint32_t> step = {};  ///< none: the world, at rest
-  bool in_world = true;                    ///< in world axes, else in the axes after the step
+  std::optional<std::uint32_t> transform = {};  ///< none: the world, at rest
+  bool in_world = true;  ///< in world axes, else in the axes after the transform
 };
 
 struct NamedOutput {
@@ -216,7 +216,7 @@ struct Lagrangian;
 
 /// The source of the forces that hold locked coordinates: the Lagrangian in which these still move,
 /// and their motion. Both Lagrangians share one list of definitions.
-struct Holding {
+struct ReactionSource {
   std::shared_ptr<const Lagrangian> whole = {};
   ExpressionMap<GiNaC::ex> values = {};        ///< q, v, a -> functions of time
   std::vector<std::uint32_t> velocities = {};  ///< velocities of `whole` with `reaction`
@@ -265,14 +265,14 @@ struct Lagrangian {
   std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
   std::vector<PointForce> point_forces = {};
   /// Data of these terms for the regressor: J by velocity, 0 without an armature.
-  std::vector<TurningBody> turning_bodies = {};
+  std::vector<RotatingBody> rotating_bodies = {};
   std::vector<GiNaC::ex> armatures = {};
   std::vector<InertialParameter> inertial = {};  ///< of the model after held variables are removed
   FrameTree tree = {};  ///< for an expansion or R only its outputs are used
   std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};
   std::vector<GiNaC::ex> cyclic_rates = {};  ///< rates of the eliminated cyclic coordinates
-  std::optional<Holding> holding = {};       ///< if a reaction is an output
+  std::optional<ReactionSource> reaction_source = {};  ///< if a reaction is an output
   std::optional<Expansion> expansion = {};
   bool quadratic = true;
   bool eliminates_last_first = false;  ///< elimination order of M, see model/elimination.hpp

@@ -36,9 +36,9 @@ struct LeafNames : LeafValues<std::string> {
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
 
-/// Names the leaves of the kinds in `takes` with Passed::if_taken: a list like the velocities, a
+/// Names the leaves of the kinds in `takes` with Passed::if_used: a list like the velocities, a
 /// single leaf by its symbol.
-void name_taken(LeafSet takes, LeafNames& leaves);
+void name_optional_leaves(LeafSet takes, LeafNames& leaves);
 
 /// True if a coordinate, parameter, input, function, prescribed motion or definition has the name.
 [[nodiscard]] bool has_value_named(const Model& model, std::string_view name);

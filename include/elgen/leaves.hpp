@@ -105,7 +105,7 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
-/// True if emitted functions may take the kind. A list of the kinds if_any and if_taken is passed
+/// True if emitted functions may take the kind. A list of the kinds if_any and if_used is passed
 /// if it is not empty. h, the only single leaf among these, is always passed; check its name
 /// instead.
 template <class T>

@@ -121,15 +121,15 @@ struct NamedExpression {
 
 using Vector3 = std::array<ExpressionId, 3>;
 
-enum class FrameStepKind : std::uint8_t {
-  translation,  ///< by `vector`, in the axes after the previous step
+enum class TransformKind : std::uint8_t {
+  translation,  ///< by `vector`, in the axes after the previous transform
   turn,         ///< by `angle` about the unit axis `vector`
   quaternion,   ///< by `quaternion`, of any length except 0
 };
 
-/// One elementary transform. Each step of a frame is in the axes after the previous step.
-struct FrameStep {
-  FrameStepKind kind = FrameStepKind::translation;
+/// One elementary transform. Each transform of a frame is in the axes after the previous one.
+struct ElementaryTransform {
+  TransformKind kind = TransformKind::translation;
   Vector3 vector{};
   ExpressionId angle = 0;
   std::array<ExpressionId, 4> quaternion{};  ///< w, x, y, z
@@ -142,12 +142,12 @@ struct FrameStep {
 struct Frame {
   std::string name;
   std::string identifier;
-  std::optional<std::uint32_t> parent = {};  ///< none: the world
-  std::vector<FrameStep> steps = {};         ///< from the parent to the frame
-  std::array<ExpressionId, 9> rotation{};    ///< R, row-major
-  Vector3 origin{};                          ///< in the world
+  std::optional<std::uint32_t> parent = {};          ///< none: the world
+  std::vector<ElementaryTransform> transforms = {};  ///< from the parent to the frame
+  std::array<ExpressionId, 9> rotation{};            ///< R, row-major
+  Vector3 origin{};                                  ///< in the world
   Vector3 spin{};              ///< angular velocity in frame axes: [spin]x = R^T dR/dt
-  Vector3 turning{};           ///< the same vector, computed from the parent and the steps
+  Vector3 turning{};           ///< the same vector, computed from the parent and the transforms
   Vector3 angular_velocity{};  ///< in world axes: R turning
   std::string doc = {};
   Span span = {};
@@ -175,7 +175,7 @@ struct Point {
   std::optional<PlaceInFrame> local = {};  ///< if it is declared in a frame
   std::optional<ExpressionId> mass = {};
   std::vector<JoinedPlace> joined_to = {};  ///< for drawings only
-  bool is_on_springs = false;               ///< draws `joined_to` as springs, not rods
+  bool has_springs = false;                 ///< draws `joined_to` as springs, not rods
   bool is_named = true;  ///< false: an unnamed point at the origin of a frame, for a wrench
   std::string doc = {};
   Span span = {};
@@ -294,7 +294,7 @@ struct Approximation : StatedPoint {
   Span span = {};                ///< of `about`
 };
 
-inline constexpr std::uint32_t highest_order = 5;
+inline constexpr std::uint32_t max_expansion_order = 5;
 
 struct Model {
   SourcePointer source = {};
@@ -334,7 +334,8 @@ struct Model {
   /// replace locked variables, and 0 replaces cyclic ones. With `[routh]` the Lagrangian is R of
   /// the whole model.
   Variant variant = {};
-  std::vector<std::uint32_t> regressed = {};  ///< parameters in which the forces are jointly affine
+  std::vector<std::uint32_t> affine_parameters =
+      {};  ///< parameters in which the forces are jointly affine
 
   bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
   bool without_pivots = false;  ///< default of forward_dynamics; a scene may override it
@@ -357,7 +358,7 @@ std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
 std::uint32_t append_rotation(Model& model, Rotation rotation);
 
 /// The model before held variables are removed.
-[[nodiscard]] inline const Model& whole_of(const Model& model) {
+[[nodiscard]] inline const Model& whole_model(const Model& model) {
   return model.variant.whole ? *model.variant.whole : model;
 }
 
@@ -370,7 +371,7 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
 /// The new positions of the variables of the whole model after held ones are removed. Inputs that
 /// act only on locked variables are removed with their wrench, unless a wanted output contains
 /// them.
-[[nodiscard]] VariablesLeft variables_left(const Model& whole);
+[[nodiscard]] RemainingVariables remaining_variables(const Model& whole);
 
 /// True if the Lagrangian is Routh's function R: cyclic coordinates are eliminated.
 [[nodiscard]] inline bool has_routhian(const Model& model) {

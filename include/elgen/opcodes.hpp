@@ -69,10 +69,10 @@ inline constexpr std::size_t leaf_kind_count = leaf_kinds.size();
 
 /// When emitted functions take a kind of leaf.
 enum class Passed : std::uint8_t {
-  always,    ///< even an empty list
-  if_any,    ///< if the system has leaves of the kind
-  if_taken,  ///< if a function of the program takes the kind; only then do its leaves have names
-  never      ///< not in emitted functions: E occurs in `conserved`, multipliers in derivations
+  always,   ///< even an empty list
+  if_any,   ///< if the system has leaves of the kind
+  if_used,  ///< if a function of the program takes the kind; only then do its leaves have names
+  never     ///< not in emitted functions: E occurs in `conserved`, multipliers in derivations
 };
 
 /// The unit of a leaf: fixed, derived from the declared unit of its entry, or from expressions.
@@ -131,7 +131,7 @@ struct LeafRow : LeafText, LeafUse {
 [[nodiscard]] inline bool is_single(Opcode leaf) { return leaf_row(leaf).of == LeafOwner::system; }
 
 /// True if states contain the kind: functions take it, and it is no parameter.
-[[nodiscard]] inline bool is_of_state(Opcode leaf) {
+[[nodiscard]] inline bool is_in_state(Opcode leaf) {
   return leaf != Opcode::parameter && leaf_row(leaf).passed != Passed::never;
 }
 

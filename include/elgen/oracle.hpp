@@ -49,20 +49,20 @@ using OracleValues = std::optional<std::vector<cln::cl_R>>;
 /// Values whose first 60 digits stay when recomputed with more digits. A value is set to 0 if it is
 /// exactly 0. It is also set to 0 if it is pure rounding although the precision would reveal any
 /// non-zero value of such terms.
-struct SettledValues {
+struct StableValues {
   OracleValues values = {};
   /// False: the digits do not distinguish it from 0, or a number is too large.
-  bool is_told = true;
+  bool is_decided = true;
 };
-inline constexpr unsigned most_settled_digits = 2000;
+inline constexpr unsigned max_stable_digits = 2000;
 
 /// The entries of an output, by at least two evaluations.
-[[nodiscard]] SettledValues settled_values(const Model& model, const OutputRequest& output,
-                                           const State& state);
+[[nodiscard]] StableValues stable_values(const Model& model, const OutputRequest& output,
+                                         const State& state);
 
 /// The value of one expression, by at least two evaluations: one entry.
-[[nodiscard]] SettledValues settled_expression(const Model& model, ExpressionId expression,
-                                               const State& state);
+[[nodiscard]] StableValues stable_expression_value(const Model& model, ExpressionId expression,
+                                                   const State& state);
 
 /// d/ds of w.(M a + bias - B u) with dq/ds along x and dv/ds = y; a and u are constants of the
 /// state. w, x and y have one entry per velocity; for a rotation x is a rotation vector in body
@@ -100,7 +100,7 @@ struct Assembly {
 };
 
 /// Coordinates and rates that the assembly must not change, by velocity. Empty: it may change all.
-struct KeptStart {
+struct FixedVariables {
   std::vector<bool> positions = {};
   std::vector<bool> rates = {};
 };
@@ -108,7 +108,7 @@ struct KeptStart {
 /// Newton steps as in `projected` from a state, halved until the residuals shrink; then the rates
 /// are projected. None if an equation has no value at the state.
 [[nodiscard]] std::optional<Assembly> oracle_assembly(const Model& model, const State& state,
-                                                      const KeptStart& kept = {});
+                                                      const FixedVariables& kept = {});
 
 /// The assembled state; none if it does not satisfy the constraints.
 [[nodiscard]] std::optional<State> oracle_assembled(const Model& model, State state);
@@ -124,8 +124,10 @@ struct KeptStart {
 
 /// The derivative of an expression along a direction of all leaves. The expression contains no open
 /// function.
-[[nodiscard]] std::optional<cln::cl_R> oracle_slope(const Model& model, ExpressionId expression,
-                                                    const State& state, const State& direction);
+[[nodiscard]] std::optional<cln::cl_R> oracle_directional_derivative(const Model& model,
+                                                                     ExpressionId expression,
+                                                                     const State& state,
+                                                                     const State& direction);
 
 /// d/dt of an expression in q, v, t along the motion with acceleration state.a (for `conserved`). p
 /// and E in it follow from the motion, not from the state.
@@ -133,11 +135,12 @@ struct KeptStart {
                                                    const State& state);
 
 /// True if the parameters of a state meet a condition.
-[[nodiscard]] bool oracle_meets(const Model& model, const Condition& condition, const State& state);
+[[nodiscard]] bool oracle_satisfies(const Model& model, const Condition& condition,
+                                    const State& state);
 
 /// The state of rest at a stated point. `state` gives the parameters, and the coordinates that the
 /// point leaves free; inputs without a value are 0. None if a value is undefined.
-[[nodiscard]] std::optional<State> oracle_point(const Model& model, const StatedPoint& point,
-                                                State state);
+[[nodiscard]] std::optional<State> oracle_rest_state(const Model& model, const StatedPoint& point,
+                                                     State state);
 
 }  // namespace elgen

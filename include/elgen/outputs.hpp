@@ -59,7 +59,7 @@ enum class UnitRule : std::uint8_t {
 };
 
 /// A property of the model, the scene or an [[output]] that some outputs require.
-/// src/model/lacks.cpp checks the needs in this order and reports the first that is not met.
+/// src/model/unmet_needs.cpp checks the needs in this order and reports the first that is not met.
 enum class Need : std::uint8_t {
   quadratic,         ///< a Lagrangian that is at most quadratic in v
   energies,          ///< separate T and V
@@ -172,7 +172,7 @@ struct FieldRow {
 }
 
 /// True if a single entry is a number, not a list of one: its row has no name.
-[[nodiscard]] constexpr bool may_be_number(const FieldRow& field) {
+[[nodiscard]] constexpr bool may_be_scalar(const FieldRow& field) {
   const bool is_of_user = field.rows == Extent::user || field.rows == Extent::task;
   return (is_of_user || field.rows == Extent::one) && !has_columns(field);
 }
@@ -183,16 +183,16 @@ struct OutputRow {
   Notation symbol = {};
   LeafSet takes = {};  ///< arguments in addition to parameters, q and (if it occurs) t
   bool takes_parameters_alone = false;
-  bool is_of_mass = false;     ///< also takes v if L is not quadratic in v
-  bool takes_drifted = false;  ///< states need not satisfy the constraints
+  bool is_of_mass = false;         ///< also takes v if L is not quadratic in v
+  bool takes_unprojected = false;  ///< states need not satisfy the constraints
   std::span<const FieldRow> fields = {};
   Notation equation = {};
-  Notation turning_equation = {};               ///< with rotations; empty: `equation`
-  Notation constrained_equation = {};           ///< with constraints; empty: `equation`
-  std::string_view definition = {};             ///< by other outputs, in LaTeX, for pages
-  std::string_view undrifting_definition = {};  ///< the same if `drift` is 0
-  std::string_view doc = {};                    ///< one sentence
-  std::string_view constrained_doc = {};        ///< with constraints; empty: `doc`
+  Notation rotation_equation = {};             ///< with rotations; empty: `equation`
+  Notation constrained_equation = {};          ///< with constraints; empty: `equation`
+  std::string_view definition = {};            ///< by other outputs, in LaTeX, for pages
+  std::string_view driftless_definition = {};  ///< the same if `drift` is 0
+  std::string_view doc = {};                   ///< one sentence
+  std::string_view constrained_doc = {};       ///< with constraints; empty: `doc`
   std::string_view doc_without_pivots = {};
   std::string_view constrained_doc_without_pivots = {};
   SetOf<Need> needs = {};
@@ -206,13 +206,13 @@ struct OutputRow {
   bool by_name = false;          ///< only given if a scene names it
   bool of_user = false;          ///< exists for every [[output]] of a model
   std::string_view suffix = {};  ///< appended to the name of the [[output]]
-  bool repeats = false;          ///< a struct of all chosen outputs that take neither a nor u
+  bool is_summary = false;       ///< a struct of all chosen outputs that take neither a nor u
   bool steps = false;            ///< composed by the method of the scene, not derived
 };
 
 /// True if it has equations to read and is not composed from other outputs.
 [[nodiscard]] constexpr bool has_equations(const OutputRow& output) {
-  return !output.repeats && !output.steps;
+  return !output.is_summary && !output.steps;
 }
 
 /// True for the value of an [[output]], false for its Jacobian, bias or derivatives.
@@ -222,7 +222,7 @@ struct OutputRow {
 
 /// True if only scenes that name it get it: steps need a method, and functions of momenta replace
 /// functions of velocities.
-[[nodiscard]] constexpr bool is_named_only(const OutputRow& output) {
+[[nodiscard]] constexpr bool is_only_by_name(const OutputRow& output) {
   return output.steps || output.by_name || output.takes.has_any(Opcode::momentum);
 }
 

@@ -45,7 +45,7 @@ inline constexpr std::array goal_names{
   return goal_names[static_cast<std::size_t>(goal)];
 }
 /// None if no stage has the name.
-[[nodiscard]] std::optional<Goal> goal_named(std::string_view name);
+[[nodiscard]] std::optional<Goal> find_goal(std::string_view name);
 
 /// A row of analyses.def, for stages and commands.
 struct AnalysisRow {
@@ -104,7 +104,7 @@ struct Products {
 #define ELGEN_ANALYSIS(id, name, source, Found, ...) std::optional<Found> id = {};
 #include "elgen/analyses.def"
   /// Verdicts on [[equilibrium]] entries.
-  std::optional<std::vector<JudgedEquilibrium>> claims = {};
+  std::optional<std::vector<EquilibriumVerdict>> claims = {};
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};
   Diagnostics diagnostics = {};
@@ -118,7 +118,8 @@ struct Products {
 
 /// The times of the stages from `formulate` to `choose` for one output, by its position in the
 /// scene.
-[[nodiscard]] std::vector<StageTime> times_alone(const CheckedModel& checked, std::size_t output,
-                                                 const Limits& limits);
+[[nodiscard]] std::vector<StageTime> stage_times_of_output(const CheckedModel& checked,
+                                                           std::size_t output,
+                                                           const Limits& limits);
 
 }  // namespace elgen

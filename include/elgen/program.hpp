@@ -55,14 +55,14 @@ struct InstructionHash {
 }
 
 /// The same operation with its operands renumbered by `places`.
-[[nodiscard]] Instruction with_operands(Instruction instruction,
-                                        const std::vector<std::uint32_t>& places);
+[[nodiscard]] Instruction renumber_operands(Instruction instruction,
+                                            const std::vector<std::uint32_t>& places);
 
 /// The prefix of names that only temporaries may have, from the derivation: "~moment_link5_y".
-inline constexpr char told_mark = '~';
+inline constexpr char intermediate_mark = '~';
 
-/// Names a value that has no name. A name with told_mark gives way to one without it.
-void take_name(std::string& known, const std::string& name);
+/// Names a value that has no name. A name with intermediate_mark gives way to one without it.
+void merge_name(std::string& known, const std::string& name);
 
 struct Field {
   std::string name = {};  ///< "" for outputs of one field
@@ -93,8 +93,8 @@ struct Function {
   /// Name of each instruction ("sin_theta", "~moment_link5_y"), or "". Parallel to instructions.
   std::vector<std::string> names = {};
   std::vector<Field> fields = {};
-  /// Entries, numbered over all fields, that contain a zero without proof, found at `zero_points`
-  /// random points.
+  /// Entries, numbered over all fields, that contain a zero without proof, found at
+  /// `zero_sample_count` random points.
   std::vector<std::uint32_t> sampled_zeros = {};
   /// Entries, numbered over all fields, whose code differs from the readable form, which loses
   /// digits in cancelling sums.
@@ -115,10 +115,10 @@ struct Function {
 }
 
 /// The number of the first repeated instruction; the number of instructions if none is repeated.
-[[nodiscard]] std::size_t first_repeated(const Function& function);
+[[nodiscard]] std::size_t first_repeated_instruction(const Function& function);
 
 /// Points at which a value has to vanish before it counts as zero.
-inline constexpr std::size_t zero_points = 64;
+inline constexpr std::size_t zero_sample_count = 64;
 
 /// The number of entries of all fields.
 [[nodiscard]] std::size_t entry_count(const Function& function);
@@ -153,8 +153,7 @@ struct Program {
 
 /// The operations of each instruction if it is expanded over the leaves, at most `most` + 1. The
 /// size may double with every level.
-[[nodiscard]] std::vector<std::size_t> written_out_sizes(const Function& function,
-                                                         std::size_t most);
+[[nodiscard]] std::vector<std::size_t> expanded_sizes(const Function& function, std::size_t most);
 
 /// The operations that one call executes. Subtractions count as add, different angles of sines and
 /// cosines as sincos, negations as nothing.
@@ -185,7 +184,7 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 [[nodiscard]] OperationCounts count_operations(const Function& function);
 
 /// k of the call stumpff(x, k): `at` is the operand k, a constant or its negative.
-[[nodiscard]] int order_at(const Program& program, const Function& function, std::uint32_t at);
+[[nodiscard]] int stumpff_order(const Program& program, const Function& function, std::uint32_t at);
 
 /// In multiplications: mul and add 1, division 4, square root 8, sine and cosine of an angle 20
 /// (also if only one is used), any other function 16. Measured by tests/bench/operation_costs (g++
@@ -195,8 +194,8 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 
 /// For each instruction: true if it is one of `wanted` or an operand of one, directly or
 /// indirectly.
-[[nodiscard]] std::vector<bool> needed_for(const Function& function,
-                                           const std::vector<std::uint32_t>& wanted);
+[[nodiscard]] std::vector<bool> needed_instructions(const Function& function,
+                                                    const std::vector<std::uint32_t>& wanted);
 
 /// The numbers of these instructions, ascending. If there are more than `most`, only the `most` + 1
 /// highest. Cost: linear in the result.
@@ -228,17 +227,18 @@ void require_invariants(const Program& program);
 
 /// The name of a value without a meaning: a hash of its content in code, a number on pages
 /// ("part_2").
-enum class LastName : std::uint8_t { hash, number };
+enum class FallbackName : std::uint8_t { hash, number };
 
 /// The names of instructions in equations and emitted code; "" if the instruction is expanded.
-/// Every name is a C++ identifier and unique in the function. With LastName::hash no name depends
-/// on code elsewhere in the function.
+/// Every name is a C++ identifier and unique in the function. With FallbackName::hash no name
+/// depends on code elsewhere in the function.
 [[nodiscard]] std::vector<std::string> temporary_names(const Program& program,
                                                        const Function& function,
-                                                       LastName last = LastName::hash);
+                                                       FallbackName last = FallbackName::hash);
 
 /// Only the names that stay true if the leaves have other values. Names composed from leaves, names
 /// of values in frames and hashes are replaced by "".
-[[nodiscard]] std::vector<std::string> own_names(const Program& program, const Function& function);
+[[nodiscard]] std::vector<std::string> context_free_names(const Program& program,
+                                                          const Function& function);
 
 }  // namespace elgen

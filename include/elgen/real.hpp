@@ -34,6 +34,11 @@ struct ScalarTraits<long double> {
   [[nodiscard]] static long double from_real(const cln::cl_R& value);
 };
 
+/// The nearest double.
+[[nodiscard]] inline double to_double(const cln::cl_R& value) {
+  return ScalarTraits<double>::from_real(value);
+}
+
 /// A float of 64 decimal digits (or more: numbers/more_digits.hpp). Like NaN, the value "undefined"
 /// (1/0, sqrt(-1)) propagates.
 class Real {

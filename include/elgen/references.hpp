@@ -105,23 +105,23 @@ template <class Condition>
 
 /// The expressions along which a force does work: the positions of its points and the spins of its
 /// frames.
-[[nodiscard]] std::vector<ExpressionId> moved_by(const Model& model, const Force& force);
+[[nodiscard]] std::vector<ExpressionId> work_expressions(const Model& model, const Force& force);
 
 /// The roots and all expressions that they refer to, each once, operands before their users. The
 /// model must be free of cycles. Cost: one visit per expression.
-[[nodiscard]] std::vector<ExpressionId> reached(const Model& model,
-                                                const std::vector<ExpressionId>& roots);
+[[nodiscard]] std::vector<ExpressionId> reachable_from(const Model& model,
+                                                       const std::vector<ExpressionId>& roots);
 
 /// True if the expression contains a leaf of these kinds, directly or by reference.
-[[nodiscard]] bool holds_leaf(const Model& model, ExpressionId expression, LeafSet kinds);
+[[nodiscard]] bool contains_leaf(const Model& model, ExpressionId expression, LeafSet kinds);
 
 /// True if the roots contain the coordinate, its rate or its acceleration, directly or by
 /// reference.
-[[nodiscard]] bool is_reached(const Model& model, const std::vector<ExpressionId>& roots,
-                              const Held& variable);
+[[nodiscard]] bool contains_variable(const Model& model, const std::vector<ExpressionId>& roots,
+                                     const Held& variable);
 
 /// Every expression of a model without cycles, after the expressions that it refers to.
-[[nodiscard]] std::vector<ExpressionId> in_order(const Model& model);
+[[nodiscard]] std::vector<ExpressionId> topological_order(const Model& model);
 
 /// A cycle: each expression refers to the next, the last one to the first. A component of a point
 /// or frame counts as a reference to all its components. Empty if there is no cycle.

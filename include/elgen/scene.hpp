@@ -136,16 +136,16 @@ struct Emission {
 inline constexpr std::uint64_t entries_in_full = 4096;
 
 /// Why the built-in scene `full` omits an output.
-enum class LeftOutReason : std::uint8_t {
+enum class OmissionReason : std::uint8_t {
   too_many_entries,  ///< more than entries_in_full
   kinked_force,      ///< its derivatives would jump; no scene gets them
 };
 
-[[nodiscard]] std::string_view name_of(LeftOutReason reason);
+[[nodiscard]] std::string_view name_of(OmissionReason reason);
 
 /// The outputs that `full` omits for one reason.
-struct LeftOut {
-  LeftOutReason reason = LeftOutReason::too_many_entries;
+struct OmittedOutputs {
+  OmissionReason reason = OmissionReason::too_many_entries;
   std::vector<std::string> outputs = {};  ///< in the order of the output table
   Span span = {};                         ///< the kink in the force, or the name of the model
 };
@@ -175,7 +175,7 @@ struct Scene {
   std::string doc = {};
   Specialisation specialisation = {};
   std::vector<OutputRequest> outputs = {};
-  std::vector<LeftOut> left_out = {};  ///< empty if the scene names its outputs
+  std::vector<OmittedOutputs> left_out = {};  ///< empty if the scene names its outputs
   Numerics numerics = {};
   Emission emission = {};
   StatedStart stated = {};
@@ -256,7 +256,7 @@ struct SceneOptions {
   Purpose purpose = purpose::generate;      ///< of the command
 
   /// True if the options change the emitted files.
-  [[nodiscard]] bool change_files() const {
+  [[nodiscard]] bool changes_files() const {
     return !outputs.empty() || language || !fixed.empty() || !sizes.empty();
   }
 };

@@ -32,7 +32,7 @@ struct SimulationOptions {
   std::vector<std::string> show = {};    ///< columns with their own panels in the plot
   std::string path = {};                 ///< the point whose path is drawn; "": none
   /// Is called from time to time with the time that the run has reached.
-  std::function<void(double)> watch = {};
+  std::function<void(double)> on_progress = {};
 };
 
 /// The deviation of a conserved quantity from its start, relative to `scale`.
@@ -59,19 +59,19 @@ struct ConstraintOffset {
 };
 
 /// The change of a start coordinate or rate by the assembly.
-struct StartMove {
+struct StartCorrection {
   std::string name = {};
   std::string unit = {};
   double by = 0;
 };
 
 /// The accuracy of the constraints during a run.
-struct KeptConstraints {
+struct ConstraintAccuracy {
   ConstraintOffset largest = {};
   /// Of f, "" if the units differ; none: no constraint on positions.
   std::optional<std::string> unit = {};
-  std::string rate_unit = {};         ///< of r, "" if the units differ
-  std::vector<StartMove> start = {};  ///< changes of more than 1e-9 max(|x|, 1)
+  std::string rate_unit = {};               ///< of r, "" if the units differ
+  std::vector<StartCorrection> start = {};  ///< changes of more than 1e-9 max(|x|, 1)
 };
 
 /// A column of the table of a run.
@@ -101,14 +101,14 @@ struct Trajectory {
   /// Drifts of `conserved` entries of the model, which hold at u = 0. Empty if a scene locks or
   /// expands.
   std::vector<ConservedDrift> conserved = {};
-  std::optional<KeptConstraints> constraints = {};  ///< none: the model has no constraints
+  std::optional<ConstraintAccuracy> constraints = {};  ///< none: the model has no constraints
   std::uint64_t steps = 0;
   double nanoseconds = 0;       ///< per step
   std::string timed_code = {};  ///< "of the emitted C++", "in the evaluator"
 };
 
 /// The errors in options that need no derivation: E620, E621, E647.
-[[nodiscard]] Diagnostics refuse_run(const SimulationOptions& options);
+[[nodiscard]] Diagnostics check_run_options(const SimulationOptions& options);
 
 /// The outputs that every run needs, in the syntax of --outputs.
 [[nodiscard]] std::string outputs_of_run(const Model& model);
@@ -120,17 +120,17 @@ struct Trajectory {
 /// resulting scene emits C++ in double, with a batch header for a `step`, or JavaScript if the
 /// purpose shows motion. The caller sets options.scene.purpose. E622: the method does not apply to
 /// the system.
-[[nodiscard]] Products derived_for_run(const Inputs& inputs, PipelineOptions options,
-                                       const std::optional<StepSpec>& step);
+[[nodiscard]] Products derive_for_run(const Inputs& inputs, PipelineOptions options,
+                                      const std::optional<StepSpec>& step);
 
-/// Compiles products of derived_for_run() for a run without a program of `step`. Errors as of
+/// Compiles products of derive_for_run() for a run without a program of `step`. Errors as of
 /// compile().
-[[nodiscard]] Result<CompiledHeaders> compiled_for_run(const Products& products,
-                                                       const Limits& limits);
+[[nodiscard]] Result<CompiledHeaders> compile_for_run(const Products& products,
+                                                      const Limits& limits);
 
 /// The model with a start near its own one that satisfies the constraints at time t. Variables that
 /// `--state` sets do not change. E538: the others have no solution.
-[[nodiscard]] Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_R& t);
+[[nodiscard]] Result<CheckedModel> assemble_model(const CheckedModel& checked, const cln::cl_R& t);
 
 /// Runs from the assembled start of the model, by `compiled` or, if it is null, in the interpreter.
 /// The run ends if M or the constraints lose rank, or if the motion slides along a kink. It warns
@@ -144,9 +144,9 @@ struct Trajectory {
 
 /// Coordinates and rates at the end of a reference run, to measure the errors of other runs.
 struct ReferenceRun {
-  std::vector<double> last = {};     ///< in long double, tolerance 1e-15
-  std::vector<double> rougher = {};  ///< in double, tolerance 1e-12
-  std::vector<double> largest = {};  ///< largest magnitude of each number during the run
+  std::vector<double> last = {};        ///< in long double, tolerance 1e-15
+  std::vector<double> rough_last = {};  ///< in double, tolerance 1e-12
+  std::vector<double> largest = {};     ///< largest magnitude of each number during the run
 };
 
 /// Runs from the assembled start of the model by Fehlberg's method of order 8, in the interpreter.

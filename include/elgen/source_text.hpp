@@ -36,7 +36,7 @@ struct Span {
 [[nodiscard]] SourcePointer make_source(std::string path, std::string text);
 /// A source that lives until the process ends, because diagnostics point into sources without
 /// owning them.
-[[nodiscard]] SourcePointer make_kept_source(std::string path, std::string text);
+[[nodiscard]] SourcePointer make_permanent_source(std::string path, std::string text);
 
 [[nodiscard]] LineColumn line_column(const SourceText& source, std::uint32_t offset);
 

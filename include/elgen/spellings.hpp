@@ -17,8 +17,8 @@ struct ListSpelling {
   std::string_view opening;
   std::string_view between;
   std::string_view closing;
-  std::string_view behind_one;  ///< after a single value
-  std::string_view empty;       ///< an empty list; {0}: the number of columns
+  std::string_view after_single;  ///< after a single value
+  std::string_view empty;         ///< an empty list; {0}: the number of columns
 };
 
 /// Placeholders {0}, {1} of patterns are explained in spellings.def.
@@ -65,14 +65,14 @@ struct SourceSpelling {
   std::string_view named_number;
   bool has_reflection;          ///< its template has the placeholders of emit/source/reflection.hpp
   std::string_view unbounded;   ///< an infinite number
-  std::size_t most_empty;       ///< most consecutive empty lines
+  std::size_t max_empty_lines;  ///< most consecutive empty lines
   std::size_t deepest;          ///< deepest nesting of brackets that it parses
-  std::size_t longest_name;     ///< in characters; 0: no limit
+  std::size_t max_name_length;  ///< in characters; 0: no limit
   std::string_view reserved;    ///< reserved words, between spaces; `_` is appended to such a name
-  std::string_view taken;       ///< names that the module uses
-  std::string_view unnameable;  ///< names that a module cannot have
-  std::string_view command;     ///< starts its interpreter
-  std::string_view variable;    ///< environment variable with another command
+  std::string_view used_names;  ///< names that the module uses
+  std::string_view forbidden_names;  ///< names that a module cannot have
+  std::string_view command;          ///< starts its interpreter
+  std::string_view variable;         ///< environment variable with another command
   /// Functions that the interpreter implements itself, and the tolerance of a field that calls one,
   /// in u of its largest entry. `roundings`: the tolerance of other fields; 0: bit-identical.
   std::string_view own_implementations;
@@ -85,19 +85,19 @@ inline constexpr std::array spelling_table{
 };
 
 /// The definition of a function: in the library of the language, or in each module.
-enum class FunctionHome : std::uint8_t { library, module };
+enum class FunctionProvider : std::uint8_t { library, module };
 
 /// A function that the library of a language lacks, or that has another name than in C.
 struct FunctionSpelling {
   LanguageId language;
   FunctionId function;
   std::string_view name;
-  FunctionHome home;
+  FunctionProvider provider;
 };
 
 inline constexpr std::array function_spelling_table{
 #define ELGEN_FUNCTION_SPELLING(id, function, name, home) \
-  FunctionSpelling{LanguageId::id, FunctionId::function, name, FunctionHome::home},
+  FunctionSpelling{LanguageId::id, FunctionId::function, name, FunctionProvider::home},
 #include "elgen/spellings.def"
 };
 

@@ -26,7 +26,7 @@ enum class StepMethod : std::uint8_t {
 enum class StepDomain : std::uint8_t { any, separable, quadratic };
 
 /// An iteration that has not converged after 20 steps needs a shorter h, not more iterations.
-inline constexpr std::uint32_t most_step_iterations = 20;
+inline constexpr std::uint32_t max_step_iterations = 20;
 
 struct StepMethodRow {
   StepMethod id;
@@ -59,7 +59,7 @@ struct StepSpec {
 };
 
 /// A method with its default number of iterations.
-[[nodiscard]] constexpr StepSpec step_by(StepMethod method, std::uint32_t composed_order = 0) {
+[[nodiscard]] constexpr StepSpec default_step(StepMethod method, std::uint32_t composed_order = 0) {
   return {method, composed_order, step_row(method).iterations};
 }
 
@@ -73,6 +73,6 @@ struct StepSpec {
 
 /// Coefficients g_1 ... g_s of a composition: order 4 by Suzuki (errors 1/9 of Yoshida's at equal
 /// cost), order 8 by Kahan and Li; {1} for order 0. The middle coefficient is the largest.
-[[nodiscard]] std::vector<cln::cl_RA> step_parts(std::uint32_t composed_order);
+[[nodiscard]] std::vector<cln::cl_RA> composition_coefficients(std::uint32_t composed_order);
 
 }  // namespace elgen

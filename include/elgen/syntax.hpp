@@ -166,7 +166,7 @@ struct EntryRow {
 /// All entries and keys in Markdown: the text of models/REFERENCE.md.
 [[nodiscard]] std::string key_reference();
 /// The word that replaces a former word; empty for any other word.
-[[nodiscard]] std::string_view hint_of_former_choice(const KeyRow& row, std::string_view word);
+[[nodiscard]] std::string_view replacement_of_choice(const KeyRow& row, std::string_view word);
 
 /// The key table as JSON Schema, for editors, which check TOML files like JSON with the same keys.
 /// Every file that the parser accepts satisfies it. The schema omits the grammar of expressions,
@@ -175,7 +175,7 @@ struct EntryRow {
 
 /// The `model = "…"` key of a scene. None if the text is no TOML or has no such key; in a model
 /// file `model` is a table.
-[[nodiscard]] std::optional<Span> named_model(const SourceText& source);
+[[nodiscard]] std::optional<Span> model_key(const SourceText& source);
 
 /// True if the text is TOML with a table [model].
 [[nodiscard]] bool declares_model(const SourceText& source);

@@ -16,6 +16,6 @@ namespace elgen {
 /// The path of the partial `{{> name}}` in the template at `path`: the same folder and language.
 ///
 ///     cpp/header.hpp.mustache, kinked   ->   cpp/kinked.hpp.mustache
-[[nodiscard]] std::string template_beside(std::string_view path, std::string_view name);
+[[nodiscard]] std::string partial_path(std::string_view path, std::string_view name);
 
 }  // namespace elgen

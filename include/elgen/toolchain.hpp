@@ -86,7 +86,7 @@ class CompiledModel {
 enum class Build : std::uint8_t {
   as_written,  ///< strict flags, no contraction: bit-identical to the written arithmetic
   native,      ///< -O3 -march=native, no contraction: also bit-identical
-  as_users,    ///< -O3 -march=native, contraction on; not for Eigen headers; of batches only sines
+  user_flags,  ///< -O3 -march=native, contraction on; not for Eigen headers; of batches only sines
                ///< and cosines
   to_time,     ///< -O2 -march=native, contraction on
 };
@@ -108,7 +108,7 @@ struct CompiledHeader {
   bool in_packs = false;
   std::unique_ptr<CompiledModel> functions = {};
   Build build = Build::as_written;
-  std::string lacking = {};                   ///< why `functions` is null; else empty
+  std::string failure_reason = {};            ///< why `functions` is null; else empty
   std::vector<DeclaredNumber> declared = {};  ///< of all headers; only in the first
   bool is_wide = false;  ///< computes in Numerics::inner: not bit-identical to the program
   /// Functions that the interpreter implements itself, between spaces, and the tolerance of other

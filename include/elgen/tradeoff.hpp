@@ -1,15 +1,15 @@
 // TradeoffTable: costs and errors of the designs of one output, or of runs.
 //
 // A design is a scene. plan() lists designs, and the pipeline and the compiler process each.
-// find_costs() and found_errors() measure the results, and judged() ranks them. promised_errors()
+// find_costs() and find_errors() measure the results, and rank_rows() ranks them. check_max_error()
 // checks `max_error` of a scene.
 //
-// Costs and errors have noise. Two costs are equal if their ratio is at most alike_within or their
-// quartiles overlap. The error of a design is measured in three samples of states, with three
+// Costs and errors have noise. Two costs are equal if their ratio is at most equality_factor or
+// their quartiles overlap. The error of a design is measured in three samples of states, with three
 // seeds; its noise is the interval from the least to the worst of the three. The error of a run is
-// known up to the distance of two reference runs. An error is smaller than another if alike_within
-// times its worst is less than the least of the other. A row is on the Pareto front if its error is
-// smaller than the error of every cheaper row of the front.
+// known up to the distance of two reference runs. An error is smaller than another if
+// equality_factor times its worst is less than the least of the other. A row is on the Pareto front
+// if its error is smaller than the error of every cheaper row of the front.
 #pragma once
 
 #include <functional>
@@ -77,8 +77,8 @@ struct DesignChoices {
 };
 
 /// E644 at a key of the scene that contradicts a pinned dimension.
-[[nodiscard]] Diagnostics contradictions(const DesignBase& base,
-                                         const std::vector<PinnedDimension>& pinned);
+[[nodiscard]] Diagnostics scene_conflicts(const DesignBase& base,
+                                          const std::vector<PinnedDimension>& pinned);
 
 struct PlannedDesign {
   std::vector<std::string> values = {};  ///< by dimension
@@ -102,7 +102,7 @@ struct TradeoffPlan {
                                      const std::string& model_path);
 
 /// The design without scalar, packs and sines, on which the derivation does not depend.
-[[nodiscard]] Design derivation_of(const Design& design);
+[[nodiscard]] Design derivation_key(const Design& design);
 
 /// high + low: a number to 32 digits.
 struct ExactNumber {
@@ -156,26 +156,26 @@ struct FoundErrors {
 /// gives the exact values; the final states are confirmed in 60 digits. Errors are relative to the
 /// largest |x*| of the field at the states or, if that is larger, at the visited state. The result
 /// does not depend on time.
-[[nodiscard]] FoundErrors found_errors(const CheckedModel& exact, const Program& program,
-                                       const TradeoffStates& states, const DesignValues& design);
+[[nodiscard]] FoundErrors find_errors(const CheckedModel& exact, const Program& program,
+                                      const TradeoffStates& states, const DesignValues& design);
 
 /// A table shows the worst error found, times this factor.
 inline constexpr double search_margin = 1.5;
 
 /// Costs or errors within this factor are equal: a table shows two digits of an error, and times of
 /// the same code differ by this much from run to run.
-inline constexpr double alike_within = 1.1;
+inline constexpr double equality_factor = 1.1;
 
 /// Checks `[numeric] max_error` of the scene for `compiled` and options.as_users: one row for each
 /// output, header and scalar, which fails if a larger error is found. `exact` and `program` belong
 /// to the scene without its expansion. Empty without `max_error`.
-[[nodiscard]] std::vector<CertificateRow> promised_errors(const CheckedModel& exact,
+[[nodiscard]] std::vector<CertificateRow> check_max_error(const CheckedModel& exact,
                                                           const Program& program,
                                                           const CompiledHeaders& compiled,
                                                           const VerifyOptions& options);
 
 /// Median and quartiles.
-struct Spread {
+struct Quartiles {
   double median = 0;
   double low = 0;
   double high = 0;
@@ -196,7 +196,7 @@ struct DesignErrors {
 struct TimedWork {
   std::function<void()> run = {};
   std::size_t parts = 1;
-  Spread* cost = nullptr;
+  Quartiles* cost = nullptr;
 };
 
 /// Measures the costs in turns, so that all works see the same state of the machine. The number of
@@ -212,8 +212,8 @@ struct PlannedRun {
 
 /// Runs by all methods and orders, one state or packs. Step lengths are integer fractions of `time`
 /// near `lengths`, or a few defaults if it is empty.
-[[nodiscard]] std::vector<PlannedRun> planned_runs(double time,
-                                                   const std::vector<double>& lengths = {});
+[[nodiscard]] std::vector<PlannedRun> plan_runs(double time,
+                                                const std::vector<double>& lengths = {});
 
 /// q and v at the end of a run from the start of the model. Inputs are constant during each step,
 /// with their value at its start. `program` has the equations for simulate().
@@ -235,8 +235,8 @@ struct PlannedRun {
 struct TradeoffRow {
   std::vector<std::string> values = {};  ///< by dimension
   Design design = {};
-  Spread cost = {};
-  Spread call_cost = {};  ///< of a call with one state; with packs it fills one lane
+  Quartiles cost = {};
+  Quartiles call_cost = {};  ///< of a call with one state; with packs it fills one lane
   DesignErrors error = {};
   std::string failure = {};  ///< why cost and error are missing; "": they are present
   /// The error is the error of the reference run, which cannot resolve a smaller one.
@@ -260,11 +260,11 @@ struct TradeoffTable {
   std::vector<TradeoffRow> rows = {};
   std::vector<std::string> sentences = {};  ///< printed below the table
   Machine machine = {};
-  std::optional<double> max_error = {};  ///< the bound for picked()
+  std::optional<double> max_error = {};  ///< the bound for picked_row()
 };
 
 /// Ranks and sorts the planned rows, and marks the Pareto front.
-[[nodiscard]] TradeoffTable judged(TradeoffTable table);
+[[nodiscard]] TradeoffTable rank_rows(TradeoffTable table);
 
 /// "float, packs, full, fixed"
 [[nodiscard]] std::string name_of(const TradeoffRow& row);
@@ -273,7 +273,7 @@ struct TradeoffTable {
 /// rank that has one. Null if no row qualifies.
 [[nodiscard]] const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error);
 /// The row for table.max_error; null if no row qualifies or it is not set.
-[[nodiscard]] const TradeoffRow* picked(const TradeoffTable& table);
+[[nodiscard]] const TradeoffRow* picked_row(const TradeoffTable& table);
 /// The first row with the smallest worst error; null if all failed.
 [[nodiscard]] const TradeoffRow* most_accurate(const TradeoffTable& table);
 

@@ -32,7 +32,7 @@ namespace elgen {
 
 /// The program of elgen/steps.hpp with one entry for each sum of summands: `functions` over the
 /// definitions of the derivation, `readable` as in books. The function of a velocity has the fields
-/// of BookLine. The last function has one field per acceleration. The field has no rows if
+/// of BookField. The last function has one field per acceleration. The field has no rows if
 /// constraints act, if a closed form is missing, or if the equation contains two other
 /// accelerations. It has none either if the other acceleration's equation contains a third.
 [[nodiscard]] Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms,
@@ -40,7 +40,7 @@ namespace elgen {
 
 /// The fields of the function of a velocity: the fields of elgen/steps.hpp, and left = d/dt dL/dv -
 /// dL/dq + dD/dv.
-enum class BookLine : std::uint8_t { momentum, momentum_rate, partial, dissipation, force, left };
+enum class BookField : std::uint8_t { momentum, momentum_rate, partial, dissipation, force, left };
 
 /// A function with one value as its only entry, written over the leaves as in books, or in its
 /// shortest form if that is too long. Without fields if both are too long to read.

@@ -46,7 +46,7 @@ struct ValueTable {
   std::vector<ValueFunction> functions = {};
   std::vector<ValueRecord> records = {};
   /// Only for test vectors: states for which Newton's method found no point on the constraints.
-  std::optional<std::size_t> unmet = {};
+  std::optional<std::size_t> skipped_states = {};
 };
 
 struct StateOptions {

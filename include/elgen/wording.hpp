@@ -29,7 +29,7 @@ namespace elgen {
                                       std::string_view indent);
 
 /// "1 component", "3 components"
-[[nodiscard]] std::string counted(std::size_t count, std::string_view noun);
+[[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
 
 /// "did you mean `m`?"; `otherwise` if no candidate is near.
 [[nodiscard]] std::string suggestion(std::string_view word,
@@ -38,7 +38,7 @@ namespace elgen {
 
 /// One column of a table as strings: words_in(step_methods, &StepMethodRow::name).
 template <class Rows, class Word>
-[[nodiscard]] std::vector<std::string> words_in(const Rows& rows, const Word& word) {
+[[nodiscard]] std::vector<std::string> column_words(const Rows& rows, const Word& word) {
   std::vector<std::string> words;
   for (const auto& row : rows) words.emplace_back(std::invoke(word, row));
   return words;

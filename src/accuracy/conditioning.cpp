@@ -11,7 +11,7 @@ namespace elgen {
 namespace {
 
 /// The operands, one of them with tangent 1.
-struct OneMoves {
+struct OperandsWithTangent {
   const std::vector<Real>& values;
   std::uint32_t moving;
 
@@ -30,7 +30,7 @@ double rounded(const Real& x) {
 constexpr double tolerated_error = 1e-4;
 
 /// More than a product or factor in double loses by underflow.
-constexpr double lost_to_underflow = 1e-300;
+constexpr double underflow_loss = 1e-300;
 
 /// A derivative, and a bound on its rounding errors in double.
 struct Adjoint {
@@ -43,7 +43,7 @@ struct Adjoint {
     const double term = x.value * factor;
     value += term;
     error += x.error * std::abs(factor) + rounding * (std::abs(term) + std::abs(value)) +
-             lost_to_underflow * (1 + std::abs(x.value));
+             underflow_loss * (1 + std::abs(x.value));
   }
 };
 
@@ -74,15 +74,15 @@ Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
   if (is_product && values_[operand].is_defined()) return values_[is_first ? i.b : i.a];
   static const Arguments<Dual<Real>> no_leaves;
   const interpreter::NumberRules<Dual<Real>> rules{no_leaves};
-  return folded(rules, program_, i, OneMoves{values_, operand}).slope;
+  return fold_instruction(rules, program_, i, OperandsWithTangent{values_, operand}).slope;
 }
 
-bool Conditioning::counts(const Instruction& i) const {
+bool Conditioning::counts_as_input(const Instruction& i) const {
   if (i.opcode == Opcode::constant) return !parameters_.empty() && parameters_[i.a];
   return is_leaf(i.opcode);
 }
 
-std::optional<double> Conditioning::in_doubles(std::uint32_t instruction) const {
+std::optional<double> Conditioning::conditioning_in_double(std::uint32_t instruction) const {
   std::vector<Adjoint> adjoints(instruction + 1);
   adjoints[instruction].value = 1;
   Adjoint sum;
@@ -90,7 +90,8 @@ std::optional<double> Conditioning::in_doubles(std::uint32_t instruction) const 
     const Instruction& i = function_.instructions[at];
     const Adjoint& adjoint = adjoints[at];
     if (adjoint.value == 0 && adjoint.error == 0) continue;
-    if (counts(i)) sum.add({std::abs(adjoint.value), adjoint.error}, std::abs(rounded_values_[at]));
+    if (counts_as_input(i))
+      sum.add({std::abs(adjoint.value), adjoint.error}, std::abs(rounded_values_[at]));
     const std::size_t operands = operand_count(i);
     if (operands > 0) adjoints[i.a].add(adjoint, rounded_slopes_[at].by_a);
     if (operands > 1) adjoints[i.b].add(adjoint, rounded_slopes_[at].by_b);
@@ -101,7 +102,7 @@ std::optional<double> Conditioning::in_doubles(std::uint32_t instruction) const 
 }
 
 Real Conditioning::of(std::uint32_t instruction) const {
-  if (const auto k = in_doubles(instruction)) return Real(exact_value(*k));
+  if (const auto k = conditioning_in_double(instruction)) return Real(exact_value(*k));
   std::vector<Real> adjoints(instruction + 1, Real());
   adjoints[instruction] = Real(1);
   Real sum;
@@ -109,7 +110,7 @@ Real Conditioning::of(std::uint32_t instruction) const {
     const Instruction& i = function_.instructions[at];
     const Real adjoint = adjoints[at];
     if (is_zero(adjoint)) continue;
-    if (counts(i)) sum = sum + abs(adjoint * values_[at]);
+    if (counts_as_input(i)) sum = sum + abs(adjoint * values_[at]);
     const std::size_t operands = operand_count(i);
     if (operands > 0) adjoints[i.a] = adjoints[i.a] + adjoint * slopes_[at].by_a;
     if (operands > 1) adjoints[i.b] = adjoints[i.b] + adjoint * slopes_[at].by_b;

@@ -37,7 +37,7 @@ class Conditioning {
 
  private:
   [[nodiscard]] Real slope(const Instruction& i, std::uint32_t operand) const;
-  [[nodiscard]] bool counts(const Instruction& i) const;
+  [[nodiscard]] bool counts_as_input(const Instruction& i) const;
 
   /// Slopes of an instruction by its operands; if both are one, `by_a` is the total.
   template <class Number>
@@ -46,7 +46,7 @@ class Conditioning {
     Number by_b = {};
   };
 
-  [[nodiscard]] std::optional<double> in_doubles(std::uint32_t instruction) const;
+  [[nodiscard]] std::optional<double> conditioning_in_double(std::uint32_t instruction) const;
 
   const Program& program_;
   const Function& function_;

@@ -16,7 +16,7 @@ using std::sqrt;
 
 /// Relative error of an operand up to which first-order errors are right within a few parts in
 /// 1000.
-constexpr double certain = 0x1p-10;
+constexpr double most_uncertainty = 0x1p-10;
 
 bool is_number(const Real& x) { return x.is_defined(); }
 bool is_number(double x) { return std::isfinite(x); }
@@ -46,8 +46,8 @@ Rounding<Number> rounding_of() {
 
 /// A value with its error, computed from x and y.
 template <class Number>
-Running<Number> made(const Number& value, const Number& error, const Running<Number>& x,
-                     const Running<Number>& y, const Rounding<Number>& rounding) {
+Running<Number> with_rounding(const Number& value, const Number& error, const Running<Number>& x,
+                              const Running<Number>& y, const Rounding<Number>& rounding) {
   Running<Number> result{value, error, x.is_lost || y.is_lost, x.underflows || y.underflows};
   if (value < rounding.smallest && -value < rounding.smallest && !is_zero(value)) {
     result.error = result.error + rounding.underflow;
@@ -60,31 +60,31 @@ Running<Number> made(const Number& value, const Number& error, const Running<Num
 /// True if multiplying by x is exact. A rounded value may be a power of two by chance and does not
 /// count.
 template <class Number>
-bool is_scale(const Running<Number>& x) {
+bool is_exact_factor(const Running<Number>& x) {
   return is_zero(x.error) && is_power_of_two(x.value);
 }
 
 /// True if the error of x is small compared with `scale`.
 template <class Number>
-bool is_known(const Running<Number>& x, const Number& scale, const Rounding<Number>& rounding) {
-  static const auto share = number<Number>(certain);
+bool is_accurate(const Running<Number>& x, const Number& scale, const Rounding<Number>& rounding) {
+  static const auto share = number<Number>(most_uncertainty);
   return x.error * rounding.roundoff <= scale * share;
 }
 
 /// True if the error of f(x) is of first order. Entire functions need an error of x that is small
 /// compared with max(|x|, 1), others compared with |x|.
 template <class Number>
-bool is_known_argument(const FunctionRow& row, const Running<Number>& x,
-                       const Rounding<Number>& rounding) {
+bool is_accurate_argument(const FunctionRow& row, const Running<Number>& x,
+                          const Rounding<Number>& rounding) {
   if (is_circular(row.id)) return true;
   const bool is_entire =
       row.smoothness == Smoothness::everywhere || row.smoothness == Smoothness::positive;
-  return is_known(x, is_entire ? max(abs(x.value), Number(1)) : abs(x.value), rounding);
+  return is_accurate(x, is_entire ? max(abs(x.value), Number(1)) : abs(x.value), rounding);
 }
 
 bool is_far_out(const FunctionRow& row, const Real& x) {
   static const Real far(cln::cl_R(1 << 20));
-  return row.far_values && far < abs(x);
+  return row.limits_at_infinity && far < abs(x);
 }
 
 /// The limit of an exponential function if 64 digits do not distinguish it from the value: the
@@ -93,7 +93,8 @@ bool is_far_out(const FunctionRow& row, const Real& x) {
 std::optional<Real> limit_value(const FunctionRow& row, const Real& x,
                                 const Rounding<Real>& rounding) {
   if (!is_far_out(row, x)) return std::nullopt;
-  const double limit = cln::plusp(x.value()) ? row.far_values->right : row.far_values->left;
+  const double limit =
+      cln::plusp(x.value()) ? row.limits_at_infinity->right : row.limits_at_infinity->left;
   if (std::isfinite(limit)) return Real(static_cast<int>(limit));
   const Real infinite = rounding.largest * Real(32);
   return limit < 0 ? -infinite : infinite;
@@ -114,7 +115,7 @@ Dual<Number> with_slope(FunctionId function, const Number& x, const Number& y, b
 }  // namespace
 
 bool takes_limit(FunctionId function, const Real& x, const Real& y) {
-  return is_far_out(function_row(far_out(function, y < Real())), x);
+  return is_far_out(function_row(growth_function(function, y < Real())), x);
 }
 
 bool is_power_of_two(const Real& x) {
@@ -157,24 +158,25 @@ template LeafValues<Running<double>> running_leaves(const Arguments<double>&, Le
 template <class Number>
 auto RunningErrorRules<Number>::add(const Value& x, const Value& y) const -> Value {
   const Number value = x.value + y.value;
-  return made<Number>(value, x.error + y.error + abs(value), x, y, rounding);
+  return with_rounding<Number>(value, x.error + y.error + abs(value), x, y, rounding);
 }
 
 template <class Number>
 auto RunningErrorRules<Number>::multiply(const Value& x, const Value& y) const -> Value {
   const Number value = x.value * y.value;
-  const bool is_scaled = is_scale(x) || is_scale(y);
+  const bool is_scaled = is_exact_factor(x) || is_exact_factor(y);
   const Number own = is_scaled ? Number{} : abs(value);
   const Number farthest = abs(y.value) + rounding.roundoff * y.error;
-  return made<Number>(value, x.error * farthest + y.error * abs(x.value) + own, x, y, rounding);
+  return with_rounding<Number>(value, x.error * farthest + y.error * abs(x.value) + own, x, y,
+                               rounding);
 }
 
 template <class Number>
 auto RunningErrorRules<Number>::divide(const Value& x, const Value& y) const -> Value {
   const Number value = x.value / y.value;
   const Number error = (x.error + abs(value) * y.error) / abs(y.value) + abs(value);
-  Value result = made<Number>(value, error, x, y, rounding);
-  result.is_lost = result.is_lost || !is_known(y, abs(y.value), rounding);
+  Value result = with_rounding<Number>(value, error, x, y, rounding);
+  result.is_lost = result.is_lost || !is_accurate(y, abs(y.value), rounding);
   return result;
 }
 
@@ -182,8 +184,8 @@ template <class Number>
 auto RunningErrorRules<Number>::square_root(const Value& x) const -> Value {
   const Number value = sqrt(x.value);
   const Number slope = is_zero(x.error) ? Number{} : x.error / (value + value);
-  Value result = made<Number>(value, slope + value, x, x, rounding);
-  result.is_lost = result.is_lost || !is_known(x, abs(x.value), rounding);
+  Value result = with_rounding<Number>(value, slope + value, x, x, rounding);
+  result.is_lost = result.is_lost || !is_accurate(x, abs(x.value), rounding);
   return result;
 }
 
@@ -194,15 +196,15 @@ auto RunningErrorRules<Number>::call(FunctionId function, const Value& x, const 
   const bool is_binary = row.arity == 2;
   const Value& second = is_binary ? y : x;
   if (is_kinked(function)) {
-    Value result = made<Number>(interpreter::call(function, x.value, y.value),
-                                max(x.error, second.error), x, second, rounding);
+    Value result = with_rounding<Number>(interpreter::call(function, x.value, y.value),
+                                         max(x.error, second.error), x, second, rounding);
     const bool jumps = function == FunctionId::sign;
-    result.is_lost = result.is_lost || (jumps && !is_known(x, abs(x.value), rounding));
+    result.is_lost = result.is_lost || (jumps && !is_accurate(x, abs(x.value), rounding));
     return result;
   }
-  const FunctionRow& far = function_row(far_out(function, second.value < Number{}));
+  const FunctionRow& far = function_row(growth_function(function, second.value < Number{}));
   if (const auto limit = limit_value(far, x.value, rounding)) {
-    return made<Number>(*limit, abs(*limit), x, second, rounding);
+    return with_rounding<Number>(*limit, abs(*limit), x, second, rounding);
   }
   const Dual<Number> f = with_slope(function, x.value, y.value, true);
   Number error = abs(f.value);
@@ -213,9 +215,9 @@ auto RunningErrorRules<Number>::call(FunctionId function, const Value& x, const 
   if (is_binary && !is_zero(y.error)) {
     error = error + abs(with_slope(function, x.value, y.value, false).slope) * y.error;
   }
-  Value result = made<Number>(f.value, error, x, second, rounding);
-  result.is_lost = result.is_lost || !is_known_argument(row, x, rounding) ||
-                   !is_known_argument(row, second, rounding);
+  Value result = with_rounding<Number>(f.value, error, x, second, rounding);
+  result.is_lost = result.is_lost || !is_accurate_argument(row, x, rounding) ||
+                   !is_accurate_argument(row, second, rounding);
   return result;
 }
 

@@ -61,7 +61,8 @@ std::size_t entries_of_matrix(const Function& regressor) {
 /// Stores the rows of an echelon form as base parameters. `number` converts a factor to a real
 /// number; if it returns none, the result is false.
 template <class Field, class ToNumber>
-bool take(const Echelon<Field>& echelon, const ToNumber& number, BaseParameters& found) {
+bool store_base_parameters(const Echelon<Field>& echelon, const ToNumber& number,
+                           BaseParameters& found) {
   std::vector<bool> has_effect(found.parameters.size());
   for (const auto& pivot : echelon.pivots()) {
     BaseParameter& base = found.base.emplace_back();
@@ -96,7 +97,7 @@ bool find_by_residues(const CheckedModel& checked, const Program& program,
   const std::size_t columns = found.parameters.size();
   BaseParameters exact = found;
   exact.is_exact = true;
-  const bool are_rational = take(
+  const bool are_rational = store_base_parameters(
       Echelon<ResiduePivot>(field, matrix, columns, columns),
       [](const cl_MI& factor) -> std::optional<cl_R> { return rational_of(factor); }, exact);
   if (are_rational) found = std::move(exact);
@@ -141,7 +142,7 @@ bool find_by_samples(const CheckedModel& checked, const Program& program, const 
   }
   if (matrix.size() < wanted) return false;
   LargestPivot<cl_R, EchelonForm::reduced> field(least_entry(), least_entry());
-  return take(
+  return store_base_parameters(
       Echelon<LargestPivot<cl_R, EchelonForm::reduced>>(field, matrix, columns, columns),
       [](const cl_R& factor) { return std::optional(factor); }, found);
 }
@@ -154,7 +155,7 @@ void add_values(const CheckedModel& checked, BaseParameters& found) {
   if (!values) return;
   for (BaseParameter& base : found.base) {
     base.value = (*values)[base.parameter];
-    for (const WeighedParameter& other : base.others) {
+    for (const WeightedParameter& other : base.others) {
       base.value = base.value + other.factor * (*values)[other.parameter];
     }
   }

@@ -33,7 +33,7 @@ constexpr std::size_t most_places = 16;
 constexpr std::uint32_t most_order = 8;
 
 /// The angle in (-pi, pi].
-Real reduced(const Real& angle) { return -turned_above(-angle, -whole_turn() / Real(2)); }
+Real wrapped_angle(const Real& angle) { return -turned_above(-angle, -whole_turn() / Real(2)); }
 
 class BlockSearch {
  public:
@@ -61,7 +61,7 @@ class BlockSearch {
     }
     if (std::ranges::find(unknowns_.kinds, SearchKind::start) != unknowns_.kinds.end()) {
       result_.completeness = Completeness::searched;
-      add_from(start());
+      add_newton_root(start());
       return std::move(result_);
     }
     for (const std::uint32_t coordinate : block_.coordinates) {
@@ -107,14 +107,14 @@ class BlockSearch {
     if (!solution.is_solvable) return std::move(result_);
     for (std::size_t i = 0; i < solution.values.size(); ++i) {
       const CoordinateAtRest& value = solution.values[i];
-      if (!value.is_any && !lives_at(i, Real(value.value))) return std::move(result_);
+      if (!value.is_any && !is_searched(i, Real(value.value))) return std::move(result_);
     }
     result_.roots.push_back(solution.values);
     return std::move(result_);
   }
 
-  [[nodiscard]] bool lives_at(std::size_t unknown, const Real& highest,
-                              const Real& width = {}) const {
+  [[nodiscard]] bool is_searched(std::size_t unknown, const Real& highest,
+                                 const Real& width = {}) const {
     return is_in_range(system_.model.coordinates[unknowns_.coordinates[unknown]],
                        unknowns_.kinds[unknown], highest, width);
   }
@@ -149,17 +149,18 @@ class BlockSearch {
     const BoxedEquations equations{system_.program, square_, unknowns_.coordinates, known_leaves()};
     const std::uint64_t affordable = most.enclosures / enclosures_of_box();
     BoxSearch found = search_boxes(equations, domain(), std::min(most.boxes, affordable));
-    result_.boxes = found.looked_at;
-    result_.enclosures = found.looked_at * enclosures_of_box();
-    if (!found.left.empty()) result_.limit = affordable < most.boxes ? "enclosures" : "boxes";
+    result_.boxes = found.examined;
+    result_.enclosures = found.examined * enclosures_of_box();
+    if (!found.open_boxes.empty()) result_.limit = affordable < most.boxes ? "enclosures" : "boxes";
     for (const Box& box : found.single) add_root_of(box);
-    for (const Box& place : together(found)) judge(equations, place);
-    if (found.left.empty()) return;
+    for (const Box& place : joined_places(found)) decide_place(equations, place);
+    if (found.open_boxes.empty()) return;
     result_.completeness = Completeness::searched;
-    const std::size_t step = std::max<std::size_t>(found.left.size() / most_starts, 1);
-    for (std::size_t i = 0; i < found.left.size() && result_.starts < most_starts; i += step) {
+    const std::size_t step = std::max<std::size_t>(found.open_boxes.size() / most_starts, 1);
+    for (std::size_t i = 0; i < found.open_boxes.size() && result_.starts < most_starts;
+         i += step) {
       ++result_.starts;
-      add_from(middle_of(found.left[i]));
+      add_newton_root(middle_of(found.open_boxes[i]));
     }
   }
 
@@ -182,17 +183,17 @@ class BlockSearch {
   }
 
   /// The root to which Newton's method converges from `first`.
-  [[nodiscard]] std::optional<Arguments<Real>> reached_from(const Arguments<Real>& first) const {
-    return refined(system_.model, system_.program, square_, first, along_);
+  [[nodiscard]] std::optional<Arguments<Real>> newton_root(const Arguments<Real>& first) const {
+    return newton_solution(system_.model, system_.program, square_, first, along_);
   }
 
-  void add_from(const Arguments<Real>& first) {
-    if (const auto root = reached_from(first)) add(*root);
+  void add_newton_root(const Arguments<Real>& first) {
+    if (const auto root = newton_root(first)) add(*root);
   }
 
   /// Adds the root of a box. If Newton's method leaves the box, the box is undecided.
   void add_root_of(const Box& box) {
-    const auto root = reached_from(middle_of(box));
+    const auto root = newton_root(middle_of(box));
     if (root && is_in_box(box, *root)) {
       add(*root);
     } else {
@@ -215,8 +216,8 @@ class BlockSearch {
     for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
       Real& q = root.q[unknowns_.coordinates[i]];
       // An angle is searched over a whole turn, beyond its range, to find chart breaks.
-      if (unknowns_.kinds[i] == SearchKind::turn) q = reduced(q);
-      if (unknowns_.kinds[i] == SearchKind::range && !lives_at(i, q)) return;
+      if (unknowns_.kinds[i] == SearchKind::turn) q = wrapped_angle(q);
+      if (unknowns_.kinds[i] == SearchKind::range && !is_searched(i, q)) return;
     }
     for (const Real& value : evaluate(system_.program, rows_, root)) {
       if (!is_near(value, Real(), root_digits)) return;
@@ -244,14 +245,14 @@ class BlockSearch {
   }
 
   /// Joins undecided boxes that touch each other. Boxes inside a box with one root are dropped.
-  [[nodiscard]] std::vector<Box> together(const BoxSearch& found) const {
+  [[nodiscard]] std::vector<Box> joined_places(const BoxSearch& found) const {
     std::vector<Box> places;
     for (const Box& box : found.undecided) {
       const bool is_decided = std::ranges::any_of(
           found.single, [&](const Box& single) { return holds(single, box, 0); });
       if (!is_decided) join(places, box);
     }
-    for (const Box& box : found.left) join(places, box);
+    for (const Box& box : found.open_boxes) join(places, box);
     return places;
   }
 
@@ -284,7 +285,7 @@ class BlockSearch {
 
   /// Adds the plain root of a place, if it exists. The place is undecided, unless it has one
   /// coordinate and this root, a zero of any order, is proved to be its only root.
-  void judge(const BoxedEquations& equations, const Box& place) {
+  void decide_place(const BoxedEquations& equations, const Box& place) {
     if (const auto root = plain_root(place)) {
       add(*root);
       if (is_only_root(equations, place, *root)) return;
@@ -296,7 +297,7 @@ class BlockSearch {
     for (std::size_t i = 0; i < place.size(); ++i) {
       const Real low(exact_value(place[i].low));
       const Real high(exact_value(place[i].high));
-      if (!lives_at(i, high, high - low)) return;
+      if (!is_searched(i, high, high - low)) return;
     }
     result_.completeness = std::max(result_.completeness, Completeness::undecided);
     UndecidedBox& box = result_.undecided.emplace_back();
@@ -304,7 +305,7 @@ class BlockSearch {
       const cl_R length = exact_value(place[i].high) - exact_value(place[i].low);
       const Real middle(exact_value(place[i].low) + length / 2);
       const bool turns = unknowns_.kinds[i] == SearchKind::turn;
-      const cl_R at = (turns ? reduced(middle) : middle).value();
+      const cl_R at = (turns ? wrapped_angle(middle) : middle).value();
       box[unknowns_.coordinates[i]] = {at - length / 2, at + length / 2};
     }
   }
@@ -314,7 +315,7 @@ class BlockSearch {
   [[nodiscard]] std::optional<Arguments<Real>> plain_root(const Box& place) const {
     Arguments<Real> root = start();
     for (std::size_t i = 0; i < place.size(); ++i) {
-      const double quarter = ScalarTraits<double>::from_real(whole_turn().value()) / 4;
+      const double quarter = to_double(whole_turn().value()) / 4;
       const bool turns = unknowns_.kinds[i] == SearchKind::turn;
       const double count = turns ? std::round(place[i].low / quarter + 0.01) : 0;
       if (count * quarter < place[i].low || count * quarter > place[i].high) return std::nullopt;
@@ -338,7 +339,7 @@ class BlockSearch {
     const BoxedEquations slope{derivative->program, derivative->function, equations.unknowns,
                                equations.leaves};
     const Enclosure over_place = values_on(slope, place)[0];
-    return over_place.defined == Definedness::everywhere && !may_be(over_place, 0);
+    return over_place.defined == Definedness::everywhere && !may_contain(over_place, 0);
   }
 
   RestSystem& system_;

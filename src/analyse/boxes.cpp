@@ -72,24 +72,25 @@ class Search {
   BoxSearch operator()(std::uint64_t most) {
     std::vector<Box> open{domain_};
     while (true) {
-      while (!open.empty() && result_.looked_at < most) {
+      while (!open.empty() && result_.examined < most) {
         const Box box = std::move(open.back());
         open.pop_back();
-        ++result_.looked_at;
-        look_at(box, open);
+        ++result_.examined;
+        examine(box, open);
       }
       if (!open.empty() || resolution_ <= box_resolution) break;
       resolution_ /= refinement;
       open = std::exchange(result_.undecided, {});
     }
-    result_.left = std::move(open);
+    result_.open_boxes = std::move(open);
     return std::move(result_);
   }
 
  private:
-  void look_at(Box box, std::vector<Box>& open) {
+  void examine(Box box, std::vector<Box>& open) {
     const std::vector<Enclosure> values = values_on(equations_, box);
-    if (!std::ranges::all_of(values, [](const Enclosure& value) { return may_be(value, 0); })) {
+    if (!std::ranges::all_of(values,
+                             [](const Enclosure& value) { return may_contain(value, 0); })) {
       return;
     }
     const Box tested = enlarged(box);

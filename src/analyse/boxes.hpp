@@ -31,10 +31,10 @@ struct BoxedEquations {
 using Box = std::vector<Enclosure>;
 
 struct BoxSearch {
-  std::vector<Box> single = {};     ///< one simple solution each; two boxes may have the same
-  std::vector<Box> undecided = {};  ///< smaller than the resolution
-  std::vector<Box> left = {};       ///< not yet decided when the limit was reached
-  std::uint64_t looked_at = 0;
+  std::vector<Box> single = {};      ///< one simple solution each; two boxes may have the same
+  std::vector<Box> undecided = {};   ///< smaller than the resolution
+  std::vector<Box> open_boxes = {};  ///< not yet decided when the limit was reached
+  std::uint64_t examined = 0;
 };
 
 /// A box whose sides are shorter than this fraction of the domain is not halved again.

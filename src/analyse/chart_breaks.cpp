@@ -15,7 +15,7 @@ namespace {
 using cln::cl_R;
 
 /// Shifts one coordinate by 1/8, which is far from multiples of a quarter turn.
-State beside(State state, std::size_t coordinate) {
+State shifted_state(State state, std::size_t coordinate) {
   state.q[coordinate] = state.q[coordinate] + cln::cl_RA(1) / 8;
   return state;
 }
@@ -24,14 +24,15 @@ State beside(State state, std::size_t coordinate) {
 /// so less than 1e-50 of a lost pivot remains.
 bool is_chart_broken(const RestProgram& rest, const State& state) {
   State moved = state;
-  for (std::size_t i = 0; i < moved.q.size(); ++i) moved = beside(std::move(moved), i);
-  const std::vector<cl_R> usual = mass_at(rest, moved);
-  return is_positive_definite(usual) && !is_positive_definite(mass_at(rest, state), {}, usual);
+  for (std::size_t i = 0; i < moved.q.size(); ++i) moved = shifted_state(std::move(moved), i);
+  const std::vector<cl_R> reference = mass_at(rest, moved);
+  return is_positive_definite(reference) &&
+         !is_positive_definite(mass_at(rest, state), {}, reference);
 }
 
 }  // namespace
 
-std::vector<cl_R> numbers_of(const std::vector<Real>& values) {
+std::vector<cl_R> real_values(const std::vector<Real>& values) {
   std::vector<cl_R> result;
   for (const Real& value : values) {
     result.push_back(value.is_defined() ? cl_R(value.value()) : cl_R(0));
@@ -40,7 +41,7 @@ std::vector<cl_R> numbers_of(const std::vector<Real>& values) {
 }
 
 std::vector<cl_R> mass_at(const RestProgram& rest, const State& state) {
-  return numbers_of(evaluate(rest.program, rest.program.functions[1], arguments_at<Real>(state)));
+  return real_values(evaluate(rest.program, rest.program.functions[1], arguments_at<Real>(state)));
 }
 
 bool breaks_chart(const RestProgram& rest, const RestPoint& point,
@@ -48,7 +49,7 @@ bool breaks_chart(const RestProgram& rest, const RestPoint& point,
   // A coordinate in no equation has its start value, at which the chart may break by chance.
   State elsewhere = point.state;
   for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
-    if (point.coordinates[i].is_any) elsewhere = beside(std::move(elsewhere), i);
+    if (point.coordinates[i].is_any) elsewhere = shifted_state(std::move(elsewhere), i);
   }
   if (!is_chart_broken(rest, elsewhere)) return false;
   std::vector<std::uint32_t> held;
@@ -56,7 +57,7 @@ bool breaks_chart(const RestProgram& rest, const RestPoint& point,
   for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
     if (point.coordinates[i].is_any) continue;
     held.push_back(i);
-    if (!is_chart_broken(rest, beside(elsewhere, i))) causes.push_back(i);
+    if (!is_chart_broken(rest, shifted_state(elsewhere, i))) causes.push_back(i);
   }
   for (const std::uint32_t i : causes.empty() ? held : causes) {
     const bool is_known = std::ranges::any_of(breaks, [&](const ChartBreak& known) {

@@ -11,7 +11,7 @@
 namespace elgen {
 
 /// The values as real numbers; undefined values become 0.
-[[nodiscard]] std::vector<cln::cl_R> numbers_of(const std::vector<Real>& values);
+[[nodiscard]] std::vector<cln::cl_R> real_values(const std::vector<Real>& values);
 
 /// M at a state of rest, row-major.
 [[nodiscard]] std::vector<cln::cl_R> mass_at(const RestProgram& rest, const State& state);

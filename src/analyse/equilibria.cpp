@@ -43,7 +43,7 @@ class EquilibriumSearch {
     for (const RestBlock& block : blocks_) {
       Result<BlockRoots> roots = block_roots(system, block, left);
       if (!roots) return roots.diagnostics;
-      join(*roots);
+      merge_counts(*roots);
       if (!roots->limit.empty()) {
         const bool is_boxes = roots->limit == "boxes";
         result_.limit =
@@ -68,7 +68,7 @@ class EquilibriumSearch {
   /// Analyses only the given state, which must be an equilibrium (else E532).
   Result<Equilibria> at_start() {
     if (Diagnostics errors = prepare(); !errors.empty()) return errors;
-    if (Diagnostics errors = unbalanced(); !errors.empty()) return errors;
+    if (Diagnostics errors = balance_errors(); !errors.empty()) return errors;
     RestSystem system{model_, rest_.program, result_.forms, result_.kinds, state_};
     for (const RestBlock& block : blocks_) {
       roots_.emplace_back().roots.push_back(values_at_start(system, block));
@@ -107,7 +107,7 @@ class EquilibriumSearch {
     leave_out_coordinates();
     blocks_ = rest_blocks(rows_);
     find_kinds();
-    describe();
+    compare_rest_energy();
     return {};
   }
 
@@ -125,7 +125,7 @@ class EquilibriumSearch {
     }
   }
 
-  [[nodiscard]] Diagnostics unbalanced() const {
+  [[nodiscard]] Diagnostics balance_errors() const {
     // Start values have 60 digits or more. Sums of forces lose a few digits.
     static const cl_R tolerance = power_of_ten(-40);
     const std::vector<Real> residual =
@@ -196,7 +196,7 @@ class EquilibriumSearch {
     }
   }
 
-  void describe() {
+  void compare_rest_energy() {
     const Function* const potential = find_function(moving_, OutputKind::potential_energy);
     if (potential == nullptr) return;
     // At rest W is V0, unless the kinetic energy has a term T0 without velocities.
@@ -206,10 +206,10 @@ class EquilibriumSearch {
     Arithmetic arithmetic(known.algebra);
     const Function& rest_energy = rest_.program.functions[2];
     const Value w = entries_of(rest_energy, fold<Value>(arithmetic, rest_.program, rest_energy))[0];
-    result_.has_rest_kinetic_energy = !v0 || !w || !proved_equal(known, *v0, *w);
+    result_.has_rest_kinetic_energy = !v0 || !w || !is_proved_equal(known, *v0, *w);
   }
 
-  void join(const BlockRoots& roots) {
+  void merge_counts(const BlockRoots& roots) {
     result_.completeness = std::max(result_.completeness, roots.completeness);
     result_.boxes += roots.boxes;
     result_.starts += roots.starts;
@@ -237,12 +237,12 @@ class EquilibriumSearch {
         chosen[b] = rest % roots_[b].roots.size();
         rest /= roots_[b].roots.size();
       }
-      result_.points.push_back(point_of(system, chosen));
+      result_.points.push_back(rest_point(system, chosen));
     }
     return {};
   }
 
-  RestPoint point_of(RestSystem& system, const std::vector<std::size_t>& chosen) {
+  RestPoint rest_point(RestSystem& system, const std::vector<std::size_t>& chosen) {
     RestPoint point;
     point.state = state_;
     point.coordinates.resize(model_.coordinates.size());
@@ -286,11 +286,11 @@ class EquilibriumSearch {
     for (std::uint32_t i = 0; i < velocities.size(); ++i) velocities[i] = i;
     point.mass = mass_at(rest_, point.state);
     point.stiffness =
-        numbers_of(position_slopes(model_, rest_.program, rest_.residual(), at, velocities));
-    point.damping = numbers_of(velocity_slopes(moving_, OutputKind::bias, at));
+        real_values(position_slopes(model_, rest_.program, rest_.residual(), at, velocities));
+    point.damping = real_values(velocity_slopes(moving_, OutputKind::bias, at));
     if (!model_.inputs.empty()) {
       point.input_matrix =
-          numbers_of(evaluate(moving_, *find_function(moving_, OutputKind::input_matrix), at));
+          real_values(evaluate(moving_, *find_function(moving_, OutputKind::input_matrix), at));
     }
   }
 
@@ -353,7 +353,7 @@ Result<State> state_at(const CheckedModel& checked, const std::string& name) {
                       names.empty() ? "give a point: `--at theta=0`"
                                     : fmt::format("there are: {}", fmt::join(names, ", "))};
   }
-  std::optional<State> there = oracle_point(model, *found, std::move(*state));
+  std::optional<State> there = oracle_rest_state(model, *found, std::move(*state));
   if (there) return std::move(*there);
   return Diagnostic{Code::E532, found->span, "the point has no value at these parameters"};
 }
@@ -362,7 +362,7 @@ Result<EquilibriumSearch> search_of(const AnalysisInput& input) {
   const CheckedModel& checked = input.checked;
   const Result<State> state = input.about ? state_at(checked, *input.about) : start_of(checked);
   if (!state) return state.diagnostics;
-  Program moving = written(input.recursive, Reader::code);  // without leaves that cancel
+  Program moving = with_closed_forms(input.recursive, Reader::code);  // without leaves that cancel
   Result<RestProgram> rest = rest_program(moving, state->u);
   if (!rest) return rest.diagnostics;
   return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *state);

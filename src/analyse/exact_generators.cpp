@@ -114,7 +114,7 @@ class Conditions {
 };
 
 /// Sets the unknown of each equation with one term to 0, and removes it from all other equations.
-std::vector<Equation> with_zeros_apart(std::vector<Equation> equations) {
+std::vector<Equation> with_zero_unknowns(std::vector<Equation> equations) {
   std::set<std::size_t> zeros;
   for (bool is_done = false; !is_done;) {
     is_done = true;
@@ -199,7 +199,8 @@ std::optional<ExactGenerators> exact_generators(ClosedForms& forms, const Model&
   ExactGenerators result;
   result.is_complete = equations.is_complete();
   result.has_root = equations.has_root();
-  const FormEchelon echelon(field, with_zeros_apart(std::move(equations).equations()), all.size());
+  const FormEchelon echelon(field, with_zero_unknowns(std::move(equations).equations()),
+                            all.size());
   if (!echelon.is_defined()) return std::nullopt;
   for (const std::vector<Value>& solution : echelon.kernel()) {
     std::vector<Fraction>& entries = result.basis.emplace_back();

@@ -116,9 +116,9 @@ std::optional<KnownSinusoid> sinusoid_of(Arithmetic& arithmetic, Coefficients co
 }
 
 /// The closed form of a root of an equation in one unknown, from the root's value in 64 digits.
-class OneUnknown {
+class SingleUnknownRoot {
  public:
-  OneUnknown(ClosedForms& forms, const Arguments<Real>& root, std::uint32_t coordinate)
+  SingleUnknownRoot(ClosedForms& forms, const Arguments<Real>& root, std::uint32_t coordinate)
       : forms_(forms),
         algebra_(forms.algebra),
         root_(root),
@@ -198,9 +198,9 @@ bool is_solved(Algebra& algebra, const std::vector<Fraction>& rows,
 // Linear equations.
 
 /// Closed forms, with pivots that are not 0 at the values of the parameters.
-class FormsAt : public FormField {
+class FormsAtParameters : public FormField {
  public:
-  FormsAt(Algebra& algebra, const Arguments<Real>& at)
+  FormsAtParameters(Algebra& algebra, const Arguments<Real>& at)
       : FormField(algebra, PresentBudget{}.products, PresentBudget{}.terms),
         algebra_(algebra),
         at_(at) {}
@@ -218,23 +218,23 @@ class FormsAt : public FormField {
     for (const PivotCandidate<Value>& candidate : candidates) {
       if (!vanishes(**candidate.entry)) return &candidate;
     }
-    is_open_ = true;
+    is_undecided_ = true;
     return nullptr;
   }
-  [[nodiscard]] bool is_open() const { return is_open_; }
+  [[nodiscard]] bool is_undecided() const { return is_undecided_; }
 
  private:
   const Algebra& algebra_;
   const Arguments<Real>& at_;
-  bool is_open_ = false;
+  bool is_undecided_ = false;
 };
 
 /// Columns: the unknowns from last to first, so that the first unknowns remain arbitrary; then the
 /// constant term.
-using RestEchelon = Echelon<FormsAt>;
+using RestEchelon = Echelon<FormsAtParameters>;
 
 /// The value of the unknown whose pivot was removed from this row.
-std::optional<CoordinateAtRest> solved_for(FormsAt& field, const RestEchelon::Row& row,
+std::optional<CoordinateAtRest> solved_for(FormsAtParameters& field, const RestEchelon::Row& row,
                                            const std::vector<std::uint32_t>& unknowns) {
   const std::size_t n = unknowns.size();
   Value value = Fraction{};
@@ -252,12 +252,13 @@ std::optional<CoordinateAtRest> solved_for(FormsAt& field, const RestEchelon::Ro
   return CoordinateAtRest{false, number.value(), value};
 }
 
-std::optional<LinearSolution> solution_of(FormsAt& field, std::vector<RestEchelon::Row> rows,
+std::optional<LinearSolution> solution_of(FormsAtParameters& field,
+                                          std::vector<RestEchelon::Row> rows,
                                           const std::vector<std::uint32_t>& unknowns,
                                           const Arguments<Real>& at) {
   const std::size_t n = unknowns.size();
   const RestEchelon echelon(field, std::move(rows), n);
-  if (!echelon.is_defined() || field.is_open()) return std::nullopt;
+  if (!echelon.is_defined() || field.is_undecided()) return std::nullopt;
   LinearSolution solution;
   for (const Value& rest : echelon.contradictions()) {
     if (field.vanishes(*rest)) return std::nullopt;
@@ -306,7 +307,7 @@ bool is_at_pole(const LinearSolution& solution, const Unknowns& unknowns,
 
 std::optional<LinearSolution> linear_solution(ClosedForms& forms, const std::vector<Fraction>& rows,
                                               const Unknowns& unknowns, const Arguments<Real>& at) {
-  FormsAt field(forms.algebra, at);
+  FormsAtParameters field(forms.algebra, at);
   const std::size_t n = unknowns.coordinates.size();
   std::vector<RestEchelon::Row> equations;
   Replacements origin;
@@ -378,7 +379,7 @@ std::optional<std::vector<CoordinateAtRest>> exact_root(ClosedForms& forms,
   for (const Fraction& row : rows) {
     const Value left = substituted(algebra, row, known);
     if (!left || !search_of(algebra, unknowns.coordinates[*open]).holds(*left)) continue;
-    const auto value = OneUnknown(forms, root, unknowns.coordinates[*open]).of(*left);
+    const auto value = SingleUnknownRoot(forms, root, unknowns.coordinates[*open]).of(*left);
     if (!value) continue;
     values[*open] = *value;
     if (is_solved(algebra, rows, replacements_of(unknowns.coordinates, values))) return values;

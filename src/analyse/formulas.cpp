@@ -22,9 +22,9 @@ Value complex_form(Arithmetic& arithmetic, const Value& x, const Value& y) {
   return arithmetic.add(x, arithmetic.multiply(y, i));
 }
 
-class Substituting {
+class FormSubstitution {
  public:
-  Substituting(Algebra& algebra, const Replacements& replacements)
+  FormSubstitution(Algebra& algebra, const Replacements& replacements)
       : algebra_(algebra),
         replacements_(replacements),
         arithmetic_(algebra),
@@ -175,7 +175,7 @@ const Atom* leaf_within(const Algebra& algebra, const Atom& function) {
 }
 
 Value substituted(Algebra& algebra, const Value& form, const Replacements& replacements) {
-  return form ? Substituting(algebra, replacements).of(*form) : std::nullopt;
+  return form ? FormSubstitution(algebra, replacements).of(*form) : std::nullopt;
 }
 
 std::optional<Replacements> parameter_values(const std::vector<cln::cl_R>& values) {

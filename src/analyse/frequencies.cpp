@@ -89,7 +89,7 @@ class FrequencyForms {
     const Value left = at.multiply(middle, d);
     const Value right = at.multiply(square, at.multiply(d, d));
     if (!left || !right) return;
-    if (const auto sum = sum_squared_to(*right)) {
+    if (const auto sum = exact_square_root(*right)) {
       const Value root = at.divide(*sum, d);
       const Value first = at.subtract(middle, root);
       const Value second = at.add(middle, root);
@@ -105,7 +105,7 @@ class FrequencyForms {
   }
 
   /// A sum with rational coefficients whose square is x, if it exists.
-  static std::optional<Fraction> sum_squared_to(const Fraction& x) {
+  static std::optional<Fraction> exact_square_root(const Fraction& x) {
     const Gaussian& lead = x.numerator.rbegin()->second;
     cln::cl_RA root;
     const bool is_square = x.denominator.empty() && cln::zerop(lead.imaginary) &&

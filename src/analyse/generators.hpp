@@ -38,11 +38,11 @@ struct GeneratorClass {
 
   std::vector<std::uint32_t> coordinates = {};  ///< indices in q, without rotations
   std::vector<std::uint32_t> velocities = {};   ///< of `coordinates`, in the same order
-  struct Place {
+  struct RotationIndices {
     std::uint32_t first_coordinate = 0;
     std::uint32_t first_velocity = 0;
   };
-  std::vector<Place> rotations = {};
+  std::vector<RotationIndices> rotations = {};
   std::size_t velocity_count = 0;
 
   [[nodiscard]] std::size_t scalars() const { return coordinates.size(); }
@@ -106,9 +106,8 @@ std::array<typename Field::Number, axis_count> world_axis(
 
 /// The cross product of x and the j-th unit vector: column j of [x]x. x starts at `first`.
 template <class Field>
-std::array<typename Field::Number, axis_count> across(Field& field,
-                                                      const std::vector<typename Field::Number>& x,
-                                                      std::size_t first, std::size_t j) {
+std::array<typename Field::Number, axis_count> cross_with_unit(
+    Field& field, const std::vector<typename Field::Number>& x, std::size_t first, std::size_t j) {
   const std::size_t k = (j + 1) % axis_count;
   const std::size_t l = (j + 2) % axis_count;
   std::array<typename Field::Number, axis_count> result;
@@ -158,9 +157,9 @@ PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass
       const Number& world = x[all.world_turn(r, j)];
       const Number& body = x[all.body_turn(r, j)];
       const auto axis = world_axis(field, at.q, first_coordinate, j);
-      const auto velocity = across(field, at.v, first, j);
-      const auto acceleration = across(field, at.a, first, j);
-      const auto residual = across(field, at.residual, first, j);
+      const auto velocity = cross_with_unit(field, at.v, first, j);
+      const auto acceleration = cross_with_unit(field, at.a, first, j);
+      const auto residual = cross_with_unit(field, at.residual, first, j);
       for (std::size_t k = 0; k < axis_count; ++k) {
         add(change.position[first + k], world, axis[k]);
         add(change.velocity[first + k], body, velocity[k]);
@@ -176,12 +175,13 @@ PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass
 
 /// to + sum_k slope_ik moved_k
 template <class Field>
-typename Field::Number with_slopes(Field& field, typename Field::Number to,
-                                   const std::vector<typename Field::Number>& slope, std::size_t i,
-                                   const std::vector<typename Field::Number>& moved) {
-  for (std::size_t k = 0; k < moved.size(); ++k) {
-    if (field.is_zero(moved[k])) continue;
-    to = field.add(to, field.multiply(slope[i * moved.size() + k], moved[k]));
+typename Field::Number add_slope_product(Field& field, typename Field::Number to,
+                                         const std::vector<typename Field::Number>& slope,
+                                         std::size_t i,
+                                         const std::vector<typename Field::Number>& change) {
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    if (field.is_zero(change[k])) continue;
+    to = field.add(to, field.multiply(slope[i * change.size() + k], change[k]));
   }
   return to;
 }
@@ -201,9 +201,10 @@ std::vector<std::vector<typename Field::Number>> conditions(
     const PointChange<Number> change = change_of(field, all, at, unit);
     unit[u] = field.integer(0);
     for (std::size_t i = 0; i < n; ++i) {
-      Number sum = with_slopes(field, change.transposed[i], slopes.by_position, i, change.position);
-      sum = with_slopes(field, sum, slopes.by_velocity, i, change.velocity);
-      rows[i][u] = with_slopes(field, sum, slopes.by_acceleration, i, change.acceleration);
+      Number sum =
+          add_slope_product(field, change.transposed[i], slopes.by_position, i, change.position);
+      sum = add_slope_product(field, sum, slopes.by_velocity, i, change.velocity);
+      rows[i][u] = add_slope_product(field, sum, slopes.by_acceleration, i, change.acceleration);
     }
   }
   for (std::size_t i = 0; i < n; ++i) rows[i][all.time()] = slopes.by_time[i];

@@ -41,7 +41,7 @@ std::vector<Real> slopes_along(const Program& program, const Function& function,
   for (std::size_t k = 0; k < columns; ++k) {
     Arguments<Real> direction = map_leaves([](const Real&) { return Real(); }, at);
     point(k, direction);
-    const auto entries = evaluate(program, function, moving(at, direction));
+    const auto entries = evaluate(program, function, dual_leaves(at, direction));
     for (std::size_t i = 0; i < entries.size(); ++i) slopes[i * columns + k] = entries[i].slope;
   }
   return slopes;
@@ -81,9 +81,9 @@ std::vector<Real> velocity_slopes(const Program& program, OutputKind kind,
                       [](std::size_t k, Arguments<Real>& direction) { direction.v[k] = Real(1); });
 }
 
-std::optional<Arguments<Real>> refined(const Model& model, const Program& program,
-                                       const Function& function, Arguments<Real> start,
-                                       const std::vector<std::uint32_t>& along) {
+std::optional<Arguments<Real>> newton_solution(const Model& model, const Program& program,
+                                               const Function& function, Arguments<Real> start,
+                                               const std::vector<std::uint32_t>& along) {
   static const Real smallest_step(power_of_ten(-58));
   if (entry_count(function) != along.size()) return std::nullopt;
   for (int i = 0; i < most_steps; ++i) {

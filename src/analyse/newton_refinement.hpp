@@ -21,9 +21,8 @@ namespace elgen {
 
 /// The solution of f = 0 near `start`; only the coordinates of the velocities `along` change. None
 /// if the numbers of entries and velocities differ, if df/dq is singular, or after 200 steps.
-[[nodiscard]] std::optional<Arguments<Real>> refined(const Model& model, const Program& program,
-                                                     const Function& function,
-                                                     Arguments<Real> start,
-                                                     const std::vector<std::uint32_t>& along);
+[[nodiscard]] std::optional<Arguments<Real>> newton_solution(
+    const Model& model, const Program& program, const Function& function, Arguments<Real> start,
+    const std::vector<std::uint32_t>& along);
 
 }  // namespace elgen

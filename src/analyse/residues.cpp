@@ -27,7 +27,7 @@ PointOfCircle turned(const PointOfCircle& a, const PointOfCircle& b) {
 PointOfCircle mirrored(const PointOfCircle& a) { return {a.cosine, -a.sine}; }
 
 /// The point ((1 - s^2), 2 s)/(1 + s^2) of the unit circle.
-PointOfCircle point_of(const cl_MI& s) {
+PointOfCircle circle_point(const cl_MI& s) {
   const cl_MI scale = cln::recip(integer(1) + s * s);
   return {(integer(1) - s * s) * scale, integer(2) * s * scale};
 }
@@ -116,7 +116,7 @@ struct ResidueRules {
 LeafValues<Residue> drawn_leaves(const Model& model, const Program& program, Sampler& draw) {
   const auto drawn = [&draw](const std::string&) {
     const cl_MI s = residue_of(draw.number());
-    return Residue{.value = residue_of(draw.number()), .angle = point_of(s)};
+    return Residue{.value = residue_of(draw.number()), .angle = circle_point(s)};
   };
   LeafValues<Residue> leaves =
       map_leaves(drawn, static_cast<const LeafValues<std::string>&>(program.leaves));

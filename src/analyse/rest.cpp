@@ -48,7 +48,7 @@ std::vector<Ref> entries_at_rest(const RestRules& rules, const Program& program,
 /// Appends a function with these entries and the shape of the function of this kind in `shapes`.
 void append_function(Program& program, const Program& shapes, OutputKind kind,
                      const Expressions& expressions) {
-  Function function = unfilled(*find_function(shapes, kind));
+  Function function = without_instructions(*find_function(shapes, kind));
   linearise(cheapest_network(expressions, function), program, function);
   program.functions.push_back(std::move(function));
 }
@@ -73,7 +73,7 @@ Expressions residual_of(const Program& moving, const std::vector<cln::cl_R>& inp
 
 /// A value as a sum of rational multiples of coordinates and other terms. `all` has the coordinates
 /// of all terms, `number` the value of a rational constant.
-struct Tracked {
+struct LinearOccurrence {
   std::map<std::uint32_t, cl_RA> multiples = {};
   std::optional<cl_RA> number = {};
   Occurrence all = {};
@@ -86,8 +86,8 @@ void unite(Occurrence& to, const Occurrence& from) {
 }
 
 /// The result of a nonlinear function of x: the coordinates in x.multiples are outside sinusoids.
-Tracked used(const Tracked& x) {
-  Tracked result;
+LinearOccurrence nonlinear_result(const LinearOccurrence& x) {
+  LinearOccurrence result;
   result.all = x.all;
   for (const auto& [coordinate, multiple] : x.multiples) {
     result.all.outside_sinusoids.insert(coordinate);
@@ -95,13 +95,13 @@ Tracked used(const Tracked& x) {
   return result;
 }
 
-Tracked used_together(const Tracked& x, const Tracked& y) {
-  Tracked result = used(x);
-  unite(result.all, used(y).all);
+LinearOccurrence nonlinear_result_of_both(const LinearOccurrence& x, const LinearOccurrence& y) {
+  LinearOccurrence result = nonlinear_result(x);
+  unite(result.all, nonlinear_result(y).all);
   return result;
 }
 
-Tracked scaled(Tracked x, const cl_RA& factor) {
+LinearOccurrence scaled(LinearOccurrence x, const cl_RA& factor) {
   if (factor == 0) return {{}, cl_RA(0), {}};
   for (auto& [coordinate, multiple] : x.multiples) multiple = multiple * factor;
   if (x.number) x.number = *x.number * factor;
@@ -110,13 +110,13 @@ Tracked scaled(Tracked x, const cl_RA& factor) {
 
 /// Rules for fold(): which coordinates a value depends on.
 struct OccurrenceRules {
-  [[nodiscard]] Tracked constant(const Constant& constant) const {
-    Tracked result;
+  [[nodiscard]] LinearOccurrence constant(const Constant& constant) const {
+    LinearOccurrence result;
     if (is_rational(constant)) result.number = cln::rational(constant.value);
     return result;
   }
-  [[nodiscard]] Tracked leaf(Opcode kind, std::uint32_t number) const {
-    Tracked result;
+  [[nodiscard]] LinearOccurrence leaf(Opcode kind, std::uint32_t number) const {
+    LinearOccurrence result;
     if (kind == Opcode::coordinate) {
       result.multiples[number] = 1;
       result.all.coordinates.insert(number);
@@ -124,9 +124,9 @@ struct OccurrenceRules {
     result.all.has_time = kind == Opcode::time;
     return result;
   }
-  [[nodiscard]] Tracked negate(const Tracked& x) const { return scaled(x, -1); }
-  [[nodiscard]] Tracked add(const Tracked& x, const Tracked& y) const {
-    Tracked result = x;
+  [[nodiscard]] LinearOccurrence negate(const LinearOccurrence& x) const { return scaled(x, -1); }
+  [[nodiscard]] LinearOccurrence add(const LinearOccurrence& x, const LinearOccurrence& y) const {
+    LinearOccurrence result = x;
     for (const auto& [coordinate, multiple] : y.multiples) {
       cl_RA& sum = result.multiples.try_emplace(coordinate, 0).first->second;
       sum = sum + multiple;
@@ -137,23 +137,31 @@ struct OccurrenceRules {
     unite(result.all, y.all);
     return result;
   }
-  [[nodiscard]] Tracked subtract(const Tracked& x, const Tracked& y) const {
+  [[nodiscard]] LinearOccurrence subtract(const LinearOccurrence& x,
+                                          const LinearOccurrence& y) const {
     return add(x, negate(y));
   }
-  [[nodiscard]] Tracked multiply(const Tracked& x, const Tracked& y) const {
+  [[nodiscard]] LinearOccurrence multiply(const LinearOccurrence& x,
+                                          const LinearOccurrence& y) const {
     if (x.number) return scaled(y, *x.number);
     if (y.number) return scaled(x, *y.number);
-    return used_together(x, y);
+    return nonlinear_result_of_both(x, y);
   }
-  [[nodiscard]] Tracked divide(const Tracked& x, const Tracked& y) const {
+  [[nodiscard]] LinearOccurrence divide(const LinearOccurrence& x,
+                                        const LinearOccurrence& y) const {
     if (y.number && *y.number != 0) return scaled(x, 1 / *y.number);
-    return used_together(x, y);
+    return nonlinear_result_of_both(x, y);
   }
-  [[nodiscard]] Tracked square_root(const Tracked& x) const { return used(x); }
-  [[nodiscard]] Tracked call(FunctionId function, const Tracked& x, const Tracked& y) const {
+  [[nodiscard]] LinearOccurrence square_root(const LinearOccurrence& x) const {
+    return nonlinear_result(x);
+  }
+  [[nodiscard]] LinearOccurrence call(FunctionId function, const LinearOccurrence& x,
+                                      const LinearOccurrence& y) const {
     const bool is_trigonometric = is_circular(function) || function == FunctionId::tan;
-    if (!is_trigonometric) return function_row(function).arity == 2 ? used_together(x, y) : used(x);
-    Tracked result;
+    if (!is_trigonometric)
+      return function_row(function).arity == 2 ? nonlinear_result_of_both(x, y)
+                                               : nonlinear_result(x);
+    LinearOccurrence result;
     result.all = x.all;
     for (const auto& [coordinate, multiple] : x.multiples) {
       if (cln::denominator(multiple) != 1) result.all.outside_sinusoids.insert(coordinate);
@@ -182,9 +190,9 @@ Result<RestProgram> rest_program(const Program& moving, const std::vector<cln::c
 
 std::vector<Occurrence> occurrences(const Program& program, const Function& function) {
   std::vector<Occurrence> result;
-  for (const Tracked& entry :
-       entries_of(function, fold<Tracked>(OccurrenceRules{}, program, function))) {
-    result.push_back(used(entry).all);
+  for (const LinearOccurrence& entry :
+       entries_of(function, fold<LinearOccurrence>(OccurrenceRules{}, program, function))) {
+    result.push_back(nonlinear_result(entry).all);
   }
   return result;
 }
@@ -225,7 +233,7 @@ Result<std::vector<cln::cl_R>> inputs_of(const CheckedModel& checked, const Stat
       return e.kind == ExpressionKind::leaf && e.leaf != Opcode::parameter;
     };
     const auto value = oracle_expression(model, *law, state);
-    if (!value || std::ranges::any_of(reached(model, {*law}), moves)) {
+    if (!value || std::ranges::any_of(reachable_from(model, {*law}), moves)) {
       return Diagnostic{Code::E606, model.expressions[*law].span,
                         fmt::format("`{}` has to be a number at an equilibrium", input.name)};
     }

@@ -33,15 +33,17 @@ const cl_R& rounding() {
 }
 
 /// R = M a + bias - dD/dv + Q; bias contains dD/dv and -Q, which thus cancel.
-constexpr std::array<std::pair<OutputKind, int>, 3> parts{{{OutputKind::inverse_dynamics, 1},
-                                                           {OutputKind::dissipation, -1},
-                                                           {OutputKind::applied_force, 1}}};
+constexpr std::array<std::pair<OutputKind, int>, 3> residual_outputs{
+    {{OutputKind::inverse_dynamics, 1},
+     {OutputKind::dissipation, -1},
+     {OutputKind::applied_force, 1}}};
 
-/// Sums part(kind) over the outputs of `parts` that the program has; one entry per velocity.
+/// Sums part(kind) over the outputs of `residual_outputs` that the program has; one entry per
+/// velocity.
 template <class Part>
-std::vector<Real> sum_of_parts(const Program& program, std::size_t n, const Part& part) {
+std::vector<Real> sum_of_outputs(const Program& program, std::size_t n, const Part& part) {
   std::vector<Real> sum(n);
-  for (const auto& [kind, sign] : parts) {
+  for (const auto& [kind, sign] : residual_outputs) {
     if (find_function(program, kind) == nullptr) continue;
     const std::vector<Real> terms = part(kind);
     for (std::size_t i = 0; i < n; ++i) sum[i] = sum[i] + Real(sign) * terms[i];
@@ -56,14 +58,14 @@ ResidualSlopes<Real> slopes_at(const ExactValues& values) {
                          std::size_t column, std::size_t columns) {
     slopes.resize(n * columns);
     const std::vector<Real> sum =
-        sum_of_parts(program, n, [&](OutputKind kind) { return values.slopes(kind, direction); });
+        sum_of_outputs(program, n, [&](OutputKind kind) { return values.slopes(kind, direction); });
     for (std::size_t i = 0; i < n; ++i) slopes[i * columns + column] = sum[i];
   };
   ResidualSlopes<Real> slopes;
   for (std::size_t k = 0; k < n; ++k) {
     std::vector<Real> unit(n);
     unit[k] = Real(1);
-    Arguments<Real> by_position = values.at_rest();
+    Arguments<Real> by_position = values.zero_direction();
     Arguments<Real> by_velocity = by_position;
     Arguments<Real> by_acceleration = by_position;
     by_position.q = values.coordinate_rates(unit);
@@ -73,7 +75,7 @@ ResidualSlopes<Real> slopes_at(const ExactValues& values) {
     along(by_velocity, slopes.by_velocity, k, n);
     along(by_acceleration, slopes.by_acceleration, k, n);
   }
-  Arguments<Real> by_time = values.at_rest();
+  Arguments<Real> by_time = values.zero_direction();
   by_time.t = Real(1);
   along(by_time, slopes.by_time, 0, 1);
   return slopes;
@@ -166,11 +168,11 @@ std::optional<SampledGenerators> generators_at(const CheckedModel& checked, cons
 MotionPoint<Real> sampled_point(ExactValues& values) {
   const Arguments<Real>& at = values.arguments();
   return {at.q, at.v, at.a, at.t,
-          sum_of_parts(values.subject().program, values.size(),
-                       [&](OutputKind kind) { return values.value(kind); })};
+          sum_of_outputs(values.subject().program, values.size(),
+                         [&](OutputKind kind) { return values.value(kind); })};
 }
 
-bool solves(const SampledGenerators& sampled, const std::vector<cl_R>& generator) {
+bool satisfies(const SampledGenerators& sampled, const std::vector<cl_R>& generator) {
   const cl_R largest = largest_of(generator);
   return std::ranges::all_of(sampled.rows, [&](const std::vector<cl_R>& row) {
     cl_R sum = 0;
@@ -189,8 +191,8 @@ std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
   return with_digits(sampling_digits, [&] { return generators_at(checked, moving, resting); });
 }
 
-std::vector<SampledGenerators> generators_elsewhere(const CheckedModel& checked,
-                                                    const Program& moving) {
+std::vector<SampledGenerators> generators_at_other_parameters(const CheckedModel& checked,
+                                                              const Program& moving) {
   constexpr std::size_t sets = 3;
   std::vector<SampledGenerators> found;
   for (std::size_t turn = 0; turn < draws_per_state && found.size() < sets; ++turn) {

@@ -36,12 +36,12 @@ struct SampledGenerators {
 
 /// Generators at up to three random sets of the parameters that are not fixed. A set without values
 /// is omitted. Cost: three calls of sampled_generators(), or up to 20 if ranges leave the domain.
-[[nodiscard]] std::vector<SampledGenerators> generators_elsewhere(const CheckedModel& checked,
-                                                                  const Program& moving);
+[[nodiscard]] std::vector<SampledGenerators> generators_at_other_parameters(
+    const CheckedModel& checked, const Program& moving);
 
 /// True if a generator satisfies conditions that were sampled at other values of the parameters.
-[[nodiscard]] bool solves(const SampledGenerators& sampled,
-                          const std::vector<cln::cl_R>& generator);
+[[nodiscard]] bool satisfies(const SampledGenerators& sampled,
+                             const std::vector<cln::cl_R>& generator);
 
 /// The point of a motion at a state, with R.
 [[nodiscard]] MotionPoint<Real> sampled_point(ExactValues& values);

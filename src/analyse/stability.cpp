@@ -43,13 +43,13 @@ constexpr double pole_noise = 1e-5;
 /// The matrix with this number of rows, from row-major numbers rounded to doubles.
 Matrix matrix_of(const std::vector<cl_R>& values, std::size_t rows) {
   std::vector<double> numbers;
-  for (const cl_R& value : values) numbers.push_back(ScalarTraits<double>::from_real(value));
+  for (const cl_R& value : values) numbers.push_back(to_double(value));
   const auto r = static_cast<Eigen::Index>(rows);
   const Eigen::Index c = rows == 0 ? 0 : static_cast<Eigen::Index>(numbers.size() / rows);
   return Eigen::Map<const RowMajor>(numbers.data(), r, c);
 }
 
-std::vector<double> numbers_of(const Matrix& matrix) {
+std::vector<double> real_values(const Matrix& matrix) {
   const RowMajor rows = matrix;
   return {rows.data(), rows.data() + rows.size()};
 }
@@ -172,7 +172,7 @@ std::vector<NormalMode> normal_modes(const RestPoint& point) {
 Poles poles_of(const std::vector<NormalMode>& modes) {
   Poles poles;
   for (const NormalMode& mode : modes) {
-    const double square = ScalarTraits<double>::from_real(mode.omega_squared);
+    const double square = to_double(mode.omega_squared);
     const std::complex<double> pole = std::sqrt(std::complex<double>(-square, 0));
     poles.push_back(pole);
     poles.push_back(-pole);
@@ -196,7 +196,7 @@ Poles poles_of(const RestPoint& point) {
 }
 
 /// Sets the verdict from the signs of the real parts. A conjugate pair has one growth rate.
-void judge_by_poles(const Poles& poles, StabilityVerdict& verdict) {
+void set_verdict_from_poles(const Poles& poles, StabilityVerdict& verdict) {
   double largest = 0;
   for (const auto& pole : poles) largest = std::max(largest, std::abs(pole));
   const double noise = pole_noise * largest;
@@ -227,7 +227,7 @@ LinearMotions motions_about(const RestPoint& point) {
   LinearMotions result{point};
   const std::size_t n = point.state.v.size();
   const Matrix a = state_matrix(point);
-  result.a = numbers_of(a);
+  result.a = real_values(a);
   if (is_natural(point)) {
     result.modes = normal_modes(point);
     result.poles = poles_of(result.modes);
@@ -238,7 +238,7 @@ LinearMotions motions_about(const RestPoint& point) {
     const Matrix forces = matrix_of(point.input_matrix, n);
     Matrix b = Matrix::Zero(a.rows(), forces.cols());
     b.bottomRows(forces.rows()) = matrix_of(point.mass, n).partialPivLu().solve(forces);
-    result.b = numbers_of(b);
+    result.b = real_values(b);
     result.controllable = controllable_rank(a, b, result.poles);
   }
   return result;
@@ -252,7 +252,7 @@ bool is_absent(const Program& moving, OutputKind kind) {
 }
 
 template <class Holds>
-bool none_holds(const Program& moving, OutputKind kind, const Holds& holds) {
+bool no_entry_satisfies(const Program& moving, OutputKind kind, const Holds& holds) {
   return std::ranges::none_of(occurrences(moving, *find_function(moving, kind)), holds);
 }
 
@@ -275,24 +275,24 @@ bool is_positive_semidefinite(std::vector<cl_R> a, std::size_t n) {
   return true;
 }
 
-bool dissipates(const Program& moving, const State& state) {
+bool is_dissipative(const Program& moving, const State& state) {
   if (is_absent(moving, OutputKind::dissipation)) return true;
-  if (!none_holds(moving, OutputKind::dissipation, holds_coordinates)) return false;
+  if (!no_entry_satisfies(moving, OutputKind::dissipation, holds_coordinates)) return false;
   const std::vector<Real> slopes =
       velocity_slopes(moving, OutputKind::dissipation, arguments_at<Real>(state));
-  return is_positive_semidefinite(numbers_of(slopes), state.v.size());
+  return is_positive_semidefinite(real_values(slopes), state.v.size());
 }
 
 }  // namespace
 
 bool is_positive_definite(const std::vector<cl_R>& matrix,
-                          const std::vector<std::uint32_t>& left_out,
-                          const std::vector<cl_R>& usual) {
+                          const std::vector<std::uint32_t>& excluded,
+                          const std::vector<cl_R>& reference) {
   static const cl_R noise = power_of_ten(-25);
   const auto n = static_cast<std::size_t>(std::lround(std::sqrt(matrix.size())));
   std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < n; ++k) {
-    if (std::ranges::find(left_out, k) == left_out.end()) kept.push_back(k);
+    if (std::ranges::find(excluded, k) == excluded.end()) kept.push_back(k);
   }
   std::vector<cl_R> block;
   for (const std::size_t i : kept) {
@@ -300,7 +300,7 @@ bool is_positive_definite(const std::vector<cl_R>& matrix,
   }
   DiagonalPivot<cl_R> field;
   const Echelon<DiagonalPivot<cl_R>> echelon(field, block, kept.size(), kept.size());
-  const std::vector<cl_R>& sizes = usual.empty() ? matrix : usual;
+  const std::vector<cl_R>& sizes = reference.empty() ? matrix : reference;
   return echelon.rank() == kept.size() &&
          std::ranges::all_of(echelon.pivots(), [&](const auto& pivot) {
            return pivot.value > noise * cln::abs(sizes[kept[pivot.column] * (n + 1)]);
@@ -312,13 +312,14 @@ bool is_conservative(const Program& moving, const State& state) {
   const bool is_free_of_time = std::ranges::all_of(
       std::array{OutputKind::bias, OutputKind::mass_matrix, OutputKind::energy_function},
       [&](OutputKind kind) {
-        return none_holds(moving, kind, [](const Occurrence& entry) { return entry.has_time; });
+        return no_entry_satisfies(moving, kind,
+                                  [](const Occurrence& entry) { return entry.has_time; });
       });
   const bool is_driven =
       std::ranges::any_of(state.u, [](const cl_R& u) { return !cln::zerop(u); }) &&
-      !none_holds(moving, OutputKind::input_matrix, holds_coordinates);
+      !no_entry_satisfies(moving, OutputKind::input_matrix, holds_coordinates);
   return is_free_of_time && !is_driven && is_absent(moving, OutputKind::applied_force) &&
-         dissipates(moving, state);
+         is_dissipative(moving, state);
 }
 
 StabilityVerdict stability_of(const RestPoint& point, const RestConditions& conditions) {
@@ -344,11 +345,11 @@ StabilityVerdict stability_of(const RestPoint& point, const RestConditions& cond
   }
   if (is_natural(point) && is_positive_definite(point.mass)) {
     for (const NormalMode& mode : normal_modes(point)) {
-      const double square = ScalarTraits<double>::from_real(mode.omega_squared);
+      const double square = to_double(mode.omega_squared);
       if (square < 0) verdict.growth_rates.push_back(std::sqrt(-square));
     }
   } else {
-    judge_by_poles(poles_of(point), verdict);
+    set_verdict_from_poles(poles_of(point), verdict);
   }
   if (!verdict.growth_rates.empty()) verdict.kind = Stability::unstable;
   return verdict;

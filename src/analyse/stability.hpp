@@ -25,10 +25,11 @@ struct RestConditions {
 [[nodiscard]] StabilityVerdict stability_of(const RestPoint& point,
                                             const RestConditions& conditions);
 
-/// True if a symmetric matrix, without the rows and columns `left_out`, is positive definite: in 64
-/// digits each pivot exceeds 1e-25 times its diagonal entry in `usual` (default: in the matrix).
+/// True if a symmetric matrix, without the rows and columns `excluded`, is positive definite: in 64
+/// digits each pivot exceeds 1e-25 times its diagonal entry in `reference` (default: in the
+/// matrix).
 [[nodiscard]] bool is_positive_definite(const std::vector<cln::cl_R>& matrix,
-                                        const std::vector<std::uint32_t>& left_out = {},
-                                        const std::vector<cln::cl_R>& usual = {});
+                                        const std::vector<std::uint32_t>& excluded = {},
+                                        const std::vector<cln::cl_R>& reference = {});
 
 }  // namespace elgen

@@ -46,7 +46,7 @@ struct MotionForms {
   }
 };
 
-void turn_sign(const FormField& field, Symmetry& symmetry) {
+void negate(const FormField& field, Symmetry& symmetry) {
   symmetry.by_names = field.negate(symmetry.by_names).value();
   for (Value* const value : {&symmetry.closed, &symmetry.total, &symmetry.loss, &symmetry.rate}) {
     *value = field.negate(*value);
@@ -71,7 +71,7 @@ Value reduced(FormField& field, const Algebra& algebra, const GeneratorClass& al
   const Atom& atom = algebra.atoms[power.atom];
   const bool is_scalar_part =
       atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate &&
-      std::ranges::any_of(all.rotations, [&](const GeneratorClass::Place& place) {
+      std::ranges::any_of(all.rotations, [&](const GeneratorClass::RotationIndices& place) {
         return place.first_coordinate == atom.index;
       });
   const std::uint32_t first = atom.index;
@@ -114,7 +114,7 @@ bool keeps_lagrangian_at(const Subject& subject, const Algebra& algebra, const G
   }
   const PointChange<Real> change =
       change_of(field, GeneratorClass(subject.model), sampled_point(values), unknowns);
-  Arguments<Real> direction = values.at_rest();
+  Arguments<Real> direction = values.zero_direction();
   direction.q = values.coordinate_rates(change.position);
   direction.v = change.velocity;
   direction.t = unknowns.back();
@@ -188,7 +188,7 @@ bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& gen
     numbers.push_back(rational_value(entry.numerator).value());
   }
   return !sets.empty() && std::ranges::all_of(sets, [&](const SampledGenerators& set) {
-    return solves(set, numbers);
+    return satisfies(set, numbers);
   });
 }
 
@@ -250,8 +250,8 @@ class SymmetrySearch {
     const bool is_open =
         exact && exact->has_root && sampled_ && sampled_->basis.size() > exact->basis.size();
     result_.is_complete = exact && exact->is_complete && !is_open;
-    if (!result_.is_complete) elsewhere_ = generators_elsewhere(checked_, moving_);
-    for (const SampledGenerators& set : elsewhere_) {
+    if (!result_.is_complete) other_parameters_ = generators_at_other_parameters(checked_, moving_);
+    for (const SampledGenerators& set : other_parameters_) {
       const std::size_t count = set.basis.size();
       result_.sampled_elsewhere = std::min(count, result_.sampled_elsewhere.value_or(count));
     }
@@ -272,7 +272,7 @@ class SymmetrySearch {
     Symmetry symmetry;
     symmetry.is_rounded = rounded_.contains(result_.all.size());
     symmetry.is_special =
-        symmetry.is_rounded || (!result_.is_exact && !solves_all(elsewhere_, generator));
+        symmetry.is_rounded || (!result_.is_exact && !solves_all(other_parameters_, generator));
     symmetry.kind = kind_of(result_.forms, all_, generator);
     FormField field(result_.forms.algebra);
     const Entries unknowns(generator.begin(), generator.end());
@@ -299,7 +299,7 @@ class SymmetrySearch {
       symmetry.total = Fraction{};
     }
     add_rates(field, motion_, change.position, symmetry);
-    if (symmetry.kind == SymmetryKind::time) turn_sign(field, symmetry);
+    if (symmetry.kind == SymmetryKind::time) negate(field, symmetry);
     result_.all.push_back(std::move(symmetry));
   }
 
@@ -349,7 +349,7 @@ class SymmetrySearch {
   std::vector<Fraction> rates_ = {};  ///< dq/dt; empty if it is v
   std::optional<Value> lagrangian_ = {};
   std::optional<SampledGenerators> sampled_ = {};
-  std::vector<SampledGenerators> elsewhere_ = {};  ///< empty if the exact basis is complete
+  std::vector<SampledGenerators> other_parameters_ = {};  ///< empty if the exact basis is complete
   std::set<std::size_t> rounded_ = {};
   Symmetries result_ = {};
   MotionForms motion_{model_, moving_, result_.forms};

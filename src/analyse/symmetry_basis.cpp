@@ -48,7 +48,7 @@ class BasisChange {
     for (const Generator& solution : basis) free_.push_back(free_unknown(solution));
   }
 
-  void take(std::size_t dimension, const Generator& wanted) {
+  void replace_by(std::size_t dimension, const Generator& wanted) {
     std::vector<std::size_t> parts;
     for (std::size_t i = 0; i < free_.size(); ++i) {
       if (is_zero_form(wanted[free_[i]])) continue;
@@ -62,12 +62,12 @@ class BasisChange {
 
   /// Replaces all vectors at the end, because the new vectors are combinations of the old vectors.
   void apply(const GeneratorClass& all) {
-    for (const CommonRotation& taken : replaced_) {
+    for (const CommonRotation& common : replaced_) {
       for (std::size_t i = 0; i < basis_.size(); ++i) {
-        if (!used_.contains(i)) make_relative(all, taken, basis_[i]);
+        if (!used_.contains(i)) make_relative(all, common, basis_[i]);
       }
     }
-    for (CommonRotation& taken : replaced_) basis_[taken.place] = std::move(taken.rotation);
+    for (CommonRotation& common : replaced_) basis_[common.place] = std::move(common.rotation);
   }
 
  private:
@@ -94,9 +94,10 @@ class BasisChange {
 
   /// Subtracts a multiple of a common rotation, so that coinciding points do not move. For two
   /// bodies, the rotation of one body about the other remains.
-  void make_relative(const GeneratorClass& all, const CommonRotation& taken, Generator& generator) {
-    const std::size_t dimension = taken.dimension;
-    const Generator& rotation = taken.rotation;
+  void make_relative(const GeneratorClass& all, const CommonRotation& common,
+                     Generator& generator) {
+    const std::size_t dimension = common.dimension;
+    const Generator& rotation = common.rotation;
     Arithmetic arithmetic(forms_.algebra);
     // The change of coordinate i if all points are at 1 along an axis.
     const auto moved = [&](const Generator& of, std::size_t i, std::size_t axis) {
@@ -146,7 +147,7 @@ void prefer_common_rotations(ClosedForms& forms, const GeneratorClass& all,
   BasisChange change(forms, basis);
   for (const std::size_t dimension : {std::size_t{3}, std::size_t{2}}) {
     for (const Generator& rotation : common_rotations(all, dimension))
-      change.take(dimension, rotation);
+      change.replace_by(dimension, rotation);
   }
   change.apply(all);
 }

@@ -16,7 +16,7 @@ Value form_of(const Monomial& monomial, const Gaussian& coefficient = {1, 0}) {
 }
 
 /// Rates of 0 for all leaves.
-LeafRates still(const Model& model) {
+LeafRates zero_rates(const Model& model) {
   const std::vector<Fraction> velocities(model.velocities.size());
   const std::vector<OpenTerm> constant_value{{0, {}}};
   return {std::vector<Fraction>(model.coordinates.size()),
@@ -35,7 +35,7 @@ class Integral {
         search_(forms.algebra,
                 [=](const Atom& leaf) { return leaf.leaf == kind && leaf.index == index; }),
         leaf_(*arithmetic_.leaf(kind, index)),
-        unit_(still(model)) {
+        unit_(zero_rates(model)) {
     const Fraction one = fraction_of(cl_RA(1));
     (kind == Opcode::time ? unit_.time : unit_.coordinates[index]) = one;
   }
@@ -120,7 +120,7 @@ class Integral {
 /// The coefficient of v_k in a form linear in the velocities.
 Value coefficient_of(ClosedForms& forms, const Model& model, const Fraction& form,
                      std::uint32_t velocity) {
-  LeafRates unit = still(model);
+  LeafRates unit = zero_rates(model);
   unit.velocities[velocity] = fraction_of(cl_RA(1));
   return rate_along(forms, form, unit);
 }
@@ -134,7 +134,7 @@ std::optional<Fraction> total_integral(ClosedForms& forms, const Model& model,
   const LeafRates motion{rates, {}, {}, open_values, fraction_of(cl_RA(1))};
   Value rest = rate;
   Value total = Fraction{};
-  const auto take = [&](const Value& slope, Opcode kind, std::uint32_t index) {
+  const auto integrate_part = [&](const Value& slope, Opcode kind, std::uint32_t index) {
     if (!slope) return false;
     if (slope->numerator.empty()) return true;
     const Value part = Integral(forms, model, kind, index).of(*slope);
@@ -146,9 +146,9 @@ std::optional<Fraction> total_integral(ClosedForms& forms, const Model& model,
   for (std::uint32_t i = 0; i < model.coordinates.size() && !rest->numerator.empty(); ++i) {
     if (model.coordinates[i].rotation) continue;
     const Value slope = coefficient_of(forms, model, *rest, model.coordinates[i].velocity);
-    if (!take(slope, Opcode::coordinate, i)) return std::nullopt;
+    if (!integrate_part(slope, Opcode::coordinate, i)) return std::nullopt;
   }
-  if (!rest->numerator.empty() && !take(rest, Opcode::time, 0)) return std::nullopt;
+  if (!rest->numerator.empty() && !integrate_part(rest, Opcode::time, 0)) return std::nullopt;
   if (!rest->numerator.empty()) return std::nullopt;
   return total;
 }

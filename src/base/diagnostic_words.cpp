@@ -54,7 +54,7 @@ std::string sentence(const Diagnostic& diagnostic) {
                                  : fmt::format("{}; {}", message, shortened(diagnostic.hint));
 }
 
-bool points_into_file(const Span& span) {
+bool is_in_file(const Span& span) {
   return span.source != nullptr && span.source->path != "command line";
 }
 

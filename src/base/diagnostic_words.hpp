@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, 3> severity_words{"note", "warning
 [[nodiscard]] std::string sentence(const Diagnostic& diagnostic);
 
 /// True if the span is in a file; false for a span of the command line or without a source.
-[[nodiscard]] bool points_into_file(const Span& span);
+[[nodiscard]] bool is_in_file(const Span& span);
 
 /// The path as given, without `./`; "elgen" for a span without a source.
 [[nodiscard]] std::string path_of(const Span& span);

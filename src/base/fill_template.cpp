@@ -18,7 +18,7 @@ class StrictContext final : public kainjow::mustache::context<std::string> {
     return known(Base::get(name), name);
   }
   [[nodiscard]] const TemplateData* get_partial(const std::string& name) const override {
-    std::string text(template_at(template_beside(path_, name)));
+    std::string text(template_at(partial_path(path_, name)));
     text.pop_back();  // the including template ends the line
     return &partials_.insert_or_assign(name, TemplateData(text)).first->second;
   }

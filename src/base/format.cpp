@@ -52,7 +52,7 @@ constexpr std::array<std::string_view, 3> github_words{"notice", "warning", "err
 std::string github_command(const Diagnostic& diagnostic) {
   const CodeRow& row = code_row(diagnostic.code);
   return text_of(WorkflowCommand{github_words.at(static_cast<std::size_t>(row.severity)),
-                                 points_into_file(diagnostic.span) ? diagnostic.span : Span{},
+                                 is_in_file(diagnostic.span) ? diagnostic.span : Span{},
                                  fmt::format("{} {}", row.name, row.title), sentence(diagnostic)});
 }
 
@@ -158,7 +158,7 @@ std::string text_of(const Diagnostic& diagnostic, bool color) {
   return text;
 }
 
-std::string one(const Diagnostic& diagnostic, const DiagnosticStyle& style) {
+std::string diagnostic_text(const Diagnostic& diagnostic, const DiagnosticStyle& style) {
   switch (style.format) {
     case DiagnosticFormat::text:
       return text_of(diagnostic, style.color);
@@ -195,7 +195,7 @@ std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style)
   for (const Diagnostic& diagnostic : diagnostics) {
     const Severity severity = code_row(diagnostic.code).severity;
     if (++found.at(static_cast<std::size_t>(severity)) > maximum) continue;
-    text += one(diagnostic, style);
+    text += diagnostic_text(diagnostic, style);
   }
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
     const std::size_t count = found.at(static_cast<std::size_t>(severity));

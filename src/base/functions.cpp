@@ -35,7 +35,7 @@ using enum Smoothness;
 using enum FunctionDomain;
 using enum FunctionUnits;
 using Row = FunctionRow;
-using Far = FarValues;
+using Far = LimitsAtInfinity;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 

@@ -20,7 +20,7 @@ InertiaTensor second_moments(const InertiaTensor& inertia) {
 
 }  // namespace
 
-bool is_of_a_body(const InertiaTensor& inertia) {
+bool is_physical_inertia(const InertiaTensor& inertia) {
   const auto& [xx, yy, zz, xy, xz, yz] = second_moments(inertia);
   const cl_R determinant =
       xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);

@@ -43,13 +43,13 @@ constexpr LeafUse parameter   {G::parameter,    U::of_entry,         P::always, 
 constexpr LeafUse open_value  {G::function,     U::of_open_value,    P::if_any,   no,    no};
 constexpr LeafUse coordinate  {G::coordinate,   U::of_entry,         P::always,   no,    no};
 constexpr LeafUse velocity    {G::rate,         U::of_entry,         P::always,   moves, no};
-constexpr LeafUse momentum    {G::rate,         U::joule_per_entry,  P::if_taken, moves, stated};
-constexpr LeafUse reference   {G::rate,         U::of_entry,         P::if_taken, moves, stated};
+constexpr LeafUse momentum    {G::rate,         U::joule_per_entry,  P::if_used, moves, stated};
+constexpr LeafUse reference   {G::rate,         U::of_entry,         P::if_used, moves, stated};
 constexpr LeafUse acceleration{G::acceleration, U::entry_per_second, P::always,   moves, stated};
 constexpr LeafUse multiplier  {G::multiplier,   U::of_multiplier,    P::never,    no,    no};
 constexpr LeafUse input       {G::input,        U::of_entry,         P::always,   moves, no};
 constexpr LeafUse time        {G::coordinate,   U::second,           P::always,   no,    stated};
-constexpr LeafUse step        {G::coordinate,   U::second,           P::if_taken, no,    stated};
+constexpr LeafUse step        {G::coordinate,   U::second,           P::if_used, no,    stated};
 constexpr LeafUse energy      {G::coordinate,   U::joule,            P::never,    no,    no};
 }  // namespace used
 // clang-format on

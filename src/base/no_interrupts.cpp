@@ -35,7 +35,7 @@ NoInterrupts::NoInterrupts() {
 
 NoInterrupts::~NoInterrupts() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
-bool interrupt_waits() {
+bool has_pending_interrupt() {
   sigset_t waiting{};
   sigpending(&waiting);
   const sigset_t ending = ending_signals();

@@ -21,6 +21,6 @@ class NoInterrupts {
 };
 
 /// True if an ending signal is pending.
-[[nodiscard]] bool interrupt_waits();
+[[nodiscard]] bool has_pending_interrupt();
 
 }  // namespace elgen

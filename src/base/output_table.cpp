@@ -9,8 +9,8 @@ std::string_view name_of(Form form) { return form == Form::closed ? "closed" : "
 
 bool is_repeated(OutputKind kind, LeafSet takes) {
   const OutputRow& row = output_row(kind);
-  const LeafSet repeated = std::ranges::find(output_table(), true, &OutputRow::repeats)->takes;
-  const bool is_function = !row.repeats && !row.takes_parameters_alone;
+  const LeafSet repeated = std::ranges::find(output_table(), true, &OutputRow::is_summary)->takes;
+  const bool is_function = !row.is_summary && !row.takes_parameters_alone;
   return (repeated | row.takes | takes) == repeated && is_function && row.fields.size() == 1;
 }
 
@@ -26,8 +26,8 @@ const Notation& equation_of(const OutputRow& output, const EquationSetting& sett
   if (setting.has_constraints && !output.constrained_equation.text.empty()) {
     return output.constrained_equation;
   }
-  const bool is_another = setting.has_rotations && !output.turning_equation.text.empty();
-  return is_another ? output.turning_equation : output.equation;
+  const bool has_turning_equation = setting.has_rotations && !output.rotation_equation.text.empty();
+  return has_turning_equation ? output.rotation_equation : output.equation;
 }
 
 const OutputRow* find_output(std::string_view name) {

@@ -43,7 +43,7 @@ constexpr OutputRow coriolis_matrix{
                  R"(C_{ij} = \frac{1}{2} \sum_{k} \left( \frac{\partial M_{ij}}{\partial q_{k}} + )"
                  R"(\frac{\partial M_{ik}}{\partial q_{j}} - )"
                  R"(\frac{\partial M_{jk}}{\partial q_{i}} \right) \dot{q}_{k})"},
-    .turning_equation =
+    .rotation_equation =
         {"C_ij = 1/2 d(C v)_i/dv_j + 1/2 (M [w]x)_ij",
          R"(C_{ij} = \frac{1}{2} \frac{\partial (C <v>)_{i}}{\partial v_{j}} + \frac{1}{2} \left( )"
          R"(M [<omega>]_{\times} \right)_{ij})"},
@@ -73,7 +73,8 @@ constexpr OutputRow gravity{
     .symbol = {"g", "<g>"},
     .fields = force,
     .equation = {"g = dV0/dq", R"(<g> = \frac{\partial V_{0}}{\partial <q>})"},
-    .turning_equation = {"g = N^T dV0/dq", R"(<g> = N^{\top} \frac{\partial V_{0}}{\partial <q>})"},
+    .rotation_equation = {"g = N^T dV0/dq",
+                          R"(<g> = N^{\top} \frac{\partial V_{0}}{\partial <q>})"},
     .doc = "Gradient of the potential energy.",
     .needs = {N::quadratic}};
 
@@ -86,12 +87,12 @@ constexpr OutputRow drift{
                  R"(\frac{\partial <b>}{\partial <q>} - \frac{\partial <b>}{\partial <q>}^{\top} )"
                  R"(\right) <v> + \frac{\partial <b>}{\partial t} - )"
                  R"(\frac{\partial T_{0}}{\partial <q>})"},
-    .turning_equation = {"dM/dt v + (db/dq N - (db/dq N)^T) v + db/dt + [w]x b - N^T dT0/dq",
-                         R"(<drift> = \frac{\partial M}{\partial t} <v> + \left( )"
-                         R"(\frac{\partial <b>}{\partial <q>} N - \left( )"
-                         R"(\frac{\partial <b>}{\partial <q>} N \right)^{\top} \right) <v> + )"
-                         R"(\frac{\partial <b>}{\partial t} + [<omega>]_{\times} <b> - )"
-                         R"(N^{\top} \frac{\partial T_{0}}{\partial <q>})"},
+    .rotation_equation = {"dM/dt v + (db/dq N - (db/dq N)^T) v + db/dt + [w]x b - N^T dT0/dq",
+                          R"(<drift> = \frac{\partial M}{\partial t} <v> + \left( )"
+                          R"(\frac{\partial <b>}{\partial <q>} N - \left( )"
+                          R"(\frac{\partial <b>}{\partial <q>} N \right)^{\top} \right) <v> + )"
+                          R"(\frac{\partial <b>}{\partial t} + [<omega>]_{\times} <b> - )"
+                          R"(N^{\top} \frac{\partial T_{0}}{\partial <q>})"},
     .doc = "Forces from explicit time and from terms of L that are linear in the rates.",
     .needs = {N::quadratic}};
 
@@ -131,7 +132,7 @@ constexpr OutputRow reaction{
                  R"(<r> = \left[ \frac{d}{dt} \frac{\partial L}{\partial <v>} - )"
                  R"(\frac{\partial L}{\partial <q>} + \frac{\partial D}{\partial <v>} - <Q> - )"
                  R"(B <u> \right]_{\mathrm{locked}})"},
-    .turning_equation =
+    .rotation_equation =
         {"r = (d/dt dL/dv + [w]x dL/dv - N^T dL/dq + dD/dv - Q - B u) of the locked coordinates",
          R"(<r> = \left[ \frac{d}{dt} \frac{\partial L}{\partial <v>} + )"
          R"([<omega>]_{\times} \frac{\partial L}{\partial <v>} - )"
@@ -154,7 +155,7 @@ constexpr OutputRow position_gradient{
     .equation = {"dL/dq = dp/dt + dD/dv - Q - B u",
                  R"(\frac{\partial L}{\partial <q>} = \frac{d<p>}{dt} + )"
                  R"(\frac{\partial D}{\partial <v>} - <Q> - B <u>)"},
-    .turning_equation =
+    .rotation_equation =
         {"N^T dL/dq = dp/dt + [w]x p + dD/dv - Q - B u",
          R"(N^{\top} \frac{\partial L}{\partial <q>} = \frac{d<p>}{dt} + [<omega>]_{\times} <p> + )"
          R"(\frac{\partial D}{\partial <v>} - <Q> - B <u>)"},
@@ -174,7 +175,7 @@ constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
                                    .takes = Opcode::velocity,
                                    .fields = energy,
                                    .equation = {"T = T2 + b_T.v + T0", ""},
-                                   .undrifting_definition = R"(T = \frac{1}{2} <v>^{\top} M <v>)",
+                                   .driftless_definition = R"(T = \frac{1}{2} <v>^{\top} M <v>)",
                                    .doc = "Kinetic energy.",
                                    .needs = {N::quadratic, N::energies},
                                    .is_energy = true};
@@ -256,7 +257,7 @@ constexpr OutputRow input_force_derivatives{
     .takes = Opcode::velocity | Opcode::input,
     .fields = of_input_force,
     .equation = {"d(B u)/dq", ""},
-    .turning_equation = {"d(B u)/dq N", R"(\frac{\partial (B <u>)}{\partial <q>} N)"},
+    .rotation_equation = {"d(B u)/dq N", R"(\frac{\partial (B <u>)}{\partial <q>} N)"},
     .doc = "Derivatives of the input forces with respect to the coordinates.",
     .needs = {N::inputs},
     .differentiates = true,
@@ -293,11 +294,11 @@ constexpr OutputRow normalized{.symbol = {"q", "<q>"},
                                .doc = "Coordinates with their quaternions scaled back to length 1.",
                                .needs = {N::rotations}};
 
-constexpr std::array rate_taken_out{FieldRow{"", E::cyclic, E::one, U::row, entries}};
+constexpr std::array cyclic_rate_fields{FieldRow{"", E::cyclic, E::one, U::row, entries}};
 constexpr OutputRow cyclic_rates{
     .symbol = {"v_c", R"(<v>_{c})"},
     .takes = Opcode::velocity,
-    .fields = rate_taken_out,
+    .fields = cyclic_rate_fields,
     .equation = {"M_cc v_c = p - dL/dv_c at v_c = 0",
                  R"(M_{cc} <v>_{c} = <p> - )"
                  R"(\left[ \frac{\partial L}{\partial <v>_{c}} \right]_{<v>_{c} = <0>})"},
@@ -311,7 +312,7 @@ constexpr OutputRow dynamics{
     .symbol = {"dynamics", R"(\mathrm{dynamics})"},
     .takes = Opcode::velocity,
     .doc = "All chosen outputs without the arguments a and u, computed at once.",
-    .repeats = true};
+    .is_summary = true};
 
 constexpr std::array next_state{
     FieldRow{"coordinates", E::coordinates, E::one, U::row, "Coordinates<Scalar>", "<q>"},

@@ -20,7 +20,7 @@ class Report {
   [[nodiscard]] std::size_t errors() const { return errors_; }
   [[nodiscard]] bool has(Code code) const;
   /// False from 100 errors on: a suggestion costs a search, and nobody reads the hundredth.
-  [[nodiscard]] bool wants_suggestion() const { return errors_ < 100; }
+  [[nodiscard]] bool needs_suggestion() const { return errors_ < 100; }
   /// All diagnostics in order of position.
   [[nodiscard]] Diagnostics sorted() const;
 

@@ -26,7 +26,7 @@ SourcePointer make_source(std::string path, std::string text) {
   return source;
 }
 
-SourcePointer make_kept_source(std::string path, std::string text) {
+SourcePointer make_permanent_source(std::string path, std::string text) {
   static std::vector<SourcePointer> sources;
   return sources.emplace_back(make_source(std::move(path), std::move(text)));
 }

@@ -13,7 +13,7 @@ std::string_view template_at(std::string_view path) {
   return text;
 }
 
-std::string template_beside(std::string_view path, std::string_view name) {
+std::string partial_path(std::string_view path, std::string_view name) {
   const std::string_view folder = path.substr(0, path.find('/') + 1);
   return fmt::format("{}{}{}", folder, name, path.substr(path.find('.')));
 }

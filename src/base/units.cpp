@@ -25,7 +25,7 @@ Exponent lowest_terms(std::int64_t numerator, std::int64_t denominator) {
           static_cast<std::int32_t>(std::min(denominator, exponent_limit))};
 }
 
-Exponent sum(const Exponent& a, const Exponent& b, std::int64_t sign) {
+Exponent sum_exponents(const Exponent& a, const Exponent& b, std::int64_t sign) {
   const std::int64_t numerator =
       std::int64_t{a.numerator} * b.denominator + sign * std::int64_t{b.numerator} * a.denominator;
   return lowest_terms(numerator, std::int64_t{a.denominator} * b.denominator);
@@ -34,7 +34,7 @@ Exponent sum(const Exponent& a, const Exponent& b, std::int64_t sign) {
 Unit combined(const Unit& a, const Unit& b, std::int64_t sign) {
   Unit result;
   for (std::size_t i = 0; i < base_unit_count; ++i) {
-    result.powers[i] = sum(a.powers[i], b.powers[i], sign);
+    result.powers[i] = sum_exponents(a.powers[i], b.powers[i], sign);
   }
   return result;
 }
@@ -88,13 +88,13 @@ UnitSpelling spell(std::string_view derived, const Unit& rest) {
 }
 
 /// Hz and rad are written as 1/s and 1, because a rate in rad/s is not a frequency.
-bool is_spelled_by_name(const UnitRow& row) {
+bool is_written_by_name(const UnitRow& row) {
   return row.name != "Hz" && row.name != "rad" && row.name != "1";
 }
 
 /// True for at most one factor or divisor besides the derived unit, and no kg, which the derived
 /// unit contains: N/s, J*m.
-bool stands_beside_derived(const Unit& rest) {
+bool fits_derived_unit(const Unit& rest) {
   constexpr std::size_t kilogram = 1;
   std::int64_t count = 0;
   for (const Exponent& exponent : rest.powers) count += std::abs(exponent.numerator);
@@ -151,7 +151,7 @@ std::string to_string(const Unit& unit) {
   UnitSpelling best = spell("", unit);
   for (const UnitRow& row : unit_table()) {
     const Unit rest = unit / row.unit;
-    if (!is_spelled_by_name(row) || !stands_beside_derived(rest)) continue;
+    if (!is_written_by_name(row) || !fits_derived_unit(rest)) continue;
     if (rest == Unit{}) return std::string(row.name);
     UnitSpelling candidate = spell(row.name, rest);
     if (candidate.cost < best.cost) best = std::move(candidate);

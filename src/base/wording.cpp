@@ -14,7 +14,7 @@ namespace {
 
 /// The number of insertions, deletions, substitutions and swaps of neighbours that turn `a` into
 /// `b` (optimal string alignment).
-std::size_t distance(std::string_view a, std::string_view b) {
+std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::array<std::vector<std::size_t>, 3> rows;
   for (auto& row : rows) row.assign(b.size() + 1, 0);
   for (std::size_t j = 0; j <= b.size(); ++j) rows[1][j] = j;
@@ -96,7 +96,7 @@ std::string shown_path(std::string_view path) {
 
 std::string in_backticks(const Span& span) { return in_backticks(covered_text(span)); }
 
-std::string counted(std::size_t count, std::string_view noun) {
+std::string count_text(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
@@ -109,7 +109,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   std::string result;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > longest_word) continue;
-    const std::size_t steps = distance(word, candidate);
+    const std::size_t steps = edit_distance(word, candidate);
     const bool replaces_all = steps >= std::max(word.size(), candidate.size());
     if (steps < best && !replaces_all) {
       best = steps;

@@ -39,7 +39,7 @@ void read_entries(Context& context, const std::vector<Instance>& instances,
 }
 
 /// Reads each entry after the entries that provide its units or axes.
-void resolve_entries(Context& context, const FileSyntax& syntax) {
+void read_all_entries(Context& context, const FileSyntax& syntax) {
   const std::vector<Instance> instances = expand_entries(context, syntax);
   if (context.beyond_limits) return;
   read_parameters(context, syntax);
@@ -102,7 +102,7 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene_s
 void reduce_model(Context& context) {
   context.model = variant_of(std::move(context.model));
   while (context.constants.size() < context.model.expressions.size()) {
-    (void)context.constants.append(context.model.expressions);
+    (void)context.constants.evaluate_next(context.model.expressions);
   }
 }
 
@@ -114,19 +114,19 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   context.model.source = model.source;
   context.model.canonical = stamped_text(model);
   context.has_units = uses_units(model);
-  context.dimension = usual_dimension(model);
+  context.dimension = majority_dimension(model);
   context.is_planar = is_planar(model);
   read_sizes(context, model, scene, options);
   read_closures(context, model, scene, options);
-  resolve_entries(context, model);
+  read_all_entries(context, model);
   if (context.beyond_limits) return context.report.sorted();
   read_held(context, scene);
-  note_wanted(context.model, scene, options);
+  mark_wanted_outputs(context.model, scene, options);
   Scene checked_scene;
   judge(context, model, scene, options, checked_scene);
   if (options.purpose.shows_motion && context.report.errors() == 0)
     add_shown_outputs(context.model, checked_scene);
-  if (context.report.errors() == 0) write_quotients(context);
+  if (context.report.errors() == 0) rewrite_quotients(context);
   if (context.report.errors() == 0) reduce_model(context);
   if (context.report.errors() == 0) check_constraints(context);
   read_scene(context, scene, options, checked_scene);

@@ -45,7 +45,7 @@ struct SumPartRules {
 
   [[nodiscard]] static SumParts number(double value) { return {{SumPart::Kind::number, value}}; }
   [[nodiscard]] SumParts constant(const Constant& constant) const {
-    return number(ScalarTraits<double>::from_real(constant.value));
+    return number(to_double(constant.value));
   }
   [[nodiscard]] SumParts leaf(Opcode kind, std::uint32_t index) const {
     if (kind == Opcode::parameter) return number(values.parameters[index]);
@@ -80,17 +80,18 @@ struct SumPartRules {
   }
   [[nodiscard]] SumParts divide(const SumParts& x, const SumParts& y) const {
     const bool is_number = y.size() == 1 && y[0].kind == SumPart::Kind::number;
-    return multiply(x, is_number ? number(1 / y[0].factor) : made_of(SumPart::Kind::inverse, y));
+    return multiply(x,
+                    is_number ? number(1 / y[0].factor) : nested_term(SumPart::Kind::inverse, y));
   }
   [[nodiscard]] SumParts square_root(const SumParts& x) const {
-    return made_of(SumPart::Kind::root, x);
+    return nested_term(SumPart::Kind::root, x);
   }
   [[nodiscard]] SumParts call(FunctionId function, const SumParts& x, const SumParts&) const {
-    SumParts result = made_of(SumPart::Kind::call, x);
+    SumParts result = nested_term(SumPart::Kind::call, x);
     result[0].function = function;
     return function_row(function).arity == 1 ? result : SumParts{SumPart{}};
   }
-  static SumParts made_of(SumPart::Kind kind, const SumParts& x) {
+  static SumParts nested_term(SumPart::Kind kind, const SumParts& x) {
     SumPart part{.kind = kind};
     part.inner = std::make_shared<const SumParts>(x);
     return {part};
@@ -98,7 +99,7 @@ struct SumPartRules {
 };
 
 /// The sum of the terms that are numbers.
-SumPart number_in(const SumParts& sum) {
+SumPart numeric_part(const SumParts& sum) {
   SumPart total{SumPart::Kind::number, 0};
   for (const SumPart& part : sum) {
     if (part.kind == SumPart::Kind::number) total.factor += part.factor;
@@ -107,7 +108,7 @@ SumPart number_in(const SumParts& sum) {
 }
 
 /// At most `most` places: the first of each coordinate, then the second of each, and so on.
-NearPlaces first_of(const std::vector<NearPlaces>& by_coordinate, std::size_t most) {
+NearPlaces first_places(const std::vector<NearPlaces>& by_coordinate, std::size_t most) {
   NearPlaces places;
   bool has_more = true;
   for (std::size_t turn = 0; has_more; ++turn) {
@@ -136,7 +137,7 @@ class PlaceSearch {
     std::vector<bool> is_angle(count_);
     for (const Instruction& i : text.instructions) {
       if (i.opcode != Opcode::call) continue;
-      if (i.function == FunctionId::log) add_ones(parts[i.a]);
+      if (i.function == FunctionId::log) add_unit_arguments(parts[i.a]);
       if (!is_circular(i.function)) continue;
       for (const SumPart& part : parts[i.a]) {
         if (part.kind == SumPart::Kind::linear) is_angle[part.coordinate] = true;
@@ -150,12 +151,12 @@ class PlaceSearch {
  private:
   void add(const NearPlace& place) {
     NearPlaces& known = found_[place.coordinate];
-    if (!is_alone(place.coordinate) || !std::isfinite(place.factor)) return;
+    if (!is_scalar_coordinate(place.coordinate) || !std::isfinite(place.factor)) return;
     if (std::ranges::find(known, place) == known.end()) known.push_back(place);
   }
 
   /// False for a component of a quaternion.
-  [[nodiscard]] bool is_alone(std::uint32_t coordinate) const {
+  [[nodiscard]] bool is_scalar_coordinate(std::uint32_t coordinate) const {
     return !domain_.model.coordinates[coordinate].rotation;
   }
 
@@ -175,14 +176,14 @@ class PlaceSearch {
   }
 
   /// Adds places at which the argument is 1, because log vanishes there.
-  void add_ones(const SumParts& argument) {
+  void add_unit_arguments(const SumParts& argument) {
     SumParts less = argument;
     less.push_back({SumPart::Kind::number, -1});
     add_cancelling(less);
   }
 
   void add_cancelling(const SumParts& sum) {
-    const SumPart total = number_in(sum);
+    const SumPart total = numeric_part(sum);
     for (std::size_t i = 0; i < sum.size(); ++i) {
       if (total.factor != 0) add_cancelling(sum[i], total);
       for (std::size_t k = 0; k < sum.size(); ++k) {
@@ -237,7 +238,7 @@ class PlaceSearch {
 
 NearPlaces cancelling_places(const Program& program, const Function& text, const Domain& domain,
                              std::size_t most) {
-  return first_of(PlaceSearch(program, text, domain).by_coordinate(), most);
+  return first_places(PlaceSearch(program, text, domain).by_coordinate(), most);
 }
 
 }  // namespace elgen

@@ -19,11 +19,11 @@ namespace {
 constexpr std::size_t hopeless_ratio = 6;
 /// Closed forms up to this length are always lowered: for a recursive form with only a few
 /// operations the ratio means nothing.
-constexpr std::size_t always_tried = 400;
+constexpr std::size_t always_lowered_length = 400;
 
 /// A loss of 13 bits, a quarter of the digits of double. A form that loses less may cost a quarter
 /// more.
-constexpr double most_lost = 8192;
+constexpr double tolerated_loss_in_double = 8192;
 
 /// Limits of a cost ratio, in quarters: 1.25, and 4 for V, which costs little compared with the
 /// functions that contain it.
@@ -38,7 +38,7 @@ bool has_float_alone(const Scene& scene) {
 /// If float is the only scalar, a loss that is tolerable in double would be most of its digits.
 LoweringAim aim_of(const Scene& scene, bool has_zeros) {
   if (has_zeros) return {.tolerated = tolerated_loss, .most_quarters = quarters_for_digits};
-  return {.tolerated = has_float_alone(scene) ? tolerated_loss : most_lost,
+  return {.tolerated = has_float_alone(scene) ? tolerated_loss : tolerated_loss_in_double,
           .most_quarters = quarters_for_balance};
 }
 
@@ -52,7 +52,8 @@ Splits splits_for(const Scene& scene, const Function& function) {
 
 bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive) {
   const std::size_t total = length(entries);
-  return total <= always_tried || total <= hopeless_ratio * cost(count_operations(recursive));
+  return total <= always_lowered_length ||
+         total <= hopeless_ratio * cost(count_operations(recursive));
 }
 
 /// Counts operations without the guards of pivots, because both forms get them.
@@ -70,8 +71,8 @@ struct Candidate {
 
 /// True if a rewriting of the closed form neither costs nor loses more, or if its smaller loss is
 /// worth its cost.
-bool is_taken(const LoweringAim& aim, const Function& recursive, const Candidate& closed,
-              const Candidate& rewriting) {
+bool is_worthwhile(const LoweringAim& aim, const Function& recursive, const Candidate& closed,
+                   const Candidate& rewriting) {
   const std::size_t cost = cost_of(rewriting.function);
   const double loss = *rewriting.costs.closed_loss;
   const double known = *closed.costs.closed_loss;
@@ -125,10 +126,10 @@ class RecursiveForms {
 
 /// Runs the passes of finish.hpp on a form. `normalized` is the name of the function of that kind;
 /// it is set when that function passes.
-Function finished(Function function, Program& program, std::string& normalized) {
+Function run_last_passes(Function function, Program& program, std::string& normalized) {
   // This branch on a kind is needed: no other output divides quaternions by their lengths.
   if (function.kind == OutputKind::normalized) normalized = function.name;
-  const bool has_lengths = output_row(function.kind).repeats || function.name == normalized;
+  const bool has_lengths = output_row(function.kind).is_summary || function.name == normalized;
   if (has_lengths && !normalized.empty()) {
     return with_scaled_lengths(std::move(function), normalized);
   }
@@ -137,14 +138,14 @@ Function finished(Function function, Program& program, std::string& normalized) 
 
 void fill_readable(Program& program, std::size_t index, const Function& function,
                    const ReadableEntries& entries) {
-  if (output_row(function.kind).repeats) return;
-  program.readable[index] = without_diagonal(lowered_one_by_one(entries, function, program));
+  if (output_row(function.kind).is_summary) return;
+  program.readable[index] = without_diagonal(lower_separately(entries, function, program));
 }
 
-class Choosing {
+class FormChooser {
  public:
-  Choosing(const Program& recursive, const ClosedForms& forms, const Domain& domain,
-           const Scene& scene, const SumZeros* zeros)
+  FormChooser(const Program& recursive, const ClosedForms& forms, const Domain& domain,
+              const Scene& scene, const SumZeros* zeros)
       : recursive_(recursive),
         forms_(forms),
         scene_(scene),
@@ -170,7 +171,7 @@ class Choosing {
   ReadableEntries& entries_of(std::size_t index) {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
-    if (!output_row(function.kind).repeats) {
+    if (!output_row(function.kind).is_summary) {
       const bool is_judged = has_closed_form(forms_.functions[index]);
       TextErrors* const text = is_judged ? recursive_forms_.errors_of(index) : nullptr;
       return entries = read_entries(recursive_, forms_, index, points_, text);
@@ -197,15 +198,15 @@ class Choosing {
     const OutputRequest* const found = find_request(scene_, function.name);
     const OutputRequest request = found == nullptr ? OutputRequest{} : *found;
     const bool wants_closed = request.form == Form::closed;
-    result_.program.functions[index] = finished(function, result_.program, normalized_);
+    result_.program.functions[index] = run_last_passes(function, result_.program, normalized_);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
-    costs.is_asked_for = request.form.has_value();
+    costs.is_demanded = request.form.has_value();
     Function closed;
     if (is_complete(entries)) {
       if (wants_closed || is_worth_lowering(entries, function)) {
         closed = compare(index, function, entries, costs);
         costs.chosen = request.form.value_or(costs.chosen);
-        if (costs.chosen == Form::closed) read_as_precisely(entries, points_);
+        if (costs.chosen == Form::closed) show_computed_forms(entries, points_);
       }
       fill_readable(result_.program, index, recursive_.functions[index], entries);
     } else if (wants_closed) {
@@ -227,7 +228,7 @@ class Choosing {
       keep_digits(index, entries, closed, costs);
       choose_by_losses(index, closed, recursive, costs);
     }
-    closed = finished(std::move(closed), result_.program, normalized_);
+    closed = run_last_passes(std::move(closed), result_.program, normalized_);
     costs.closed = count_operations(closed);
     return closed;
   }
@@ -239,7 +240,7 @@ class Choosing {
     LoweringAim aim = aim_;
     aim.splits = splits_for(scene_, recursive);
     aim.text = recursive_forms_.errors_of(index);
-    Lowered closed = lowered_together(entries, recursive, result_.program, aim);
+    Lowered closed = lower_jointly(entries, recursive, result_.program, aim);
     costs.inaccurate = closed.inaccurate;
     choose_by_cost(closed.function, recursive, costs);
     return std::move(closed.function);
@@ -253,13 +254,13 @@ class Choosing {
     const TextErrors& text = *recursive_forms_.errors_of(index);
     costs.closed_loss = text.worst_loss(result_.program, closed);
     for (const double limit : {aim_.tolerated, tolerated_loss}) {
-      std::optional<ReadableEntries> others = with_kept(entries, limit);
+      std::optional<ReadableEntries> others = replace_lossy_entries(entries, limit);
       if (!others) continue;
       FormCosts rewriting_costs = costs;
       Function rewriting = lowered(index, recursive, *others, rewriting_costs);
       if (rewriting_costs.inaccurate) continue;
       rewriting_costs.closed_loss = text.worst_loss(result_.program, rewriting);
-      if (!is_taken(aim_, recursive, {closed, costs}, {rewriting, rewriting_costs})) continue;
+      if (!is_worthwhile(aim_, recursive, {closed, costs}, {rewriting, rewriting_costs})) continue;
       entries = std::move(*others);
       closed = std::move(rewriting);
       costs = rewriting_costs;
@@ -297,7 +298,7 @@ class Choosing {
 
 Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Domain& domain,
                       const Scene& scene, const SumZeros* zeros) {
-  Result<Choice> choice = Choosing(recursive, forms, domain, scene, zeros)();
+  Result<Choice> choice = FormChooser(recursive, forms, domain, scene, zeros)();
   if (!choice) return choice;
   for (Function& function : choice->program.functions) function = trigonometry_first(function);
   return choice;

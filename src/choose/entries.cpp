@@ -36,18 +36,18 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
   }
   if (derived != nullptr) {
     rewritings.push_back(derived->collected.expressions);
-    rewritings.push_back(derived->as_it_stands);
+    rewritings.push_back(derived->unexpanded);
   }
-  // One grouping is enough: with_kept_digits expands brackets that hide cancelling terms.
+  // One grouping is enough: rewrite_to_keep_digits expands brackets that hide cancelling terms.
   std::vector<Expressions> sources = std::move(of_form.plain);
   if (!rewritings.empty()) sources.push_back(rewritings.front());
   if (derived != nullptr) {
     sources.push_back(derived->collected.expressions);
-    sources.push_back(derived->as_it_stands);
+    sources.push_back(derived->unexpanded);
   }
   for (const Expressions& source : sources) {
-    auto kept = with_kept_digits(source, Squares::whole);
-    auto apart = with_kept_digits(kept ? *kept : source, Squares::apart);
+    auto kept = rewrite_to_keep_digits(source, Squares::whole);
+    auto apart = rewrite_to_keep_digits(kept ? *kept : source, Squares::factored);
     for (auto* rewriting : {&kept, &apart}) {
       if (!*rewriting) continue;
       if (auto fewer = with_fewer_calls(**rewriting)) rewritings.push_back(std::move(*fewer));
@@ -60,9 +60,9 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
 }
 
 /// Judges the rewritings of one entry by their errors, compared with the text.
-class Judging {
+class EntryJudge {
  public:
-  Judging(ReadableForm& known, std::size_t entry, TextErrors& text)
+  EntryJudge(ReadableForm& known, std::size_t entry, TextErrors& text)
       : known_(known), entry_(entry), text_(text) {}
 
   /// Makes the entry accurate if a rewriting is accurate, and finds the rewriting that keeps its
@@ -82,7 +82,7 @@ class Judging {
     text_.add_rewriting(*errors, entry_);
     for (const ErrorsAtPoints& rewriting : errors_) text_.add_rewriting(rewriting, entry_);
     known_.loss = text_.loss_of(*errors, entry_);
-    if (known_.loss > tolerated_loss) keep();
+    if (known_.loss > tolerated_loss) choose_kept();
   }
 
  private:
@@ -96,7 +96,7 @@ class Judging {
   }
 
   /// Keeps the cheapest rewriting without loss; without one, the rewriting with the least loss.
-  void keep() {
+  void choose_kept() {
     double least = known_.loss;
     std::size_t least_cost = 0;
     std::optional<std::size_t> best;
@@ -132,7 +132,7 @@ class Cheapest {
   bool add(const CostedNetwork& costed) {
     const bool is_dearer = form_ && !is_affordable(costed.cost, cost_, aim_.most_quarters);
     if (is_dearer && !form_->inaccurate) return true;
-    Lowered form{unfilled(shape_)};
+    Lowered form{without_instructions(shape_)};
     form.function.form = Form::closed;
     linearise(costed.network, program_, form.function);
     if (aim_.text != nullptr) {
@@ -184,12 +184,12 @@ ReadableEntries read_entries(const Program& program, const ClosedForms& forms, s
       const std::optional<Fraction>& form = closed.fields[f].entries[e];
       auto& entry = entries.emplace_back();
       if (!form) continue;
-      const auto derived = as_derived(program, function, function.fields[f].entries[e]);
+      const auto derived = derived_entry(program, function, function.fields[f].entries[e]);
       Rewritings rewritings = rewritings_of(forms.algebra, *form);
       entry = shortest(rewritings.collected, derived ? &derived->collected : nullptr, points);
       if (!entry || text == nullptr) continue;
-      Judging judging(*entry, entries.size() - 1, *text);
-      judging([&] {
+      EntryJudge judge(*entry, entries.size() - 1, *text);
+      judge([&] {
         return all_rewritings(std::move(rewritings), precise_rewritings(forms.algebra, *form),
                               derived ? &*derived : nullptr);
       });
@@ -217,7 +217,7 @@ std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries, std
   return numbers;
 }
 
-std::optional<ReadableEntries> with_kept(const ReadableEntries& entries, double limit) {
+std::optional<ReadableEntries> replace_lossy_entries(const ReadableEntries& entries, double limit) {
   ReadableEntries others = entries;
   bool is_changed = false;
   for (auto& entry : others) {
@@ -231,7 +231,7 @@ std::optional<ReadableEntries> with_kept(const ReadableEntries& entries, double 
   return others;
 }
 
-void read_as_precisely(ReadableEntries& entries, const Points& points) {
+void show_computed_forms(ReadableEntries& entries, const Points& points) {
   for (auto& entry : entries) {
     if (!entry->is_rewritten) continue;
     if (is_as_precise(entry->compact, entry->readable, points, Leaves::exact)) continue;
@@ -239,19 +239,20 @@ void read_as_precisely(ReadableEntries& entries, const Points& points) {
   }
 }
 
-Lowered lowered_together(const ReadableEntries& entries, const Function& shape, Program& program,
-                         const LoweringAim& aim) {
+Lowered lower_jointly(const ReadableEntries& entries, const Function& shape, Program& program,
+                      const LoweringAim& aim) {
   Expressions readable;
   Expressions compact;
   for (const auto& entry : entries) {
     const Expressions& read = entry->is_rewritten ? entry->compact : entry->readable;
-    readable.values.push_back(copied(readable.graph, read));
-    compact.values.push_back(copied(compact.graph, entry->compact));
+    readable.values.push_back(copy_value(readable.graph, read));
+    compact.values.push_back(copy_value(compact.graph, entry->compact));
   }
   Cheapest cheapest(shape, program, aim);
   for (const Splits which : {aim.splits, Splits::sums}) {
-    std::vector<CostedNetwork> networks = networks_by_cost(readable, unfilled(shape), which);
-    std::ranges::move(networks_by_cost(compact, unfilled(shape), which),
+    std::vector<CostedNetwork> networks =
+        networks_by_cost(readable, without_instructions(shape), which);
+    std::ranges::move(networks_by_cost(compact, without_instructions(shape), which),
                       std::back_inserter(networks));
     std::ranges::stable_sort(networks, {}, &CostedNetwork::cost);
     for (const CostedNetwork& costed : networks) {
@@ -261,7 +262,7 @@ Lowered lowered_together(const ReadableEntries& entries, const Function& shape, 
   return std::move(cheapest).form();
 }
 
-Program written(Program program, Reader reader, const PresentBudget& budget) {
+Program with_closed_forms(Program program, Reader reader, const PresentBudget& budget) {
   const ClosedForms forms = present(program, budget);
   const Points points = mixed_points(program.leaves);
   program.readable.resize(program.functions.size());
@@ -270,9 +271,9 @@ Program written(Program program, Reader reader, const PresentBudget& budget) {
     if (!is_complete(entries)) continue;
     Function& function = program.functions[i];
     if (reader == Reader::code) {
-      function = lowered_together(entries, function, program, {}).function;
+      function = lower_jointly(entries, function, program, {}).function;
     } else {
-      program.readable[i] = lowered_one_by_one(entries, function, program);
+      program.readable[i] = lower_separately(entries, function, program);
     }
   }
   return program;

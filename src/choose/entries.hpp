@@ -36,12 +36,12 @@ namespace elgen {
 
 /// Replaces each entry that loses more than `limit` by its rewriting that keeps digits. None if no
 /// entry is replaced.
-[[nodiscard]] std::optional<ReadableEntries> with_kept(const ReadableEntries& entries,
-                                                       double limit);
+[[nodiscard]] std::optional<ReadableEntries> replace_lossy_entries(const ReadableEntries& entries,
+                                                                   double limit);
 
 /// Shows a rewritten entry in its computed form if the readable form is less precise: readers judge
 /// the code by the form they see.
-void read_as_precisely(ReadableEntries& entries, const Points& points);
+void show_computed_forms(ReadableEntries& entries, const Points& points);
 
 /// All entries of a function as instructions, and the index of the first inaccurate entry.
 struct Lowered {
@@ -60,7 +60,7 @@ struct LoweringAim {
 /// Lowers all entries over one graph, in their readable or compact forms. Chooses the cheapest
 /// accurate form, or a slightly dearer one with a tolerated loss. `shape` names the entries;
 /// `program` receives their constants.
-[[nodiscard]] Lowered lowered_together(const ReadableEntries& entries, const Function& shape,
-                                       Program& program, const LoweringAim& aim);
+[[nodiscard]] Lowered lower_jointly(const ReadableEntries& entries, const Function& shape,
+                                    Program& program, const LoweringAim& aim);
 
 }  // namespace elgen

@@ -35,9 +35,9 @@ std::optional<std::uint32_t> reciprocal_of(std::uint32_t value, const Function& 
   return static_cast<std::uint32_t>(found - all.begin());
 }
 
-class Scaling {
+class QuaternionScaler {
  public:
-  explicit Scaling(Function& function) : function_(function), instructions_(function) {}
+  explicit QuaternionScaler(Function& function) : function_(function), instructions_(function) {}
 
   void scale(Field& field) {
     for (std::size_t i = 0; i < field.entries.size();) {
@@ -53,7 +53,7 @@ class Scaling {
   }
 
  private:
-  std::uint32_t sum(const std::vector<std::uint32_t>& terms) {
+  std::uint32_t append_sum(const std::vector<std::uint32_t>& terms) {
     std::uint32_t result = terms[0];
     for (std::size_t i = 1; i < terms.size(); ++i)
       result = instructions_.add(Opcode::add, result, terms[i]);
@@ -69,13 +69,13 @@ class Scaling {
       magnitudes.push_back(instructions_.add(
           {.opcode = Opcode::call, .function = FunctionId::abs, .a = values.back()}));
     }
-    const std::uint32_t size = sum(magnitudes);
+    const std::uint32_t size = append_sum(magnitudes);
     std::vector<std::uint32_t> squares;
     for (std::uint32_t& value : values) {
       value = instructions_.add(Opcode::divide, value, size);
       squares.push_back(instructions_.add(Opcode::multiply, value, value));
     }
-    const std::uint32_t length = instructions_.add(Opcode::square_root, sum(squares));
+    const std::uint32_t length = instructions_.add(Opcode::square_root, append_sum(squares));
     for (std::uint32_t& value : values) value = instructions_.add(Opcode::divide, value, length);
     return values;
   }
@@ -95,9 +95,10 @@ bool is_cosine(const Instruction& i) {
   return i.opcode == Opcode::call && i.function == FunctionId::cos;
 }
 
-class Order {
+class TrigonometryOrder {
  public:
-  explicit Order(const Function& function) : function_(function), placed_(size(), false) {
+  explicit TrigonometryOrder(const Function& function)
+      : function_(function), placed_(size(), false) {
     Places calls;
     for (std::uint32_t at = 0; at < size(); ++at) {
       const Instruction& i = function.instructions[at];
@@ -105,7 +106,7 @@ class Order {
       calls.push_back(at);
       of_angle_[i.a][is_sine(i) ? 0 : 1] = at;
     }
-    const std::vector<bool> needed = needed_for(function, calls);
+    const std::vector<bool> needed = needed_instructions(function, calls);
     for (std::uint32_t at = 0; at < size(); ++at) {
       if (needed[at]) place(at);
     }
@@ -170,13 +171,13 @@ Function with_guarded_pivots(Function forward_dynamics, std::vector<Constant>& c
 
 Function with_scaled_lengths(Function function, const std::string& name) {
   for (Field& field : function.fields) {
-    if (function.name == name || field.name == name) Scaling(function).scale(field);
+    if (function.name == name || field.name == name) QuaternionScaler(function).scale(field);
   }
   return pruned(function);
 }
 
 Function trigonometry_first(const Function& function) {
-  return reordered(function, Order(function).places);
+  return reordered(function, TrigonometryOrder(function).places);
 }
 
 }  // namespace elgen

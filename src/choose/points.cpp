@@ -35,13 +35,13 @@ std::vector<bool> coordinates_in_arguments(const Function& function, const IsSou
   for (const Instruction& i : function.instructions) {
     if (i.opcode == Opcode::call && is_sought(i.function)) arguments.push_back(i.a);
   }
-  const std::vector<bool> needed = needed_for(function, arguments);
-  std::vector<bool> stands_there(coordinate_count);
+  const std::vector<bool> needed = needed_instructions(function, arguments);
+  std::vector<bool> occurs(coordinate_count);
   for (std::size_t at = 0; at < needed.size(); ++at) {
     const Instruction& i = function.instructions[at];
-    if (needed[at] && i.opcode == Opcode::coordinate) stands_there[i.a] = true;
+    if (needed[at] && i.opcode == Opcode::coordinate) occurs[i.a] = true;
   }
-  return stands_there;
+  return occurs;
 }
 
 /// For each coordinate: true if it has no declared range and occurs in an exponential or a
@@ -61,9 +61,9 @@ std::vector<bool> unbounded_arguments(const Function& text, const Model& model) 
 
 bool is_motion(Opcode opcode) { return is_leaf(opcode) && leaf_row(opcode).moves; }
 
-class Making {
+class PointMaker {
  public:
-  Making(const Program& program, const Function& text, const Domain& domain, NearPlaces places)
+  PointMaker(const Program& program, const Function& text, const Domain& domain, NearPlaces places)
       : program_(program), text_(text), domain_(domain), places_(std::move(places)) {}
 
   Points make(const SumZeros& zeros) {
@@ -77,7 +77,7 @@ class Making {
     if (has_motion(text_)) {
       for (std::size_t i = 0; i < plain_points; ++i) add(at_rest(state()));
     } else {
-      for (const std::vector<double>& zero : zeros) add_beside(zero);
+      for (const std::vector<double>& zero : zeros) add_near_zero(zero);
     }
     add_far();
     return std::move(points_);
@@ -101,7 +101,7 @@ class Making {
     const std::vector<double> old = point.parameters;
     for (std::uint32_t i = 0; i < old.size(); ++i) {
       const double factor = std::abs(draw_.scaled(-widest_factor, widest_factor - 1));
-      point.parameters[i] = within(Opcode::parameter, i, old[i] * factor);
+      point.parameters[i] = clamp_to_range(Opcode::parameter, i, old[i] * factor);
       for (std::size_t k = 0; k < i; ++k) {
         if (old[k] == old[i] && has_same_unit(i, k)) point.parameters[i] = point.parameters[k];
       }
@@ -115,7 +115,7 @@ class Making {
     return unit && unit == domain_.model.parameters[k].unit;
   }
 
-  [[nodiscard]] double within(Opcode kind, std::uint32_t number, double value) const {
+  [[nodiscard]] double clamp_to_range(Opcode kind, std::uint32_t number, double value) const {
     if (!declared_range(domain_.model, kind, number)) return value;
     const Range& range = leaf_of(domain_.ranges, kind, number);
     return std::clamp(value, range.low, range.high);
@@ -171,7 +171,7 @@ class Making {
   }
 
   /// Adds points on both sides of a zero, along a random direction, at two distances.
-  void add_beside(const std::vector<double>& zero) {
+  void add_near_zero(const std::vector<double>& zero) {
     for (const double distance : {near, nearest}) {
       Arguments<double> point = state();
       Arguments<double> other = point;
@@ -189,7 +189,7 @@ class Making {
   /// Adds a point unless it is outside the declared ranges.
   void add(Arguments<double> point) {
     for (std::uint32_t i = 0; i < point.q.size(); ++i) {
-      if (within(Opcode::coordinate, i, point.q[i]) != point.q[i]) return;
+      if (clamp_to_range(Opcode::coordinate, i, point.q[i]) != point.q[i]) return;
     }
     points_.push_back(std::move(point));
   }
@@ -211,7 +211,7 @@ bool has_motion(const Function& function) {
 
 Points comparison_points(const Program& program, const Function& text, const Domain& domain,
                          const SumZeros& zeros) {
-  return Making(program, text, domain, cancelling_places(program, text, domain, most_places))
+  return PointMaker(program, text, domain, cancelling_places(program, text, domain, most_places))
       .make(zeros);
 }
 

@@ -13,7 +13,7 @@ namespace elgen {
 namespace {
 
 /// At most this many sums are expanded one by one.
-constexpr std::size_t most_alone = 16;
+constexpr std::size_t most_expanded_sums = 16;
 
 /// The most instructions of V and its derivatives. The closed forms of longer potentials, such as
 /// chains of springs, are never chosen and would take as long as all other functions.
@@ -61,13 +61,13 @@ class WholeSearch {
     const std::size_t count = sums_.functions.size();
     WholeChoice best = choice_with(WholeSet(count, false));
     if (count == 0) return best;
-    take_better(best, choice_with(WholeSet(count, true)));
+    keep_better(best, choice_with(WholeSet(count, true)));
     if (count == 1 || best.loss <= tolerated_loss) return best;
-    for (std::size_t i = 0; i < std::min(count, most_alone); ++i) {
+    for (std::size_t i = 0; i < std::min(count, most_expanded_sums); ++i) {
       WholeSet others = best.whole;
       if (!others[i]) continue;
       others[i] = false;
-      take_better(best, choice_with(std::move(others)));
+      keep_better(best, choice_with(std::move(others)));
     }
     return best;
   }
@@ -94,7 +94,7 @@ class WholeSearch {
     return loss;
   }
 
-  void take_better(WholeChoice& best, WholeChoice other) const {
+  void keep_better(WholeChoice& best, WholeChoice other) const {
     best.loss = loss_of(best);
     other.loss = loss_of(other);
     const bool keeps_more = loses_more(best.loss, other.loss);
@@ -112,7 +112,7 @@ class WholeSearch {
 };
 
 /// True if V or a derivative differs from both its text and its plain closed form.
-bool has_own_form(const WholeChoice& best, std::size_t function) {
+bool has_distinct_form(const WholeChoice& best, std::size_t function) {
   if (std::ranges::find(best.whole, true) != best.whole.end()) return true;
   if (!best.choice.program.functions[function].rewritten.empty()) return true;
   const FormCosts& costs = best.choice.costs[function];
@@ -125,9 +125,9 @@ bool is_open_from(std::uint32_t first, const Instruction& i) {
 }
 
 /// Inserts the entries of V and its derivatives into a function, in place of open values.
-class Putting {
+class PotentialInserter {
  public:
-  Putting(const Program& potential, std::uint32_t first, Program& to)
+  PotentialInserter(const Program& potential, std::uint32_t first, Program& to)
       : potential_(potential), first_(first), to_(to) {
     for (std::uint32_t i = 0; i < potential.functions.size(); ++i) {
       for (const std::uint32_t entry : entries_of(potential.functions[i])) {
@@ -148,13 +148,15 @@ class Putting {
       if (is_open_from(first_, i)) {
         const auto [function, entry] = entries_[i.a - first_];
         const Function value = with_entries(potential_.functions[function], {entry});
-        places.push_back(added(potential_, value, instructions)[value.fields[0].entries[0]]);
+        places.push_back(
+            append_function(potential_, value, instructions)[value.fields[0].entries[0]]);
         continue;
       }
-      const Instruction next = with_operands(constant_in(program, i), places);
-      places.push_back(at < first_repeated(from) ? instructions.add(without_negation(result, next))
-                                                 : instructions.append(next));
-      take_name(result.names[places.back()], from.names[at]);
+      const Instruction next = renumber_operands(constant_in(program, i), places);
+      places.push_back(at < first_repeated_instruction(from)
+                           ? instructions.add(without_negation(result, next))
+                           : instructions.append(next));
+      merge_name(result.names[places.back()], from.names[at]);
     }
     for (Field& field : result.fields) {
       for (std::uint32_t& entry : field.entries) entry = places[entry];
@@ -183,8 +185,8 @@ class Putting {
     return i;
   }
 
-  std::vector<std::uint32_t> added(const Program& program, Function function,
-                                   Instructions& instructions) {
+  std::vector<std::uint32_t> append_function(const Program& program, Function function,
+                                             Instructions& instructions) {
     for (Instruction& i : function.instructions) i = constant_in(program, i);
     return instructions.add_all(function);
   }
@@ -196,7 +198,7 @@ class Putting {
 };
 
 /// The indices of the entries that depend on open values from `first` on.
-std::vector<std::uint32_t> entries_on(const Function& function, std::uint32_t first) {
+std::vector<std::uint32_t> dependent_entries(const Function& function, std::uint32_t first) {
   std::vector<bool> holds;
   for (const Instruction& i : function.instructions) {
     bool found = is_open_from(first, i);
@@ -213,8 +215,8 @@ std::vector<std::uint32_t> entries_on(const Function& function, std::uint32_t fi
 
 }  // namespace
 
-std::optional<RewrittenPotential> rewritten_potential(const Program& potential,
-                                                      const Domain& domain, const Scene& scene) {
+std::optional<RewrittenPotential> rewrite_potential(const Program& potential, const Domain& domain,
+                                                    const Scene& scene) {
   std::size_t length = 0;
   for (const Function& function : potential.functions) length += function.instructions.size();
   if (scene.numerics.prefer == Preference::speed || length > longest_potential) return std::nullopt;
@@ -225,8 +227,8 @@ std::optional<RewrittenPotential> rewritten_potential(const Program& potential,
   without_second.functions.resize(2);
   WholeSearch search(without_second, domain, unnamed);
   WholeChoice best = search.best();
-  const bool has_slopes = has_own_form(best, 1);
-  if (!has_own_form(best, 0) && !has_slopes) return std::nullopt;
+  const bool has_slopes = has_distinct_form(best, 1);
+  if (!has_distinct_form(best, 0) && !has_slopes) return std::nullopt;
   const bool has_second = potential.functions.size() > 2;
   if (!has_second) return RewrittenPotential{std::move(best.choice.program), has_slopes};
   const SumZeros zeros = sum_zeros(potential, domain);
@@ -245,14 +247,14 @@ Domain with_open_potential(Domain domain, const Program& potential) {
   return domain;
 }
 
-void put_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
-                   Choice& choice) {
+void insert_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
+                      Choice& choice) {
   Choice result = choice;
   const auto first = static_cast<std::uint32_t>(choice.program.leaves.f.size());
-  Putting put(potential.program, first, result.program);
+  PotentialInserter put(potential.program, first, result.program);
   for (const Function& function : open.program.functions) {
-    const std::vector<std::uint32_t> entries = entries_on(function, first);
-    const bool stays = !potential.has_slopes && !entries_on(function, first + 1).empty();
+    const std::vector<std::uint32_t> entries = dependent_entries(function, first);
+    const bool stays = !potential.has_slopes && !dependent_entries(function, first + 1).empty();
     if (entries.empty() || stays) continue;
     Function own = put(open.program, function);
     const auto named = std::ranges::find(choice.program.functions, function.name, &Function::name);

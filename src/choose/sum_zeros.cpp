@@ -20,7 +20,7 @@ constexpr std::size_t most_zeros = 16;
 constexpr std::size_t most_rounds = 30;
 constexpr std::size_t most_states = 2;
 constexpr std::size_t most_axes = 4;
-constexpr int highest_order = 4;  ///< of a zero: 4 for (x - a)^4
+constexpr int max_expansion_order = 4;  ///< of a zero: 4 for (x - a)^4
 constexpr std::size_t longest_program = 400;
 
 /// A difference over a step of 1e-25 keeps 40 of the 64 digits. Zeros are accurate to 1e-16, far
@@ -141,7 +141,7 @@ class ZeroProjection {
   void find_multiplicity(const Real& length) {
     const Real ratio = length / last_;
     last_ = length;
-    for (int order = 2; order <= highest_order && ratio.is_defined(); ++order) {
+    for (int order = 2; order <= max_expansion_order && ratio.is_defined(); ++order) {
       const Real shrinking(cln::cl_RA(order - 1) / order);
       const bool is_near = abs(ratio - shrinking).value() < cln::cl_RA(1) / 50;
       if (is_near) multiplicity_ = Real(cln::cl_I(order));
@@ -153,7 +153,7 @@ class ZeroProjection {
     std::vector<double> q;
     for (const Real& x : at_.q) {
       const bool is_zero = abs(x).value() <= negligible().value();
-      q.push_back(is_zero ? 0 : ScalarTraits<double>::from_real(x.value()));
+      q.push_back(is_zero ? 0 : to_double(x.value()));
     }
     return q;
   }

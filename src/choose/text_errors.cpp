@@ -60,8 +60,7 @@ std::vector<Running<Real>> exact_entries(const Program& program, const Function&
 
 /// NaN if x is undefined.
 double number_of(const Real& x) {
-  return x.is_defined() ? ScalarTraits<double>::from_real(x.value())
-                        : std::numeric_limits<double>::quiet_NaN();
+  return x.is_defined() ? to_double(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The loss at a point: 0 if the text has no value there, infinite if only the form has none.

@@ -47,7 +47,7 @@ inline void add_sources(CLI::App& command, const std::string& name, const std::s
 
 /// The reason why a word is no number of this type; "" if it is. CLI11 would replace negative
 /// numbers and numbers that are too large by the largest number.
-inline std::string refused_number(const std::string& word) {
+inline std::string number_error(const std::string& word) {
   std::uint64_t number = 0;
   const char* const end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, number);

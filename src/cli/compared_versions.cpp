@@ -35,7 +35,7 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, error);
 }
 
-bool is_there(const fs::path& path) {
+bool path_exists(const fs::path& path) {
   std::error_code error;
   return fs::exists(path, error);
 }
@@ -43,7 +43,7 @@ bool is_there(const fs::path& path) {
 bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 
 /// Reads the files of one version.
-struct Side {
+struct VersionReader {
   SourceReader read;
   std::function<Result<Inputs>(const std::string& path)> inputs;
   /// Paths relative to the folder, without files in hidden folders. E707 if a folder cannot be
@@ -71,12 +71,12 @@ Result<std::vector<std::string>> files_on_disk(const std::string& folder) {
       fmt::format("{} could not be read: {}", in_backticks(last.string()), error.message())};
 }
 
-Side on_disk(const Limits& limits) {
+VersionReader on_disk(const Limits& limits) {
   return {[&limits](const std::string& path) { return read_source(path, limits); },
           [&limits](const std::string& path) { return read_inputs(path, limits); }, &files_on_disk};
 }
 
-Side in_revision(const Revision& revision, const Limits& limits) {
+VersionReader in_revision(const Revision& revision, const Limits& limits) {
   const SourceReader read = [&](const std::string& path) { return revision.read(path, limits); };
   return {read,
           [&limits, read](const std::string& path) { return read_inputs(path, limits, read); },
@@ -98,7 +98,7 @@ struct FolderFiles {
   std::set<std::string> doubtful = {};  ///< subset of `others`: may be models with errors
 };
 
-std::string joined(const std::string& folder, const std::string& inside) {
+std::string join_paths(const std::string& folder, const std::string& inside) {
   return (fs::path(folder) / inside).lexically_normal().generic_string();
 }
 
@@ -116,7 +116,7 @@ bool has_entry(const TomlValue& root, std::string_view key, TomlKind kind) {
 
 /// Reads the file once. A model with errors has [[coordinate]] but misspells [model], or it is no
 /// valid TOML but its text contains a header of models.
-FileRole role_of(const Side& side, const std::string& path) {
+FileRole role_of(const VersionReader& side, const std::string& path) {
   if (path.ends_with(".scene.toml")) return FileRole::system;
   const Result<SourcePointer> source = side.read(path);
   if (!source) return FileRole::system;
@@ -132,13 +132,13 @@ FileRole role_of(const Side& side, const std::string& path) {
 }
 
 /// The models, scenes and other TOML files below a folder.
-Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
+Result<FolderFiles> systems_below(const VersionReader& side, const std::string& folder) {
   const Result<std::vector<std::string>> found = side.files_below(folder);
   if (!found) return found.diagnostics;
   FolderFiles files;
   for (const std::string& inside : *found) {
     if (fs::path(inside).extension() != ".toml") continue;
-    const FileRole role = role_of(side, joined(folder, inside));
+    const FileRole role = role_of(side, join_paths(folder, inside));
     (role == FileRole::system ? files.systems : files.others).insert(inside);
     if (role == FileRole::doubtful) files.doubtful.insert(inside);
   }
@@ -146,8 +146,8 @@ Result<FolderFiles> systems_below(const Side& side, const std::string& folder) {
 }
 
 /// A file that exists on one side only.
-struct LoneFile {
-  const Side* side = nullptr;
+struct UnpairedFile {
+  const VersionReader* side = nullptr;
   std::string path = {};   ///< on its side
   std::string shown = {};  ///< in the report
 };
@@ -158,43 +158,45 @@ class VersionPairs {
       : options_(options), limits_(limits) {}
 
   /// Compares two files.
-  void compare(const Side& old_side, const std::string& old_path, const Side& new_side,
-               const std::string& new_path) {
+  void compare(const VersionReader& old_side, const std::string& old_path,
+               const VersionReader& new_side, const std::string& new_path) {
     const Progress progress(new_path);
     progress.stage("compare");
     const Result<Inputs> before = old_side.inputs(old_path);
     const Result<Inputs> after = new_side.inputs(new_path);
-    const bool is_read = keep(new_path, before.diagnostics) && keep(new_path, after.diagnostics);
+    const bool is_read =
+        keep_errors(new_path, before.diagnostics) && keep_errors(new_path, after.diagnostics);
     if (!is_read || !before || !after) return;
     const bool is_same =
         same_text(before->model, after->model) && same_text(before->scene, after->scene);
     if (is_same) {
-      keep_mistakes(new_path, *after);
+      keep_errors_of(new_path, *after);
       return;
     }
     const Result<LoadedVersion> old = load_version(*before, limits_);
     const Result<LoadedVersion> now = load_version(*after, limits_);
-    keep(new_path, old.diagnostics);
-    keep(new_path, now.diagnostics);
+    keep_errors(new_path, old.diagnostics);
+    keep_errors(new_path, now.diagnostics);
     if (!old || !now) return;
     SystemChange& found =
         report_.systems.emplace_back(elgen::compare(old->version(), now->version(), options_));
     found.path = shown_path(new_path);
   }
 
-  void compare_folders(const Side& old_side, const std::string& old_folder, const Side& new_side,
-                       const std::string& new_folder) {
+  void compare_folders(const VersionReader& old_side, const std::string& old_folder,
+                       const VersionReader& new_side, const std::string& new_folder) {
     const Result<FolderFiles> olds = systems_below(old_side, old_folder);
     const Result<FolderFiles> news = systems_below(new_side, new_folder);
-    if (!keep(new_folder, olds.diagnostics) || !keep(new_folder, news.diagnostics)) return;
+    if (!keep_errors(new_folder, olds.diagnostics) || !keep_errors(new_folder, news.diagnostics))
+      return;
     const auto compare_both = [&](const std::string& inside) {
-      compare(old_side, joined(old_folder, inside), new_side, joined(new_folder, inside));
+      compare(old_side, join_paths(old_folder, inside), new_side, join_paths(new_folder, inside));
     };
     for (const std::string& inside : news->systems) {
       if (olds->systems.count(inside) + olds->others.count(inside) > 0) {
         compare_both(inside);
       } else {
-        add(new_side, joined(new_folder, inside));
+        add(new_side, join_paths(new_folder, inside));
       }
     }
     for (const std::string& inside : olds->systems) {
@@ -202,42 +204,44 @@ class VersionPairs {
       if (news->others.count(inside) > 0) {
         compare_both(inside);
       } else {
-        remove(old_side, joined(old_folder, inside), inside);
+        remove(old_side, join_paths(old_folder, inside), inside);
       }
     }
     for (const std::string& inside : news->doubtful) {
       if (olds->doubtful.count(inside) > 0) {
         compare_both(inside);
       } else if (olds->systems.count(inside) + olds->others.count(inside) == 0) {
-        add(new_side, joined(new_folder, inside));
+        add(new_side, join_paths(new_folder, inside));
       }
     }
   }
 
   /// A file that only the newer side has.
-  void add(const Side& side, const std::string& path) { added_.push_back({&side, path, path}); }
+  void add(const VersionReader& side, const std::string& path) {
+    added_.push_back({&side, path, path});
+  }
 
   /// A file that only the older side has.
-  void remove(const Side& side, const std::string& path, const std::string& shown) {
+  void remove(const VersionReader& side, const std::string& path, const std::string& shown) {
     removed_.push_back({&side, path, shown});
   }
 
   Result<DiffReport> result() {
     compare_moved();
-    for (const LoneFile& file : added_) {
+    for (const UnpairedFile& file : added_) {
       const Result<Inputs> inputs = file.side->inputs(file.path);
-      const bool is_read = keep(file.path, inputs.diagnostics) && inputs;
-      if (is_read && keep_mistakes(file.path, *inputs)) {
+      const bool is_read = keep_errors(file.path, inputs.diagnostics) && inputs;
+      if (is_read && keep_errors_of(file.path, *inputs)) {
         report_.added.push_back(shown_path(file.shown));
       }
     }
-    for (const LoneFile& file : removed_) report_.removed.push_back(shown_path(file.shown));
+    for (const UnpairedFile& file : removed_) report_.removed.push_back(shown_path(file.shown));
     sort_by_position(diagnostics_);
     return {std::move(report_), std::move(diagnostics_)};
   }
 
  private:
-  [[nodiscard]] std::string name_of(const LoneFile& file) const {
+  [[nodiscard]] std::string name_of(const UnpairedFile& file) const {
     const Result<Inputs> inputs = file.side->inputs(file.path);
     return inputs ? system_name(*inputs, limits_) : std::string();
   }
@@ -246,8 +250,8 @@ class VersionPairs {
   void compare_moved() {
     if (added_.empty() || removed_.empty()) return;
     std::vector<std::string> old_names;
-    for (const LoneFile& file : removed_) old_names.push_back(name_of(file));
-    for (const LoneFile& now : std::exchange(added_, {})) {
+    for (const UnpairedFile& file : removed_) old_names.push_back(name_of(file));
+    for (const UnpairedFile& now : std::exchange(added_, {})) {
       const std::string name = name_of(now);
       const auto found = std::ranges::find(old_names, name);
       if (name.empty() || found == old_names.end()) {
@@ -262,12 +266,12 @@ class VersionPairs {
   }
 
   /// Keeps the errors of a file that is not compared; true if it has none.
-  bool keep_mistakes(const std::string& path, const Inputs& inputs) {
-    return keep(path, mistakes(inputs, limits_));
+  bool keep_errors_of(const std::string& path, const Inputs& inputs) {
+    return keep_errors(path, mistakes(inputs, limits_));
   }
 
   /// Keeps errors; true if there are none. Warnings are dropped, because `generate` reports them.
-  bool keep(const std::string& path, const Diagnostics& found) {
+  bool keep_errors(const std::string& path, const Diagnostics& found) {
     for (const Diagnostic& diagnostic : found) {
       if (code_row(diagnostic.code).severity != Severity::error) continue;
       diagnostics_.push_back(diagnostic);
@@ -281,16 +285,16 @@ class VersionPairs {
   const CompareOptions& options_;
   const Limits& limits_;
   DiffReport report_ = {};
-  std::vector<LoneFile> added_ = {};
-  std::vector<LoneFile> removed_ = {};
+  std::vector<UnpairedFile> added_ = {};
+  std::vector<UnpairedFile> removed_ = {};
   Diagnostics diagnostics_ = {};
 };
 
 }  // namespace
 
-Result<DiffReport> compared_paths(const std::string& before, const std::string& after,
-                                  const CompareOptions& options, const Limits& limits) {
-  const Side files = on_disk(limits);
+Result<DiffReport> compare_paths(const std::string& before, const std::string& after,
+                                 const CompareOptions& options, const Limits& limits) {
+  const VersionReader files = on_disk(limits);
   VersionPairs comparing(options, limits);
   if (is_folder(before) && is_folder(after)) {
     comparing.compare_folders(files, before, files, after);
@@ -300,12 +304,12 @@ Result<DiffReport> compared_paths(const std::string& before, const std::string& 
   return comparing.result();
 }
 
-Result<DiffReport> compared_with_revision(const std::string& name, std::vector<std::string> paths,
-                                          const CompareOptions& options, const Limits& limits) {
+Result<DiffReport> compare_with_revision(const std::string& name, std::vector<std::string> paths,
+                                         const CompareOptions& options, const Limits& limits) {
   const Result<Revision> revision = Revision::open(name);
   if (!revision) return revision.diagnostics;
-  const Side committed = in_revision(*revision, limits);
-  const Side files = on_disk(limits);
+  const VersionReader committed = in_revision(*revision, limits);
+  const VersionReader files = on_disk(limits);
   if (paths.empty()) paths = {"."};
   VersionPairs comparing(options, limits);
   for (const std::string& path : paths) {
@@ -314,7 +318,7 @@ Result<DiffReport> compared_with_revision(const std::string& name, std::vector<s
     const bool was_there = revision->has(*old);
     if (is_folder(path)) {
       comparing.compare_folders(committed, *old, files, path);
-    } else if (was_there == is_there(path)) {
+    } else if (was_there == path_exists(path)) {
       comparing.compare(committed, *old, files, path);
     } else if (was_there) {
       comparing.remove(committed, *old, path);

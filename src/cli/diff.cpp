@@ -30,7 +30,7 @@ struct DiffOptions {
 struct DiffFormat {
   std::string_view name;
   std::string (*text)(const DiffReport& report, const DiffOptions& options);
-  bool tells_errors = false;  ///< the format contains the errors of systems
+  bool shows_errors = false;  ///< the format contains the errors of systems
 };
 
 constexpr std::array formats{
@@ -104,13 +104,13 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
       *renames, {options.only.begin(), options.only.end()}, options.strict};
   const Result<DiffReport> found =
       options.revision.empty()
-          ? compared_paths(options.inputs.front(), options.inputs.back(), comparing, global.limits)
-          : compared_with_revision(options.revision, options.inputs, comparing, global.limits);
+          ? compare_paths(options.inputs.front(), options.inputs.back(), comparing, global.limits)
+          : compare_with_revision(options.revision, options.inputs, comparing, global.limits);
   if (!found) return report(global, found.diagnostics);
   const bool is_whole = !has_errors(found.diagnostics);
   const Diagnostics unknown = unknown_outputs(*found, options);
   if (is_whole && !unknown.empty()) return report(global, unknown);
-  if (!is_whole && !format.tells_errors) report(global, found.diagnostics);
+  if (!is_whole && !format.shows_errors) report(global, found.diagnostics);
   const ExitCode printed = print(global, format.text(*found, options));
   const bool is_allowed = impact_of(*found) <= *find_impact(options.allowed);
   return std::max(
@@ -145,7 +145,7 @@ void add_diff(CLI::App& app, Action& action) {
   command
       ->add_option("--format", options->format,
                    "text, json, markdown (for comments on pull requests) or github (annotations)")
-      ->check(CLI::IsMember(words_in(formats, &DiffFormat::name)));
+      ->check(CLI::IsMember(column_words(formats, &DiffFormat::name)));
   set_action(*command, action, options, &diff);
 }
 

@@ -29,7 +29,7 @@ ExitCode evaluate_input(const GlobalOptions& global, const EvaluateOptions& opti
   PipelineOptions pipeline = pipeline_options(global, {Goal::check});
   pipeline.scene = options.scene;
   pipeline.scene.purpose = purpose::evaluate;
-  const Products products = run_shown(options.input, *inputs, pipeline);
+  const Products products = run_with_progress(options.input, *inputs, pipeline);
   const ExitCode checked = report_products(global, products);
   tell_times(global, products);
   if (checked != ExitCode::success || !global.stop_after.empty()) return checked;

@@ -93,7 +93,7 @@ std::string text_of(const OutputRow& row) {
 
 std::string text_of(const FunctionRow& row) {
   return fmt::format(
-      "{}: a function of {}{}\n", row.name, counted(row.arity, "argument"),
+      "{}: a function of {}{}\n", row.name, count_text(row.arity, "argument"),
       row.use == FunctionUse::forces
           ? ", only allowed in forces because it has a kink; its argument may have a unit"
           : "");
@@ -156,7 +156,7 @@ std::string text_of(const std::vector<KeyRow>& keys) {
 
 /// Every code, output, function and name, and every entry that has its own header in a file.
 std::vector<std::string> known_names() {
-  std::vector<std::string> names = words_in(entry_table(), &EntryRow::entry);
+  std::vector<std::string> names = column_words(entry_table(), &EntryRow::entry);
   for (const CodeRow& code : code_table()) names.emplace_back(code.name);
   for (const OutputRow& output : output_table()) {
     if (!output.of_user) names.emplace_back(output.name);

@@ -49,10 +49,10 @@ struct Job {
 };
 
 /// Scenes repeat the warnings and notes of their model. Repetitions are removed.
-Diagnostics not_told(Diagnostics diagnostics, std::set<std::string>& told) {
-  std::erase_if(diagnostics, [&told](const Diagnostic& diagnostic) {
+Diagnostics without_repetitions(Diagnostics diagnostics, std::set<std::string>& reported) {
+  std::erase_if(diagnostics, [&reported](const Diagnostic& diagnostic) {
     const bool is_error = code_row(diagnostic.code).severity == Severity::error;
-    return !is_error && !told.insert(format({diagnostic}, {})).second;
+    return !is_error && !reported.insert(format({diagnostic}, {})).second;
   });
   return diagnostics;
 }
@@ -64,7 +64,7 @@ ExitCode run_jobs(const GlobalOptions& global, const GenerateOptions& options,
   pipeline.scene = options.scene;
   if (options.list_outputs) pipeline.goals = {Goal::check};
   ExitCode worst = ExitCode::success;
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const std::string& path : options.inputs) {
     Result<Inputs> inputs = read_inputs(path, global.limits);
     if (!inputs) {
@@ -75,8 +75,8 @@ ExitCode run_jobs(const GlobalOptions& global, const GenerateOptions& options,
     if (!options.to_stdout) {
       pipeline.scene.paths = source_paths(*inputs, options.output_directory);
     }
-    Job job{path, *inputs, run_shown(path, *inputs, pipeline)};
-    job.products.diagnostics = not_told(std::move(job.products.diagnostics), told);
+    Job job{path, *inputs, run_with_progress(path, *inputs, pipeline)};
+    job.products.diagnostics = without_repetitions(std::move(job.products.diagnostics), reported);
     worst = std::max(worst, report_products(global, job.products));
     tell_times(global, job.products);
     jobs.push_back(std::move(job));
@@ -156,12 +156,12 @@ std::optional<std::string> other_source(const GlobalOptions& global, const Job& 
   const auto source = source_file(directory, stated_paths(existing_text(file.path).value_or("")));
   std::error_code error;
   const bool is_other = source && !fs::equivalent(*source, job.path, error);
-  return is_other && may_bear(global, *source, job.scene().base_name) ? source : std::nullopt;
+  return is_other && may_have_name(global, *source, job.scene().base_name) ? source : std::nullopt;
 }
 
 /// E604: files of another model or scene with the same name would be replaced.
-Diagnostics taken_names(const GlobalOptions& global, const GenerateOptions& options,
-                        const std::vector<Job>& jobs) {
+Diagnostics occupied_names(const GlobalOptions& global, const GenerateOptions& options,
+                           const std::vector<Job>& jobs) {
   Diagnostics errors;
   for (const Job& job : jobs) {
     for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
@@ -212,7 +212,7 @@ std::vector<OutputFile> output_files(const GenerateOptions& options, const std::
 }
 
 /// The word, in single quotes if a shell needs them.
-std::string in_backticks(const std::string& word) {
+std::string quoted_for_shell(const std::string& word) {
   constexpr const char* harmless =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
   if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
@@ -225,10 +225,10 @@ std::string in_backticks(const std::string& word) {
 std::string repair_command(const GlobalOptions& global, const GenerateOptions& options) {
   std::string command = "elgen";
   for (std::size_t i = 1; i < global.words.size(); ++i) {
-    if (global.words[i] != "--check") command += " " + in_backticks(global.words[i]);
+    if (global.words[i] != "--check") command += " " + quoted_for_shell(global.words[i]);
   }
-  if (options.scene.change_files() && !options.output_directory_given) {
-    command += " -o " + in_backticks(options.output_directory);
+  if (options.scene.changes_files() && !options.output_directory_given) {
+    command += " -o " + quoted_for_shell(options.output_directory);
   }
   return command;
 }
@@ -237,7 +237,7 @@ std::string repair_command(const GlobalOptions& global, const GenerateOptions& o
 std::string comparison_command(const GenerateOptions& options) {
   if (std::ranges::count(options.inputs, "-") > 0) return {};
   std::string command = "elgen diff --against REV";
-  for (const std::string& input : options.inputs) command += " " + in_backticks(input);
+  for (const std::string& input : options.inputs) command += " " + quoted_for_shell(input);
   return command;
 }
 
@@ -264,8 +264,8 @@ std::string next_commands(const std::string& input) {
       outputs, width, steps, verify, width);
 }
 
-void tell_what_became(const GlobalOptions& global, const GenerateOptions& options, const Job& job,
-                      const std::vector<std::string>& written) {
+void report_files(const GlobalOptions& global, const GenerateOptions& options, const Job& job,
+                  const std::vector<std::string>& written) {
   const auto& [model, scene] = *job.products.checked;
   if (global.verbose) {
     tell(global, overview(model_page(model, scene, job.products.book->program), screen_of(stderr)));
@@ -319,16 +319,16 @@ ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
                const std::vector<Job>& jobs) {
   Diagnostics refusals = changed_by_options(options, jobs);
   if (refusals.empty()) refusals = changed_meanwhile(jobs);
-  if (refusals.empty() && !options.force) refusals = taken_names(global, options, jobs);
+  if (refusals.empty() && !options.force) refusals = occupied_names(global, options, jobs);
   if (!refusals.empty()) return report(global, refusals);
   const auto written =
       write_files(output_files(options, jobs), {options.force, global.limits.seconds});
   if (!written) return report(global, written.diagnostics);
-  for (const Job& job : jobs) tell_what_became(global, options, job, *written);
+  for (const Job& job : jobs) report_files(global, options, job, *written);
   return wants_json(global) ? print(global, to_json(options, jobs, &*written)) : ExitCode::success;
 }
 
-std::string listed(const GenerateOptions& options, const std::vector<Job>& jobs) {
+std::string path_list(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
     for (const std::string& path : sorted_paths_of(options, job)) text += path + "\n";
@@ -355,7 +355,7 @@ ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
   if (!duplicates.empty()) return report(global, duplicates);
   if (options.list_outputs) {
     return print(global,
-                 wants_json(global) ? to_json(options, jobs, nullptr) : listed(options, jobs));
+                 wants_json(global) ? to_json(options, jobs, nullptr) : path_list(options, jobs));
   }
   if (options.to_stdout) return print(global, headers(jobs));
   return options.check ? check(global, options, jobs) : write(global, options, jobs);

@@ -60,7 +60,7 @@ class OrphanSearch {
   void add(const fs::path& folder, const std::string& reason) {
     for (const fs::path& path : entries_in(folder)) {
       const bool is_ours =
-          written_.count(path.lexically_normal()) == 0 && bears_marker(path.string());
+          written_.count(path.lexically_normal()) == 0 && has_marker(path.string());
       if (is_ours) found_.push_back({FileState::orphaned, path.generic_string(), reason});
     }
   }
@@ -96,7 +96,7 @@ std::vector<FileDifference> orphans(const std::string& directory, const EmittedF
   return OrphanSearch(directory, files, sources)();
 }
 
-std::string text_of(const GlobalOptions& global, const FileDifference& difference) {
+std::string difference_text(const GlobalOptions& global, const FileDifference& difference) {
   std::string words = difference.path;
   if (difference.state == FileState::edited) words += " (by hand)";
   if (difference.state == FileState::orphaned) words += ": " + difference.detail;
@@ -105,9 +105,10 @@ std::string text_of(const GlobalOptions& global, const FileDifference& differenc
   return text;
 }
 
-std::string text_of(const GlobalOptions& global, const std::vector<FileDifference>& differences) {
+std::string difference_text(const GlobalOptions& global,
+                            const std::vector<FileDifference>& differences) {
   std::string text;
-  for (const FileDifference& difference : differences) text += text_of(global, difference);
+  for (const FileDifference& difference : differences) text += difference_text(global, difference);
   return text;
 }
 
@@ -115,12 +116,12 @@ Diagnostics diagnostics_of(const std::vector<FileDifference>& differences) {
   Diagnostics all;
   for (const FileDifference& difference : differences) {
     const SourcePointer file =
-        make_kept_source(difference.path, existing_text(difference.path).value_or(""));
+        make_permanent_source(difference.path, existing_text(difference.path).value_or(""));
     const std::string reason =
         difference.state == FileState::orphaned ? ": " + difference.detail : std::string();
     all.push_back({Code::E715,
                    {file.get(), 0, 0},
-                   fmt::format("{} is {}{}", in_backticks(difference.path),
+                   fmt::format("{} is {}{}", quoted_for_shell(difference.path),
                                name_of(difference.state), reason)});
   }
   return all;
@@ -138,7 +139,7 @@ ExitCode report_all(const GlobalOptions& global, const GeneratedSystems& systems
   const ExitCode reported = report(
       global, {{Code::E715,
                 {},
-                fmt::format("{} {} not current", counted(differences.size(), "generated file"),
+                fmt::format("{} {} not current", count_text(differences.size(), "generated file"),
                             differences.size() == 1 ? "is" : "are"),
                 is_written ? "to repair: " + systems.repair : ""}});
   if (is_stale && !systems.comparison.empty()) {
@@ -163,7 +164,7 @@ ExitCode check_generated(const GlobalOptions& global, const GeneratedSystems& sy
   if (global.style.format != DiagnosticFormat::text) {
     return report(global, diagnostics_of(differences));
   }
-  const ExitCode printed = print(global, text_of(global, differences));
+  const ExitCode printed = print(global, difference_text(global, differences));
   return std::max(printed, report_all(global, systems, differences));
 }
 

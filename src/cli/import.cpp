@@ -36,9 +36,9 @@ Kind kind_of(const Diagnostic& note) {
 
 Diagnostic summary_of(const Diagnostic& first, std::size_t count) {
   const std::size_t line = line_column(*first.span.source, first.span.begin).line;
-  const std::string times = first.code == Code::E815
-                                ? fmt::format("{} times", count)
-                                : fmt::format("and the same for {}", counted(count - 1, "other"));
+  const std::string times =
+      first.code == Code::E815 ? fmt::format("{} times", count)
+                               : fmt::format("and the same for {}", count_text(count - 1, "other"));
   return {first.code, {}, fmt::format("{}, {}, from line {} on", first.message, times, line)};
 }
 
@@ -48,7 +48,7 @@ bool is_note(const Diagnostic& diagnostic) {
 
 /// Merges notes of one kind into one note without a place. Errors, warnings and single notes
 /// remain.
-Diagnostics one_per_kind(const Diagnostics& diagnostics) {
+Diagnostics merge_by_kind(const Diagnostics& diagnostics) {
   std::map<Kind, std::size_t> counts;
   for (const Diagnostic& diagnostic : diagnostics) {
     if (is_note(diagnostic)) ++counts[kind_of(diagnostic)];
@@ -70,7 +70,7 @@ Diagnostics one_per_kind(const Diagnostics& diagnostics) {
 ExitCode report_import(GlobalOptions global, const Diagnostics& diagnostics) {
   if (global.verbose) global.style.maximum = diagnostics.size();
   const bool is_whole = global.verbose || global.style.format != DiagnosticFormat::text;
-  const Diagnostics said = is_whole ? diagnostics : one_per_kind(diagnostics);
+  const Diagnostics said = is_whole ? diagnostics : merge_by_kind(diagnostics);
   const ExitCode code = report(global, said);
   if (said.size() < diagnostics.size()) tell(global, "-v prints every note with its place");
   return code;
@@ -135,7 +135,7 @@ ExitCode import_file(const GlobalOptions& global, const ImportCommand& options) 
   ImportOptions wanted = options.model;
   wanted.name = model_name(is_check ? options.checked : options.output.file);
   const Result<ImportedModel> model = import_urdf(*source, global.limits, wanted);
-  if (model && is_taken_outside(model->name)) {
+  if (model && is_reserved_by_system(model->name)) {
     return report(global,
                   {{Code::E701,
                     {},

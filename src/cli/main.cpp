@@ -55,7 +55,7 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
       ->check(CLI::IsMember({"auto", "always", "never"}));
   app.add_option("--format", raw.format,
                  "format of messages: text, json (also of results) or github")
-      ->check(CLI::IsMember(words_in(diagnostic_formats(), &DiagnosticFormatRow::word)));
+      ->check(CLI::IsMember(column_words(diagnostic_formats(), &DiagnosticFormatRow::word)));
   app.add_flag("-q,--quiet", line.global.quiet, "print errors and warnings only");
   app.add_flag("-v,--verbose", line.global.verbose, "print equations and further details");
   app.add_option("--dump", line.global.dump_stage, "print the result of a stage on stdout")
@@ -70,8 +70,8 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
 }
 
 /// E913 with a source that shows the command line, and a span on `word`.
-Diagnostic pointing_at(const std::vector<std::string>& words, const std::string& word,
-                       std::string message, std::string hint) {
+Diagnostic error_at_word(const std::vector<std::string>& words, const std::string& word,
+                         std::string message, std::string hint) {
   std::string text = "elgen";
   Span span;
   for (std::size_t i = 1; i < words.size(); ++i) {
@@ -82,7 +82,7 @@ Diagnostic pointing_at(const std::vector<std::string>& words, const std::string&
     }
     text += words[i];
   }
-  span.source = make_kept_source("command line", text).get();
+  span.source = make_permanent_source("command line", text).get();
   return {Reason::unknown_option, span, std::move(message), std::move(hint)};
 }
 
@@ -139,13 +139,13 @@ std::vector<std::string> with_options_repeated(const std::vector<std::string>& w
   return all;
 }
 
-Diagnostic rejected(const CLI::App& app, const std::vector<std::string>& words,
-                    const CLI::ParseError& error) {
+Diagnostic parse_error(const CLI::App& app, const std::vector<std::string>& words,
+                       const CLI::ParseError& error) {
   const std::vector<std::string> extras = app.remaining(true);
   if (!extras.empty()) {
     const std::string& word = extras.front();
-    return pointing_at(words, word, fmt::format("`{}` is not understood", word),
-                       suggestion(word.substr(0, word.find('=')), known_words(app)));
+    return error_at_word(words, word, fmt::format("`{}` is not understood", word),
+                         suggestion(word.substr(0, word.find('=')), known_words(app)));
   }
   std::string message = error.what();
   if (!message.empty()) message[0] = in_lower_case(message[0]);
@@ -159,7 +159,7 @@ Result<Limits> read_limits(const std::vector<std::string>& settings) {
     const std::string name = setting.substr(0, equals);
     const auto row = std::ranges::find(limit_table(), name, &LimitRow::name);
     if (row == limit_table().end()) {
-      const std::vector<std::string> names = words_in(limit_table(), &LimitRow::name);
+      const std::vector<std::string> names = column_words(limit_table(), &LimitRow::name);
       return Diagnostic{Reason::unknown_limit,
                         {},
                         fmt::format("`{}` is no limit", name),
@@ -226,7 +226,7 @@ DiagnosticStyle style_of(const std::string& color, const std::string& format) {
 }
 
 /// E913 for options that only people read, if the format is for programs.
-Diagnostics for_people_alone(const GlobalOptions& global) {
+Diagnostics refuse_json(const GlobalOptions& global) {
   if (!wants_json(global)) return {};
   Diagnostics refused;
   const auto refuse = [&](bool is_asked_for, const char* option) {
@@ -277,7 +277,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
     line.answer = std::string(version.what()) + "\n";
     return line;
   } catch (const CLI::ParseError& error) {
-    return rejected(app, words, error);
+    return parse_error(app, words, error);
   }
   if (raw.list_limits) {
     line.answer = raw.format == "json" ? limits_json() : limits_text();
@@ -295,7 +295,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   Result<Limits> limits = read_limits(raw.limits);
   if (!limits) return limits.diagnostics;
   line.global.limits = *limits;
-  const Diagnostics refused = for_people_alone(line.global);
+  const Diagnostics refused = refuse_json(line.global);
   if (!refused.empty()) return refused;
   return line;
 }

@@ -13,14 +13,14 @@ namespace elgen::cli {
 namespace {
 
 /// A failure to write to stderr cannot be reported.
-void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
+void write_stderr(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
 /// Prints the whole text before the message of any limit that is reached meanwhile.
-void say(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
+void write_stderr(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
   // Memory is allocated before the first byte; signals are deferred until the last byte is written.
   const std::string text = format(diagnostics, style);
   const NoInterrupts until_written;
-  say(text);
+  write_stderr(text);
 }
 
 Diagnostics without_notes(Diagnostics diagnostics) {
@@ -41,18 +41,18 @@ ExitCode print(const GlobalOptions& global, const std::string& asked_for) {
 }
 
 ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics) {
-  say(global.quiet ? without_notes(diagnostics) : diagnostics, global.style);
+  write_stderr(global.quiet ? without_notes(diagnostics) : diagnostics, global.style);
   return exit_code(diagnostics);
 }
 
 void tell(const GlobalOptions& global, const std::string& line) {
-  if (!global.quiet && !wants_json(global)) say(line + "\n");
+  if (!global.quiet && !wants_json(global)) write_stderr(line + "\n");
 }
 
 void tell_times(const GlobalOptions& global, const Products& products) {
   if (!global.timings) return;
   const auto line = [](const std::string& name, double seconds) {
-    say(fmt::format("{:>12} {:9.2f} ms\n", name, seconds * 1e3));
+    write_stderr(fmt::format("{:>12} {:9.2f} ms\n", name, seconds * 1e3));
   };
   double sum = 0.0;
   for (const StageTime& time : products.times) {

@@ -34,7 +34,7 @@ struct ShowOptions {
 
 /// Makes a page or data from the result of an analysis.
 template <auto make, auto found>
-auto made(const Products& products, const PageOptions&) {
+auto format_result(const Products& products, const PageOptions&) {
   return make(*products.checked, *(products.*found));
 }
 
@@ -83,14 +83,15 @@ constexpr std::array subjects{
     SubjectRow{"cost", Goal::emit, nullptr,
                [](const Products& all, const PageOptions&) { return cost_page(all.costs); },
                nullptr},
-#define ELGEN_ANALYSIS(id, name, source, Found, find, page, json, ...) \
-  SubjectRow{#id, Goal::id, &made<&page, &Products::id>, nullptr, &made<&json, &Products::id>},
+#define ELGEN_ANALYSIS(id, name, source, Found, find, page, json, ...)     \
+  SubjectRow{#id, Goal::id, &format_result<&page, &Products::id>, nullptr, \
+             &format_result<&json, &Products::id>},
 #include "elgen/analyses.def"
 };
 
 /// "lagrangian, steps, cost, equilibria, modes, symmetries or base_parameters"
 std::string subject_words() {
-  std::vector<std::string> words = words_in(subjects, &SubjectRow::word);
+  std::vector<std::string> words = column_words(subjects, &SubjectRow::word);
   words.erase(words.begin());  // the row of outputs has no word
   const std::string last = std::move(words.back());
   words.pop_back();
@@ -130,7 +131,9 @@ double seconds(const std::vector<StageTime>& times, std::string_view first, std:
   return sum;
 }
 
-double generation(const Products& products) { return seconds(products.times, "parse", "emit"); }
+double generation_time(const Products& products) {
+  return seconds(products.times, "parse", "emit");
+}
 
 /// Sizes from options and the scene, in the words of --size. Options take precedence.
 std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions& options) {
@@ -163,8 +166,8 @@ std::string percentage(double part, double whole) {
 }
 
 /// The costs in the scene and in the full model, and their ratio.
-std::vector<std::string> compared(const OutputRequest& request, const Program& program,
-                                  const Products* full) {
+std::vector<std::string> cost_columns(const OutputRequest& request, const Program& program,
+                                      const Products* full) {
   const auto cost_in = [&request](const std::optional<Program>& of) -> std::optional<std::size_t> {
     const Function* const same = of ? find_function(*of, request.kind, request.user) : nullptr;
     if (same == nullptr) return std::nullopt;
@@ -200,23 +203,23 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
   for (std::size_t i = 0; i < requests.size(); ++i) {
     if (!has_equations(output_row(requests[i].kind))) continue;  // composed of other functions
     std::vector<std::string>& row = rows.emplace_back(1, requests[i].name);
-    const std::vector<std::string> costs = compared(requests[i], *products.program, full);
+    const std::vector<std::string> costs = cost_columns(requests[i], *products.program, full);
     row.insert(row.end(), costs.begin(), costs.end());
     row.push_back(fmt::format(
-        "{:.1f} ms",
-        1e3 * seconds(times_alone(*products.checked, i, options.limits), "formulate", "choose")));
+        "{:.1f} ms", 1e3 * seconds(stage_times_of_output(*products.checked, i, options.limits),
+                                   "formulate", "choose")));
   }
   std::string text = fmt::format("{}\n", fmt::join(table_lines(rows, columns), "\n"));
-  text += fmt::format("\ngenerated in {:.1f} ms", 1e3 * generation(products));
+  text += fmt::format("\ngenerated in {:.1f} ms", 1e3 * generation_time(products));
   if (full != nullptr) {
-    text += fmt::format(", the full model in {:.1f} ms: {}", 1e3 * generation(whole),
-                        percentage(generation(products), generation(whole)));
+    text += fmt::format(", the full model in {:.1f} ms: {}", 1e3 * generation_time(whole),
+                        percentage(generation_time(products), generation_time(whole)));
   }
   return text + "\n";
 }
 
-std::string printed(const Products& products, const SubjectRow& subject,
-                    const ShowOptions& wanted) {
+std::string output_text(const Products& products, const SubjectRow& subject,
+                        const ShowOptions& wanted) {
   PageOptions options;
   options.zeros = !wanted.what.empty();  // named outputs are shown even if 0
   if (options.zeros) options.most_entries = SIZE_MAX;
@@ -261,11 +264,11 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   if (subject.word.empty() && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};
   }
-  const Products products = run_shown(options.input, *inputs, pipeline);
+  const Products products = run_with_progress(options.input, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
-  std::string text = printed(products, subject, options);
+  std::string text = output_text(products, subject, options);
   if (subject.word == "cost") text += "\n" + generation_costs(*inputs, pipeline, products);
   return print(global, text);
 }

@@ -14,13 +14,14 @@ namespace elgen::cli {
 PipelineOptions pipeline_options(const GlobalOptions& global, std::vector<Goal> goals) {
   PipelineOptions pipeline;
   pipeline.limits = global.limits;
-  pipeline.dump = goal_named(global.dump_stage);
+  pipeline.dump = find_goal(global.dump_stage);
   pipeline.goals = std::move(goals);
-  if (const auto last = goal_named(global.stop_after)) pipeline.goals = {*last};
+  if (const auto last = find_goal(global.stop_after)) pipeline.goals = {*last};
   return pipeline;
 }
 
-Products run_shown(const std::string& subject, const Inputs& inputs, PipelineOptions options) {
+Products run_with_progress(const std::string& subject, const Inputs& inputs,
+                           PipelineOptions options) {
   const Progress progress(subject);
   options.on_stage = [&](const std::string& stage) { progress.stage(stage); };
   return run_pipeline(inputs, options);
@@ -31,7 +32,7 @@ ExitCode report_products(const GlobalOptions& global, const Products& products) 
   return std::max(dumped, report(global, products.diagnostics));
 }
 
-bool may_bear(const GlobalOptions& global, const std::string& path, const std::string& name) {
+bool may_have_name(const GlobalOptions& global, const std::string& path, const std::string& name) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
   const Result<Inputs> inputs = read_inputs(path, global.limits);

@@ -14,14 +14,14 @@ namespace elgen::cli {
 
 /// Runs the pipeline and shows its stages. The line is cleared before this returns, so that
 /// products can be printed.
-[[nodiscard]] Products run_shown(const std::string& subject, const Inputs& inputs,
-                                 PipelineOptions options);
+[[nodiscard]] Products run_with_progress(const std::string& subject, const Inputs& inputs,
+                                         PipelineOptions options);
 
 /// Prints the dump and the diagnostics.
 ExitCode report_products(const GlobalOptions& global, const Products& products);
 
 /// True if the file exists and its scene has this name, or if the name cannot be determined.
-[[nodiscard]] bool may_bear(const GlobalOptions& global, const std::string& path,
-                            const std::string& name);
+[[nodiscard]] bool may_have_name(const GlobalOptions& global, const std::string& path,
+                                 const std::string& name);
 
 }  // namespace elgen::cli

@@ -56,11 +56,11 @@ std::function<void(double)> estimate_of_run(const GlobalOptions& global, const P
 }
 
 /// The line of progress is cleared before this returns.
-Products shown_for_run(const SimulateOptions& options, const Inputs& inputs,
-                       PipelineOptions pipeline) {
+Products derive_with_progress(const SimulateOptions& options, const Inputs& inputs,
+                              PipelineOptions pipeline) {
   const Progress progress(options.input);
   pipeline.on_stage = [&progress](const std::string& stage) { progress.stage(stage); };
-  return derived_for_run(inputs, std::move(pipeline), step_of_run(options.run));
+  return derive_for_run(inputs, std::move(pipeline), step_of_run(options.run));
 }
 
 /// E910 if the rows take more memory than the limit. Each has t, q, v and E, as numbers and as
@@ -90,14 +90,14 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
   Result<CompiledHeaders> headers = CompiledHeaders();
   if (!step_of_run(run)) {
     progress.stage("compile");
-    headers = compiled_for_run(products, global.limits);
+    headers = compile_for_run(products, global.limits);
     if (!headers) return headers.diagnostics;
   }
   const CompiledModel* const compiled =
       headers->empty() ? nullptr : headers->front().functions.get();
   progress.stage("simulate");
   renew_time_limit(global.limits);
-  run.watch = estimate_of_run(global, progress, run.from, run.time);
+  run.on_progress = estimate_of_run(global, progress, run.from, run.time);
   return simulate(*products.checked, *products.program, compiled, run);
 }
 
@@ -112,18 +112,18 @@ SimulationOptions run_of_page(SimulationOptions run) {
 }
 
 /// The derivation and, without constraints, the equilibria and normal modes if they are found.
-Products read_of_page(const SimulateOptions& options, const Inputs& inputs,
-                      PipelineOptions pipeline, bool is_constrained) {
+Products derive_page_texts(const SimulateOptions& options, const Inputs& inputs,
+                           PipelineOptions pipeline, bool is_constrained) {
   pipeline.scene.purpose = purpose::rest;
   pipeline.goals = {Goal::steps};
   if (!is_constrained) pipeline.goals.push_back(Goal::modes);
-  return run_shown(options.input, inputs, pipeline);
+  return run_with_progress(options.input, inputs, pipeline);
 }
 
 ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options) {
   const SimulationOptions run = run_of_page(options.run);
-  Diagnostics refused = refuse_run(run);
-  if (refused.empty()) refused = refuse_player(run);
+  Diagnostics refused = check_run_options(run);
+  if (refused.empty()) refused = check_player_options(run);
   if (refused.empty()) {
     refused = refuse_places({{options.output.file, "", Replaces::nothing}}, options.output.force);
   }
@@ -132,19 +132,19 @@ ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options)
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
-  const Products moving =
-      shown_for_run({.input = options.input, .run = run}, *inputs, player_pipeline(pipeline));
+  const Products moving = derive_with_progress({.input = options.input, .run = run}, *inputs,
+                                               player_pipeline_options(pipeline));
   const ExitCode derived = report_products(global, moving);
   tell_times(global, moving);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   const Products read =
-      read_of_page(options, *inputs, pipeline, !moving.checked->model.constraints.empty());
+      derive_page_texts(options, *inputs, pipeline, !moving.checked->model.constraints.empty());
   const Result<std::string> page = player_page(moving, read, run, global.limits);
-  const ExitCode told = report(global, page.diagnostics);
-  if (!page) return told;
+  const ExitCode reported_code = report(global, page.diagnostics);
+  if (!page) return reported_code;
   const auto written = write_files({{options.output.file, *page, Replaces::nothing}},
                                    {options.output.force, global.limits.seconds});
-  return std::max(told, report(global, written.diagnostics));
+  return std::max(reported_code, report(global, written.diagnostics));
 }
 
 /// E913 if `--show` or `--path` is set but no plot is written.
@@ -160,7 +160,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   if (is_page(given)) return write_page(global, given);
   SimulateOptions options = given;
   if (options.run.method.empty()) options.run.method = "dopri5";
-  Diagnostics refused = refuse_run(options.run);
+  Diagnostics refused = check_run_options(options.run);
   if (options.run.every && options.output.file.empty() && !wants_json(global)) {
     refused.push_back({Reason::option_of_runs,
                        {},
@@ -179,14 +179,14 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
   pipeline.scene.purpose = purpose::simulate;
-  const Products products = shown_for_run(options, *inputs, pipeline);
+  const Products products = derive_with_progress(options, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   const Result<Trajectory> trajectory = trajectory_of(global, options, products);
-  const ExitCode told = report(global, trajectory.diagnostics);
-  if (!trajectory) return told;
-  const ExitCode judged = trajectory->loses_energy ? ExitCode::differs : told;
+  const ExitCode reported_code = report(global, trajectory.diagnostics);
+  if (!trajectory) return reported_code;
+  const ExitCode judged = trajectory->loses_energy ? ExitCode::differs : reported_code;
   const ExitCode printed = std::max(
       judged, print(global, wants_json(global) ? to_json(*trajectory) : to_text(*trajectory)));
   if (options.output.file.empty()) return printed;

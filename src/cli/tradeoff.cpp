@@ -47,7 +47,7 @@ std::string model_path(const Inputs& inputs, const std::string& scene_file) {
       .generic_string();
 }
 
-Diagnostics none_within(const TradeoffTable& table, double max_error) {
+Diagnostics no_design_within(const TradeoffTable& table, double max_error) {
   const TradeoffRow* const nearest = most_accurate(table);
   return {{Code::E632,
            {},
@@ -64,10 +64,10 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
                     std::vector<OutputFile>& files) {
   const TradeoffOutput& output = options.output;
   const TradeoffRow* const row = cheapest_within(table, *output.max_error);
-  if (row == nullptr) return report(global, none_within(table, *output.max_error));
+  if (row == nullptr) return report(global, no_design_within(table, *output.max_error));
   if (output.scene_file.empty()) return ExitCode::success;
   const std::string subject = row->design.step ? "" : table.subject;
-  const Result<OutputBase> base = output_base(inputs, subject, options.ranges, global.limits);
+  const Result<OutputBase> base = read_output_base(inputs, subject, options.ranges, global.limits);
   if (!base) return report(global, base.diagnostics);
   const std::string path = model_path(inputs, output.scene_file);
   DesignBase from = base->base();
@@ -91,8 +91,8 @@ Diagnostics refuse_output(const TradeoffOutput& output) {
 
 /// Prints and writes a judged table, and the scene of the picked design if output.scene_file is
 /// set. E632 if no row is within max_error; E706.
-ExitCode deliver(const GlobalOptions& global, const TradeoffOptions& options, const Inputs& inputs,
-                 const TradeoffTable& table) {
+ExitCode write_results(const GlobalOptions& global, const TradeoffOptions& options,
+                       const Inputs& inputs, const TradeoffTable& table) {
   const TradeoffOutput& output = options.output;
   const std::string as = output.as.empty() && wants_json(global) ? "json" : output.as;
   const auto printed = format_of<TradeoffTable>("." + as);
@@ -110,14 +110,14 @@ ExitCode deliver(const GlobalOptions& global, const TradeoffOptions& options, co
 }
 
 /// Shows the stages. The line of progress is cleared before this returns.
-Result<MeasuredTable> measured(const GlobalOptions& global, const TradeoffOptions& options,
-                               const Inputs& inputs) {
+Result<MeasuredTable> measure_with_progress(const GlobalOptions& global,
+                                            const TradeoffOptions& options, const Inputs& inputs) {
   const Progress progress(options.input);
   const BenchProcess process{global.limits,
                              [&progress](const std::string& name) { progress.stage(name); },
                              [&global] { renew_time_limit(global.limits); }};
-  if (options.time) return measured_runs({inputs, *options.time, options.lengths}, process);
-  return measured_designs({inputs, options.of, options.choices, options.ranges}, process);
+  if (options.time) return measure_runs({inputs, *options.time, options.lengths}, process);
+  return measure_designs({inputs, options.of, options.choices, options.ranges}, process);
 }
 
 /// E913: a scene names the file of its model, and standard input has none.
@@ -131,7 +131,7 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
   if (!inputs) return report(global, inputs.diagnostics);
   const Diagnostics refused = refuse_scene(options, *inputs);
   if (!refused.empty()) return report(global, refused);
-  Result<MeasuredTable> result = measured(global, options, *inputs);
+  Result<MeasuredTable> result = measure_with_progress(global, options, *inputs);
   ExitCode found = report(global, result.diagnostics);
   if (!result) return found;
   if (!result->not_compiled.empty()) {
@@ -140,7 +140,8 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
     found = ExitCode::inaccessible;
   }
   result->table.max_error = options.output.max_error;
-  return std::max(found, deliver(global, options, *inputs, judged(std::move(result->table))));
+  return std::max(found,
+                  write_results(global, options, *inputs, rank_rows(std::move(result->table))));
 }
 
 ExitCode run_tradeoff(const GlobalOptions& global, const TradeoffOptions& options) {
@@ -149,7 +150,7 @@ ExitCode run_tradeoff(const GlobalOptions& global, const TradeoffOptions& option
 }
 
 /// An option for each dimension of designs.
-void add_pins(CLI::App& command, DesignChoices& choices) {
+void add_dimension_options(CLI::App& command, DesignChoices& choices) {
   for (const DesignDimension& dimension : design_dimensions()) {
     const auto pin = [&choices, name = dimension.name](const std::string& value) {
       choices.pinned.push_back({name, value});
@@ -182,14 +183,14 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes(time);
-  add_pins(command, options.choices);
+  add_dimension_options(command, options.choices);
   add_sources(command, "--range", "NAME=LOW..HIGH", options.ranges,
               "range in which errors are measured: theta=-0.1..0.1");
   command.get_option("--range")->excludes(time);
 }
 
 /// The options for the output of the table.
-void add_uses(CLI::App& command, TradeoffOutput& output) {
+void add_output_options(CLI::App& command, TradeoffOutput& output) {
   CLI::Option* const max_error =
       add_number(command, "--max-error", output.max_error,
                  "pick the cheapest design whose worst error is at most this");
@@ -209,7 +210,7 @@ void add_tradeoff(CLI::App& app, Action& action) {
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
   add_subject(*command, *options);
-  add_uses(*command, options->output);
+  add_output_options(*command, options->output);
   set_action(*command, action, options, &run_tradeoff);
 }
 

@@ -44,7 +44,7 @@ ExitCode make_vectors(const GlobalOptions& global, const VectorsOptions& options
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
-  const Products products = run_shown(options.input, *inputs, pipeline);
+  const Products products = run_with_progress(options.input, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
   tell_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
@@ -66,10 +66,10 @@ void add_vectors(CLI::App& app, Action& action) {
   add_sources(*command, "--outputs", "LIST", options->scene.outputs,
               "outputs: mass_matrix,forward_dynamics (default: all outputs of the scene)");
   command->add_option("--samples", options->vectors.samples, "states per output (default: 16)")
-      ->check(refused_number)
+      ->check(number_error)
       ->check(CLI::PositiveNumber);
   command->add_option("--seed", options->vectors.seed, "seed of the random states (default: 1)")
-      ->check(refused_number);
+      ->check(number_error);
   add_output(*command, options->output, "write .json, .csv or .h (default: JSON on stdout)");
   add_specialisation(*command, options->scene);
   set_action(*command, action, options, &make_vectors);

@@ -28,12 +28,12 @@ struct BuildWord {
   Build build;
 };
 constexpr std::array<BuildWord, 3> build_words{
-    {{"written", Build::as_written}, {"native", Build::native}, {"users", Build::as_users}}};
+    {{"written", Build::as_written}, {"native", Build::native}, {"users", Build::user_flags}}};
 
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
-  VerifyOptions verify = {};  ///< compared() adds forms, claims and on_step
-  std::vector<Build> builds = {Build::as_written, Build::native, Build::as_users};
+  VerifyOptions verify = {};  ///< verify_compiled() adds forms, claims and on_step
+  std::vector<Build> builds = {Build::as_written, Build::native, Build::user_flags};
   bool strict = false;     ///< skipped checks count as failed
   FileOption output = {};  ///< of certificates
   std::optional<LanguageId> language = {};
@@ -46,7 +46,7 @@ std::string full_text(const GlobalOptions& global, const Certificate& certificat
 }
 
 /// The text that -q, -v and --format select.
-std::string text_of(const GlobalOptions& global, const Certificate& certificate) {
+std::string certificate_text(const GlobalOptions& global, const Certificate& certificate) {
   if (wants_json(global) || (global.verbose && !global.quiet))
     return full_text(global, certificate);
   return global.quiet ? verdict_line(certificate) : to_text(certificate);
@@ -58,8 +58,8 @@ ExitCode exit_code(const Certificate& certificate, bool strict) {
 }
 
 template <class Step>
-auto timed(const std::string& name, Products& products, const Progress& progress,
-           const Step& step) {
+auto run_timed(const std::string& name, Products& products, const Progress& progress,
+               const Step& step) {
   progress.stage(name);
   const auto start = std::chrono::steady_clock::now();
   auto result = step();
@@ -69,61 +69,64 @@ auto timed(const std::string& name, Products& products, const Progress& progress
 }
 
 /// A compiler that is too slow says nothing about the model, so its checks are skipped.
-CompiledHeaders all_lacking(const Diagnostic& late) {
+CompiledHeaders late_compilation(const Diagnostic& late) {
   CompiledHeaders headers(1);
-  headers.front().lacking = late.message + "; " + late.hint;
+  headers.front().failure_reason = late.message + "; " + late.hint;
   return headers;
 }
 
 /// Compiles the emitted code in every build of options.builds; nothing if --quick is set.
-Result<CompiledHeaders> compiled_by(Products& products, const VerifyCommandOptions& options,
-                                    const Limits& limits, const Progress& progress) {
+Result<CompiledHeaders> compile_builds(Products& products, const VerifyCommandOptions& options,
+                                       const Limits& limits, const Progress& progress) {
   if (options.verify.quick) return CompiledHeaders();
   const auto& [model, scene] = *products.checked;
   const CompileOptions all{limits, options.builds, true};
-  return timed("compile", products, progress, [&, &model = model, &scene = scene] {
+  return run_timed("compile", products, progress, [&, &model = model, &scene = scene] {
     Result<CompiledHeaders> compiled =
         compile(*products.files, model, scene, *products.program, all);
     const bool is_late = !compiled && compiled.diagnostics.front().code == Code::E909;
-    if (is_late) return Result<CompiledHeaders>(all_lacking(compiled.diagnostics.front()));
+    if (is_late) return Result<CompiledHeaders>(late_compilation(compiled.diagnostics.front()));
     return compiled;
   });
 }
 
 /// The rows of `max_error`. An expanded scene is derived again without its expansion.
-Result<std::vector<CertificateRow>> promised(const Inputs& inputs, const Products& products,
-                                             const CompiledHeaders& compiled,
-                                             const VerifyOptions& options, const Limits& limits) {
+Result<std::vector<CertificateRow>> check_promises(const Inputs& inputs, const Products& products,
+                                                   const CompiledHeaders& compiled,
+                                                   const VerifyOptions& options,
+                                                   const Limits& limits) {
   const CheckedModel& checked = *products.checked;
   renew_time_limit(limits);
   const bool is_judged = checked.scene.numerics.max_error && !compiled.empty();
   if (!is_judged || !checked.model.approximation) {
-    return promised_errors(checked, *products.program, compiled, options);
+    return check_max_error(checked, *products.program, compiled, options);
   }
   PipelineOptions pipeline{.limits = limits, .goals = {Goal::choose}};
   pipeline.scene.purpose = purpose::verify_expansion;
   const Products exact = run_pipeline(inputs, pipeline);
   if (!exact.program) return exact.diagnostics;
-  return promised_errors(*exact.checked, *exact.program, compiled, options);
+  return check_max_error(*exact.checked, *exact.program, compiled, options);
 }
 
 /// Compiles the code and verifies the products. Every step is shown, and timed with the stages of
 /// the products.
-Result<Verification> compared(const std::string& path, const Inputs& inputs, Products& products,
-                              const VerifyCommandOptions& options, const Limits& limits) {
+Result<Verification> verify_compiled(const std::string& path, const Inputs& inputs,
+                                     Products& products, const VerifyCommandOptions& options,
+                                     const Limits& limits) {
   const Progress progress(path);
-  const auto compiled = compiled_by(products, options, limits, progress);
+  const auto compiled = compile_builds(products, options, limits, progress);
   if (!compiled) return compiled.diagnostics;
   VerifyOptions verification = options.verify;
   verification.forms = &*products.closed_forms;
   if (products.claims) verification.claims = &*products.claims;
   verification.on_step = [&progress](const std::string& step) { progress.stage(step); };
   const auto& [model, scene] = *products.checked;
-  Verification result = timed("verify", products, progress, [&, &model = model, &scene = scene] {
-    return verify(model, scene, *products.program, *compiled, verification);
-  });
-  const auto more = timed("search", products, progress, [&] {
-    return promised(inputs, products, *compiled, verification, limits);
+  Verification result =
+      run_timed("verify", products, progress, [&, &model = model, &scene = scene] {
+        return verify(model, scene, *products.program, *compiled, verification);
+      });
+  const auto more = run_timed("search", products, progress, [&] {
+    return check_promises(inputs, products, *compiled, verification, limits);
   });
   if (!more) return more.diagnostics;
   std::vector<CertificateRow>& rows = result.certificate.rows;
@@ -132,14 +135,14 @@ Result<Verification> compared(const std::string& path, const Inputs& inputs, Pro
 }
 
 /// Judges foreign code. Nothing is derived.
-Result<Verification> judged(const std::string& path, Products& products,
-                            const VerifyCommandOptions& options, const Limits& limits) {
+Result<Verification> judge_code(const std::string& path, Products& products,
+                                const VerifyCommandOptions& options, const Limits& limits) {
   ForeignOptions foreign = options.foreign;
   foreign.seed = options.verify.seed;
   foreign.states = options.verify.samples.value_or(foreign.states);
   foreign.seconds = limits.seconds;
-  return timed("judge", products, Progress(path),
-               [&] { return judge_foreign(*products.checked, foreign); });
+  return run_timed("judge", products, Progress(path),
+                   [&] { return compare_foreign_code(*products.checked, foreign); });
 }
 
 /// Appends the full certificate of an input; nothing if the input has errors.
@@ -154,7 +157,7 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   }
   pipeline.scene.purpose = purpose::verify;
   pipeline.scene.language = options.language;
-  Products products = run_shown(path, inputs, pipeline);
+  Products products = run_with_progress(path, inputs, pipeline);
   const ExitCode generated = report_products(global, products);
   if (generated != ExitCode::success || !global.stop_after.empty()) {
     tell_times(global, products);
@@ -164,15 +167,16 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
     const auto& [model, scene] = *products.checked;
     tell(global, overview(model_page(model, scene, products.book->program), screen_of(stderr)));
   }
-  const auto verification = is_foreign ? judged(path, products, options, global.limits)
-                                       : compared(path, inputs, products, options, global.limits);
+  const auto verification = is_foreign
+                                ? judge_code(path, products, options, global.limits)
+                                : verify_compiled(path, inputs, products, options, global.limits);
   tell_times(global, products);
   if (!verification) return report(global, verification.diagnostics);
   const Certificate& certificate = verification->certificate;
   certificates.push_back(full_text(global, certificate));
   const bool is_short = global.quiet || !is_foreign;
   const ExitCode printed =
-      print(global, is_short ? text_of(global, certificate) : certificates.back());
+      print(global, is_short ? certificate_text(global, certificate) : certificates.back());
   const ExitCode found = std::max(printed, report(global, verification->diagnostics));
   return std::max(found, exit_code(certificate, options.strict));
 }
@@ -206,10 +210,10 @@ void add_states(CLI::App& command, VerifyOptions& verify) {
   command
       .add_option("--samples", verify.samples,
                   "states per output (default: 256, fewer for long programs)")
-      ->check(refused_number)
+      ->check(number_error)
       ->check(CLI::PositiveNumber);
   command.add_option("--seed", verify.seed, "seed of the random states (default: 1)")
-      ->check(refused_number);
+      ->check(number_error);
   command.add_option("--jobs", verify.jobs, "number of processes (default: number of cores)")
       ->check(CLI::Range(1U, most_jobs));
 }
@@ -221,7 +225,7 @@ void add_build(CLI::App& command, std::vector<Build>& builds) {
   };
   CLI::Option* const build = command.add_option_function<std::string>(
       "--build", set, "compile C++ and C99 only in this way (default: all three ways)");
-  build->check(CLI::IsMember(words_in(build_words, &BuildWord::word)))->type_name("BUILD");
+  build->check(CLI::IsMember(column_words(build_words, &BuildWord::word)))->type_name("BUILD");
   build->excludes(command.get_option("--quick"));
 }
 

@@ -26,34 +26,36 @@ namespace {
 using Fields = std::vector<FieldEquations>;
 
 /// The entries of each field of an output, in the order of the table.
-using Parts = std::vector<Vector>;
+using FieldEntries = std::vector<Vector>;
 
-Parts parts(Vector x) { return {std::move(x)}; }
-Parts parts(const ex& x) { return {Vector{x}}; }
-Parts parts(const InverseDerivatives& x) { return {x.by_position, x.by_velocity}; }
-Parts parts(const ForwardDerivatives& x) { return {x.by_position, x.by_velocity, x.by_input}; }
-Parts parts(const Linearization& x) { return {x.a, x.b}; }
-Parts parts(const ForwardDynamics& x) {
+FieldEntries parts(Vector x) { return {std::move(x)}; }
+FieldEntries parts(const ex& x) { return {Vector{x}}; }
+FieldEntries parts(const InverseDerivatives& x) { return {x.by_position, x.by_velocity}; }
+FieldEntries parts(const ForwardDerivatives& x) {
+  return {x.by_position, x.by_velocity, x.by_input};
+}
+FieldEntries parts(const Linearization& x) { return {x.a, x.b}; }
+FieldEntries parts(const ForwardDynamics& x) {
   return {x.acceleration, x.relative_pivots, x.multipliers, x.diagonal};
 }
-Parts parts(const HamiltonEquations& x) { return {x.coordinate_rates, x.momentum_rates}; }
-Parts parts(const ConstraintResidual& x) { return {x.position, x.rate}; }
-Parts parts(const ProjectedState& x) { return {x.coordinates, x.rates}; }
-Parts parts(const ConstrainedInverse& x) { return {x.inputs, x.multipliers, x.unbalanced}; }
+FieldEntries parts(const HamiltonEquations& x) { return {x.coordinate_rates, x.momentum_rates}; }
+FieldEntries parts(const ConstraintResidual& x) { return {x.position, x.rate}; }
+FieldEntries parts(const ProjectedState& x) { return {x.coordinates, x.rates}; }
+FieldEntries parts(const ConstrainedInverse& x) { return {x.inputs, x.multipliers, x.unbalanced}; }
 
-Parts parts(const Completed& x) { return {x.rates, x.accelerations}; }
-Parts parts(const OperationalDynamics& x) {
+FieldEntries parts(const Completed& x) { return {x.rates, x.accelerations}; }
+FieldEntries parts(const OperationalDynamics& x) {
   return {x.inertia, x.inverse_jacobian, x.bias, x.relative_pivots};
 }
 
-Parts parts(const Regressor& x) { return {x.matrix, x.rest}; }
+FieldEntries parts(const Regressor& x) { return {x.matrix, x.rest}; }
 
-Parts parts(const OutputDerivatives& x) {
+FieldEntries parts(const OutputDerivatives& x) {
   return {x.by_position, x.by_velocity, x.by_acceleration, x.by_input};
 }
 
 /// Keeps the accelerations and the multipliers; removes pivots and diagonal.
-void leave_out_pivots(Parts& solution) {
+void remove_pivots(FieldEntries& solution) {
   solution[1].clear();
   solution.resize(solution[2].empty() ? 1 : 3);
 }
@@ -65,8 +67,8 @@ FieldEquations field_of(std::string_view name, const Vector& entries, std::size_
 
 /// An output with several fields omits empty fields, such as derivatives by u of a model without
 /// inputs. The table of outputs has no row for `diagonal`.
-Fields fields(const Derivation& derivation, const OutputRequest& request, Parts all) {
-  if (request.without_pivots) leave_out_pivots(all);
+Fields fields(const Derivation& derivation, const OutputRequest& request, FieldEntries all) {
+  if (request.without_pivots) remove_pivots(all);
   if (all.size() == 1) return {{"", request.rows, request.columns, all.front()}};
   const std::span<const FieldRow> rows = output_row(request.kind).fields;
   Fields result;
@@ -111,7 +113,7 @@ OperationalDynamics user_operational(Derivation& derivation, const NamedOutput& 
 
 /// Calls the function of an output, with the request if it takes one.
 template <class Function>
-auto made(const Function& function, Derivation& derivation, const OutputRequest& request) {
+auto call_output(const Function& function, Derivation& derivation, const OutputRequest& request) {
   if constexpr (std::is_invocable_v<Function, Derivation&, const OutputRequest&>) {
     return function(derivation, request);
   } else {
@@ -125,7 +127,7 @@ constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 #define ELGEN_OUTPUT(name)                                                                      \
   [](Derivation& d, const OutputRequest& request) {                                             \
     const auto all = [](auto&... given) -> decltype(name(given...)) { return name(given...); }; \
-    return fields(d, request, parts(made(all, d, request)));                                    \
+    return fields(d, request, parts(call_output(all, d, request)));                             \
   },
 #define ELGEN_USER_OUTPUT(name)                                                    \
   [](Derivation& d, const OutputRequest& request) {                                \
@@ -137,7 +139,8 @@ constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 };
 
 /// The parts from which elgen/compose.hpp computes the output; none if it is derived directly.
-std::optional<OutputEquations> in_parts(Derivation& derivation, const OutputRequest& request) {
+std::optional<OutputEquations> composed_output(Derivation& derivation,
+                                               const OutputRequest& request) {
   const OutputRow& row = output_row(request.kind);
   if (!row.solves || !row.differentiates) return std::nullopt;
   const std::optional<ResponseParts> parts = response_parts(derivation);
@@ -158,8 +161,8 @@ std::optional<OutputEquations> in_parts(Derivation& derivation, const OutputRequ
   return output;
 }
 
-OutputEquations derived(Derivation& derivation, const OutputRequest& request) {
-  if (auto parts = in_parts(derivation, request)) return std::move(*parts);
+OutputEquations derive_output(Derivation& derivation, const OutputRequest& request) {
+  if (auto parts = composed_output(derivation, request)) return std::move(*parts);
   return {request, derivations[static_cast<std::size_t>(request.kind)](derivation, request)};
 }
 
@@ -187,7 +190,7 @@ struct ArticulatedRoute {
 std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
                                                   const OutputRequest& request,
                                                   const Limits& limits) {
-  const bool may_be_shorter = lagrangian.symbols.v.size() >= least_of_articulated;
+  const bool may_be_shorter = lagrangian.symbols.v.size() >= min_articulated_velocities;
   // A branch on the kind: articulated bodies give forward dynamics only.
   if (request.kind != OutputKind::forward_dynamics || !may_be_shorter) return std::nullopt;
   Derivation derivation(lagrangian);
@@ -197,7 +200,7 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
     if (!dynamics) return std::nullopt;
     OutputEquations output{request, fields(derivation, request, parts(dynamics->solution))};
     define_entries(derivation, output.fields);
-    output.told = std::move(derivation.definitions.told.names);
+    output.value_names = std::move(derivation.definitions.value_names.names);
     route.equations.outputs.push_back(std::move(output));
     std::size_t operations = 0;
     for (const Definition& definition : derivation.definitions.list) {
@@ -238,11 +241,11 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
     if (!has_equations(output_row(request.kind))) continue;
     try {
       auto other = articulated_route(lagrangian, request, limits);
-      if (other) equations.other_routes.push_back(std::move(other->equations));
+      if (other) equations.alternatives.push_back(std::move(other->equations));
       if (other && other->is_shorter) continue;
-      OutputEquations output = derived(derivation, request);
+      OutputEquations output = derive_output(derivation, request);
       define_entries(derivation, output.fields);
-      output.told = std::exchange(derivation.definitions.told, {}).names;
+      output.value_names = std::exchange(derivation.definitions.value_names, {}).names;
       equations.outputs.push_back(std::move(output));
     } catch (const ZeroPivot& pivot) {
       return singular(request, pivot, lagrangian.leaves);
@@ -260,7 +263,7 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
   for (const OutputRequest& request : outputs) {
     // Integration steps are composed later, and h gets its name then.
     const OutputRow& row = output_row(request.kind);
-    if (has_equations(row)) name_taken(row.takes, equations.leaves);
+    if (has_equations(row)) name_optional_leaves(row.takes, equations.leaves);
   }
   equations.definitions = std::move(derivation.definitions);
   return equations;
@@ -279,7 +282,7 @@ std::string dump(const EquationsOfMotion& equations) {
       text += '\n';
     }
   }
-  for (const EquationsOfMotion& other : equations.other_routes) text += dump(other);
+  for (const EquationsOfMotion& other : equations.alternatives) text += dump(other);
   return text;
 }
 

@@ -60,7 +60,7 @@ class StepByStep {
       positions.push_back(vector_field(mass.position));
       std::array<ex, 3> velocity;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        velocity[axis] = derivation_.coasting(mass.position[axis]);
+        velocity[axis] = derivation_.zero_acceleration(mass.position[axis]);
       }
       velocities.push_back(vector_field(velocity));
     }
@@ -114,7 +114,7 @@ class StepByStep {
     for (const ex& term : summands_) {
       momenta_.push_back(derivation_.by_velocity({{term, 1}}));
       partials.push_back(derivation_.by_position({{term, 1}}));
-      rates.push_back(turning_force(derivation_, momenta_.back()));
+      rates.push_back(hamel_force(derivation_, momenta_.back()));
     }
     std::vector<Vector> dissipation;
     for (const EnergyTerm& term : derivation_.lagrangian.dissipation) {
@@ -149,7 +149,7 @@ class StepByStep {
         energy += derivation_.symbols.v[i] * momenta_[k][i];
       }
       energies.push_back(energy);
-      by_time.push_back(derivation_.passing(summands_[k]));
+      by_time.push_back(derivation_.time_partial(summands_[k]));
     }
     add("invariants", {field_of("E", std::move(energies)), field_of("L_by_t", std::move(by_time))});
   }

@@ -58,7 +58,7 @@ std::string text_of(const KeyChange& change) {
 std::string meaning(Impact impact, bool is_told_apart) {
   std::string words(impact_row(impact).doc);
   if (is_told_apart || impact >= Impact::different) return words;
-  return fmt::format("{}, compared at {} points only (see --strict)", words, zero_points);
+  return fmt::format("{}, compared at {} points only (see --strict)", words, zero_sample_count);
 }
 
 std::string label_of(const DiffReport& report, const SystemChange& system) {
@@ -79,7 +79,7 @@ std::string text_of(const UnreadableSystem& system) {
 }
 
 bool may_differ(const EntryChange& entry) {
-  return entry.verdict == EntryVerdict::different || entry.verdict == EntryVerdict::not_told_apart;
+  return entry.verdict == EntryVerdict::different || entry.verdict == EntryVerdict::undecided;
 }
 
 void VerdictCounts::add(const OutputChange& output) {
@@ -88,7 +88,7 @@ void VerdictCounts::add(const OutputChange& output) {
   std::size_t olds = 0;
   for (const EntryChange& entry : output.entries) {
     different += entry.verdict == EntryVerdict::different ? 1 : 0;
-    undecided += entry.verdict == EntryVerdict::not_told_apart ? 1 : 0;
+    undecided += entry.verdict == EntryVerdict::undecided ? 1 : 0;
     rewritten += entry.verdict == EntryVerdict::equal ? 1 : 0;
     proved += entry.verdict == EntryVerdict::equal && entry.is_proved ? 1 : 0;
     news += entry.verdict == EntryVerdict::added ? 1 : 0;
@@ -107,7 +107,7 @@ std::string VerdictCounts::text() const {
     result += proved == rewritten ? " (proved)" : fmt::format(" ({} proved)", proved);
   }
   if (undecided > 0) {
-    result += fmt::format(", {} undecided at {} points", undecided, zero_points);
+    result += fmt::format(", {} undecided at {} points", undecided, zero_sample_count);
   }
   if (replaced > 0) result += fmt::format(", {} replaced", replaced);
   if (added > 0) result += fmt::format(", {} added", added);
@@ -141,11 +141,11 @@ std::string text_of(const EntryChange& entry) {
   std::string text = entry.place;
   if (!change.empty()) {
     text += " = " + change;
-  } else if (entry.is_told_apart) {
+  } else if (entry.is_certain) {
     text += " differs";
   }
   if (!entry.difference.empty()) text += fmt::format(", difference {}", entry.difference);
-  if (!entry.is_told_apart) text += fmt::format(", undecided at {} points", zero_points);
+  if (!entry.is_certain) text += fmt::format(", undecided at {} points", zero_sample_count);
   return text;
 }
 

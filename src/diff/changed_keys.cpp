@@ -23,7 +23,7 @@ std::string text_of(const std::vector<KeySyntax>& keys) {
 }
 
 /// False for equations and repetitions, whose texts are parsed into tables and lists.
-bool is_one_text(const ValueSyntax& value) {
+bool has_single_text(const ValueSyntax& value) {
   const bool has_parts = value.kind == ValueKind::list || value.kind == ValueKind::table;
   return !has_parts || !value.text.empty();
 }
@@ -31,7 +31,7 @@ bool is_one_text(const ValueSyntax& value) {
 /// The value as it is written, in one line.
 std::string text_of(const ValueSyntax& value) {
   if (value.kind == ValueKind::boolean) return value.boolean ? "true" : "false";
-  if (is_one_text(value)) return value.text;
+  if (has_single_text(value)) return value.text;
   if (value.kind == ValueKind::table) return text_of(value.entries);
   std::string text;
   for (const ValueSyntax& item : value.items) {
@@ -84,7 +84,7 @@ struct IdentifiedEntry {
   std::size_t number = 1;          ///< among entries with an equal key
 };
 
-bool is_alike(const IdentifiedEntry& x, const IdentifiedEntry& y) {
+bool has_same_key(const IdentifiedEntry& x, const IdentifiedEntry& y) {
   if (x.entry->name != y.entry->name || (x.key == nullptr) != (y.key == nullptr)) return false;
   return x.key == nullptr || is_same(*x.key, *y.key);
 }
@@ -112,19 +112,19 @@ std::string text_of(const IdentifiedEntry& one) {
 
 using Path = std::vector<KeyStep>;
 
-Path below(Path path, KeyStep step) {
+Path append_step(Path path, KeyStep step) {
   path.push_back(std::move(step));
   return path;
 }
 
 using IdentifiedEntries = std::vector<IdentifiedEntry>;
 
-IdentifiedEntries identified(const FileSyntax& file) {
+IdentifiedEntries identify_entries(const FileSyntax& file) {
   IdentifiedEntries all;
   for (const EntrySyntax& entry : file.entries) {
     IdentifiedEntry one{&entry, is_repeated(entry) ? identifying_key(entry) : nullptr};
     for (const IdentifiedEntry& other : all) {
-      if (is_alike(other, one)) ++one.number;
+      if (has_same_key(other, one)) ++one.number;
     }
     all.push_back(one);
   }
@@ -133,7 +133,7 @@ IdentifiedEntries identified(const FileSyntax& file) {
 
 const IdentifiedEntry* find(const IdentifiedEntries& entries, const IdentifiedEntry& wanted) {
   const auto found = std::ranges::find_if(entries, [&wanted](const IdentifiedEntry& one) {
-    return is_alike(one, wanted) && one.number == wanted.number;
+    return has_same_key(one, wanted) && one.number == wanted.number;
   });
   return found == entries.end() ? nullptr : &*found;
 }
@@ -141,11 +141,11 @@ const IdentifiedEntry* find(const IdentifiedEntries& entries, const IdentifiedEn
 class KeyComparison {
  public:
   std::vector<KeyChange> operator()(const FileSyntax& before, const FileSyntax& after) {
-    const IdentifiedEntries olds = identified(before);
-    const IdentifiedEntries news = identified(after);
+    const IdentifiedEntries olds = identify_entries(before);
+    const IdentifiedEntries news = identify_entries(after);
     prefix_ = table_prefix(after.entries.empty() ? before : after);
     for (const IdentifiedEntry& now : news) {
-      go_to(now);
+      set_place(now);
       if (const IdentifiedEntry* const old = find(olds, now)) {
         compare(old->entry->keys, now.entry->keys, {});
       } else {
@@ -154,7 +154,7 @@ class KeyComparison {
     }
     for (const IdentifiedEntry& old : olds) {
       if (find(news, old) != nullptr) continue;
-      go_to(old);
+      set_place(old);
       add({}, text_of(old.entry->keys), "", old.entry->span, {});
     }
     compare_orders(olds, news);
@@ -162,7 +162,7 @@ class KeyComparison {
   }
 
  private:
-  void go_to(const IdentifiedEntry& found) {
+  void set_place(const IdentifiedEntry& found) {
     place_ = {.table = std::string(prefix_) + found.entry->name, .entry = text_of(found)};
   }
 
@@ -180,26 +180,26 @@ class KeyComparison {
     for (const KeySyntax& now : news) {
       const auto old = std::ranges::find(olds, now.key, &KeySyntax::key);
       if (old != olds.end()) {
-        compare(old->value, now.value, below(path, {now.key}));
+        compare(old->value, now.value, append_step(path, {now.key}));
       } else {
-        add(below(path, {now.key}), "", text_of(now.value), {}, now.key_span);
+        add(append_step(path, {now.key}), "", text_of(now.value), {}, now.key_span);
       }
     }
     for (const KeySyntax& old : olds) {
       if (std::ranges::count(news, old.key, &KeySyntax::key) > 0) continue;
-      add(below(path, {old.key}), text_of(old.value), "", old.key_span, {});
+      add(append_step(path, {old.key}), text_of(old.value), "", old.key_span, {});
     }
   }
 
   void compare(const ValueSyntax& old, const ValueSyntax& now, const Path& path) {
     if (is_same(old, now)) return;
-    const bool have_parts = !is_one_text(old) && !is_one_text(now);
+    const bool have_parts = !has_single_text(old) && !has_single_text(now);
     const bool are_tables = have_parts && old.kind == ValueKind::table && now.kind == old.kind;
     if (are_tables) return compare(old.entries, now.entries, path);
     const bool are_lists = have_parts && old.kind == ValueKind::list && now.kind == old.kind;
     if (are_lists && old.items.size() == now.items.size()) {
       for (std::size_t i = 0; i < now.items.size(); ++i) {
-        compare(old.items[i], now.items[i], below(path, {"", i + 1}));
+        compare(old.items[i], now.items[i], append_step(path, {"", i + 1}));
       }
       return;
     }
@@ -268,7 +268,7 @@ class KeyComparison {
         std::ranges::mismatch(olds, news, {}, &Names::value_type::first, &Names::value_type::first);
     if (moved.in2 == news.end()) return;
     const auto listed = [](const Names& names) {
-      return fmt::format("{}", fmt::join(words_in(names, &Names::value_type::first), ", "));
+      return fmt::format("{}", fmt::join(column_words(names, &Names::value_type::first), ", "));
     };
     add({}, listed(olds), listed(news), moved.in1->second, moved.in2->second);
   }

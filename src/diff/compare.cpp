@@ -21,16 +21,16 @@ constexpr std::array impact_rows{
 
 /// Keys on which no equation depends, in all entries. Only runs read the `sample` of an open
 /// function.
-constexpr std::array described{"doc",   "latex",  "title",    "description", "reference",
-                               "range", "limits", "min",      "max",         "rate_range",
-                               "wrap",  "start",  "singular", "sample"};
+constexpr std::array descriptive_keys{"doc",   "latex",  "title",    "description", "reference",
+                                      "range", "limits", "min",      "max",         "rate_range",
+                                      "wrap",  "start",  "singular", "sample"};
 
-/// True if a key on the path is in `described`. Names that users chose do not count.
-bool is_described(const KeyChange& change) {
+/// True if a key on the path is in `descriptive_keys`. Names that users chose do not count.
+bool has_descriptive_key(const KeyChange& change) {
   std::string table = change.table;
   for (const KeyStep& step : change.path) {
     const bool is_name = has_names_for_keys(table);
-    if (!is_name && std::ranges::count(described, step.key) > 0) return true;
+    if (!is_name && std::ranges::count(descriptive_keys, step.key) > 0) return true;
     table += "." + (is_name ? "*" : step.key);
   }
   return false;
@@ -59,9 +59,9 @@ bool is_value(const KeyChange& change) {
 Impact impact_of(const KeyChange& change) {
   const bool is_fixed =
       change.table == "scene.parameters" && (change.before.empty() || change.after.empty());
-  const bool is_beside =
-      is_fixed || change.table == "expect" || change.table == "equilibrium" || is_described(change);
-  return is_beside ? Impact::values : Impact::equal;
+  const bool is_secondary = is_fixed || change.table == "expect" || change.table == "equilibrium" ||
+                            has_descriptive_key(change);
+  return is_secondary ? Impact::values : Impact::equal;
 }
 
 bool has_any(const std::vector<OutputChange>& outputs, EntryVerdict verdict) {
@@ -73,7 +73,7 @@ bool has_any(const std::vector<OutputChange>& outputs, EntryVerdict verdict) {
 void count_as_different(std::vector<OutputChange>& outputs) {
   for (OutputChange& output : outputs) {
     for (EntryChange& entry : output.entries) {
-      if (entry.verdict == EntryVerdict::not_told_apart) entry.verdict = EntryVerdict::different;
+      if (entry.verdict == EntryVerdict::undecided) entry.verdict = EntryVerdict::different;
     }
   }
 }
@@ -97,7 +97,7 @@ bool may_change_equations(const KeyChange& key) {
 }
 
 /// True if callers see what the key declares: names, their order, functions, the target.
-bool is_of_interface(const KeyChange& key) {
+bool affects_interface(const KeyChange& key) {
   constexpr std::array tables{"model",  "sizes",      "coordinate", "input",
                               "output", "constraint", "parameters", "function"};
   const bool is_seen =
@@ -106,22 +106,22 @@ bool is_of_interface(const KeyChange& key) {
 }
 
 /// Sets the impact of every key to the worst that this key may have caused.
-void judge_keys(SystemChange& system, Impact of_entries) {
+void classify_keys(SystemChange& system, Impact of_entries) {
   Impact of_interface = Impact::equal;
   for (const InterfaceChange& change : system.interface) {
     if (change.impact > Impact::values) of_interface = std::max(of_interface, change.impact);
   }
-  const bool is_said = std::ranges::any_of(system.keys, is_of_interface);
+  const bool is_said = std::ranges::any_of(system.keys, affects_interface);
   for (KeyChange& key : system.keys) {
     if (is_drawn(key)) continue;
     const bool is_equation = may_change_equations(key);
     key.impact = is_equation ? of_entries : Impact::values;
-    const bool may_break = is_said ? is_of_interface(key) : is_equation;
+    const bool may_break = is_said ? affects_interface(key) : is_equation;
     if (may_break) key.impact = std::max(key.impact, of_interface);
   }
 }
 
-std::string text_of(const SourcePointer& source) { return source ? source->text : ""; }
+std::string source_text(const SourcePointer& source) { return source ? source->text : ""; }
 
 /// The built-in scene has no keys and no source.
 const FileSyntax& scene_of(const Version& version) {
@@ -130,8 +130,8 @@ const FileSyntax& scene_of(const Version& version) {
 }
 
 bool same_texts(const Version& before, const Version& after) {
-  return text_of(before.model.source) == text_of(after.model.source) &&
-         text_of(scene_of(before).source) == text_of(scene_of(after).source);
+  return source_text(before.model.source) == source_text(after.model.source) &&
+         source_text(scene_of(before).source) == source_text(scene_of(after).source);
 }
 
 /// The parameters that only the newer version has, with the value 0.
@@ -154,7 +154,7 @@ std::string extension(const Version& before, const Version& after, const Compare
   for (const OutputChange& output : output_changes(before, after, options.renames, values)) {
     for (const EntryChange& entry : output.entries) {
       const bool is_new = entry.verdict == EntryVerdict::added;
-      const bool is_undecided = entry.verdict == EntryVerdict::not_told_apart;
+      const bool is_undecided = entry.verdict == EntryVerdict::undecided;
       const bool is_old =
           is_new || entry.verdict == EntryVerdict::equal || (is_undecided && !options.is_strict);
       if (!is_old) return {};
@@ -248,7 +248,7 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
   if (result.keys.empty() && renames.empty()) return result;
   result.outputs = output_changes(before, after, renames);
   if (options.is_strict) count_as_different(result.outputs);
-  result.is_told_apart = !has_any(result.outputs, EntryVerdict::not_told_apart);
+  result.is_certain = !has_any(result.outputs, EntryVerdict::undecided);
   result.interface = interface_changes(before, after, renames);
   result.operations = operations_changes(before, after);
   result.warnings = new_warnings(before, after);
@@ -259,14 +259,14 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
     if (!are_values) result.extension = extension(before, after, options);
     of_entries = impact_of_entries(result, are_values);
   }
-  judge_keys(result, of_entries);
+  classify_keys(result, of_entries);
   result.impact = std::max(result.impact, of_entries);
   for (const InterfaceChange& change : result.interface) {
     result.impact = std::max(result.impact, change.impact);
   }
-  const std::set<std::string>& told = options.only;
-  std::erase_if(result.outputs, [&told](const OutputChange& output) {
-    return !told.empty() && told.count(output.name) == 0;
+  const std::set<std::string>& wanted = options.only;
+  std::erase_if(result.outputs, [&wanted](const OutputChange& output) {
+    return !wanted.empty() && wanted.count(output.name) == 0;
   });
   return result;
 }

@@ -53,7 +53,7 @@ std::vector<WorkflowCommand> failures(const DiffReport& report) {
 struct Cause {
   const KeyChange* key = nullptr;
   Impact impact = Impact::equal;  ///< the worst of all systems
-  bool is_told_apart = true;
+  bool is_certain = true;
   std::string systems = {};  ///< "cart_pole: different, cart_pole_balance: values"
 };
 
@@ -67,7 +67,7 @@ std::vector<Cause> causes_of(const DiffReport& report) {
       if (at->second == found.size()) found.push_back({&key});
       Cause& cause = found[at->second];
       cause.impact = std::max(cause.impact, key.impact);
-      cause.is_told_apart = cause.is_told_apart && system.is_told_apart;
+      cause.is_certain = cause.is_certain && system.is_certain;
       cause.systems += fmt::format("{}{}: {}", cause.systems.empty() ? "" : ", ",
                                    label_of(report, system), impact_row(key.impact).word);
     }
@@ -80,7 +80,7 @@ WorkflowCommand command_of(const Cause& cause, const Span& place, std::string me
   const std::string_view level = cause.impact < Impact::different ? "notice" : "warning";
   return {level, place,
           fmt::format("elgen diff: {} ({})", impact_row(cause.impact).word,
-                      meaning(cause.impact, cause.is_told_apart)),
+                      meaning(cause.impact, cause.is_certain)),
           std::move(message)};
 }
 
@@ -96,7 +96,7 @@ std::vector<WorkflowCommand> causes(const DiffReport& report) {
     commands.push_back(command_of(all[i], place, text_of(key) + systems));
   }
   if (shown < all.size()) {
-    const std::string rest = counted(all.size() - shown, "key");
+    const std::string rest = count_text(all.size() - shown, "key");
     commands.push_back(command_of(all[shown], {}, fmt::format("{} more changed", rest)));
   }
   return commands;

@@ -33,7 +33,7 @@ Json json_of(const EntryChange& entry) {
             {"verdict", verdict_words[static_cast<std::size_t>(entry.verdict)]}};
   if (entry.verdict == EntryVerdict::equal) json["proved"] = entry.is_proved;
   if (!may_differ(entry)) return json;
-  json["told_apart"] = entry.is_told_apart;
+  json["told_apart"] = entry.is_certain;
   json["unit"] = entry.unit;
   for (const auto& [key, text] : {std::pair("before", &entry.before),
                                   {"after", &entry.after},
@@ -95,7 +95,7 @@ Json json_of(const SystemChange& system) {
   Json json{{"name", system.name},
             {"path", system.path},
             {"impact", impact_row(system.impact).word},
-            {"told_apart", system.is_told_apart},
+            {"told_apart", system.is_certain},
             {"keys", list_of(system.keys)},
             {"outputs", std::move(outputs)},
             {"interface", list_of(system.interface)}};

@@ -49,7 +49,8 @@ class Section {
   /// Adds a line with the number of texts beyond `most_`.
   void count_others(std::string_view noun) {
     if (known_.size() <= most_) return;
-    lines_.push_back({"", fmt::format("{} more (--list)", counted(known_.size() - most_, noun))});
+    lines_.push_back(
+        {"", fmt::format("{} more (--list)", count_text(known_.size() - most_, noun))});
   }
 
   [[nodiscard]] bool is_empty() const { return known_.empty(); }
@@ -62,17 +63,19 @@ class Section {
 };
 
 /// A component of the equations of motion.
-struct Part {
+struct EquationTerm {
   std::string_view symbol;
   OutputKind kind;
 };
-constexpr std::array parts{
-    Part{"T", OutputKind::kinetic_energy}, Part{"V", OutputKind::potential_energy},
-    Part{"D", OutputKind::dissipation},    Part{"Q", OutputKind::applied_force},
-    Part{"B", OutputKind::input_matrix},   Part{"A", OutputKind::constraint_jacobian}};
+constexpr std::array equation_terms{EquationTerm{"T", OutputKind::kinetic_energy},
+                                    EquationTerm{"V", OutputKind::potential_energy},
+                                    EquationTerm{"D", OutputKind::dissipation},
+                                    EquationTerm{"Q", OutputKind::applied_force},
+                                    EquationTerm{"B", OutputKind::input_matrix},
+                                    EquationTerm{"A", OutputKind::constraint_jacobian}};
 
 /// "V = a -> b", "V differs", "B: 2 of 3 entries differ, 0 rewritten", "V is written differently"
-std::string part_text(std::string_view symbol, const OutputChange& output) {
+std::string term_text(std::string_view symbol, const OutputChange& output) {
   VerdictCounts counts;
   counts.add(output);
   if (counts.changed() + counts.undecided == 0) {
@@ -86,17 +89,17 @@ std::string part_text(std::string_view symbol, const OutputChange& output) {
 }
 
 /// "V = a -> b;  T, D, Q, B identical"
-std::string parts_text(const SystemChange& system) {
+std::string terms_text(const SystemChange& system) {
   std::string changed;
   std::string identical;
-  for (const auto& [symbol, kind] : parts) {
+  for (const auto& [symbol, kind] : equation_terms) {
     const auto output =
         std::ranges::find(system.outputs, output_row(kind).name, &OutputChange::name);
     if (output == system.outputs.end()) continue;
     if (output->entries.empty()) {
       identical += fmt::format("{}{}", identical.empty() ? "" : ", ", symbol);
     } else {
-      changed += (changed.empty() ? "" : ";  ") + part_text(symbol, *output);
+      changed += (changed.empty() ? "" : ";  ") + term_text(symbol, *output);
     }
   }
   if (identical.empty()) return changed;
@@ -160,13 +163,13 @@ class Summary {
     if (has_several(report_)) {
       for_each("verdict", [](const SystemChange& system) {
         return fmt::format("{}: {}", impact_row(system.impact).word,
-                           meaning(system.impact, system.is_told_apart));
+                           meaning(system.impact, system.is_certain));
       });
       for (SummaryLine& line : lines_) {
         if (!line.systems.empty()) line.text = line.systems + ": " + line.text;
       }
     }
-    const bool is_told_apart = std::ranges::all_of(report_.systems, &SystemChange::is_told_apart);
+    const bool is_told_apart = std::ranges::all_of(report_.systems, &SystemChange::is_certain);
     if (has_verdict(report_)) {
       lines_.push_back({std::string(impact_row(impact).word),
                         (report_.unreadable.empty() ? "" : "of the readable systems: ") +
@@ -214,7 +217,7 @@ class Summary {
 
   void add_consequences() {
     for_each("", [](const SystemChange& system) {
-      return system.keys.empty() ? "" : parts_text(system);
+      return system.keys.empty() ? "" : terms_text(system);
     });
     for_each("", [](const SystemChange& system) { return expectations_text(system); });
     add_warnings();
@@ -338,7 +341,7 @@ std::string folded(const EntryList& list) {
     text += list.lines[i] + "\n";
   }
   if (list.lines.size() > most_lines) {
-    text += fmt::format("{} more\n", counted(list.lines.size() - most_lines, "line"));
+    text += fmt::format("{} more\n", count_text(list.lines.size() - most_lines, "line"));
   }
   return fmt::format("<details><summary>Entries of {}</summary>\n\n{}\n</details>\n", list.system,
                      code_block(text));

@@ -59,8 +59,8 @@ Names members(const Model& model, const std::vector<ParameterArray>& arrays,
   return all;
 }
 
-std::string listed(const Names& members) {
-  return fmt::format("{}", fmt::join(words_in(members, &KnownName::name), ", "));
+std::string name_list(const Names& members) {
+  return fmt::format("{}", fmt::join(column_words(members, &KnownName::name), ", "));
 }
 
 const KnownName* find(const Names& members, const std::string& name) {
@@ -109,16 +109,16 @@ void compare_units(Changes& changes, const std::string& what, const Names& olds,
 void compare_lists(Changes& changes, const std::string& what, const Names& olds,
                    const Names& news) {
   if (olds.size() != news.size()) {
-    changes.add(Impact::breaks, "{} (was {}): {} -> {}", counted(news.size(), what), olds.size(),
-                listed(olds), listed(news));
-  } else if (listed(olds) != listed(news)) {
-    changes.add_silent(
-        fmt::format("the {}s or their order changed: {} -> {}", what, listed(olds), listed(news)));
+    changes.add(Impact::breaks, "{} (was {}): {} -> {}", count_text(news.size(), what), olds.size(),
+                name_list(olds), name_list(news));
+  } else if (name_list(olds) != name_list(news)) {
+    changes.add_silent(fmt::format("the {}s or their order changed: {} -> {}", what,
+                                   name_list(olds), name_list(news)));
   }
   compare_units(changes, what, olds, news);
 }
 
-std::string_view assumed(const Parameter& parameter) {
+std::string_view assumption_text(const Parameter& parameter) {
   constexpr std::array words{"any number", "positive", "nonnegative"};
   return words[static_cast<std::size_t>(parameter.assumption)];
 }
@@ -136,7 +136,7 @@ void compare_values(Changes& changes, const Model& before, const Model& after,
     }
     if (old->assumption != now.assumption) {
       changes.add(Impact::values, "{} is assumed to be {} (was {})", in_backticks(now.name),
-                  assumed(now), assumed(*old));
+                  assumption_text(now), assumption_text(*old));
     }
   }
 }
@@ -165,28 +165,28 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
       changes.add(Impact::breaks, "parameter {} is removed", in_backticks(old.name));
     } else if (now->size != old.size) {
       changes.add(Impact::breaks, "parameter {} has {} (had {})", in_backticks(old.name),
-                  counted(now->size, "element"), old.size);
+                  count_text(now->size, "element"), old.size);
     }
   }
   Names kept = news;
   std::erase_if(kept, [&olds](const KnownName& now) { return find(olds, now.name) == nullptr; });
   Names stayed = olds;
   std::erase_if(stayed, [&news](const KnownName& old) { return find(news, old.name) == nullptr; });
-  if (listed(kept) != listed(stayed)) {
+  if (name_list(kept) != name_list(stayed)) {
     changes.add_silent(fmt::format("the members of Parameters changed their order: {} -> {}",
-                                   listed(stayed), listed(kept)));
+                                   name_list(stayed), name_list(kept)));
   } else if (kept.size() < news.size()) {
     Names added = news;
     std::erase_if(added, [&olds](const KnownName& now) { return find(olds, now.name) != nullptr; });
     const bool are_last =
         find(added, news[kept.size()].name) != nullptr &&
-        listed(Names(news.begin(), news.begin() + static_cast<std::ptrdiff_t>(kept.size()))) ==
-            listed(kept);
+        name_list(Names(news.begin(), news.begin() + static_cast<std::ptrdiff_t>(kept.size()))) ==
+            name_list(kept);
     // If members are gone, callers do not compile, so they cannot misread the others.
     if (are_last || kept.size() < olds.size()) {
-      changes.add(Impact::extended, "Parameters has new members: " + listed(added));
+      changes.add(Impact::extended, "Parameters has new members: " + name_list(added));
     } else {
-      changes.add_silent("Parameters has new members, not all at the end: " + listed(added));
+      changes.add_silent("Parameters has new members, not all at the end: " + name_list(added));
     }
   }
   compare_units(changes, "parameter", olds, news);
@@ -202,7 +202,7 @@ void compare_steps(Changes& changes, const std::string& name, const StepSpec& ol
                 step_order(now), step_order(old));
   } else if (old.iterations != now.iterations) {
     changes.add(Impact::different, "{} has {} (had {})", in_backticks(name),
-                counted(now.iterations, "iteration"), old.iterations);
+                count_text(now.iterations, "iteration"), old.iterations);
   } else if (old.projects != now.projects) {
     changes.add(Impact::different, "{} {}", in_backticks(name),
                 now.projects ? "ends on the constraints (drifted off before)"
@@ -231,7 +231,7 @@ void compare_outputs(Changes& changes, const Scene& before, const Scene& after) 
   }
 }
 
-bool has_shape_of(const Function& old, const Function& now) {
+bool has_same_shape(const Function& old, const Function& now) {
   return std::ranges::equal(old.fields, now.fields, [](const Field& x, const Field& y) {
     return x.rows == y.rows && x.columns == y.columns;
   });
@@ -253,9 +253,9 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
     const auto old = std::ranges::find(before.functions, now.name, &Function::name);
     const bool is_in_both = old != before.functions.end() && old->kind == now.kind;
     // Depends on a kind: the interface has no list of the constraints on positions.
-    const bool is_told =
+    const bool is_compared =
         output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
-    if (!is_in_both || !is_told || has_shape_of(*old, now)) continue;
+    if (!is_in_both || !is_compared || has_same_shape(*old, now)) continue;
     changes.add(Impact::breaks, "{} is {} (was {})", in_backticks(now.name), shape(now),
                 shape(*old));
   }
@@ -269,9 +269,9 @@ struct UnlistedLines {
   const Renames& renames;
 
   void compare(Changes& changes, const std::string& lines, Extent extent) const {
-    std::vector<std::string> olds = unlisted_names(before.checked.model, extent);
+    std::vector<std::string> olds = names_without_leaf(before.checked.model, extent);
     for (std::string& name : olds) name = renamed(name, renames);
-    const std::vector<std::string> news = unlisted_names(after.checked.model, extent);
+    const std::vector<std::string> news = names_without_leaf(after.checked.model, extent);
     if (olds == news) return;
     changes.add_silent(fmt::format("the {} are {} (were {})", lines, fmt::join(news, ", "),
                                    fmt::join(olds, ", ")));

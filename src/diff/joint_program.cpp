@@ -26,10 +26,10 @@ Assumption weaker(Assumption x, Assumption y) {
 }
 
 /// Copies the instructions of a function, and returns the positions of its entries.
-class Copy {
+class FunctionCopier {
  public:
-  Copy(const Program& from, const LeafValues<std::uint32_t>& places, Program& to,
-       Instructions& instructions)
+  FunctionCopier(const Program& from, const LeafValues<std::uint32_t>& places, Program& to,
+                 Instructions& instructions)
       : from_(from), places_(places), to_(to), instructions_(instructions) {}
 
   std::vector<std::uint32_t> operator()(const Function& function, const ParameterValues& values) {
@@ -40,7 +40,7 @@ class Copy {
       } else if (i.opcode == Opcode::constant) {
         i.a = position_of(from_.constants[i.a], to_.constants);
       }
-      copies.push_back(instructions_.add(with_operands(i, copies)));
+      copies.push_back(instructions_.add(renumber_operands(i, copies)));
     }
     std::vector<std::uint32_t> entries;
     for (const std::uint32_t entry : entries_of(function)) entries.push_back(copies[entry]);
@@ -99,13 +99,13 @@ auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
   return places;
 }
 
-JointFunction JointProgram::joined(const Function& before, const Function& after,
-                                   const JointValues& values) {
+JointFunction JointProgram::join(const Function& before, const Function& after,
+                                 const JointValues& values) {
   JointFunction joint;
   joint.function.name = after.name;
   Instructions instructions(joint.function);
-  joint.before = Copy(before_, old_places_, joint_, instructions)(before, values.before);
-  joint.after = Copy(after_, new_places_, joint_, instructions)(after, values.after);
+  joint.before = FunctionCopier(before_, old_places_, joint_, instructions)(before, values.before);
+  joint.after = FunctionCopier(after_, new_places_, joint_, instructions)(after, values.after);
   return joint;
 }
 

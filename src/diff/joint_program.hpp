@@ -34,8 +34,8 @@ class JointProgram {
   JointProgram(const Program& before, const Program& after, const Renames& renames);
 
   /// Joins two functions of the programs; entries are in the order of their fields.
-  [[nodiscard]] JointFunction joined(const Function& before, const Function& after,
-                                     const JointValues& values = {});
+  [[nodiscard]] JointFunction join(const Function& before, const Function& after,
+                                   const JointValues& values = {});
 
   /// The leaves of both versions, with the constants of the functions joined so far.
   [[nodiscard]] const Program& program() const { return joint_; }

@@ -37,7 +37,7 @@ constexpr PresentBudget texts_budget{
 constexpr std::size_t most_instructions = 400;
 
 /// The function with this entry only; an empty function if it is too long.
-Function alone(const Function& function, std::uint32_t at) {
+Function single_entry(const Function& function, std::uint32_t at) {
   Function one = with_entries(function, {at});
   if (one.instructions.size() <= most_instructions) return one;
   return {.kind = function.kind, .name = function.name};
@@ -50,9 +50,9 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
                                       const std::vector<std::uint32_t>& instructions) {
   Program each{program.leaves, program.constants, {}};
   for (const std::uint32_t at : instructions) {
-    each.functions.push_back(alone(function, at));
+    each.functions.push_back(single_entry(function, at));
   }
-  const Program read = written(std::move(each), Reader::people, texts_budget);
+  const Program read = with_closed_forms(std::move(each), Reader::people, texts_budget);
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < read.functions.size(); ++i) {
     const bool is_known = !read.readable[i].fields.empty();
@@ -64,15 +64,15 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
 
 /// A witness is one of the first states. The others may distinguish roots and kinks.
 constexpr std::size_t witness_count = 16;
-constexpr std::size_t state_count = zero_points;
+constexpr std::size_t state_count = zero_sample_count;
 constexpr std::uint64_t seed_of_witnesses = 16;
 
 /// Rounded to three significant digits, as in print.
 double text_value(double x) { return std::stod(fmt::format("{:.3g}", x)); }
 
 /// Appends values of leaves that only the older version has, in the order of `joint`.
-void append(const LeafNames& joint, const LeafNames& olds, const Arguments<double>& values,
-            Arguments<double>& state) {
+void append_old_leaves(const LeafNames& joint, const LeafNames& olds,
+                       const Arguments<double>& values, Arguments<double>& state) {
 #define ELGEN_LEAVES(kind, member, ...)                                                     \
   while (state.member.size() < joint.member.size()) {                                       \
     const auto old = std::ranges::find(olds.member, joint.member[state.member.size()]);     \
@@ -105,7 +105,7 @@ class WitnessStates {
 
   /// Sets share and witness of a change between two instructions; neither if no state shows a
   /// difference.
-  void tell(const Function& function, const InstructionPair& pair, EntryChange& change) const;
+  void explain(const Function& function, const InstructionPair& pair, EntryChange& change) const;
 
  private:
   const Program& joint_;
@@ -130,8 +130,8 @@ WitnessStates::WitnessStates(const Version& before, const Version& after, const 
       const Range range = new_ranges.parameters[k];
       value = range.low < range.high ? draw.within(range) : draw.share();
     }
-    append(joint.leaves, before.program.leaves, old, state);
-    if (i == 0) append(joint.leaves, before.program.leaves, old, known_);
+    append_old_leaves(joint.leaves, before.program.leaves, old, state);
+    if (i == 0) append_old_leaves(joint.leaves, before.program.leaves, old, known_);
     states_.push_back(map_leaves(text_value, state));
   }
   const auto rest = [](Opcode kind, std::uint32_t, double& value) {
@@ -140,8 +140,8 @@ WitnessStates::WitnessStates(const Version& before, const Version& after, const 
   for_each_leaf(rest, states_.emplace_back(states_.front()));
 }
 
-void WitnessStates::tell(const Function& function, const InstructionPair& pair,
-                         EntryChange& change) const {
+void WitnessStates::explain(const Function& function, const InstructionPair& pair,
+                            EntryChange& change) const {
   const Function both = with_entries(function, {pair.before, pair.after});
   double largest = 0;
   double largest_change = 0;
@@ -176,8 +176,8 @@ void WitnessStates::tell(const Function& function, const InstructionPair& pair,
 
 /// Parameters that only the scene of the other version fixes, if the fixed number is rational and
 /// equals their value. The renames give the names in the newer version.
-ParameterValues fixed_as_they_are(const CheckedModel& free, const Renames& free_renames,
-                                  const CheckedModel& fixing, const Renames& renames) {
+ParameterValues fixed_at_own_value(const CheckedModel& free, const Renames& free_renames,
+                                   const CheckedModel& fixing, const Renames& renames) {
   ParameterValues values;
   for (const auto& [other, fixed] : fixing.scene.specialisation.fixed) {
     const std::string name = renamed(fixing.model.parameters[other].name, renames);
@@ -193,7 +193,7 @@ ParameterValues fixed_as_they_are(const CheckedModel& free, const Renames& free_
 }
 
 /// Entries per output with texts and witness; for further entries only the verdict is reported.
-constexpr std::size_t most_told = 20;
+constexpr std::size_t most_explained = 20;
 
 class OutputComparison {
  public:
@@ -202,30 +202,31 @@ class OutputComparison {
       : before_(before),
         after_(after),
         renames_(renames),
-        values_{fixed_as_they_are(before.checked, renames, after.checked, {}), values},
+        values_{fixed_at_own_value(before.checked, renames, after.checked, {}), values},
         joint_(before.program, after.program, renames) {
-    values_.after.merge(fixed_as_they_are(after.checked, {}, before.checked, renames));
+    values_.after.merge(fixed_at_own_value(after.checked, {}, before.checked, renames));
   }
 
   std::vector<OutputChange> operator()() {
     std::vector<OutputChange> all;
     for (const Function& after : after_.program.functions) {
-      if (output_row(after.kind).repeats) continue;
+      if (output_row(after.kind).is_summary) continue;
       const Function* const before = find_named(before_.program, after.name);
-      all.push_back(before != nullptr ? compared(without_diagonal(*before), without_diagonal(after))
-                                      : whole(after_, {}, without_diagonal(after)));
+      all.push_back(before != nullptr
+                        ? compare_functions(without_diagonal(*before), without_diagonal(after))
+                        : lone_output(after_, {}, without_diagonal(after)));
     }
     for (const Function& before : before_.program.functions) {
       const bool is_gone = find_named(after_.program, before.name) == nullptr;
-      if (!is_gone || output_row(before.kind).repeats) continue;
-      all.push_back(whole(before_, without_diagonal(before), {}));
+      if (!is_gone || output_row(before.kind).is_summary) continue;
+      all.push_back(lone_output(before_, without_diagonal(before), {}));
     }
     return all;
   }
 
  private:
   /// Added or removed; otherwise different until a proof or points show that it is equal.
-  static EntryChange unsettled(const MatchedEntry& entry) {
+  static EntryChange undecided_change(const MatchedEntry& entry) {
     const EntryVerdict lone = entry.after ? EntryVerdict::added : EntryVerdict::removed;
     const bool is_in_both = entry.before && entry.after;
     return {.place = entry.place,
@@ -234,18 +235,19 @@ class OutputComparison {
   }
 
   /// An output that only one version has; the other function is empty.
-  static OutputChange whole(const Version& version, const Function& before, const Function& after) {
+  static OutputChange lone_output(const Version& version, const Function& before,
+                                  const Function& after) {
     const Model& model = version.checked.model;
     OutputChange change{before.name + after.name, entry_count(before) + entry_count(after), {}};
     for (const MatchedEntry& entry : matched_entries(model, before, model, after, {})) {
-      change.entries.push_back(unsettled(entry));
+      change.entries.push_back(undecided_change(entry));
     }
     return change;
   }
 
-  OutputChange compared(const Function& before, const Function& after) {
+  OutputChange compare_functions(const Function& before, const Function& after) {
     OutputChange change{after.name, std::max(entry_count(before), entry_count(after)), {}};
-    JointFunction joint = joint_.joined(before, after, values_);
+    JointFunction joint = joint_.join(before, after, values_);
     Instructions instructions(joint.function);
     std::vector<InstructionPair> open;
     for (const MatchedEntry& entry :
@@ -256,13 +258,13 @@ class OutputComparison {
         if (x == y) continue;
         open.push_back({change.entries.size(), x, y, instructions.add(Opcode::subtract, y, x)});
       }
-      change.entries.push_back(unsettled(entry));
+      change.entries.push_back(undecided_change(entry));
     }
-    settle(joint.function, open, change);
+    decide(joint.function, open, change);
     return change;
   }
 
-  void settle(const Function& function, const std::vector<InstructionPair>& open,
+  void decide(const Function& function, const std::vector<InstructionPair>& open,
               OutputChange& change) {
     if (open.empty()) return;
     std::vector<std::uint32_t> differences;
@@ -278,18 +280,18 @@ class OutputComparison {
         continue;
       }
       const bool is_decided = found[i] != Zero::not_decided;
-      entry.verdict = is_decided ? EntryVerdict::equal : EntryVerdict::not_told_apart;
+      entry.verdict = is_decided ? EntryVerdict::equal : EntryVerdict::undecided;
       entry.is_proved = found[i] == Zero::proved;
-      entry.is_told_apart = is_decided;
+      entry.is_certain = is_decided;
       if (!is_decided) undecided.push_back(open[i]);
     }
     different.insert(different.end(), undecided.begin(), undecided.end());
-    if (different.size() > most_told) different.resize(most_told);
-    tell(function, different, change);
+    if (different.size() > most_explained) different.resize(most_explained);
+    explain(function, different, change);
   }
 
-  void tell(const Function& function, const std::vector<InstructionPair>& different,
-            OutputChange& change) {
+  void explain(const Function& function, const std::vector<InstructionPair>& different,
+               OutputChange& change) {
     if (different.empty()) return;
     std::vector<std::uint32_t> places;
     for (const InstructionPair& pair : different) {
@@ -301,7 +303,7 @@ class OutputComparison {
       entry.before = texts[3 * i];
       entry.after = texts[3 * i + 1];
       entry.difference = texts[3 * i + 2];
-      if (entry.verdict == EntryVerdict::different) states().tell(function, different[i], entry);
+      if (entry.verdict == EntryVerdict::different) states().explain(function, different[i], entry);
     }
   }
 

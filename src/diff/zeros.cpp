@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t seed_of_zeros = 16;
 /// Points to try until each entry has a value at enough of them: one per scale and rule of signs.
-constexpr std::size_t most_tries = 8 * zero_points;
+constexpr std::size_t most_tries = 8 * zero_sample_count;
 
 /// The observation of an entry at one point.
 enum class Seen : std::uint8_t { nothing, zero, other };
@@ -36,7 +36,7 @@ class PointDrawer {
     for (const std::uint32_t entry : entries_of(function)) {
       const bool is_lone =
           is_computed && !is_limited_[entry] && is_one_sided(function.instructions[entry], values);
-      seen.push_back(is_lone ? Seen::other : judged(function, entry, values));
+      seen.push_back(is_lone ? Seen::other : observation(function, entry, values));
     }
     return seen;
   }
@@ -47,7 +47,7 @@ class PointDrawer {
     const std::vector<Running<Real>> values = values_at(point, function, variables);
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
-      seen.push_back(judged(function, entry, values));
+      seen.push_back(observation(function, entry, values));
     }
     return seen;
   }
@@ -61,8 +61,9 @@ class PointDrawer {
     is_limited_.clear();
     for (std::size_t i = 0; i < function.instructions.size(); ++i) {
       is_limited_.push_back(!variables[i] && is_limited(function.instructions[i], values));
-      values.push_back(variables[i] ? scaled(draw_.number())
-                                    : folded(rules, program_, function.instructions[i], values));
+      values.push_back(variables[i]
+                           ? scaled(draw_.number())
+                           : fold_instruction(rules, program_, function.instructions[i], values));
     }
     return values;
   }
@@ -105,8 +106,8 @@ class PointDrawer {
 
   /// `nothing` for limits, and if rounding in 64 digits hides more than the last digits of the
   /// terms. If the terms are 0, leaves of about 1 replace them.
-  [[nodiscard]] Seen judged(const Function& function, std::uint32_t entry,
-                            const std::vector<Running<Real>>& values) const {
+  [[nodiscard]] Seen observation(const Function& function, std::uint32_t entry,
+                                 const std::vector<Running<Real>>& values) const {
     static const Real share(power_of_ten(-45));
     static const Real hidden(power_of_ten(-25));
     const Instruction& i = function.instructions[entry];
@@ -136,7 +137,7 @@ std::vector<std::size_t> candidates(const std::vector<Seen>& seen) {
   return left;
 }
 
-Function only(const Function& function, const std::vector<std::size_t>& numbers) {
+Function select_entries(const Function& function, const std::vector<std::size_t>& numbers) {
   const std::vector<std::uint32_t> entries = entries_of(function);
   std::vector<std::uint32_t> some;
   for (const std::size_t i : numbers) some.push_back(entries[i]);
@@ -148,21 +149,21 @@ constexpr PresentBudget zeros_budget{
     .products_per_function = 10'000, .products = 40'000, .terms = 1'000};
 
 /// The doubles of a state as exact numbers.
-LeafValues<Running<Real>> point_of(const Arguments<double>& state) {
+LeafValues<Running<Real>> exact_point(const Arguments<double>& state) {
   return map_leaves([](double x) { return running_leaf(exact_value(x), rounding<double>()); },
                     state);
 }
 
 /// For each entry: `other` if a point shows a value other than 0; `zero` if it vanishes at
-/// `zero_points` points or more; else `nothing`. The points are the states and random points.
-std::vector<Seen> seen_everywhere(const Function& function, const std::vector<bool>& variables,
-                                  const std::vector<Arguments<double>>& states, PointDrawer& draw) {
+/// `zero_sample_count` points or more; else `nothing`. The points are the states and random points.
+std::vector<Seen> observe_points(const Function& function, const std::vector<bool>& variables,
+                                 const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   std::vector<std::size_t> zeros(entry_count(function));
   std::vector<bool> may_vanish(zeros.size(), true);
-  const std::size_t enough = states.size() + zero_points;
+  const std::size_t enough = states.size() + zero_sample_count;
   for (std::size_t tried = 0; tried < states.size() + most_tries; ++tried) {
     const std::vector<Seen> seen = tried < states.size()
-                                       ? draw.at(point_of(states[tried]), function, variables)
+                                       ? draw.at(exact_point(states[tried]), function, variables)
                                        : draw(function, variables);
     for (std::size_t i = 0; i < seen.size(); ++i) {
       zeros[i] += seen[i] == Seen::zero ? 1 : 0;
@@ -176,22 +177,22 @@ std::vector<Seen> seen_everywhere(const Function& function, const std::vector<bo
   }
   std::vector<Seen> result;
   for (std::size_t i = 0; i < zeros.size(); ++i) {
-    const Seen unless_other = zeros[i] < zero_points ? Seen::nothing : Seen::zero;
+    const Seen unless_other = zeros[i] < zero_sample_count ? Seen::nothing : Seen::zero;
     result.push_back(may_vanish[i] ? unless_other : Seen::other);
   }
   return result;
 }
 
 /// The verdict on every entry of a function without a proof.
-std::vector<Zero> sampled(const Program& program, const Function& function,
-                          const std::vector<Arguments<double>>& states, PointDrawer& draw) {
+std::vector<Zero> sample_verdicts(const Program& program, const Function& function,
+                                  const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   const std::vector<bool> variables = unknowns(program, function);
   const std::vector<bool> none(variables.size(), false);
-  const std::vector<Seen> seen = seen_everywhere(function, variables, {}, draw);
-  const bool is_settled =
+  const std::vector<Seen> seen = observe_points(function, variables, {}, draw);
+  const bool needs_no_second_pass =
       std::ranges::count(variables, true) == 0 && std::ranges::count(seen, Seen::nothing) == 0;
   const std::vector<Seen> as_computed =
-      is_settled ? seen : seen_everywhere(function, none, states, draw);
+      needs_no_second_pass ? seen : observe_points(function, none, states, draw);
   std::vector<Zero> result;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const bool differs = as_computed[i] == Seen::other;
@@ -211,21 +212,23 @@ std::vector<Zero> zeros(const Program& program, const Function& function,
   const std::vector<bool> none(function.instructions.size(), false);
   const std::vector<std::size_t> left = candidates(draw(function, none));
   if (left.empty()) return result;
-  const std::vector<ZeroProof> proofs = proved_zeros(program, only(function, left), zeros_budget);
+  const std::vector<ZeroProof> proofs =
+      prove_zeros(program, select_entries(function, left), zeros_budget);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < left.size(); ++i) {
     if (proofs[i] == ZeroProof::zero) result[left[i]] = Zero::proved;
     if (proofs[i] == ZeroProof::open) open.push_back(left[i]);
   }
   if (open.empty()) return result;
-  const std::vector<Zero> verdicts = sampled(program, only(function, open), states, draw);
+  const std::vector<Zero> verdicts =
+      sample_verdicts(program, select_entries(function, open), states, draw);
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = verdicts[i];
   return result;
 }
 
 bool vanishes_at(const Program& program, const Function& function, const Arguments<double>& state) {
   const std::vector<bool> none(function.instructions.size(), false);
-  return PointDrawer(program).at(point_of(state), function, none).front() == Seen::zero;
+  return PointDrawer(program).at(exact_point(state), function, none).front() == Seen::zero;
 }
 
 }  // namespace elgen

@@ -10,9 +10,9 @@ namespace elgen {
 enum class Zero : std::uint8_t {
   no,
   not_decided,  ///< no point shows another value, but it is not analytic, or vanishes at fewer than
-                ///< `zero_points`: another point may differ
-  sampled,      ///< analytic (program/network/analytic.hpp), and vanishes at `zero_points` points
-  proved,       ///< its closed form is the empty sum
+                ///< `zero_sample_count`: another point may differ
+  sampled,  ///< analytic (program/network/analytic.hpp), and vanishes at `zero_sample_count` points
+  proved,   ///< its closed form is the empty sum
 };
 
 /// One verdict per entry, in the order of the fields. Cost: one evaluation in 64 digits. Entries

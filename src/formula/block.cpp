@@ -33,7 +33,7 @@ constexpr std::array bracket_rows{BracketRow{"(", {"(", "⎛", "⎜", "⎝"}, {"
 std::string blanks(std::size_t count) { return std::string(count, ' '); }
 
 /// Adds blank lines so that `above` lines precede the base line and `below` lines follow it.
-Block raised(const Block& block, std::size_t above, std::size_t below) {
+Block pad_lines(const Block& block, std::size_t above, std::size_t below) {
   const std::string blank = blanks(block.width());
   Block result{std::vector<std::string>(above - block.base, blank), above};
   result.lines.insert(result.lines.end(), block.lines.begin(), block.lines.end());
@@ -41,7 +41,7 @@ Block raised(const Block& block, std::size_t above, std::size_t below) {
   return result;
 }
 
-Block padded(Block block, std::size_t width, Alignment alignment = Alignment::centre) {
+Block pad_columns(Block block, std::size_t width, Alignment alignment = Alignment::centre) {
   const std::size_t missing = width - block.width();
   const std::size_t before = alignment == Alignment::centre ? missing / 2 : 0;
   for (std::string& line : block.lines) {
@@ -64,23 +64,23 @@ std::size_t columns_of(std::string_view text) {
   return columns;
 }
 
-Block beside(const Block& left, const Block& right) {
+Block join_blocks(const Block& left, const Block& right) {
   const std::size_t above = std::max(left.base, right.base);
   const std::size_t below = std::max(left.below(), right.below());
-  Block result = raised(left, above, below);
-  const Block other = raised(right, above, below);
+  Block result = pad_lines(left, above, below);
+  const Block other = pad_lines(right, above, below);
   for (std::size_t i = 0; i < result.lines.size(); ++i) result.lines[i] += other.lines[i];
   return result;
 }
 
 Block stacked(const Block& above, const Block& below, const std::string& rule) {
   const std::size_t width = std::max(above.width(), below.width());
-  Block result = padded(above, width);
+  Block result = pad_columns(above, width);
   result.base = result.lines.size();
   std::string line;
   for (std::size_t i = 0; i < width; ++i) line += rule;
   result.lines.push_back(line);
-  const Block under = padded(below, width);
+  const Block under = pad_columns(below, width);
   result.lines.insert(result.lines.end(), under.lines.begin(), under.lines.end());
   return result;
 }
@@ -108,8 +108,8 @@ Block grid(const std::vector<Block>& cells, std::size_t columns, Alignment align
   for (std::size_t first = 0; first < cells.size(); first += columns) {
     Block row;
     for (std::size_t j = 0; j < columns; ++j) {
-      if (j > 0) row = beside(row, {{blanks(between_cells)}, 0});
-      row = beside(row, padded(cells[first + j], widths[j], alignment));
+      if (j > 0) row = join_blocks(row, {{blanks(between_cells)}, 0});
+      row = join_blocks(row, pad_columns(cells[first + j], widths[j], alignment));
     }
     if (is_tall && first > 0) result.lines.push_back(blanks(row.width()));
     result.lines.insert(result.lines.end(), row.lines.begin(), row.lines.end());
@@ -129,9 +129,9 @@ std::string text_of(const Block& block, std::string_view indent) {
 
 Block matrix_drawing(const std::vector<Block>& entries, std::size_t columns, Alphabet alphabet) {
   const Block space{{" "}, 0};
-  const Block inside = beside(beside(space, grid(entries, columns)), space);
-  return beside(beside(bracket_drawing("[", inside, alphabet), inside),
-                bracket_drawing("]", inside, alphabet));
+  const Block inside = join_blocks(join_blocks(space, grid(entries, columns)), space);
+  return join_blocks(join_blocks(bracket_drawing("[", inside, alphabet), inside),
+                     bracket_drawing("]", inside, alphabet));
 }
 
 }  // namespace elgen

@@ -33,7 +33,8 @@ constexpr std::array small_glyphs{
     SmallGlyph{U'⊤', "", "ᵀ"}};
 
 /// Replaces every character by its small form; none if a character has no small form.
-std::optional<std::string> made_small(std::string_view text, std::string_view SmallGlyph::*place) {
+std::optional<std::string> to_small_glyphs(std::string_view text,
+                                           std::string_view SmallGlyph::*place) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const CodePoint point = code_point_at(text, at);
@@ -111,7 +112,7 @@ Role role_of(const Glyphs& part) {
 }
 
 /// The position of the bracket that closes the bracket at `open`; the end of the row if none does.
-std::size_t closing(const std::vector<Glyphs>& parts, std::size_t open) {
+std::size_t closing_position(const std::vector<Glyphs>& parts, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < parts.size(); ++i) {
     depth += is_open_bracket(parts[i]) ? 1 : is_closing_bracket(parts[i]) ? -1 : 0;
@@ -124,7 +125,7 @@ std::size_t closing(const std::vector<Glyphs>& parts, std::size_t open) {
 bool has_sign(const Glyphs& glyphs) {
   for (std::size_t i = 0; i < glyphs.parts.size(); ++i) {
     if (role_of(glyphs.parts[i]) == Role::sign) return true;
-    if (is_open_bracket(glyphs.parts[i])) i = closing(glyphs.parts, i);
+    if (is_open_bracket(glyphs.parts[i])) i = closing_position(glyphs.parts, i);
   }
   return false;
 }
@@ -133,7 +134,7 @@ bool has_sign(const Glyphs& glyphs) {
 bool is_product(const Glyphs& glyphs) {
   std::size_t factors = 0;
   for (const Glyphs& part : glyphs.parts) {
-    const bool begins = factors == 0 || part.is_apart;
+    const bool begins = factors == 0 || part.has_space_before;
     if (begins && role_of(part) != Role::prefix) ++factors;
   }
   return factors > 1;
@@ -144,28 +145,28 @@ bool has_fraction(const Glyphs& row) {
 }
 
 /// The text between two pieces: empty or a blank.
-std::string between(Role left, const Glyphs& part) {
+std::string blank_between(Role left, const Glyphs& part) {
   if (base_of(part).text == "′") return "";
   if (part.kind == GlyphKind::prose && part.text.find_first_of(";:,") == 0) return "";
   const Role right = role_of(part);
   const bool is_bracket = is_open_bracket(part);
   if (left == Role::none || left == Role::prefix || right == Role::comma) return "";
-  if (left == Role::comma && !part.is_apart) return "";
-  if (left == Role::operand && right == Role::operand && !part.is_apart) return "";
-  const bool is_argument = is_bracket && (left == Role::function || !part.is_apart);
+  if (left == Role::comma && !part.has_space_before) return "";
+  if (left == Role::operand && right == Role::operand && !part.has_space_before) return "";
+  const bool is_argument = is_bracket && (left == Role::function || !part.has_space_before);
   return is_argument && left != Role::sign && left != Role::comma ? "" : " ";
 }
 
 /// True if dots are written as calls, as in the model language: dot(theta1).
-bool has_called_accent(const Glyphs& glyphs, bool is_unicode) {
+bool writes_accent_as_call(const Glyphs& glyphs, bool is_unicode) {
   return glyphs.kind == GlyphKind::accent && (!is_unicode || is_word(glyphs.parts[0]));
 }
 
 /// Puts the dots over the first letter.
-std::string accented(const Glyphs& glyphs, const std::string& base, bool is_unicode) {
+std::string add_dots(const Glyphs& glyphs, const std::string& base, bool is_unicode) {
   if (base.empty()) return base;
   const bool is_double = glyphs.text == "¨";
-  if (has_called_accent(glyphs, is_unicode))
+  if (writes_accent_as_call(glyphs, is_unicode))
     return is_double ? "ddot(" + base + ")" : "dot(" + base + ")";
   const std::size_t first = std::max<std::size_t>(1, code_point_at(base, 0).bytes);
   return base.substr(0, first) + (is_double ? "\u0308" : "\u0307") + base.substr(first);
@@ -196,13 +197,13 @@ std::string index_of(std::string text, bool is_unicode) {
   const bool is_name = is_long && !is_digits;  // hard to read in small letters
   if (is_name) std::ranges::replace(text, ',', '_');
   const bool is_small = is_unicode && !is_name;
-  const auto small = is_small ? made_small(text, &SmallGlyph::below) : std::nullopt;
+  const auto small = is_small ? to_small_glyphs(text, &SmallGlyph::below) : std::nullopt;
   if (small) return *small;
   return is_digits ? text : "_" + text;
 }
 
 std::string exponent_of(const std::string& text, bool is_unicode) {
-  const auto small = is_unicode ? made_small(text, &SmallGlyph::above) : std::nullopt;
+  const auto small = is_unicode ? to_small_glyphs(text, &SmallGlyph::above) : std::nullopt;
   if (small) return *small;
   return columns_of(text) == 1 ? "^" + text : "^(" + text + ")";
 }
@@ -227,7 +228,7 @@ class Drawer {
       case GlyphKind::root:
         return root(glyphs);
       case GlyphKind::accent:
-        return line_of(accented(glyphs, text_of_line(glyphs.parts[0]), is_unicode()));
+        return line_of(add_dots(glyphs, text_of_line(glyphs.parts[0]), is_unicode()));
       case GlyphKind::scripts:
         return scripts(glyphs);
       case GlyphKind::space:
@@ -258,29 +259,29 @@ class Drawer {
       const bool is_sum = has_sign(glyphs.parts[0]);
       const Glyphs& divisor = glyphs.parts[1];
       const bool has_factors = is_product(divisor) || has_fraction(divisor) || has_sign(divisor);
-      return beside(beside(is_sum ? in_brackets("(", above, ")") : above, line_of("/")),
-                    has_factors ? in_brackets("(", below, ")") : below);
+      return join_blocks(join_blocks(is_sum ? in_brackets("(", above, ")") : above, line_of("/")),
+                         has_factors ? in_brackets("(", below, ")") : below);
     }
     return stacked(above, below, is_unicode() ? "─" : "-");
   }
 
   [[nodiscard]] Block root(const Glyphs& glyphs) const {
     const Block inside = draw(glyphs.parts[0]);
-    return beside(line_of(is_unicode() ? "√" : "sqrt"), in_brackets("(", inside, ")"));
+    return join_blocks(line_of(is_unicode() ? "√" : "sqrt"), in_brackets("(", inside, ")"));
   }
 
   [[nodiscard]] Block in_brackets(std::string_view open, const Block& inside,
                                   std::string_view close) const {
     const Block left = bracket_drawing(open, inside, alphabet_);
-    return beside(beside(left, inside), bracket_drawing(close, inside, alphabet_));
+    return join_blocks(join_blocks(left, inside), bracket_drawing(close, inside, alphabet_));
   }
 
   [[nodiscard]] std::string index(const Glyphs& script) const {
-    return is_there(script) ? index_of(text_of_line(script), is_unicode()) : "";
+    return is_present(script) ? index_of(text_of_line(script), is_unicode()) : "";
   }
 
   [[nodiscard]] std::string exponent(const Glyphs& script) const {
-    return is_there(script) ? exponent_of(text_of_line(script), is_unicode()) : "";
+    return is_present(script) ? exponent_of(text_of_line(script), is_unicode()) : "";
   }
 
   /// Draws scripts. dot() includes the index: dot(theta1_2).
@@ -289,11 +290,11 @@ class Drawer {
     if (base.kind == GlyphKind::fraction && fractions_ == Fractions::in_line) {
       return with_scripts(in_brackets("(", draw(base), ")"), glyphs);
     }
-    if (!has_called_accent(base, is_unicode())) return with_scripts(draw(base), glyphs);
+    if (!writes_accent_as_call(base, is_unicode())) return with_scripts(draw(base), glyphs);
     Glyphs exponent_alone = glyphs;
     exponent_alone.parts[1] = {};
     const std::string inside = text_of_line(base.parts[0]) + index(glyphs.parts[1]);
-    return with_scripts(line_of(accented(base, inside, is_unicode())), exponent_alone);
+    return with_scripts(line_of(add_dots(base, inside, is_unicode())), exponent_alone);
   }
 
   /// Puts an index on the base line, and an exponent at the top of a tall base.
@@ -302,12 +303,12 @@ class Drawer {
     const std::string above = exponent(glyphs.parts[2]);
     if (base.lines.size() == 1 || above.empty()) {
       scripts.lines.front() += above;
-      return beside(base, scripts);
+      return join_blocks(base, scripts);
     }
-    Block result = beside(base, line_of(std::string(columns_of(above), ' ')));
+    Block result = join_blocks(base, line_of(std::string(columns_of(above), ' ')));
     std::string& top = result.lines.front();
     top = top.substr(0, top.size() - columns_of(above)) + above;
-    return beside(result, scripts);
+    return join_blocks(result, scripts);
   }
 
   [[nodiscard]] Block row(const std::vector<Glyphs>& parts) const {
@@ -318,7 +319,7 @@ class Drawer {
       const Role role = role_of(parts[i]);
       if (base_of(parts[i]).kind == GlyphKind::space) {
         const bool is_quad = base_of(parts[i]).text == "1";
-        if (is_quad && last != Role::none) result = beside(result, line_of("  "));
+        if (is_quad && last != Role::none) result = join_blocks(result, line_of("  "));
         continue;
       }
       const bool is_unary =
@@ -329,16 +330,17 @@ class Drawer {
       const bool is_open_argument = fractions_ == Fractions::in_line && last == Role::function &&
                                     parts[i].kind == GlyphKind::fraction;
       if (!is_closing_bar && !is_open_argument) {
-        result = beside(result, line_of(between(last, parts[i])));
+        result = join_blocks(result, line_of(blank_between(last, parts[i])));
       }
-      const std::size_t close = is_open_bracket(parts[i]) ? closing(parts, i) : parts.size();
+      const std::size_t close =
+          is_open_bracket(parts[i]) ? closing_position(parts, i) : parts.size();
       if (close < parts.size()) {
-        result = beside(result, bracketed(parts, i, close));
+        result = join_blocks(result, parse_brackets(parts, i, close));
         i = close;
       } else {
         const Block drawn = draw(parts[i]);
-        if (runs_on(result, drawn)) result = beside(result, line_of(" "));
-        result = beside(result, is_open_argument ? in_brackets("(", drawn, ")") : drawn);
+        if (needs_blank(result, drawn)) result = join_blocks(result, line_of(" "));
+        result = join_blocks(result, is_open_argument ? in_brackets("(", drawn, ")") : drawn);
       }
       const bool is_opening_bar = is_bar && !is_closing_bar;
       last = is_unary || is_opening_bar || is_open_bracket(parts[i]) ? Role::none : role;
@@ -347,15 +349,15 @@ class Drawer {
   }
 
   /// True if two words would be read as one without a blank: delta q.
-  [[nodiscard]] bool runs_on(const Block& left, const Block& right) const {
+  [[nodiscard]] bool needs_blank(const Block& left, const Block& right) const {
     if (is_unicode() || left.width() < 2 || right.width() == 0) return false;
     const std::string& line = left.lines[left.base];
     const bool is_word = is_letter(line.back()) && is_letter(line[line.size() - 2]);
     return is_word && is_letter(right.lines[right.base].front());
   }
 
-  [[nodiscard]] Block bracketed(const std::vector<Glyphs>& parts, std::size_t open,
-                                std::size_t close) const {
+  [[nodiscard]] Block parse_brackets(const std::vector<Glyphs>& parts, std::size_t open,
+                                     std::size_t close) const {
     const auto begin = parts.begin();
     const std::vector<Glyphs> inside(begin + static_cast<std::ptrdiff_t>(open) + 1,
                                      begin + static_cast<std::ptrdiff_t>(close));
@@ -374,7 +376,7 @@ Block drawing(const Glyphs& glyphs, Alphabet alphabet, Fractions fractions) {
 }
 
 std::string small_exponent(const std::string& exponent) {
-  return made_small(exponent, &SmallGlyph::above).value_or("^(" + exponent + ")");
+  return to_small_glyphs(exponent, &SmallGlyph::above).value_or("^(" + exponent + ")");
 }
 
 }  // namespace elgen

@@ -29,7 +29,7 @@ struct Block {
 };
 
 /// Places two blocks side by side, with their base lines level.
-[[nodiscard]] Block beside(const Block& left, const Block& right);
+[[nodiscard]] Block join_blocks(const Block& left, const Block& right);
 
 /// Centres two blocks above and below a rule, which is the base line.
 [[nodiscard]] Block stacked(const Block& above, const Block& below, const std::string& rule);

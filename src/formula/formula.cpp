@@ -32,7 +32,7 @@ void append_part(Formulas& row, Formula part) {
   } else if (row.empty() || row.back().kind != FormulaKind::prose) {
     if (!part.text.empty()) row.push_back(std::move(part));
   } else if (!part.text.empty()) {
-    row.back().text += (stands_close(part.text) ? "" : " ") + part.text;
+    row.back().text += (follows_without_blank(part.text) ? "" : " ") + part.text;
   }
 }
 
@@ -45,7 +45,7 @@ Formula as_term(Formula x) {
 
 }  // namespace
 
-bool stands_close(std::string_view words) { return words.find_first_of(";:,") == 0; }
+bool follows_without_blank(std::string_view words) { return words.find_first_of(";:,") == 0; }
 
 Formula number_formula(const cln::cl_RA& value) {
   Formula formula{FormulaKind::number};
@@ -67,7 +67,7 @@ Formula symbol_formula(std::string name, Glyphs glyphs, bool is_long) {
   return formula;
 }
 
-Formula typed_formula(std::string_view latex) {
+Formula latex_formula(std::string_view latex) {
   Glyphs glyphs = read_latex(latex);
   const Block drawn = drawing(glyphs, Alphabet::ascii, Fractions::in_line);
   return symbol_formula(drawn.lines[drawn.base], std::move(glyphs));
@@ -106,7 +106,7 @@ Formula call_of(FunctionId function, Formulas arguments) {
   return formula;
 }
 
-Formula either_sign(Formula x) { return with(FormulaKind::either, std::move(x)); }
+Formula plus_minus(Formula x) { return with(FormulaKind::either, std::move(x)); }
 
 Formula bars(Formula x) { return with(FormulaKind::bars, std::move(x)); }
 

@@ -17,13 +17,13 @@ namespace elgen {
 namespace {
 
 /// Pieces in a row. The exponent of a call is set on its first piece: sin^2 x.
-struct SetFormula {
+struct TypesetRow {
   Glyphs row = {};
   Binding binding = Binding::atom;
   bool is_call = false;
 };
 
-SetFormula set(const Formula& formula);
+TypesetRow typeset_formula(const Formula& formula);
 
 Glyphs digits(const std::string& text) { return row_with({GlyphKind::number, text}); }
 
@@ -44,18 +44,18 @@ Glyphs in_brackets(Glyphs content) {
   return enclosed(std::move(content), "(", ")", grows);
 }
 
-Glyphs at_least(SetFormula formula, Binding least) {
+Glyphs bind_at_least(TypesetRow formula, Binding least) {
   return formula.binding < least ? in_brackets(std::move(formula.row)) : std::move(formula.row);
 }
 
-SetFormula with_minus(SetFormula operand) {
+TypesetRow with_minus(TypesetRow operand) {
   Glyphs row;
   append_sign(row, "-", false);
-  append(row, at_least(std::move(operand), Binding::product), false);
+  append(row, bind_at_least(std::move(operand), Binding::product), false);
   return {std::move(row), Binding::negation};
 }
 
-SetFormula stacked(Glyphs above, Glyphs below) {
+TypesetRow stacked(Glyphs above, Glyphs below) {
   return {fraction_row(std::move(above), std::move(below)), Binding::power};
 }
 
@@ -69,8 +69,8 @@ bool is_decimal(const cln::cl_RA& value) {
          exact_text(value).find('e') == std::string::npos;
 }
 
-SetFormula set_number(const cln::cl_RA& value) {
-  if (cln::minusp(value)) return with_minus(set_number(-value));
+TypesetRow typeset_number(const cln::cl_RA& value) {
+  if (cln::minusp(value)) return with_minus(typeset_number(-value));
   const cln::cl_I denominator = cln::denominator(value);
   if (denominator == 1) return {integer(cln::numerator(value))};
   if (is_decimal(value)) return {digits(exact_text(value))};
@@ -78,7 +78,7 @@ SetFormula set_number(const cln::cl_RA& value) {
 }
 
 /// Sets 1.5e-07 as 1.5 10^-7.
-SetFormula set_digits(const std::string& text) {
+TypesetRow typeset_digits(const std::string& text) {
   const std::size_t e = text.find('e');
   Glyphs row = digits(text.substr(0, e));
   if (e == std::string::npos) return {std::move(row)};
@@ -95,11 +95,12 @@ SetFormula set_digits(const std::string& text) {
 void append_term(Glyphs& row, const Formula& term) {
   const bool is_negative = term.kind == FormulaKind::negative;
   append_sign(row, is_negative ? "-" : "+", true);
-  append(row, at_least(set(is_negative ? term.parts[0] : term), Binding::product), true);
+  append(row, bind_at_least(typeset_formula(is_negative ? term.parts[0] : term), Binding::product),
+         true);
 }
 
-SetFormula set_sum(const Formula& formula) {
-  SetFormula first = set(formula.parts.front());
+TypesetRow typeset_sum(const Formula& formula) {
+  TypesetRow first = typeset_formula(formula.parts.front());
   Glyphs row = std::move(first.row);
   for (std::size_t i = 1; i < formula.parts.size(); ++i) append_term(row, formula.parts[i]);
   return {std::move(row), Binding::sum};
@@ -112,23 +113,24 @@ bool begins_with_word(const Glyphs& row) {
 /// True if a row ends like c \sin x: a factor after it would be read as part of the argument.
 bool has_open_argument(const Glyphs& row) {
   return std::ranges::adjacent_find(row.parts, [](const Glyphs& head, const Glyphs& argument) {
-           return base_of(head).kind == GlyphKind::function && argument.is_apart;
+           return base_of(head).kind == GlyphKind::function && argument.has_space_before;
          }) != row.parts.end();
 }
 
 /// Multiplies factors. A dot separates two factors that could be read as one.
-SetFormula product_of_set(std::vector<SetFormula> factors) {
+TypesetRow multiply_rows(std::vector<TypesetRow> factors) {
   if (factors.size() == 1) return std::move(factors.front());
   // Calls come last, because factors after them could be read as part of the argument.
   std::stable_partition(factors.begin(), factors.end(),
-                        [](const SetFormula& x) { return !x.is_call; });
+                        [](const TypesetRow& x) { return !x.is_call; });
   const bool is_negation = factors.front().binding == Binding::negation;
   bool last_is_word = begins_with_word(factors.front().row);
   const bool is_open = !factors.front().is_call && has_open_argument(factors.front().row);
-  Glyphs row = at_least(std::move(factors.front()), is_open ? Binding::power : Binding::negation);
+  Glyphs row =
+      bind_at_least(std::move(factors.front()), is_open ? Binding::power : Binding::negation);
   for (std::size_t i = 1; i < factors.size(); ++i) {
     const bool is_word = begins_with_word(factors[i].row);
-    Glyphs next = at_least(std::move(factors[i]), Binding::power);
+    Glyphs next = bind_at_least(std::move(factors[i]), Binding::power);
     const Glyphs& head = base_of(next.parts.front());
     if (last_is_word || begins_with_word(next) || head.kind == GlyphKind::number) {
       append_sign(row, "⋅", true);
@@ -147,8 +149,8 @@ bool is_reciprocal(const Formula& factor) {
          cln::denominator(exponent.number) == 1;
 }
 
-SetFormula set_power(const Formula& base, SetFormula exponent) {
-  SetFormula below = set(base);
+TypesetRow typeset_power(const Formula& base, TypesetRow exponent) {
+  TypesetRow below = typeset_formula(base);
   if (below.is_call && below.row.parts.front().kind != GlyphKind::scripts) {
     Glyphs head = row_with(std::move(below.row.parts.front()));
     add_script(head, 2, std::move(exponent.row));
@@ -158,61 +160,62 @@ SetFormula set_power(const Formula& base, SetFormula exponent) {
   const bool is_grouped = below.binding == Binding::atom && has_exponent(below.row);
   const bool is_long = base.kind == FormulaKind::symbol && base.symbol->is_long;
   Glyphs row =
-      is_long ? in_brackets(std::move(below.row)) : at_least(std::move(below), Binding::atom);
+      is_long ? in_brackets(std::move(below.row)) : bind_at_least(std::move(below), Binding::atom);
   if (is_grouped) row = row_with(std::move(row));
   add_script(row, 2, std::move(exponent.row));
   return {std::move(row), Binding::power};
 }
 
-SetFormula set_factor(const Formula& factor) {
-  if (!is_reciprocal(factor)) return set(factor);
+TypesetRow typeset_factor(const Formula& factor) {
+  if (!is_reciprocal(factor)) return typeset_formula(factor);
   const cln::cl_RA exponent = -factor.parts[1].number;
-  return exponent == 1 ? set(factor.parts[0]) : set_power(factor.parts[0], set_number(exponent));
+  return exponent == 1 ? typeset_formula(factor.parts[0])
+                       : typeset_power(factor.parts[0], typeset_number(exponent));
 }
 
-SetFormula set_product(const Formulas& factors) {
-  std::vector<SetFormula> above;
-  std::vector<SetFormula> below;
+TypesetRow typeset_product(const Formulas& factors) {
+  std::vector<TypesetRow> above;
+  std::vector<TypesetRow> below;
   for (const Formula& factor : factors) {
-    (is_reciprocal(factor) ? below : above).push_back(set_factor(factor));
+    (is_reciprocal(factor) ? below : above).push_back(typeset_factor(factor));
   }
   if (above.empty()) above.push_back({digits("1")});
-  SetFormula numerator = product_of_set(std::move(above));
+  TypesetRow numerator = multiply_rows(std::move(above));
   if (below.empty()) return numerator;
-  return stacked(std::move(numerator.row), product_of_set(std::move(below)).row);
+  return stacked(std::move(numerator.row), multiply_rows(std::move(below)).row);
 }
 
 /// Sets a quotient. A fraction as its first factor precedes it: 3/4 g/l.
-SetFormula set_quotient(const Formula& formula) {
+TypesetRow typeset_quotient(const Formula& formula) {
   const Formula& above = formula.parts[0];
-  SetFormula below = set(formula.parts[1]);
+  TypesetRow below = typeset_formula(formula.parts[1]);
   const bool has_fraction = above.kind == FormulaKind::product &&
                             above.parts[0].kind == FormulaKind::number &&
                             cln::denominator(above.parts[0].number) != 1;
-  if (!has_fraction) return stacked(set(above).row, std::move(below.row));
-  SetFormula rest = set_product({above.parts.begin() + 1, above.parts.end()});
-  std::vector<SetFormula> factors;
-  factors.push_back(set(above.parts[0]));
+  if (!has_fraction) return stacked(typeset_formula(above).row, std::move(below.row));
+  TypesetRow rest = typeset_product({above.parts.begin() + 1, above.parts.end()});
+  std::vector<TypesetRow> factors;
+  factors.push_back(typeset_formula(above.parts[0]));
   factors.push_back(stacked(std::move(rest.row), std::move(below.row)));
-  return product_of_set(std::move(factors));
+  return multiply_rows(std::move(factors));
 }
 
 void append_item(Glyphs& list, const Formula& item) {
   if (!list.parts.empty()) append_sign(list, ",", false);
-  append(list, set(item).row, true);
+  append(list, typeset_formula(item).row, true);
 }
 
-Glyphs listed(const Formulas& items) {
+Glyphs list_row(const Formulas& items) {
   Glyphs list;
   for (const Formula& item : items) append_item(list, item);
   return list;
 }
 
-SetFormula set_root(Glyphs radicand) {
+TypesetRow typeset_root(Glyphs radicand) {
   return {row_with({GlyphKind::root, "", {std::move(radicand)}}), Binding::power};
 }
 
-SetFormula function_of(Glyphs head, Glyphs argument, bool is_apart) {
+TypesetRow function_of(Glyphs head, Glyphs argument, bool is_apart) {
   append(head, std::move(argument), is_apart);
   return {std::move(head), Binding::power, true};
 }
@@ -231,19 +234,19 @@ std::optional<Formula> written_out(const Formula& call) {
   return root_of(sum_of({power_of(x, two), power_of(call.parts.back(), two)}));
 }
 
-SetFormula set_call(const Formula& formula) {
-  if (const std::optional<Formula> other = written_out(formula)) return set(*other);
+TypesetRow typeset_call(const Formula& formula) {
+  if (const std::optional<Formula> other = written_out(formula)) return typeset_formula(*other);
   const FunctionId function = formula.function;
-  if (function == FunctionId::abs) return {enclosed(listed(formula.parts), "|", "|", true)};
+  if (function == FunctionId::abs) return {enclosed(list_row(formula.parts), "|", "|", true)};
   if (function == FunctionId::stumpff) {
-    const std::string_view own = name_of_order(formula.parts.back().number);
+    const std::string_view own = stumpff_name(formula.parts.back().number);
     if (!own.empty()) {
       return function_of(row_with({GlyphKind::word, std::string(own)}),
-                         in_brackets(set(formula.parts.front()).row), false);
+                         in_brackets(typeset_formula(formula.parts.front()).row), false);
     }
   }
   Glyphs head = read_latex(function_row(function).latex);
-  SetFormula first = set(formula.parts.front());
+  TypesetRow first = typeset_formula(formula.parts.front());
   const bool is_alone = first.binding == Binding::atom && !first.is_call;
   const bool is_fraction = first.row.parts.front().kind == GlyphKind::fraction;
   const bool stands_free = function != FunctionId::sign && formula.parts.size() == 1 &&
@@ -255,15 +258,15 @@ SetFormula set_call(const Formula& formula) {
 }
 
 /// Sets a row. Words next to formulas get blanks at their ends.
-SetFormula set_row(const Formula& formula) {
+TypesetRow typeset_row(const Formula& formula) {
   Glyphs row;
   for (std::size_t i = 0; i < formula.parts.size(); ++i) {
     const Formula& part = formula.parts[i];
     if (part.kind != FormulaKind::prose) {
-      append(row, set(part).row, true);
+      append(row, typeset_formula(part).row, true);
       continue;
     }
-    const bool is_behind = i > 0 && !stands_close(part.text);
+    const bool is_behind = i > 0 && !follows_without_blank(part.text);
     const bool is_before = i + 1 < formula.parts.size();
     const std::string words = (is_behind ? " " : "") + part.text + (is_before ? " " : "");
     append(row, {GlyphKind::prose, words}, true);
@@ -271,62 +274,63 @@ SetFormula set_row(const Formula& formula) {
   return {std::move(row), Binding::sum};
 }
 
-SetFormula set_relation(const Formula& formula) {
-  Glyphs row = set(formula.parts[0]).row;
+TypesetRow typeset_relation(const Formula& formula) {
+  Glyphs row = typeset_formula(formula.parts[0]).row;
   append_sign(row, formula.text, true);
-  append(row, set(formula.parts[1]).row, true);
+  append(row, typeset_formula(formula.parts[1]).row, true);
   return {std::move(row), Binding::sum};
 }
 
-SetFormula set_either(SetFormula x) {
+TypesetRow typeset_either(TypesetRow x) {
   Glyphs row = row_with({GlyphKind::letter, "±"});
-  append(row, at_least(std::move(x), Binding::product), true);
+  append(row, bind_at_least(std::move(x), Binding::product), true);
   return {std::move(row), Binding::negation};
 }
 
-SetFormula set(const Formula& formula) {
+TypesetRow typeset_formula(const Formula& formula) {
   const Formulas& parts = formula.parts;
   switch (formula.kind) {
     case FormulaKind::number:
-      return formula.text.empty() ? set_number(formula.number) : set_digits(formula.text);
+      return formula.text.empty() ? typeset_number(formula.number) : typeset_digits(formula.text);
     case FormulaKind::symbol:
       return {formula.symbol->glyphs};
     case FormulaKind::negative:
-      return with_minus(set(parts[0]));
+      return with_minus(typeset_formula(parts[0]));
     case FormulaKind::either:
-      return set_either(set(parts[0]));
+      return typeset_either(typeset_formula(parts[0]));
     case FormulaKind::sum:
-      return set_sum(formula);
+      return typeset_sum(formula);
     case FormulaKind::product:
-      return set_product(parts);
+      return typeset_product(parts);
     case FormulaKind::quotient:
-      return set_quotient(formula);
+      return typeset_quotient(formula);
     case FormulaKind::power:
-      return is_reciprocal(formula) ? set_product({formula}) : set_power(parts[0], set(parts[1]));
+      return is_reciprocal(formula) ? typeset_product({formula})
+                                    : typeset_power(parts[0], typeset_formula(parts[1]));
     case FormulaKind::root:
-      return set_root(set(parts[0]).row);
+      return typeset_root(typeset_formula(parts[0]).row);
     case FormulaKind::call:
-      return set_call(formula);
+      return typeset_call(formula);
     case FormulaKind::bars:
-      return {enclosed(set(parts[0]).row, "|", "|", true)};
+      return {enclosed(typeset_formula(parts[0]).row, "|", "|", true)};
     case FormulaKind::group:
-      return {at_least(set(parts[0]), Binding::power), Binding::power};
+      return {bind_at_least(typeset_formula(parts[0]), Binding::power), Binding::power};
     case FormulaKind::relation:
-      return set_relation(formula);
+      return typeset_relation(formula);
     case FormulaKind::list:
-      return {listed(parts), Binding::sum};
+      return {list_row(parts), Binding::sum};
     case FormulaKind::tuple:
-      return {enclosed(listed(parts), "(", ")", false)};
+      return {enclosed(list_row(parts), "(", ")", false)};
     case FormulaKind::prose:
       return {row_with({GlyphKind::prose, formula.text}), Binding::sum};
     case FormulaKind::row:
-      return set_row(formula);
+      return typeset_row(formula);
   }
   return {};
 }
 
 }  // namespace
 
-Glyphs glyphs_of(const Formula& formula) { return set(formula).row; }
+Glyphs glyphs_of(const Formula& formula) { return typeset_formula(formula).row; }
 
 }  // namespace elgen

@@ -20,15 +20,15 @@ std::string joined(const std::vector<FormulaText>& items) {
 }
 
 /// The binding of a product, which its first operand decides.
-Binding signed_as(const FormulaText& first) {
+Binding product_binding(const FormulaText& first) {
   return first.binding == Binding::negation ? Binding::negation : Binding::product;
 }
 
-FormulaText printed(const Formula& formula);
+FormulaText print_formula(const Formula& formula);
 
 std::vector<FormulaText> printed_parts(const Formula& formula) {
   std::vector<FormulaText> all;
-  for (const Formula& part : formula.parts) all.push_back(printed(part));
+  for (const Formula& part : formula.parts) all.push_back(print_formula(part));
   return all;
 }
 
@@ -41,21 +41,21 @@ FormulaText number_text(const cln::cl_RA& value) {
 
 /// Makes a summand. Negative terms are subtracted.
 Summand summand(const Formula& term, bool is_first) {
-  if (is_first) return {at_least(printed(term), Binding::negation)};
-  if (term.kind == FormulaKind::negative) return {printed(term.parts[0]), true};
-  return {printed(term)};
+  if (is_first) return {bind_at_least(print_formula(term), Binding::negation)};
+  if (term.kind == FormulaKind::negative) return {print_formula(term.parts[0]), true};
+  return {print_formula(term)};
 }
 
 FormulaText sum_text(const Formula& formula) {
   std::vector<Summand> terms;
   for (const Formula& term : formula.parts) terms.push_back(summand(term, terms.empty()));
-  return sum(terms);
+  return sum_text(terms);
 }
 
 FormulaText call_text(const Formula& formula) {
   const std::vector<FormulaText> arguments = printed_parts(formula);
   const std::string_view own = formula.function == FunctionId::stumpff
-                                   ? name_of_order(formula.parts.back().number)
+                                   ? stumpff_name(formula.parts.back().number)
                                    : std::string_view();
   return own.empty() ? called(function_row(formula.function).name, arguments)
                      : called(own, {arguments.front()});
@@ -65,14 +65,14 @@ FormulaText call_text(const Formula& formula) {
 std::string row_text(const Formula& formula) {
   std::string text;
   for (const Formula& part : formula.parts) {
-    const std::string next = printed(part).text;
-    const bool is_close = next.empty() || stands_close(next);
+    const std::string next = print_formula(part).text;
+    const bool is_close = next.empty() || follows_without_blank(next);
     text += (text.empty() || is_close ? "" : " ") + next;
   }
   return text;
 }
 
-FormulaText printed(const Formula& formula) {
+FormulaText print_formula(const Formula& formula) {
   const Formulas& parts = formula.parts;
   switch (formula.kind) {
     case FormulaKind::number:
@@ -80,27 +80,29 @@ FormulaText printed(const Formula& formula) {
     case FormulaKind::symbol:
       return {formula.symbol->name};
     case FormulaKind::negative:
-      return negated(at_least(printed(parts[0]), Binding::product));
+      return negated(bind_at_least(print_formula(parts[0]), Binding::product));
     case FormulaKind::either:
-      return {"+-" + at_least(printed(parts[0]), Binding::product).text, Binding::negation};
+      return {"+-" + bind_at_least(print_formula(parts[0]), Binding::product).text,
+              Binding::negation};
     case FormulaKind::sum:
       return sum_text(formula);
     case FormulaKind::product:
-      return product(model_spelling, printed_parts(formula));
+      return product_text(model_spelling, printed_parts(formula));
     case FormulaKind::quotient:
-      return quotient(model_spelling, printed(parts[0]), printed(parts[1]));
+      return quotient(model_spelling, print_formula(parts[0]), print_formula(parts[1]));
     case FormulaKind::power:
-      return power(printed(parts[0]), printed(parts[1]));
+      return power(print_formula(parts[0]), print_formula(parts[1]));
     case FormulaKind::root:
       return called("sqrt", printed_parts(formula));
     case FormulaKind::call:
       return call_text(formula);
     case FormulaKind::bars:
-      return {fmt::format("|{}|", printed(parts[0]).text)};
+      return {fmt::format("|{}|", print_formula(parts[0]).text)};
     case FormulaKind::group:
-      return at_least(printed(parts[0]), Binding::power);
+      return bind_at_least(print_formula(parts[0]), Binding::power);
     case FormulaKind::relation:
-      return {fmt::format("{} {} {}", printed(parts[0]).text, formula.text, printed(parts[1]).text),
+      return {fmt::format("{} {} {}", print_formula(parts[0]).text, formula.text,
+                          print_formula(parts[1]).text),
               Binding::sum};
     case FormulaKind::list:
       return {joined(printed_parts(formula)), Binding::sum};
@@ -116,45 +118,45 @@ FormulaText printed(const Formula& formula) {
 
 }  // namespace
 
-FormulaText at_least(const FormulaText& formula, Binding least) {
+FormulaText bind_at_least(const FormulaText& formula, Binding least) {
   return formula.binding < least ? FormulaText{fmt::format("({})", formula.text)} : formula;
 }
 
 FormulaText negated(const FormulaText& operand) {
-  return {"-" + at_least(operand, Binding::product).text, Binding::negation};
+  return {"-" + bind_at_least(operand, Binding::product).text, Binding::negation};
 }
 
-FormulaText sum(const std::vector<Summand>& terms) {
+FormulaText sum_text(const std::vector<Summand>& terms) {
   const auto& [first, is_subtracted] = terms.front();
   const FormulaText start = is_subtracted ? negated(first) : first;
   if (terms.size() == 1) return start;
   std::string text = start.text;
   for (std::size_t i = 1; i < terms.size(); ++i) {
     text += terms[i].is_subtracted ? " - " : " + ";
-    text += at_least(terms[i].term, Binding::product).text;
+    text += bind_at_least(terms[i].term, Binding::product).text;
   }
   return {text, Binding::sum};
 }
 
-FormulaText product(const Spelling& spelling, const std::vector<FormulaText>& factors) {
+FormulaText product_text(const Spelling& spelling, const std::vector<FormulaText>& factors) {
   if (factors.size() == 1) return factors.front();
   // Only the first factor may be a quotient or have a sign without brackets.
-  std::string text = at_least(factors.front(), Binding::negation).text;
+  std::string text = bind_at_least(factors.front(), Binding::negation).text;
   for (std::size_t i = 1; i < factors.size(); ++i) {
-    text += std::string(spelling.times) + at_least(factors[i], Binding::power).text;
+    text += std::string(spelling.times) + bind_at_least(factors[i], Binding::power).text;
   }
-  return {text, signed_as(factors.front())};
+  return {text, product_binding(factors.front())};
 }
 
 FormulaText quotient(const Spelling& spelling, const FormulaText& above, const FormulaText& below) {
-  return {at_least(above, Binding::negation).text + std::string(spelling.over) +
-              at_least(below, Binding::power).text,
-          signed_as(above)};
+  return {bind_at_least(above, Binding::negation).text + std::string(spelling.over) +
+              bind_at_least(below, Binding::power).text,
+          product_binding(above)};
 }
 
 FormulaText power(const FormulaText& base, const FormulaText& exponent) {
-  return {fmt::format("{}^{}", at_least(base, Binding::atom).text,
-                      at_least(exponent, Binding::atom).text),
+  return {fmt::format("{}^{}", bind_at_least(base, Binding::atom).text,
+                      bind_at_least(exponent, Binding::atom).text),
           Binding::power};
 }
 
@@ -162,7 +164,7 @@ FormulaText called(std::string_view name, const std::vector<FormulaText>& argume
   return {fmt::format("{}({})", name, joined(arguments))};
 }
 
-std::string text_of(const Formula& formula) { return printed(formula).text; }
+std::string text_of(const Formula& formula) { return print_formula(formula).text; }
 
 std::vector<std::string> texts_of(const Formulas& formulas) {
   std::vector<std::string> texts;

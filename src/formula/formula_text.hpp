@@ -44,12 +44,12 @@ inline constexpr Spelling model_spelling{"*", "/"};
 inline constexpr Spelling code_spelling{" * ", " / "};  ///< C and C++
 
 /// Adds brackets if the formula binds less tightly than `least`.
-[[nodiscard]] FormulaText at_least(const FormulaText& formula, Binding least);
+[[nodiscard]] FormulaText bind_at_least(const FormulaText& formula, Binding least);
 
 [[nodiscard]] FormulaText negated(const FormulaText& operand);
-[[nodiscard]] FormulaText sum(const std::vector<Summand>& terms);
-[[nodiscard]] FormulaText product(const Spelling& spelling,
-                                  const std::vector<FormulaText>& factors);
+[[nodiscard]] FormulaText sum_text(const std::vector<Summand>& terms);
+[[nodiscard]] FormulaText product_text(const Spelling& spelling,
+                                       const std::vector<FormulaText>& factors);
 [[nodiscard]] FormulaText quotient(const Spelling& spelling, const FormulaText& above,
                                    const FormulaText& below);
 /// The power in the model language.

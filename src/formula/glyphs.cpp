@@ -20,7 +20,7 @@ void add_formula(std::vector<GlyphPiece>& all, Glyphs row, bool is_last) {
   const bool ends_with_comma = !is_last && !row.parts.empty() && row.parts.back().text == ",";
   if (ends_with_comma) row.parts.pop_back();
   if (!row.parts.empty()) {
-    row.parts.front().is_apart = false;
+    row.parts.front().has_space_before = false;
     all.push_back({false, "", std::move(row)});
   }
   if (ends_with_comma) all.push_back({true, ", ", {}});
@@ -46,8 +46,8 @@ std::vector<Segment> segments(const Glyphs& row, double (*measured)(const Glyphs
   int growing = 0;
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     const Glyphs& part = row.parts[i];
-    const bool is_behind = i + 1 == row.parts.size() || row.parts[i + 1].is_apart;
-    const bool separates = is_term_sign(part) && part.is_apart && is_behind;
+    const bool is_behind = i + 1 == row.parts.size() || row.parts[i + 1].has_space_before;
+    const bool separates = is_term_sign(part) && part.has_space_before && is_behind;
     if (i > 0 && separates) all.push_back({{}, brackets, growing});
     const GlyphKind kind = base_of(part).kind;
     if (kind == GlyphKind::left || kind == GlyphKind::right) growing += bracket_step(part);
@@ -105,14 +105,14 @@ const Glyphs& base_of(const Glyphs& piece) {
   return piece.kind == GlyphKind::scripts ? piece.parts[0] : piece;
 }
 
-bool is_there(const Glyphs& script) { return !script.parts.empty() || !script.text.empty(); }
+bool is_present(const Glyphs& script) { return !script.parts.empty() || !script.text.empty(); }
 
 void add_script(Glyphs& row, std::size_t place, Glyphs script) {
   if (row.parts.empty()) row.parts.emplace_back();
   Glyphs& base = row.parts.back();
   if (base.kind != GlyphKind::scripts) {
     Glyphs bare = std::move(base);
-    const bool is_apart = std::exchange(bare.is_apart, false);
+    const bool is_apart = std::exchange(bare.has_space_before, false);
     base = {GlyphKind::scripts, "", {}, is_apart};
     base.parts.resize(3);
     base.parts[0] = std::move(bare);
@@ -123,7 +123,7 @@ void add_script(Glyphs& row, std::size_t place, Glyphs script) {
 
 void append(Glyphs& row, Glyphs pieces, bool is_apart) {
   if (pieces.kind != GlyphKind::row) pieces = row_with(std::move(pieces));
-  if (!pieces.parts.empty()) pieces.parts.front().is_apart = is_apart && !row.parts.empty();
+  if (!pieces.parts.empty()) pieces.parts.front().has_space_before = is_apart && !row.parts.empty();
   for (Glyphs& piece : pieces.parts) row.parts.push_back(std::move(piece));
 }
 
@@ -217,7 +217,7 @@ double width(const Glyphs& glyphs) {
   return 0;
 }
 
-GlyphRows broken_lines(const Glyphs& row, double widest, double (*measured)(const Glyphs&)) {
+GlyphRows break_lines(const Glyphs& row, double widest, double (*measured)(const Glyphs&)) {
   const std::vector<Segment> all = segments(row, measured);
   GlyphRows lines;
   for (std::size_t first = 0; first < all.size();) {

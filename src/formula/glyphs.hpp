@@ -35,7 +35,7 @@ struct Glyphs {
   GlyphKind kind = GlyphKind::row;
   std::string text = {};
   std::vector<Glyphs> parts = {};
-  bool is_apart = false;  ///< a blank precedes it: M (q) and d t are products, dt is not
+  bool has_space_before = false;  ///< a blank precedes it: M (q) and d t are products, dt is not
 
   friend bool operator==(const Glyphs&, const Glyphs&) = default;
 };
@@ -71,12 +71,12 @@ using GlyphRows = std::vector<Glyphs>;
 [[nodiscard]] const Glyphs& base_of(const Glyphs& piece);
 
 /// False if the sub- or superscript is missing.
-[[nodiscard]] bool is_there(const Glyphs& script);
+[[nodiscard]] bool is_present(const Glyphs& script);
 
 /// Adds a subscript (place 1) or superscript (place 2) to the last piece of the row.
 void add_script(Glyphs& row, std::size_t place, Glyphs script);
 
-/// Appends the pieces of a row; the first of them gets `is_apart`.
+/// Appends the pieces of a row; the first of them gets `has_space_before`.
 void append(Glyphs& row, Glyphs pieces, bool is_apart);
 void append_sign(Glyphs& row, std::string_view sign, bool is_apart);
 
@@ -103,8 +103,8 @@ struct GlyphPiece {
 
 /// Breaks a long row before its signs, inside as few brackets as possible, and completes growing
 /// brackets on both sides. Lines are at most about `widest` letters wide, if possible.
-[[nodiscard]] GlyphRows broken_lines(const Glyphs& row, double widest,
-                                     double (*measured)(const Glyphs&) = &width);
+[[nodiscard]] GlyphRows break_lines(const Glyphs& row, double widest,
+                                    double (*measured)(const Glyphs&) = &width);
 
 /// A name of the model language and its glyphs.
 struct Symbol {
@@ -114,6 +114,6 @@ struct Symbol {
 };
 
 /// True if words follow without a blank, because they begin with punctuation.
-[[nodiscard]] bool stands_close(std::string_view words);
+[[nodiscard]] bool follows_without_blank(std::string_view words);
 
 }  // namespace elgen

@@ -101,7 +101,7 @@ class LatexReader {
         is_apart = text_[at_++] == ' ' || is_apart;
       } else {
         result.parts.push_back(piece(depth));
-        result.parts.back().is_apart = std::exchange(is_apart, false);
+        result.parts.back().has_space_before = std::exchange(is_apart, false);
       }
     }
     at_ = std::min(at_ + 1, text_.size());
@@ -119,14 +119,14 @@ class LatexReader {
     if (at_ == text_.size()) return {};
     const char c = text_[at_];
     if (c == '\\') return command(depth + 1);
-    if (is_digit(c)) return {GlyphKind::number, taken(continues_number)};
+    if (is_digit(c)) return {GlyphKind::number, read_while(continues_number)};
     if (c == '<' && text_.find('>', at_) != std::string_view::npos) {
       std::string name = enclosed_text('>');
       const std::string_view greek = greek_letter(name);
       return {GlyphKind::bold, greek.empty() ? std::move(name) : std::string(greek)};
     }
     const bool is_ascii = static_cast<unsigned char>(c) < 0x80;
-    if (is_letter(c) || !is_ascii) return {GlyphKind::letter, taken(continues_character)};
+    if (is_letter(c) || !is_ascii) return {GlyphKind::letter, read_while(continues_character)};
     ++at_;
     if (c == '{') return row('}', depth + 1);
     if (c == '\'') return {GlyphKind::letter, "′"};
@@ -135,7 +135,7 @@ class LatexReader {
   }
 
   /// The character here, and the following characters that continue it.
-  std::string taken(const auto& continues) {
+  std::string read_while(const auto& continues) {
     const std::size_t begin = at_++;
     while (at_ < text_.size() && continues(text_[at_])) ++at_;
     return std::string(text_.substr(begin, at_ - begin));
@@ -143,14 +143,14 @@ class LatexReader {
 
   /// The text after the bracket here, up to the next `end`.
   std::string enclosed_text(char end) {
-    const std::string text = taken([end](char c) { return c != end; });
+    const std::string text = read_while([end](char c) { return c != end; });
     at_ = std::min(at_ + 1, text_.size());
     return text.substr(1);
   }
 
   Glyphs command(int depth) {
-    std::string name = taken(is_letter).substr(1);
-    if (name.empty() && at_ < text_.size()) name = taken(continues_character);
+    std::string name = read_while(is_letter).substr(1);
+    if (name.empty() && at_ < text_.size()) name = read_while(continues_character);
     const auto row = std::ranges::find(command_table, name, &CommandRow::command);
     if (row != command_table.end()) return with_arguments(*row, depth);
     const std::string_view greek = greek_letter(name);
@@ -236,8 +236,8 @@ std::string piece_latex(const Glyphs& glyphs) {
       return (text == "¨" ? "\\ddot" : "\\dot") + group(glyphs.parts[0]);
     case GlyphKind::scripts: {
       std::string all = piece_latex(glyphs.parts[0]);
-      if (is_there(glyphs.parts[1])) all += "_" + group(glyphs.parts[1]);
-      if (is_there(glyphs.parts[2])) all += "^" + group(glyphs.parts[2]);
+      if (is_present(glyphs.parts[1])) all += "_" + group(glyphs.parts[1]);
+      if (is_present(glyphs.parts[2])) all += "^" + group(glyphs.parts[2]);
       return all;
     }
   }
@@ -264,7 +264,7 @@ std::string latex(const Glyphs& glyphs) {
   for (const Glyphs& part : glyphs.parts) {
     const std::string next = piece_latex(part);
     const bool is_needed = !next.empty() && is_letter(next.front()) && ends_with_command(text);
-    text += (part.is_apart || is_needed ? " " : "") + next;
+    text += (part.has_space_before || is_needed ? " " : "") + next;
   }
   return text;
 }

@@ -22,8 +22,8 @@ std::string scripts(const Glyphs& glyphs) {
   const std::string below = element(glyphs.parts[1]);
   const std::string above = element(glyphs.parts[2]);
   if (glyphs.parts[0].text == "∑") return fmt::format("<munder>{}{}</munder>", base, below);
-  if (!is_there(glyphs.parts[2])) return fmt::format("<msub>{}{}</msub>", base, below);
-  if (!is_there(glyphs.parts[1])) return fmt::format("<msup>{}{}</msup>", base, above);
+  if (!is_present(glyphs.parts[2])) return fmt::format("<msub>{}{}</msub>", base, below);
+  if (!is_present(glyphs.parts[1])) return fmt::format("<msup>{}{}</msup>", base, above);
   return fmt::format("<msubsup>{}{}{}</msubsup>", base, below, above);
 }
 

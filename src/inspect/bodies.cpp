@@ -34,7 +34,8 @@ std::optional<std::vector<cl_R>> values_of(const Inspected& subject, const Body&
 
 bool is_possible(const std::vector<cl_R>& inertia) {
   if (inertia.size() < 6) return inertia[0] >= 0;
-  return is_of_a_body({inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]});
+  return is_physical_inertia(
+      {inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]});
 }
 
 std::string listed(const std::vector<cl_R>& values) {
@@ -43,7 +44,7 @@ std::string listed(const std::vector<cl_R>& values) {
   return text;
 }
 
-Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
+Model model_of_lagrangian(const Model& model, ExpressionId lagrangian) {
   Model bare;
   bare.expressions = model.expressions;
   bare.definitions = model.definitions;
@@ -66,7 +67,7 @@ bool vanishes(const cl_R& x, const cl_R& scale) {
 
 /// True if the Euler-Lagrange expression is not zero at a sampled state.
 bool has_curl(const Inspected& subject, ExpressionId spin) {
-  const Model bare = with_lagrangian(subject.model, spin);
+  const Model bare = model_of_lagrangian(subject.model, spin);
   for (unsigned seed = 0; seed < zero_samples; ++seed) {
     const State state = sampled_state(subject, seed);
     const std::vector<cl_R> direction = sampled_state(subject, seed + zero_samples).v;

@@ -40,7 +40,7 @@ struct Growth {
 };
 
 /// A parameter that is fixed at an irrational value has only constant_digits.
-EnclosedNumber enclosed(const cl_R& fixed) {
+EnclosedNumber enclose_fixed_value(const cl_R& fixed) {
   if (is_rational(fixed)) return {fixed, 0};
   return {cln::cl_float(fixed, cln::float_format(most_digits)),
           cln::abs(fixed) * power_of_ten(-constant_digits)};
@@ -95,7 +95,7 @@ class NamedConstants {
     if (is_leaf(node, Opcode::parameter)) {
       const auto& fixed = subject_.scene.specialisation.fixed;
       const auto value = fixed.find(node.index);
-      if (value != fixed.end()) known_[id] = enclosed(value->second.number);
+      if (value != fixed.end()) known_[id] = enclose_fixed_value(value->second.number);
       return true;
     }
     if (node.kind == ExpressionKind::divide && is_zero(node.operands[1])) {
@@ -131,7 +131,7 @@ class NamedConstants {
     } else if (is_last(node) || node.kind == ExpressionKind::function) {
       growth.degree = 1;
     } else {
-      growth = combined(node);
+      growth = combined_growth(node);
     }
     const bool is_known = growth.degree <= largest_degree;
     if (is_known && growth.digits <= static_cast<double>(largest_exact_digits)) return;
@@ -144,7 +144,7 @@ class NamedConstants {
   }
 
   /// The growths of factors add, powers multiply, and the largest term of a sum counts.
-  [[nodiscard]] Growth combined(const Expression& node) const {
+  [[nodiscard]] Growth combined_growth(const Expression& node) const {
     const bool adds = node.kind == ExpressionKind::multiply || node.kind == ExpressionKind::divide;
     Growth growth;
     for (const ExpressionId id : node.operands) {
@@ -200,7 +200,7 @@ class NamedConstants {
   [[nodiscard]] const char* cause_of(const Expression& node) const {
     if (is_leaf(node, Opcode::parameter)) return "fixed at ";
     const bool is_locked =
-        is_name(node, NamedKind::prescribed) && node.index >= whole_of(model_).prescribed.size();
+        is_name(node, NamedKind::prescribed) && node.index >= whole_model(model_).prescribed.size();
     return is_locked ? "locked at " : "";
   }
 
@@ -218,7 +218,7 @@ Diagnostics inspect_constants(const Inspected& subject) {
   const Model& model = subject.model;
   // Closed forms are checked later, when they are compared.
   const auto is_any = [](const Root&) { return true; };
-  for (const ExpressionId id : reached(model, roots_if(model, is_any))) names.visit(id);
+  for (const ExpressionId id : reachable_from(model, roots_if(model, is_any))) names.visit(id);
   return names.take();
 }
 

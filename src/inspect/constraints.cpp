@@ -26,34 +26,34 @@ constexpr std::size_t other_pose_count = 3;
 constexpr unsigned pose_draws = 8;
 
 /// Whether a number is only rounding error, in any unit.
-bool is_nothing(const cl_R& x) { return cln::abs(x) < power_of_ten(-50); }
+bool is_rounding_error(const cl_R& x) { return cln::abs(x) < power_of_ten(-50); }
 
 /// By equation: whether its row of A is 0 at every sampled state at which A has a value.
-std::vector<bool> without_effect(const Inspected& subject) {
+std::vector<bool> equations_without_effect(const Inspected& subject) {
   const std::size_t n = subject.model.velocities.size();
   std::vector<bool> marks(subject.model.constraints.size(), true);
   for (unsigned seed = 0; seed < pose_draws; ++seed) {
     const OracleValues a = oracle_values(subject.model, {.kind = OutputKind::constraint_jacobian},
                                          sampled_state(subject, seed));
     for (std::size_t k = 0; a && k < a->size(); ++k) {
-      if (!is_nothing((*a)[k])) marks[k / n] = false;
+      if (!is_rounding_error((*a)[k])) marks[k / n] = false;
     }
   }
   return marks;
 }
 
-Diagnostics without_effects(const Inspected& subject) {
+Diagnostics errors_without_effect(const Inspected& subject) {
   Diagnostics errors;
-  const std::vector<bool> marks = without_effect(subject);
+  const std::vector<bool> marks = equations_without_effect(subject);
   for (std::size_t k = 0; k < marks.size(); ++k) {
     const Constraint& constraint = subject.model.constraints[k];
     const auto value =
         oracle_expression(subject.model, constraint.value, sampled_state(subject, 0));
     if (!marks[k] || !value) continue;
-    const std::string hint = equations_instead(subject.model.constraints, marks, constraint);
+    const std::string hint = equation_hint(subject.model.constraints, marks, constraint);
     errors.push_back({Code::E536, constraint.equation_span,
                       fmt::format("`{}` constrains nothing: it is {} for all {}", constraint.name,
-                                  is_nothing(*value) ? "0" : "the same",
+                                  is_rounding_error(*value) ? "0" : "the same",
                                   constraint.is_position ? "coordinates" : "rates"),
                       hint.empty() ? "remove it" : hint});
   }
@@ -62,7 +62,7 @@ Diagnostics without_effects(const Inspected& subject) {
 
 /// Whether Newton's method converges slowly towards a pose, because A does not have full rank
 /// there.
-bool creeps(const Model& model, const Assembly& at) {
+bool converges_slowly(const Model& model, const Assembly& at) {
   const OracleValues values =
       oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);
   const std::size_t rates = model.constraints.size();
@@ -78,9 +78,9 @@ State full_start(const Inspected& subject) {
   return state;
 }
 
-Diagnostic not_assembled(const Inspected& subject, const std::optional<Assembly>& at) {
+Diagnostic assembly_error(const Inspected& subject, const std::optional<Assembly>& at) {
   const Model& model = subject.model;
-  if (at && creeps(model, *at)) {
+  if (at && converges_slowly(model, *at)) {
     return {
         Code::E537, model.constraints.front().span,
         "near the start, the constraints hold only where A is rank-deficient, so the multipliers "
@@ -88,7 +88,7 @@ Diagnostic not_assembled(const Inspected& subject, const std::optional<Assembly>
         "give another `start`, or an equation whose gradient does not vanish there"};
   }
   const std::string quotient = at ? "" : quotient_hint(model, full_start(subject));
-  const std::string left = at ? what_is_left(model, *at) : "undefined";
+  const std::string left = at ? residual_text(model, *at) : "undefined";
   return {Code::E538, model.constraints.front().span,
           fmt::format("no {} near the start meet the constraints: the residual is {}",
                       at && at->has_pose ? "rates" : "coordinates", left),
@@ -131,7 +131,7 @@ Combinations zero_combinations(const Model& model, const State& pose) {
   for (std::size_t k = 0; k < m; ++k) {
     cl_R largest = 0;
     for (std::size_t j = 0; j < n; ++j) largest = cln::max(largest, cln::abs((*a)[k * n + j]));
-    lengths.push_back(is_nothing(largest) ? cl_R(1) : largest);
+    lengths.push_back(is_rounding_error(largest) ? cl_R(1) : largest);
     for (std::size_t j = 0; j < n; ++j) columns[j * m + k] = (*a)[k * n + j] / lengths[k];
   }
   Combinations all = null_space(columns, Vector(n, cl_R(1)));
@@ -163,7 +163,7 @@ std::string sum_of_others(const Model& model, const Vector& factors) {
 }
 
 /// Reports the pose with the fewest combinations, because the other poses may be dead centres.
-Diagnostics redundant(const Model& model, const std::vector<Combinations>& at_poses) {
+Diagnostics redundancy_errors(const Model& model, const std::vector<Combinations>& at_poses) {
   const auto fewest =
       std::ranges::min_element(at_poses, {}, [](const Combinations& all) { return all.size(); });
   Diagnostics errors;
@@ -188,7 +188,7 @@ Diagnostics redundant_equations(const Inspected& subject, const State& start) {
     at_poses.push_back(zero_combinations(subject.model, pose));
     if (at_poses.back().empty()) return {};
   }
-  return redundant(subject.model, at_poses);
+  return redundancy_errors(subject.model, at_poses);
 }
 
 /// The first output of the scene that has no value with this fault; null if there is none.
@@ -238,7 +238,7 @@ Diagnostics undetermined_rest(const Inspected& subject, const State& start) {
 
 }  // namespace
 
-std::string what_is_left(const Model& model, const Assembly& at) {
+std::string residual_text(const Model& model, const Assembly& at) {
   const OracleValues values =
       oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);
   if (!values) return "undefined";
@@ -251,7 +251,7 @@ std::string what_is_left(const Model& model, const Assembly& at) {
         model, {OutputKind::constraint_residual, at.has_pose ? "rate" : "position", row});
     const cl_R left = cln::abs((*values)[first + row++]);
     text += fmt::format("{}{:.3g}{} of `{}`", text.empty() ? "" : ", ",
-                        is_nothing(left) ? 0.0 : cln::double_approx(left),
+                        is_rounding_error(left) ? 0.0 : cln::double_approx(left),
                         unit.empty() || unit == "1" ? "" : " " + unit, constraint.name);
   }
   return text;
@@ -260,10 +260,10 @@ std::string what_is_left(const Model& model, const Assembly& at) {
 Diagnostics inspect_constraints(const Inspected& subject) {
   const Model& model = subject.model;
   if (model.constraints.empty() || model.velocities.size() > most_coordinates_sampled) return {};
-  Diagnostics errors = without_effects(subject);
+  Diagnostics errors = errors_without_effect(subject);
   if (!errors.empty()) return errors;
   const std::optional<Assembly> start = oracle_assembly(model, full_start(subject));
-  if (!start || !start->has_rates) return {not_assembled(subject, start)};
+  if (!start || !start->has_rates) return {assembly_error(subject, start)};
   errors = redundant_equations(subject, start->state);
   if (errors.empty()) errors = undetermined_inputs(subject, start->state);
   return errors.empty() ? undetermined_rest(subject, start->state) : errors;

@@ -31,7 +31,7 @@ constexpr unsigned equilibrium_samples = 4;
 constexpr unsigned condition_draws = 64;
 
 /// A point that is claimed to be an equilibrium.
-struct ClaimedRest {
+struct ClaimedEquilibrium {
   const StatedPoint& point;
   std::vector<std::uint32_t> rows = {};  ///< velocities whose equations must balance
   Span span = {};
@@ -40,7 +40,7 @@ struct ClaimedRest {
 
 /// The residual bias - B u, row by row, and the magnitude of its terms.
 struct Residual {
-  std::vector<cl_R> rest;
+  std::vector<cl_R> residual;
   std::vector<cl_R> scale;
   std::vector<cl_R> input_matrix;  ///< row-major
 };
@@ -55,8 +55,8 @@ State varied_state(const Inspected& subject, unsigned seed) {
 std::vector<unsigned> sample_seeds(const Inspected& subject, const StatedPoint& point) {
   std::vector<unsigned> seeds;
   for (unsigned seed = 0; seed < condition_draws && seeds.size() < equilibrium_samples; ++seed) {
-    const bool fits = !point.condition ||
-                      oracle_meets(subject.model, *point.condition, varied_state(subject, seed));
+    const bool fits = !point.condition || oracle_satisfies(subject.model, *point.condition,
+                                                           varied_state(subject, seed));
     if (fits) seeds.push_back(seed);
   }
   return seeds;
@@ -73,7 +73,7 @@ std::optional<Residual> balance_at(const Model& exact, const State& point, const
     cl_R scale = cln::abs((*typical)[i]);
     for (std::size_t k = 0; k < columns; ++k) {
       const cl_R force = (*inputs)[i * columns + k] * point.u[k];
-      balance.rest[i] = balance.rest[i] - force;
+      balance.residual[i] = balance.residual[i] - force;
       scale = scale + cln::abs(force);
     }
     balance.scale.push_back(scale);
@@ -95,8 +95,8 @@ constexpr std::string_view remedy_of_entry =
     "write values with parameters, such as `m*g`; `when` limits the parameters";
 
 /// "`u = 4.905` balances it" if exactly one input acts on this row, and acts on no other row.
-std::string suggestion(const Inspected& subject, const ClaimedRest& claim, const Residual& balance,
-                       std::size_t row, const State& point) {
+std::string suggestion(const Inspected& subject, const ClaimedEquilibrium& claim,
+                       const Residual& balance, std::size_t row, const State& point) {
   if (!is_complete(claim.point)) return {};
   const std::size_t columns = point.u.size();
   std::optional<std::size_t> acting;
@@ -106,11 +106,11 @@ std::string suggestion(const Inspected& subject, const ClaimedRest& claim, const
     acting = k;
   }
   if (!acting) return {};
-  for (std::size_t i = 0; i < balance.rest.size(); ++i) {
+  for (std::size_t i = 0; i < balance.residual.size(); ++i) {
     if (i != row && !cln::zerop(balance.input_matrix[i * columns + *acting])) return {};
   }
   const cl_R value =
-      point.u[*acting] + balance.rest[row] / balance.input_matrix[row * columns + *acting];
+      point.u[*acting] + balance.residual[row] / balance.input_matrix[row * columns + *acting];
   const Model& model = subject.model;
   const std::string balanced =
       fmt::format("`{} = {}` balances it", model.inputs[*acting].name, readable(value));
@@ -120,15 +120,15 @@ std::string suggestion(const Inspected& subject, const ClaimedRest& claim, const
 }
 
 /// `own_values`: the parameters have the model's values, so the residual is worth printing.
-Diagnostics unbalanced(const Inspected& subject, const ClaimedRest& claim, const Residual& balance,
-                       const State& point, bool own_values) {
+Diagnostics balance_errors(const Inspected& subject, const ClaimedEquilibrium& claim,
+                           const Residual& balance, const State& point, bool own_values) {
   // The oracle has 60 digits; 20 may be lost to cancellation.
   static const cl_R tolerance = power_of_ten(-40);
   Diagnostics found;
   for (const std::uint32_t row : claim.rows) {
-    if (cln::abs(balance.rest[row]) <= balance.scale[row] * tolerance) continue;
+    if (cln::abs(balance.residual[row]) <= balance.scale[row] * tolerance) continue;
     const std::string figure =
-        own_values ? readable(balance.rest[row]) : "not 0 at other values of the parameters";
+        own_values ? readable(balance.residual[row]) : "not 0 at other values of the parameters";
     found.push_back(
         {Code::E613, claim.span,
          fmt::format("`{}` does not stay at rest there: bias - B u is {}",
@@ -144,16 +144,16 @@ Diagnostic no_expansion(const Model& model) {
                       model.approximation->order + 1)};
 }
 
-ClaimedRest claim_of(const Model& model, const Approximation& approximation) {
-  ClaimedRest claim{approximation, {}, approximation.span, remedy_of_scene};
+ClaimedEquilibrium claim_of(const Model& model, const Approximation& approximation) {
+  ClaimedEquilibrium claim{approximation, {}, approximation.span, remedy_of_scene};
   for (std::size_t q = 0; q < model.coordinates.size(); ++q) {
     if (approximation.small[q]) claim.rows.push_back(model.coordinates[q].velocity);
   }
   return claim;
 }
 
-ClaimedRest claim_of(const Model& model, const Equilibrium& equilibrium) {
-  ClaimedRest claim{equilibrium, {}, equilibrium.span, remedy_of_entry};
+ClaimedEquilibrium claim_of(const Model& model, const Equilibrium& equilibrium) {
+  ClaimedEquilibrium claim{equilibrium, {}, equilibrium.span, remedy_of_entry};
   claim.rows.resize(model.velocities.size());
   std::iota(claim.rows.begin(), claim.rows.end(), 0);
   return claim;
@@ -162,10 +162,10 @@ ClaimedRest claim_of(const Model& model, const Equilibrium& equilibrium) {
 /// The diagnostics of the first sample that does not balance; none if no drawn parameters meet the
 /// condition.
 Diagnostics inspect_entry(const Inspected& subject, const Equilibrium& equilibrium) {
-  const ClaimedRest claim = claim_of(subject.model, equilibrium);
+  const ClaimedEquilibrium claim = claim_of(subject.model, equilibrium);
   for (const unsigned seed : sample_seeds(subject, equilibrium)) {
     const State elsewhere = varied_state(subject, seed);
-    const std::optional<State> point = oracle_point(subject.model, equilibrium, elsewhere);
+    const std::optional<State> point = oracle_rest_state(subject.model, equilibrium, elsewhere);
     if (!point) {
       return {{Code::E613, claim.span,
                fmt::format("a value of `{}` does not exist for some values of the parameters",
@@ -174,7 +174,7 @@ Diagnostics inspect_entry(const Inspected& subject, const Equilibrium& equilibri
     }
     const auto balance = balance_at(subject.model, *point, elsewhere);
     if (!balance) continue;
-    Diagnostics found = unbalanced(subject, claim, *balance, *point, seed == 0);
+    Diagnostics found = balance_errors(subject, claim, *balance, *point, seed == 0);
     if (!found.empty()) return found;
   }
   return {};
@@ -182,13 +182,12 @@ Diagnostics inspect_entry(const Inspected& subject, const Equilibrium& equilibri
 
 }  // namespace
 
-std::vector<State> sampled_equilibrium(const CheckedModel& checked,
-                                       const Equilibrium& equilibrium) {
+std::vector<State> sample_equilibrium(const CheckedModel& checked, const Equilibrium& equilibrium) {
   const Inspected subject{checked.model, checked.scene};
   std::vector<State> points;
   for (const unsigned seed : sample_seeds(subject, equilibrium)) {
     const State elsewhere = varied_state(subject, seed);
-    std::optional<State> point = oracle_point(subject.model, equilibrium, elsewhere);
+    std::optional<State> point = oracle_rest_state(subject.model, equilibrium, elsewhere);
     if (point && balance_at(subject.model, *point, elsewhere)) points.push_back(std::move(*point));
   }
   return points;
@@ -206,7 +205,7 @@ Diagnostics inspect_equilibria(const Inspected& subject) {
 Diagnostics inspect_equilibrium(const Inspected& subject) {
   const Model& model = subject.model;
   if (!model.approximation) return {};
-  const ClaimedRest claim = claim_of(model, *model.approximation);
+  const ClaimedEquilibrium claim = claim_of(model, *model.approximation);
   const std::vector<unsigned> seeds = sample_seeds(subject, claim.point);
   if (seeds.empty()) {
     return {{Code::E613, claim.span,
@@ -217,10 +216,10 @@ Diagnostics inspect_equilibrium(const Inspected& subject) {
   bool was_seen = false;
   for (const unsigned seed : seeds) {
     const State elsewhere = varied_state(subject, seed);
-    const std::optional<State> point = oracle_point(model, claim.point, elsewhere);
+    const std::optional<State> point = oracle_rest_state(model, claim.point, elsewhere);
     const auto balance = point ? balance_at(exact, *point, elsewhere) : std::nullopt;
     if (!balance) continue;
-    Diagnostics found = unbalanced(subject, claim, *balance, *point, seed == 0);
+    Diagnostics found = balance_errors(subject, claim, *balance, *point, seed == 0);
     if (!found.empty()) return found;
     if (!oracle_values(model, {.kind = OutputKind::inverse_dynamics}, elsewhere)) {
       return {no_expansion(model)};

@@ -36,9 +36,9 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   if (!has_errors(all)) add(inspect_equilibria(subject));
   if (!has_errors(all)) add(inspect_equilibrium({model, scene}));
   // All entries of a repetition have the same mistake, which is reported once.
-  Report once;
-  for (Diagnostic& diagnostic : all) once.add(std::move(diagnostic));
-  return once.sorted();
+  Report unique;
+  for (Diagnostic& diagnostic : all) unique.add(std::move(diagnostic));
+  return unique.sorted();
 }
 
 }  // namespace elgen

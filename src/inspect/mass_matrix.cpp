@@ -30,13 +30,13 @@ using cln::cl_R;
 using Basis = std::vector<Vector>;
 
 /// Compares the entries as printed.
-bool agree(const Basis& x, const Basis& y) {
+bool are_same_as_printed(const Basis& x, const Basis& y) {
   return std::ranges::equal(x, y, [](const Vector& a, const Vector& b) {
     return std::ranges::equal(a, b, {}, readable, readable);
   });
 }
 
-std::vector<std::size_t> moving(const Vector& x) {
+std::vector<std::size_t> moving_indices(const Vector& x) {
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (readable(x[i]) != "0") indices.push_back(i);
@@ -57,7 +57,7 @@ std::string proportion(const Model& model, const Vector& x, const std::vector<st
 }
 
 Diagnostic motion_without_energy(const Model& model, const Vector& x) {
-  const std::vector<std::size_t> part = moving(x);
+  const std::vector<std::size_t> part = moving_indices(x);
   const Velocity& first = model.velocities[part.front()];
   if (part.size() == 1) {
     return {Code::E501, first.span,
@@ -78,14 +78,14 @@ Diagnostic rank_deficit(const Model& model, const Basis& basis, const State& sta
       Code::E501, model.velocities.front().span,
       fmt::format("rank {} of {} at every sampled configuration: the motion `{}` has no kinetic "
                   "energy at q = ({})",
-                  n - basis.size(), n, proportion(model, basis[0], moving(basis[0])), at),
+                  n - basis.size(), n, proportion(model, basis[0], moving_indices(basis[0])), at),
       "too many coordinates, or a mass is missing"};
 }
 
 /// The `candidates` whose diagonal entry is rounding error relative to its row: M is not positive
 /// definite, and its factorisation fails.
-std::vector<std::size_t> without_energy(const MassSample& sample,
-                                        const std::vector<std::size_t>& candidates) {
+std::vector<std::size_t> rates_without_energy(const MassSample& sample,
+                                              const std::vector<std::size_t>& candidates) {
   const std::size_t n = sample.state.v.size();
   const Vector scales = row_scales(sample.matrix, n);
   std::vector<std::size_t> result;
@@ -97,7 +97,7 @@ std::vector<std::size_t> without_energy(const MassSample& sample,
 
 /// E501 for the first output that divides by M, and so needs a positive definite M. If no scene
 /// requests the output by name, the error is at the energy of the model.
-Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t>& rates) {
+Diagnostics not_definite_error(const Inspected& subject, const std::vector<std::size_t>& rates) {
   const Model& model = subject.model;
   for (const OutputRequest& output : subject.scene.outputs) {
     if (!divides_by_mass(output_row(output.kind)) || rates.empty()) continue;
@@ -116,9 +116,11 @@ Diagnostics not_definite(const Inspected& subject, const std::vector<std::size_t
   return {};
 }
 
-Diagnostics without_rank(const Model& model, const std::vector<Basis>& found, const State& last) {
+Diagnostics singular_errors(const Model& model, const std::vector<Basis>& found,
+                            const State& last) {
   for (const Basis& basis : found) {
-    if (!agree(basis, found.front())) return {rank_deficit(model, found.back(), last)};
+    if (!are_same_as_printed(basis, found.front()))
+      return {rank_deficit(model, found.back(), last)};
   }
   Diagnostics diagnostics;
   for (const Vector& x : found.front()) diagnostics.push_back(motion_without_energy(model, x));
@@ -241,12 +243,13 @@ Diagnostics inspect_mass_matrix(const Inspected& subject) {
     const auto sample = sampled_mass_matrix(subject, seed);
     if (!sample) return {};
     found.push_back(null_space(sample->matrix, row_scales(sample->matrix, n)));
-    rates = without_energy(*sample, rates);
+    rates = rates_without_energy(*sample, rates);
     is_regular = is_regular || found.back().empty();
     if (is_regular && rates.empty()) return negative_kinetic_energy(subject, *sample);
     last = sample->state;
   }
-  return is_regular ? not_definite(subject, rates) : without_rank(subject.model, found, last);
+  return is_regular ? not_definite_error(subject, rates)
+                    : singular_errors(subject.model, found, last);
 }
 
 Diagnostics inspect_signs(const Inspected& subject) {

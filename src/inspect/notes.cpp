@@ -15,7 +15,7 @@ namespace elgen {
 namespace {
 
 /// By index in the Model: whether any expression contains this leaf.
-std::vector<bool> used(const Model& model, Opcode kind) {
+std::vector<bool> used_leaves(const Model& model, Opcode kind) {
   std::vector<bool> marks(leaf_count(model, kind), false);
   for (const Expression& expression : model.expressions) {
     if (is_leaf(expression, kind)) marks[expression.index] = true;
@@ -24,7 +24,7 @@ std::vector<bool> used(const Model& model, Opcode kind) {
 }
 
 void add_unused_parameters(const Model& model, Diagnostics& found) {
-  const auto marks = used(model, Opcode::parameter);
+  const auto marks = used_leaves(model, Opcode::parameter);
   for (const ParameterArray& array : model.parameter_arrays) {
     const auto first = marks.begin() + array.first;
     if (std::find(first, first + array.count, true) != first + array.count) continue;
@@ -35,7 +35,7 @@ void add_unused_parameters(const Model& model, Diagnostics& found) {
 }
 
 void add_unused_inputs(const Model& model, Diagnostics& found) {
-  const auto marks = used(model, Opcode::input);
+  const auto marks = used_leaves(model, Opcode::input);
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
     if (input.on || marks[i]) continue;
@@ -45,12 +45,12 @@ void add_unused_inputs(const Model& model, Diagnostics& found) {
 }
 
 /// "`mass_matrix`, `linearization`"
-std::string quoted_names(const LeftOut& left_out) {
+std::string quoted_names(const OmittedOutputs& left_out) {
   return fmt::format("`{}`", fmt::join(left_out.outputs, "`, `"));
 }
 
-Diagnostic note(const LeftOut& left_out) {
-  if (left_out.reason == LeftOutReason::too_many_entries) {
+Diagnostic note(const OmittedOutputs& left_out) {
+  if (left_out.reason == OmissionReason::too_many_entries) {
     return {Code::E619, left_out.span,
             fmt::format("not emitted because of more than {} entries: {}", entries_in_full,
                         quoted_names(left_out)),
@@ -63,10 +63,10 @@ Diagnostic note(const LeftOut& left_out) {
 
 /// The first tanh of an expression with rates in a force.
 std::optional<Span> smoothed_friction(const Model& model) {
-  for (const ExpressionId id : reached(model, roots_if(model, is_force))) {
+  for (const ExpressionId id : reachable_from(model, roots_if(model, is_force))) {
     const Expression& node = model.expressions[id];
     const bool is_tanh = node.kind == ExpressionKind::function && node.function == FunctionId::tanh;
-    if (is_tanh && holds_leaf(model, id, Opcode::velocity)) return node.span;
+    if (is_tanh && contains_leaf(model, id, Opcode::velocity)) return node.span;
   }
   return std::nullopt;
 }
@@ -74,7 +74,7 @@ std::optional<Span> smoothed_friction(const Model& model) {
 }  // namespace
 
 Diagnostics inspect_unused(const Inspected& subject) {
-  const Model& model = whole_of(subject.model);
+  const Model& model = whole_model(subject.model);
   Diagnostics found;
   add_unused_parameters(model, found);
   add_unused_inputs(model, found);
@@ -83,9 +83,9 @@ Diagnostics inspect_unused(const Inspected& subject) {
 
 Diagnostics inspect_left_out(const Inspected& subject) {
   Diagnostics notes;
-  for (const LeftOut& left_out : subject.scene.left_out) notes.push_back(note(left_out));
-  const Model& whole = whole_of(subject.model);
-  const PlacesLeft inputs = variables_left(whole).inputs;
+  for (const OmittedOutputs& left_out : subject.scene.left_out) notes.push_back(note(left_out));
+  const Model& whole = whole_model(subject.model);
+  const RemainingPositions inputs = remaining_variables(whole).inputs;
   for (std::size_t i = 0; i < whole.inputs.size();) {
     // The components of a wrench are one entry, so they get one note.
     std::vector<std::string> names;

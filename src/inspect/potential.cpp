@@ -38,7 +38,7 @@ using Parameters = std::set<std::uint32_t>;
 /// The points whose components an expression refers to, directly or through names.
 std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
   std::vector<std::uint32_t> points;
-  for (const ExpressionId id : reached(model, {root})) {
+  for (const ExpressionId id : reachable_from(model, {root})) {
     const Expression& e = model.expressions[id];
     if (is_name(e, NamedKind::point)) points.push_back(e.index);
   }
@@ -48,7 +48,7 @@ std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
 }
 
 /// Opposite to gravity, or else along the last axis of the point.
-std::optional<Direction> upward(const Inspected& subject, const Point& point) {
+std::optional<Direction> up_direction(const Inspected& subject, const Point& point) {
   Direction up{0, 0, 0};
   if (!subject.model.gravity) {
     up[point.dimension - 1] = 1;
@@ -63,24 +63,24 @@ std::optional<Direction> upward(const Inspected& subject, const Point& point) {
   return up;
 }
 
-ExpressionId append(Model& model, Expression expression) {
+ExpressionId append_node(Model& model, Expression expression) {
   model.expressions.push_back(std::move(expression));
   return static_cast<ExpressionId>(model.expressions.size() - 1);
 }
 
 ExpressionId node(Model& model, ExpressionKind kind, std::vector<ExpressionId> operands) {
-  return append(model, {.kind = kind, .operands = std::move(operands)});
+  return append_node(model, {.kind = kind, .operands = std::move(operands)});
 }
 
 ExpressionId number(Model& model, const cl_R& value) {
-  return append(model, {.number = cln::rational(value)});
+  return append_node(model, {.number = cln::rational(value)});
 }
 
 /// A copy of the model with one more coordinate, which moves the point along `up`.
-Model liftable(const Model& model, std::uint32_t point, const Direction& up) {
+Model with_lift_coordinate(const Model& model, std::uint32_t point, const Direction& up) {
   Model result = model;
   const std::uint32_t coordinate = append_coordinate(result, {});
-  const ExpressionId lift = append(
+  const ExpressionId lift = append_node(
       result, {.kind = ExpressionKind::leaf, .leaf = Opcode::coordinate, .index = coordinate});
   for (std::size_t c = 0; c < 3; ++c) {
     if (cln::zerop(up[c])) continue;
@@ -112,7 +112,7 @@ bool has_mass(const Model& model, std::uint32_t point) {
 }
 
 bool falls_steadily(const Inspected& subject, std::uint32_t point, const Direction& up) {
-  const Model lifted = liftable(subject.model, point, up);
+  const Model lifted = with_lift_coordinate(subject.model, point, up);
   std::optional<cl_R> first;
   for (unsigned seed = 0; seed < zero_samples; ++seed) {
     const auto here = slope(lifted, *subject.model.energies.V, sampled_state(subject, seed));
@@ -148,7 +148,7 @@ Diagnostics gravity_along_last_axis(const Inspected& subject) {
 
 Parameters weight_parameters(const Model& model, const std::vector<ExpressionId>& roots) {
   Parameters found;
-  for (const ExpressionId id : reached(model, roots)) {
+  for (const ExpressionId id : reachable_from(model, roots)) {
     const Expression& node = model.expressions[id];
     if (is_leaf(node, Opcode::parameter)) found.insert(node.index);
   }
@@ -190,13 +190,13 @@ std::optional<cl_R> energy_of(const Model& model, const Weight& weight, const St
 using Energy = std::function<std::optional<cl_R>(const State&)>;
 
 /// The part of an energy that vanishes if the parameters of any one set become 0.
-std::optional<cl_R> part_of(const Energy& energy, const std::vector<Parameters>& sets,
-                            std::size_t count, const State& state) {
+std::optional<cl_R> dependent_part(const Energy& energy, const std::vector<Parameters>& sets,
+                                   std::size_t count, const State& state) {
   if (count == 0) return energy(state);
   State without = state;
   for (const std::uint32_t index : sets[count - 1]) without.parameters[index] = 0;
-  const auto with_all = part_of(energy, sets, count - 1, state);
-  const auto with_none = part_of(energy, sets, count - 1, without);
+  const auto with_all = dependent_part(energy, sets, count - 1, state);
+  const auto with_none = dependent_part(energy, sets, count - 1, without);
   return with_all && with_none ? std::optional(*with_all - *with_none) : std::nullopt;
 }
 
@@ -209,7 +209,7 @@ std::vector<cl_R> differences(const Inspected& subject, const Energy& energy,
   for (unsigned seed = 0; seed <= zero_samples; ++seed) {
     state = sampled_state(subject, seed);
     state.parameters = parameters;
-    const auto value = part_of(energy, sets, sets.size(), state);
+    const auto value = dependent_part(energy, sets, sets.size(), state);
     if (!value) return {};
     values.push_back(*value);
   }
@@ -242,15 +242,15 @@ Energy sum_of(const std::vector<Entry>& entries, const Of& of_entry) {
   };
 }
 
-Energy written_as(const Model& model, ExpressionId expression) {
+Energy energy_of_expression(const Model& model, ExpressionId expression) {
   return [&model, expression](const State& state) {
     return oracle_expression(model, expression, state);
   };
 }
 
 /// Compares the parts of V and W that depend on the parameters of gravity and of this mass.
-bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights,
-                    const Weight& weight) {
+bool is_counted_twice(const Inspected& subject, const std::vector<Weight>& weights,
+                      const Weight& weight) {
   const Model& model = subject.model;
   const auto& gravity = *model.gravity;
   std::vector<Parameters> sets;
@@ -258,7 +258,7 @@ bool is_given_twice(const Inspected& subject, const std::vector<Weight>& weights
                                 weight_parameters(model, {gravity.begin(), gravity.end()})}) {
     if (!set.empty()) sets.push_back(set);
   }
-  const Energy written = written_as(model, *model.energies.V);
+  const Energy written = energy_of_expression(model, *model.energies.V);
   const Energy given = sum_of(weights, [&model](const Weight& each, const State& state) {
     return energy_of(model, each, state);
   });
@@ -280,11 +280,11 @@ std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, co
 }
 
 /// Compares the parts of T and K that depend on the parameters of this mass.
-bool is_given_twice(const Inspected& subject, const Point& point) {
+bool is_counted_twice(const Inspected& subject, const Point& point) {
   const Model& model = subject.model;
   const Parameters mass = weight_parameters(model, {*point.mass});
   if (mass.empty()) return false;
-  const Energy written = written_as(model, *model.energies.T);
+  const Energy written = energy_of_expression(model, *model.energies.T);
   const Energy given = sum_of(model.points, [&model](const Point& each, const State& state) {
     return kinetic_energy_of(model, each, state);
   });
@@ -301,7 +301,7 @@ Diagnostics inspect_potential(const Inspected& subject) {
   }
   for (const std::uint32_t index : points_in(model, *model.energies.V)) {
     const Point& point = model.points[index];
-    const auto up = has_mass(model, index) ? upward(subject, point) : std::nullopt;
+    const auto up = has_mass(model, index) ? up_direction(subject, point) : std::nullopt;
     if (!up || !falls_steadily(subject, index, *up)) continue;
     diagnostics.push_back({Code::E512, model.expressions[*model.energies.V].span,
                            fmt::format("V falls as `{}` rises", point.name),
@@ -314,7 +314,7 @@ Diagnostics inspect_kinetic_energies(const Inspected& subject) {
   const Model& model = subject.model;
   if (!model.energies.T || model.velocities.size() > most_coordinates_sampled) return {};
   for (const Point& point : model.points) {
-    if (!point.mass || !is_given_twice(subject, point)) continue;
+    if (!point.mass || !is_counted_twice(subject, point)) continue;
     return {{Code::E527, model.expressions[*model.energies.T].span,
              fmt::format("T contains the kinetic energy of `{}`, which its mass adds already",
                          point.name),
@@ -329,7 +329,7 @@ Diagnostics inspect_weights(const Inspected& subject) {
   if (model.velocities.size() > most_coordinates_sampled) return {};
   const std::vector<Weight> weights = weights_of(model);
   for (const Weight& weight : weights) {
-    if (!is_given_twice(subject, weights, weight)) continue;
+    if (!is_counted_twice(subject, weights, weight)) continue;
     return {
         {Code::E526, model.expressions[*model.energies.V].span,
          fmt::format("V contains the weight of `{}`, which [gravity] adds already", weight.name),

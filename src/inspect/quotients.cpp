@@ -10,7 +10,7 @@ namespace elgen {
 namespace {
 
 bool holds_sinusoid(const Model& model, ExpressionId id) {
-  return std::ranges::any_of(reached(model, {id}), [&model](ExpressionId part) {
+  return std::ranges::any_of(reachable_from(model, {id}), [&model](ExpressionId part) {
     const Expression& node = model.expressions[part];
     return node.kind == ExpressionKind::function && is_circular(node.function);
   });
@@ -23,7 +23,7 @@ std::string quotient_hint(const Model& model, const State& state) {
     const std::optional<cln::cl_R> value = oracle_expression(model, id, state);
     return value && cln::zerop(*value);
   };
-  for (const ExpressionId id : reached(model, all_roots(model))) {
+  for (const ExpressionId id : reachable_from(model, all_roots(model))) {
     const Expression& node = model.expressions[id];
     const bool is_sought = node.kind == ExpressionKind::divide && is_zero(node.operands[1]) &&
                            is_zero(node.operands[0]) && holds_sinusoid(model, node.operands[0]);

@@ -17,7 +17,7 @@ using cln::cl_R;
 
 constexpr unsigned cyclic_samples = 8;
 
-std::vector<cl_R> along(const Model& model, const Cyclic& cyclic) {
+std::vector<cl_R> unit_direction(const Model& model, const Cyclic& cyclic) {
   std::vector<cl_R> direction(model.velocities.size(), cl_R(0));
   direction[cyclic.velocity] = 1;
   return direction;
@@ -33,7 +33,7 @@ bool changes_lagrangian(const Inspected& subject, const Cyclic& cyclic) {
   for (unsigned seed = 0; seed < cyclic_samples; ++seed) {
     const State state = sampled_state(subject, seed);
     const auto slope = oracle_contraction(model, {.kind = OutputKind::position_gradient}, state,
-                                          {along(model, cyclic)});
+                                          {unit_direction(model, cyclic)});
     const auto size = oracle_energy_magnitude(model, state);
     if (slope && size && cln::abs(*slope) > *size * power_of_ten(-50)) return true;
   }
@@ -49,8 +49,9 @@ bool are_dependent(const Inspected& subject, const std::vector<Cyclic>& cyclic) 
     std::vector<cl_R> mass;
     for (const Cyclic& row : cyclic) {
       for (const Cyclic& column : cyclic) {
-        const auto entry = oracle_contraction(model, {.kind = OutputKind::mass_matrix}, state,
-                                              {along(model, row), along(model, column)});
+        const auto entry =
+            oracle_contraction(model, {.kind = OutputKind::mass_matrix}, state,
+                               {unit_direction(model, row), unit_direction(model, column)});
         if (entry) mass.push_back(*entry);
       }
     }
@@ -62,7 +63,7 @@ bool are_dependent(const Inspected& subject, const std::vector<Cyclic>& cyclic) 
   return was_singular;
 }
 
-Diagnostics not_cyclic(const Inspected& subject, const std::vector<Cyclic>& all) {
+Diagnostics cyclic_errors(const Inspected& subject, const std::vector<Cyclic>& all) {
   Diagnostics errors;
   for (const Cyclic& cyclic : all) {
     if (!changes_lagrangian(subject, cyclic)) continue;
@@ -78,15 +79,15 @@ Diagnostics not_cyclic(const Inspected& subject, const std::vector<Cyclic>& all)
 }
 
 /// The exact model before [routh], and the indices of the cyclic coordinates in it.
-struct MovingModel {
+struct ModelBeforeRouth {
   Model model;
   std::vector<Cyclic> cyclic;
 };
 
-MovingModel moving_model(Model whole) {
+ModelBeforeRouth model_before_routh(Model whole) {
   whole.approximation.reset();
   std::vector<Cyclic> all = std::exchange(whole.variant.cyclic, {});
-  const VariablesLeft left = variables_left(whole);
+  const RemainingVariables left = remaining_variables(whole);
   for (Cyclic& cyclic : all) {
     cyclic.coordinate = *left.coordinates[cyclic.coordinate];
     cyclic.velocity = *left.velocities[cyclic.velocity];
@@ -103,15 +104,16 @@ State starting_state(const CheckedModel& checked, const Model& moving) {
 
 std::optional<cl_R> momentum_of(const Model& exact, const Cyclic& cyclic, const State& start) {
   if (cyclic.form) return oracle_expression(exact, *cyclic.form, start);
-  return oracle_contraction(exact, {.kind = OutputKind::momentum}, start, {along(exact, cyclic)});
+  return oracle_contraction(exact, {.kind = OutputKind::momentum}, start,
+                            {unit_direction(exact, cyclic)});
 }
 
 }  // namespace
 
 Diagnostics find_momenta(CheckedModel& checked) {
   if (!has_routhian(checked.model)) return {};
-  const auto [exact, all] = moving_model(whole_of(checked.model));
-  Diagnostics errors = not_cyclic({exact, checked.scene}, all);
+  const auto [exact, all] = model_before_routh(whole_model(checked.model));
+  Diagnostics errors = cyclic_errors({exact, checked.scene}, all);
   if (!errors.empty()) return errors;
   const State start = starting_state(checked, exact);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -136,13 +138,13 @@ Diagnostics find_momenta(CheckedModel& checked) {
 bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate) {
   Model exact = checked.model;
   exact.approximation.reset();
-  const Coordinate& taken = exact.coordinates[coordinate];
-  if (taken.rotation || !exact.quadratic) return false;
+  const Coordinate& candidate = exact.coordinates[coordinate];
+  if (candidate.rotation || !exact.quadratic) return false;
   Cyclic cyclic;
   cyclic.coordinate = coordinate;
-  cyclic.velocity = taken.velocity;
+  cyclic.velocity = candidate.velocity;
   return obstacles_of(exact, checked.scene, cyclic).empty() &&
-         not_cyclic({exact, checked.scene}, {cyclic}).empty();
+         cyclic_errors({exact, checked.scene}, {cyclic}).empty();
 }
 
 }  // namespace elgen

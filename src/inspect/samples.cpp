@@ -9,7 +9,7 @@ namespace elgen {
 namespace {
 
 /// A model without a value at this many states has practically no domain.
-constexpr unsigned attempts = 8;
+constexpr unsigned most_attempts = 8;
 
 /// Whether an evaluation with 64 more digits gives the same matrix. At large values an entry that
 /// is exactly 0, such as cosh(x)^2 - sinh(x)^2 - 1, may only be rounding error of its terms.
@@ -40,8 +40,8 @@ State sampled_state(const Inspected& subject, unsigned seed) {
 }
 
 std::optional<MassSample> sampled_mass_matrix(const Inspected& subject, unsigned seed) {
-  for (unsigned attempt = 0; attempt < attempts; ++attempt) {
-    State state = sampled_state(subject, seed * attempts + attempt);
+  for (unsigned attempt = 0; attempt < most_attempts; ++attempt) {
+    State state = sampled_state(subject, seed * most_attempts + attempt);
     OracleValues matrix = oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state);
     if (matrix && has_digits(subject, state, *matrix))
       return MassSample{std::move(state), std::move(*matrix)};

@@ -15,8 +15,8 @@ std::string index_of(const Constraint& row) {
 
 }  // namespace
 
-std::string equations_instead(const std::vector<Constraint>& rows, const std::vector<bool>& without,
-                              const Constraint& row) {
+std::string equation_hint(const std::vector<Constraint>& rows, const std::vector<bool>& without,
+                          const Constraint& row) {
   std::vector<std::string> equations;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const bool is_part = rows[k].equation_span.begin == row.equation_span.begin &&

@@ -68,7 +68,7 @@ class FormulaMaker {
 /// "axis(F, 2, 3)", "x(F)", "wx(F)"; "wx(F, F)" for Frame::turning.
 std::string name_of_component(const std::string& name, std::uint32_t k) {
   const std::string axis(1, "xyz"[k % 3]);
-  if (k >= frame_turning) return fmt::format("w{}({}, {})", axis, name, name);
+  if (k >= frame_recursive_spin) return fmt::format("w{}({}, {})", axis, name, name);
   if (k >= frame_angular_velocity) return fmt::format("w{}({})", axis, name);
   if (k >= frame_origin) return fmt::format("{}({})", axis, name);
   return fmt::format("axis({}, {}, {})", name, k / 3 + 1, k % 3 + 1);

@@ -36,7 +36,7 @@ class PlaceList {
     for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) {
       if (model_.coordinates[i].armature) list_.push_back({InertialOwner::coordinate, i});
     }
-    for (const std::uint32_t i : model_.regressed) {
+    for (const std::uint32_t i : model_.affine_parameters) {
       list_.push_back({InertialOwner::parameter, i});
     }
     return std::move(list_);
@@ -83,7 +83,7 @@ class AffineSearch {
       : model_(model), parameters_(parameters) {}
 
   std::optional<CoupledParameters> find(ExpressionId root) {
-    for (const ExpressionId id : reached(model_, {root})) {
+    for (const ExpressionId id : reachable_from(model_, {root})) {
       if (const auto coupled = read(id)) return coupled;
     }
     return std::nullopt;
@@ -125,7 +125,7 @@ class AffineSearch {
 /// By parameter: whether the roots contain it, directly or by reference.
 std::vector<bool> parameters_below(const Model& model, const std::vector<ExpressionId>& roots) {
   std::vector<bool> found(model.parameters.size());
-  for (const ExpressionId id : reached(model, roots)) {
+  for (const ExpressionId id : reachable_from(model, roots)) {
     const Expression& e = model.expressions[id];
     if (is_leaf(e, Opcode::parameter)) found[e.index] = true;
   }
@@ -164,12 +164,12 @@ std::vector<InertialParameter> inertial_parameters(const Model& model) {
   return list;
 }
 
-std::optional<CoupledParameters> coupled_in(const Model& model, ExpressionId expression,
-                                            const std::vector<std::uint32_t>& parameters) {
+std::optional<CoupledParameters> find_coupled_parameters(
+    const Model& model, ExpressionId expression, const std::vector<std::uint32_t>& parameters) {
   return AffineSearch(model, parameters).find(expression);
 }
 
-std::vector<std::uint32_t> parameters_of_friction(const Model& model) {
+std::vector<std::uint32_t> friction_parameters(const Model& model) {
   const std::vector<ExpressionId> roots = dissipation_roots(model);
   if (roots.empty()) return {};
   const ExpressionId dissipation = roots.front();
@@ -181,7 +181,7 @@ std::vector<std::uint32_t> parameters_of_friction(const Model& model) {
   for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
     if (in_dissipation[i] && !elsewhere[i]) parameters.push_back(i);
   }
-  while (const auto coupled = coupled_in(model, dissipation, parameters)) {
+  while (const auto coupled = find_coupled_parameters(model, dissipation, parameters)) {
     std::erase(parameters, coupled->first);
     std::erase(parameters, coupled->second);
   }

@@ -12,7 +12,7 @@ namespace {
 
 /// f(list) for the list of entries that own leaves of this kind; none for leaves of the system.
 template <class F>
-auto of_owner(const Model& model, LeafOwner owner, const F& f)
+auto apply_to_owner(const Model& model, LeafOwner owner, const F& f)
     -> std::optional<decltype(f(model.parameters))> {
   switch (owner) {
     case LeafOwner::system:
@@ -42,17 +42,17 @@ LeafNames leaf_names(const Model& model) {
   const auto takes_time = [](const UserOutput& o) { return o.takes.has_any(Opcode::time); };
   LeafNames leaves{leaves_of<std::string>(model, name, single),
                    model.uses_time || std::ranges::any_of(model.outputs, takes_time)};
-  const auto clear_taken = [](const LeafRow& row, std::vector<std::string>& list) {
-    if (row.passed == Passed::if_taken) list.clear();
+  const auto clear_used = [](const LeafRow& row, std::vector<std::string>& list) {
+    if (row.passed == Passed::if_used) list.clear();
   };
-  for_each_list(clear_taken, leaves);
+  for_each_list(clear_used, leaves);
   for (const Parameter& p : model.parameters) leaves.assumptions.push_back(p.assumption);
   return leaves;
 }
 
-void name_taken(LeafSet takes, LeafNames& leaves) {
+void name_optional_leaves(LeafSet takes, LeafNames& leaves) {
   const auto is_named = [takes](const LeafRow& row) {
-    return row.passed == Passed::if_taken && takes.has_any(row.id);
+    return row.passed == Passed::if_used && takes.has_any(row.id);
   };
   const auto name_list = [&](const LeafRow& row, std::vector<std::string>& list) {
     if (is_named(row)) list = leaves.v;
@@ -89,7 +89,7 @@ std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number
 std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number) {
   const LeafRow& row = leaf_row(kind);
   const auto name_in = [number](const auto& entries) { return entries[number].name; };
-  const std::string name = of_owner(model, row.of, name_in).value_or(std::string(row.symbol));
+  const std::string name = apply_to_owner(model, row.of, name_in).value_or(std::string(row.symbol));
   return fmt::format(fmt::runtime(row.text), name);
 }
 
@@ -104,7 +104,7 @@ std::string identifier_of(std::string_view name) {
 
 std::size_t leaf_count(const Model& model, Opcode kind) {
   const auto size_of = [](const auto& entries) { return entries.size(); };
-  return of_owner(model, leaf_row(kind).of, size_of).value_or(1);
+  return apply_to_owner(model, leaf_row(kind).of, size_of).value_or(1);
 }
 
 std::optional<Unit> declared_unit(const Model& model, Opcode kind, std::uint32_t number) {
@@ -112,7 +112,7 @@ std::optional<Unit> declared_unit(const Model& model, Opcode kind, std::uint32_t
     if constexpr (requires { entries[number].unit; }) return entries[number].unit;
     return std::nullopt;
   };
-  return of_owner(model, leaf_row(kind).of, unit_in).value_or(std::nullopt);
+  return apply_to_owner(model, leaf_row(kind).of, unit_in).value_or(std::nullopt);
 }
 
 std::optional<Interval> declared_range(const Model& model, Opcode kind, std::uint32_t number) {

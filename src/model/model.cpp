@@ -68,7 +68,7 @@ enum class WorkReach : std::uint8_t { nothing, locks, others };
 WorkReach reach_of(const Model& whole, const Force& force) {
   if (force.on) return is_locked(whole, *force.on) ? WorkReach::locks : WorkReach::others;
   WorkReach reach = WorkReach::nothing;
-  for (const ExpressionId id : reached(whole, moved_by(whole, force))) {
+  for (const ExpressionId id : reachable_from(whole, work_expressions(whole, force))) {
     const Expression& node = whole.expressions[id];
     const bool is_place = is_leaf(node, Opcode::coordinate);
     if (!is_place && !is_leaf(node, Opcode::velocity)) continue;
@@ -79,12 +79,12 @@ WorkReach reach_of(const Model& whole, const Force& force) {
   return reach;
 }
 
-PlacesLeft inputs_left(const Model& whole) {
-  PlacesLeft left(whole.inputs.size());
+RemainingPositions remaining_inputs(const Model& whole) {
+  RemainingPositions left(whole.inputs.size());
   if (whole.variant.locks.empty()) return left;
   std::vector<WorkReach> reaches(whole.inputs.size(), WorkReach::nothing);
   const auto note = [&](WorkReach reach, const std::vector<ExpressionId>& roots) {
-    for (const ExpressionId id : reached(whole, roots)) {
+    for (const ExpressionId id : reachable_from(whole, roots)) {
       const Expression& node = whole.expressions[id];
       if (!is_leaf(node, Opcode::input)) continue;
       reaches[node.index] = std::max(reaches[node.index], reach);
@@ -115,16 +115,16 @@ PlacesLeft inputs_left(const Model& whole) {
 
 }  // namespace
 
-VariablesLeft variables_left(const Model& whole) {
-  VariablesLeft left{PlacesLeft(whole.coordinates.size()), PlacesLeft(whole.velocities.size()),
-                     inputs_left(whole)};
+RemainingVariables remaining_variables(const Model& whole) {
+  RemainingVariables left{RemainingPositions(whole.coordinates.size()),
+                          RemainingPositions(whole.velocities.size()), remaining_inputs(whole)};
   for (const Held& held : whole.variant.locks) left.remove(held);
   for (const Held& held : whole.variant.cyclic) left.remove(held);
   return left;
 }
 
 bool eliminates_last_first(const Model& model) {
-  if (!model.frames.empty() && model.velocities.size() >= least_of_articulated) return true;
+  if (!model.frames.empty() && model.velocities.size() >= min_articulated_velocities) return true;
   std::vector<bool> carries(model.frames.size(), false);
   for (const Frame& frame : model.frames) {
     if (!frame.parent) continue;

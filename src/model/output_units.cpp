@@ -14,7 +14,7 @@ MaybeUnit over(const MaybeUnit& a, const MaybeUnit& b) {
   return a && b ? MaybeUnit(*a / *b) : std::nullopt;
 }
 
-MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
+MaybeUnit line_unit(const Model& model, Extent extent, std::size_t i) {
   const std::optional<Line> line = line_at(model, extent, i);
   return line ? line->unit : std::nullopt;
 }
@@ -23,8 +23,8 @@ MaybeUnit unit_along(const Model& model, Extent extent, std::size_t i) {
 
 MaybeUnit unit_of_entry(const Model& model, const EntryPlace& place) {
   const FieldRow& field = field_row(place.kind, place.field);
-  const auto row = [&] { return unit_along(model, field.rows, place.row); };
-  const auto column = [&] { return unit_along(model, field.columns, place.column); };
+  const auto row = [&] { return line_unit(model, field.rows, place.row); };
+  const auto column = [&] { return line_unit(model, field.columns, place.column); };
   switch (field.unit) {
     case UnitRule::none:
       break;

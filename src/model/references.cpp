@@ -11,7 +11,7 @@ namespace {
 enum class SearchState : std::uint8_t { unseen, open, done };
 
 /// An expression on the current path of the search, with its next reference to visit.
-struct Entered {
+struct PathNode {
   ExpressionId expression = 0;
   std::vector<ExpressionId> references = {};
   std::size_t next = 0;
@@ -23,9 +23,9 @@ struct Found {
 };
 
 /// The path from `first` to its end, whose last expression refers to `first`.
-std::vector<ExpressionId> cycle_of(const std::vector<Entered>& path, ExpressionId first) {
+std::vector<ExpressionId> cycle_of(const std::vector<PathNode>& path, ExpressionId first) {
   std::vector<ExpressionId> cycle;
-  auto entered = std::ranges::find(path, first, &Entered::expression);
+  auto entered = std::ranges::find(path, first, &PathNode::expression);
   for (; entered != path.end(); ++entered) cycle.push_back(entered->expression);
   return cycle;
 }
@@ -36,7 +36,7 @@ Found search(const Model& model, const std::vector<ExpressionId>& roots,
              const References& references) {
   Found found;
   std::vector<SearchState> states(model.expressions.size(), SearchState::unseen);
-  std::vector<Entered> path;
+  std::vector<PathNode> path;
   const auto enter = [&](ExpressionId id) {
     if (states[id] != SearchState::unseen) return;
     states[id] = SearchState::open;
@@ -45,7 +45,7 @@ Found search(const Model& model, const std::vector<ExpressionId>& roots,
   for (const ExpressionId root : roots) {
     enter(root);
     while (!path.empty()) {
-      Entered& top = path.back();
+      PathNode& top = path.back();
       if (top.next == top.references.size()) {
         states[top.expression] = SearchState::done;
         found.order.push_back(top.expression);
@@ -66,8 +66,9 @@ Found search(const Model& model, const std::vector<ExpressionId>& roots,
 ExpressionId component_of_frame(const Frame& frame, std::uint32_t component) {
   if (component < frame_origin) return frame.rotation[component];
   if (component < frame_angular_velocity) return frame.origin[component - frame_origin];
-  if (component < frame_turning) return frame.angular_velocity[component - frame_angular_velocity];
-  return frame.turning[component - frame_turning];
+  if (component < frame_recursive_spin)
+    return frame.angular_velocity[component - frame_angular_velocity];
+  return frame.turning[component - frame_recursive_spin];
 }
 
 /// Like references(), but a component of a point, or of the pose of a frame, refers to all
@@ -214,7 +215,7 @@ std::vector<ExpressionId> all_roots(const Model& model) {
   return roots_if(model, [](const Root& root) { return !is_of_name(root); });
 }
 
-std::vector<ExpressionId> moved_by(const Model& model, const Force& force) {
+std::vector<ExpressionId> work_expressions(const Model& model, const Force& force) {
   std::vector<ExpressionId> moved;
   const auto add = [&moved](const Vector3& components) {
     moved.insert(moved.end(), components.begin(), components.end());
@@ -228,19 +229,21 @@ std::vector<ExpressionId> moved_by(const Model& model, const Force& force) {
   return moved;
 }
 
-std::vector<ExpressionId> reached(const Model& model, const std::vector<ExpressionId>& roots) {
+std::vector<ExpressionId> reachable_from(const Model& model,
+                                         const std::vector<ExpressionId>& roots) {
   return search(model, roots, references).order;
 }
 
-bool holds_leaf(const Model& model, ExpressionId expression, LeafSet kinds) {
-  return std::ranges::any_of(reached(model, {expression}), [&](ExpressionId id) {
+bool contains_leaf(const Model& model, ExpressionId expression, LeafSet kinds) {
+  return std::ranges::any_of(reachable_from(model, {expression}), [&](ExpressionId id) {
     const Expression& e = model.expressions[id];
     return e.kind == ExpressionKind::leaf && kinds.has_any(e.leaf);
   });
 }
 
-bool is_reached(const Model& model, const std::vector<ExpressionId>& roots, const Held& variable) {
-  const std::vector<ExpressionId> all = reached(model, roots);
+bool contains_variable(const Model& model, const std::vector<ExpressionId>& roots,
+                       const Held& variable) {
+  const std::vector<ExpressionId> all = reachable_from(model, roots);
   return std::ranges::any_of(all, [&](ExpressionId id) {
     const Expression& node = model.expressions[id];
     const bool is_rate = is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration);
@@ -249,7 +252,9 @@ bool is_reached(const Model& model, const std::vector<ExpressionId>& roots, cons
   });
 }
 
-std::vector<ExpressionId> in_order(const Model& model) { return reached(model, all_of(model)); }
+std::vector<ExpressionId> topological_order(const Model& model) {
+  return reachable_from(model, all_of(model));
+}
 
 std::vector<ExpressionId> find_cycle(const Model& model) {
   return search(model, all_of(model), references_by_name).cycle;

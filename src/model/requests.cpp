@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "elgen/inertial_parameters.hpp"
-#include "model/lacks.hpp"
+#include "model/unmet_needs.hpp"
 
 namespace elgen {
 namespace {
@@ -28,7 +28,7 @@ std::vector<OutputRequest> all_requests(const Model& model) {
 }
 
 /// Sets the independent velocities if the output has this option.
-void give_independent(const std::vector<std::uint32_t>& velocities, OutputRequest& request) {
+void set_independent(const std::vector<std::uint32_t>& velocities, OutputRequest& request) {
   const SetOf<OutputOption>& options = output_row(request.kind).options;
   if (options.has(OutputOption::independent)) request.independent = velocities;
 }
@@ -38,14 +38,14 @@ std::vector<std::string> available_names(const Model& model,
                                          const std::vector<std::uint32_t>& independent) {
   std::vector<std::string> names;
   for (OutputRequest& request : all_requests(model)) {
-    give_independent(independent, request);
+    set_independent(independent, request);
     if (is_available(model, request)) names.push_back(request.name);
   }
   return names;
 }
 
 /// The rows or columns of a field; `user` is the number of an [[output]].
-struct Along {
+struct LineExtent {
   Extent extent = {};
   std::uint32_t user = 0;
 };
@@ -78,7 +78,7 @@ Line line_of_word(std::string_view word, std::uint32_t number) {
 
 /// Calls `take` with the values of an [[output]], or with the words `of_frame` if it is a frame.
 template <class Take>
-void take_values(const UserOutput& output, Words of_frame, const Take& take) {
+void visit_values(const UserOutput& output, Words of_frame, const Take& take) {
   if (output.frame) return take(of_frame, line_of_word);
   take(output.values, [&output](ExpressionId, std::uint32_t number) {
     if (output.values.size() == 1) return line_of_word("", number);
@@ -97,9 +97,9 @@ std::vector<std::uint32_t> positions_of(const Model& model) {
 /// Calls take(list, line_of) for each list of entries along an extent. line_of(entry, number) makes
 /// the Line of an entry. A caller that only counts need not call it.
 template <class Take>
-void take_lists(const Model& model, const Along& along, const Take& take) {
+void visit_lists(const Model& model, const LineExtent& along, const Take& take) {
   const auto of_whole = [&model](std::uint32_t velocity, std::uint32_t) {
-    const Velocity& held = whole_of(model).velocities[velocity];
+    const Velocity& held = whole_model(model).velocities[velocity];
     return Line{held.name, held.unit, {}, velocity};
   };
   const auto of_position = [&model](std::uint32_t i, std::uint32_t) {
@@ -142,12 +142,12 @@ void take_lists(const Model& model, const Along& along, const Take& take) {
     case Extent::inertial:
       return take(inertial_places(model), of_parameter);
     case Extent::user:
-      return take_values(model.outputs[along.user], rows_of_pose, take);
+      return visit_values(model.outputs[along.user], rows_of_pose, take);
     case Extent::user_columns:
       return take(model.outputs[along.user].frame ? Words(columns_of_pose) : Words(no_name),
                   line_of_word);
     case Extent::task:
-      return take_values(model.outputs[along.user], rows_of_twist, take);
+      return visit_values(model.outputs[along.user], rows_of_twist, take);
   }
 }
 
@@ -157,8 +157,8 @@ bool fits_in_full(const OutputRequest& request) {
 
 }  // namespace
 
-std::string_view name_of(LeftOutReason reason) {
-  return reason == LeftOutReason::too_many_entries ? "too many entries" : "kinked force";
+std::string_view name_of(OmissionReason reason) {
+  return reason == OmissionReason::too_many_entries ? "too many entries" : "kinked force";
 }
 
 const OutputRequest* find_request(const Scene& scene, std::string_view name) {
@@ -168,13 +168,13 @@ const OutputRequest* find_request(const Scene& scene, std::string_view name) {
 
 std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user) {
   std::size_t count = 0;
-  take_lists(model, {extent, user}, [&count](auto&& list, const auto&) { count += list.size(); });
+  visit_lists(model, {extent, user}, [&count](auto&& list, const auto&) { count += list.size(); });
   return static_cast<std::uint32_t>(count);
 }
 
 std::vector<Line> lines_along(const Model& model, Extent extent, std::uint32_t user) {
   std::vector<Line> lines;
-  take_lists(model, {extent, user}, [&lines](auto&& list, const auto& line_of) {
+  visit_lists(model, {extent, user}, [&lines](auto&& list, const auto& line_of) {
     std::uint32_t number = 0;
     for (const auto& entry : list) lines.push_back(line_of(entry, number++));
   });
@@ -183,7 +183,7 @@ std::vector<Line> lines_along(const Model& model, Extent extent, std::uint32_t u
 
 std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at, std::uint32_t user) {
   std::optional<Line> line;
-  take_lists(model, {extent, user}, [&](auto&& list, const auto& line_of) {
+  visit_lists(model, {extent, user}, [&](auto&& list, const auto& line_of) {
     if (line) return;
     if (at < list.size()) {
       line = line_of(list[at], static_cast<std::uint32_t>(at));
@@ -194,7 +194,7 @@ std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at, s
   return line;
 }
 
-std::vector<std::string> unlisted_names(const Model& model, Extent extent) {
+std::vector<std::string> names_without_leaf(const Model& model, Extent extent) {
   std::vector<std::string> names;
   for (const Line& line : lines_along(model, extent)) {
     const bool is_unlisted = !line.leaf && !line.is_numbered && !line.name.empty();
@@ -212,7 +212,7 @@ std::uint32_t first_entry_of(const Model& model, const OutputRequest& output, st
   return first;
 }
 
-bool gives_field(const OutputRequest& output, const FieldRow& field) {
+bool has_field(const OutputRequest& output, const FieldRow& field) {
   if (!field.is_remainder || !output_row(output.kind).steps) return true;
   return output.step && output.step->iterations > 0;
 }
@@ -241,7 +241,7 @@ std::optional<OutputRequest> find_request(const Model& model, std::string_view n
 }
 
 bool is_available(const Model& model, const OutputRequest& request) {
-  return !lack_of(model, request);
+  return !find_unmet_need(model, request);
 }
 
 std::vector<OutputRequest> available_requests(const Model& model,
@@ -263,8 +263,8 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
                suggestion(name, available_names(model, independent)));
     return std::nullopt;
   }
-  give_independent(independent, *request);
-  if (const std::optional<Lack> lack = lack_of(model, *request)) {
+  set_independent(independent, *request);
+  if (const std::optional<UnmetNeed> lack = find_unmet_need(model, *request)) {
     report.add({lack->code, span, in_backticks(name) + " " + lack->reason, "", lack->related,
                 lack->related_message});
     return std::nullopt;
@@ -276,7 +276,7 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
 std::vector<OutputRequest> full_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (OutputRequest& request : all_requests(model)) {
-    const bool is_given = !is_named_only(output_row(request.kind));
+    const bool is_given = !is_only_by_name(output_row(request.kind));
     if (is_given && fits_in_full(request) && is_available(model, request)) {
       result.push_back(std::move(request));
     }
@@ -284,20 +284,20 @@ std::vector<OutputRequest> full_requests(const Model& model) {
   return result;
 }
 
-std::vector<LeftOut> left_out_of_full(const Model& model) {
+std::vector<OmittedOutputs> omitted_from_full(const Model& model) {
   const Expression* kink = find_kink(model);
-  LeftOut kinked{LeftOutReason::kinked_force, {}, kink == nullptr ? Span{} : kink->span};
-  LeftOut large{LeftOutReason::too_many_entries, {}, model.name_span};
+  OmittedOutputs kinked{OmissionReason::kinked_force, {}, kink == nullptr ? Span{} : kink->span};
+  OmittedOutputs large{OmissionReason::too_many_entries, {}, model.name_span};
   for (const OutputRequest& request : all_requests(model)) {
-    if (is_named_only(output_row(request.kind))) continue;
+    if (is_only_by_name(output_row(request.kind))) continue;
     if (kink != nullptr && output_row(request.kind).differentiates) {
       kinked.outputs.push_back(request.name);
     } else if (!fits_in_full(request) && is_available(model, request)) {
       large.outputs.push_back(request.name);
     }
   }
-  std::vector<LeftOut> all{std::move(large), std::move(kinked)};
-  std::erase_if(all, [](const LeftOut& left_out) { return left_out.outputs.empty(); });
+  std::vector<OmittedOutputs> all{std::move(large), std::move(kinked)};
+  std::erase_if(all, [](const OmittedOutputs& left_out) { return left_out.outputs.empty(); });
   return all;
 }
 

@@ -25,7 +25,7 @@ namespace elgen {
 [[nodiscard]] std::vector<OutputRequest> full_requests(const Model& model);
 
 /// The outputs that full_requests() omits although a reader may expect them, by reason.
-[[nodiscard]] std::vector<LeftOut> left_out_of_full(const Model& model);
+[[nodiscard]] std::vector<OmittedOutputs> omitted_from_full(const Model& model);
 
 /// The first `abs`, `sign`, `min` or `max` in a force on a coordinate that is not locked; null if
 /// there is none. Only forces may have kinks.
@@ -58,7 +58,7 @@ struct Line {
 
 /// The names of rows or columns without a leaf of the model, which no list of leaves contains: held
 /// and cyclic coordinates, inertial parameters. Values of an [[output]] are excluded.
-[[nodiscard]] std::vector<std::string> unlisted_names(const Model& model, Extent extent);
+[[nodiscard]] std::vector<std::string> names_without_leaf(const Model& model, Extent extent);
 
 /// The number of rows or columns. Cheaper than lines_along(), since no names are built.
 [[nodiscard]] std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user = 0);
@@ -69,7 +69,7 @@ struct Line {
                                            std::size_t field);
 
 /// False for the residual of an explicit step; true for other fields.
-[[nodiscard]] bool gives_field(const OutputRequest& output, const FieldRow& field);
+[[nodiscard]] bool has_field(const OutputRequest& output, const FieldRow& field);
 
 /// The request for an output of a kind, with the shape of its first field. `user` is the number of
 /// an [[output]].

@@ -87,7 +87,7 @@ void add_joints(const Model& model, const std::vector<ShownPlace>& places, std::
   if (places[from].kind != PlaceKind::point) return;
   const Point& point = model.points[places[from].index];
   for (const JoinedPlace& joined : point.joined_to) {
-    ShownLine line{from, {}, point.is_on_springs};
+    ShownLine line{from, {}, point.has_springs};
     if (joined.point) line.to = number_of(places, PlaceKind::point, *joined.point);
     if (joined.frame) line.to = number_of(places, PlaceKind::frame, *joined.frame);
     add_line(lines, line);
@@ -155,7 +155,7 @@ std::vector<ExpressionId> shown_integrals(const Model& model) {
   for (const Expectation& expectation : model.expectations) {
     if (!expectation.is_conserved()) continue;
     for (const ExpressionId id : expectation.entries) {
-      const bool is_of_motion = holds_leaf(model, id, Opcode::momentum | Opcode::energy);
+      const bool is_of_motion = contains_leaf(model, id, Opcode::momentum | Opcode::energy);
       if (!is_of_motion) integrals.push_back(id);
     }
   }

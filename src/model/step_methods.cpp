@@ -37,7 +37,7 @@ std::vector<std::uint32_t> step_orders(std::uint32_t own) {
   return orders;
 }
 
-std::vector<cln::cl_RA> step_parts(std::uint32_t composed_order) {
+std::vector<cln::cl_RA> composition_coefficients(std::uint32_t composed_order) {
   std::vector<cln::cl_RA> parts;
   for (const CompositionRow& row : compositions) {
     if (row.order != composed_order) continue;

@@ -96,7 +96,7 @@ Glyphs input_symbol(const Model& model, const Input& input) {
 }
 
 /// The visible text of a symbol, since upright and italic letters look the same.
-std::string seen(const Glyphs& symbol) {
+std::string visible_text(const Glyphs& symbol) {
   std::string text = latex(symbol);
   for (std::size_t at = 0; (at = text.find("\\mathrm", at)) != std::string::npos;) {
     text.erase(at, std::string_view("\\mathrm").size());
@@ -162,28 +162,28 @@ Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
 }
 
 /// Replaces the letter s of a pattern by a symbol. Only its base gets the dots.
-Glyphs filled(const Glyphs& pattern, const Glyphs& symbol) {
+Glyphs fill_pattern(const Glyphs& pattern, const Glyphs& symbol) {
   Glyphs result;
   for (const Glyphs& piece : pattern.parts) {
     const bool is_hole = piece.kind == GlyphKind::letter && piece.text == "s";
     if (is_hole) {
-      append(result, symbol, piece.is_apart);
+      append(result, symbol, piece.has_space_before);
     } else if (piece.kind == GlyphKind::accent) {
-      append(result, accented(symbol, piece.text), piece.is_apart);
+      append(result, add_dots(symbol, piece.text), piece.has_space_before);
     } else {
       result.parts.push_back(piece);
       for (Glyphs& part : result.parts.back().parts) {
-        if (part.kind == GlyphKind::row) part = filled(part, symbol);
+        if (part.kind == GlyphKind::row) part = fill_pattern(part, symbol);
       }
     }
   }
   return result;
 }
 
-Formula written(Opcode kind, std::string name, const Glyphs& symbol, bool has_own_symbol) {
+Formula leaf_symbol(Opcode kind, std::string name, const Glyphs& symbol, bool has_own_symbol) {
   const LeafRow& row = leaf_row(kind);
   const Glyphs pattern = read_latex(has_own_symbol ? row.own_latex : row.latex);
-  return symbol_formula(std::move(name), filled(pattern, symbol));
+  return symbol_formula(std::move(name), fill_pattern(pattern, symbol));
 }
 
 /// True if a key such as `{}` or `\mathrm{}` draws nothing.
@@ -194,17 +194,17 @@ bool draws_nothing(const Glyphs& symbol) {
   });
 }
 
-Glyphs without(Glyphs glyphs, std::string_view vector) {
+Glyphs without_vector(Glyphs glyphs, std::string_view vector) {
   std::erase_if(glyphs.parts, [vector](const Glyphs& part) {
     return part.kind == GlyphKind::bold && part.text == vector;
   });
-  for (Glyphs& part : glyphs.parts) part = without(std::move(part), vector);
+  for (Glyphs& part : glyphs.parts) part = without_vector(std::move(part), vector);
   return glyphs;
 }
 
 }  // namespace
 
-Glyphs accented(Glyphs symbol, std::string_view dots) {
+Glyphs add_dots(Glyphs symbol, std::string_view dots) {
   std::size_t primes = 0;
   for (; symbol.parts.back().text == "′"; ++primes) symbol.parts.pop_back();
   Glyphs last = symbol.parts.back();
@@ -212,7 +212,7 @@ Glyphs accented(Glyphs symbol, std::string_view dots) {
   Glyphs accent{GlyphKind::accent, std::string(dots), {std::move(symbol)}};
   if (last.kind != GlyphKind::scripts) return with_primes(row_with(std::move(accent)), primes);
   last.parts[0] = std::move(accent);
-  last.is_apart = false;
+  last.has_space_before = false;
   return with_primes(row_with(std::move(last)), primes);
 }
 
@@ -230,9 +230,11 @@ Glyphs symbol_of_name(std::string_view name, const std::string& key) {
   return symbol;
 }
 
-std::size_t ModelSymbols::primes_for(const std::vector<Glyphs>& symbols) {
+std::size_t ModelSymbols::count_primes(const std::vector<Glyphs>& symbols) {
   std::size_t primes = 0;
-  const auto text = [&primes](const Glyphs& symbol) { return seen(with_primes(symbol, primes)); };
+  const auto text = [&primes](const Glyphs& symbol) {
+    return visible_text(with_primes(symbol, primes));
+  };
   const auto is_taken = [&](const Glyphs& symbol) { return taken_.count(text(symbol)) > 0; };
   while (std::ranges::any_of(symbols, is_taken)) ++primes;
   for (const Glyphs& symbol : symbols) taken_.insert(text(symbol));
@@ -240,7 +242,7 @@ std::size_t ModelSymbols::primes_for(const std::vector<Glyphs>& symbols) {
 }
 
 Glyphs ModelSymbols::distinct(Glyphs symbol) {
-  const std::size_t primes = primes_for({symbol});
+  const std::size_t primes = count_primes({symbol});
   return with_primes(std::move(symbol), primes);
 }
 
@@ -256,7 +258,7 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
                                   : glyphs_of(leaves_.q[velocity.coordinate]);
     const auto add = [&](const LeafRow& row, Formulas& list) {
       if (row.of != LeafOwner::velocities) return;
-      list.push_back(written(row.id, leaf_text(model, row.id, i), symbol, has_own));
+      list.push_back(leaf_symbol(row.id, leaf_text(model, row.id, i), symbol, has_own));
     };
     for_each_list(add, leaves_);
   }
@@ -266,7 +268,7 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
     for (std::uint32_t i = array.first; i < array.first + array.count; ++i) {
       all.push_back(symbol_of_name(model.parameters[i].name, array.latex));
     }
-    const std::size_t primes = primes_for(all);
+    const std::size_t primes = count_primes(all);
     const std::string name = array.is_array ? array.name + "[i]" : array.name;
     arrays_.push_back(symbol_formula(name, with_primes(symbol_of_name(name, array.latex), primes)));
     for (std::uint32_t i = 0; i < array.count; ++i) {
@@ -310,10 +312,10 @@ void ModelSymbols::add_open_values(const Model& model) {
 
 Glyphs replaced(Glyphs glyphs, std::string_view vector, const Glyphs& by) {
   if (glyphs.kind == GlyphKind::bold && glyphs.text == vector) {
-    const bool is_apart = glyphs.is_apart;
+    const bool is_apart = glyphs.has_space_before;
     const bool is_single = by.parts.size() == 1;
     glyphs = is_single ? by.parts[0] : by;
-    glyphs.is_apart = is_apart;
+    glyphs.has_space_before = is_apart;
     return glyphs;
   }
   for (Glyphs& part : glyphs.parts) part = replaced(std::move(part), vector, by);
@@ -325,11 +327,11 @@ Glyphs typed_glyphs(const Model& model, std::string_view latex) {
   if (!model.rotations.empty()) return replaced(std::move(glyphs), "N", read_latex("N"));
   glyphs = replaced(std::move(glyphs), "v", read_latex("\\dot{<q>}"));
   glyphs = replaced(std::move(glyphs), "a", read_latex("\\ddot{<q>}"));
-  return without(std::move(glyphs), "N");
+  return without_vector(std::move(glyphs), "N");
 }
 
-Formula typed_formula(const Model& model, std::string_view latex) {
-  return symbol_formula(text_of(typed_formula(latex)), typed_glyphs(model, latex));
+Formula latex_formula(const Model& model, std::string_view latex) {
+  return symbol_formula(text_of(latex_formula(latex)), typed_glyphs(model, latex));
 }
 
 Formula partial_derivative(std::string_view function, const Formula& x) {

@@ -18,7 +18,7 @@
 namespace elgen {
 
 /// Adds dots to the base of a symbol, below its primes and scripts.
-[[nodiscard]] Glyphs accented(Glyphs symbol, std::string_view dots);
+[[nodiscard]] Glyphs add_dots(Glyphs symbol, std::string_view dots);
 
 /// Converts an expression operand by operand: multiply(1/2, add(a, negate(b))) becomes 1/2*(a - b).
 /// `name` returns the formulas of leaves, pi, definitions, components of points and frames, and
@@ -50,7 +50,7 @@ class ModelSymbols {
   void add_open_values(const Model& model);
 
   /// Finds the number of primes that makes the symbols distinct, and reserves the results.
-  std::size_t primes_for(const std::vector<Glyphs>& symbols);
+  std::size_t count_primes(const std::vector<Glyphs>& symbols);
 
   std::set<std::string> taken_ = {};
   std::vector<Formula> arrays_ = {};
@@ -63,7 +63,7 @@ class ModelSymbols {
 
 /// A formula of a table in the symbols of a model. In text, v is always v. In LaTeX without
 /// rotations, <v> and <a> become rates of q, and <N> is omitted, since dq/dt = v.
-[[nodiscard]] Formula typed_formula(const Model& model, std::string_view latex);
+[[nodiscard]] Formula latex_formula(const Model& model, std::string_view latex);
 /// The glyphs of this formula.
 [[nodiscard]] Glyphs typed_glyphs(const Model& model, std::string_view latex);
 /// The symbol of the derivative of `function` by x: "dL/d(dot(q))".

@@ -86,8 +86,8 @@ template <class Base>
 
 /// Leaves as duals: values from `point`, slopes from `direction`.
 template <class Base>
-[[nodiscard]] LeafValues<Dual<Base>> moving(const LeafValues<Base>& point,
-                                            const LeafValues<Base>& direction) {
+[[nodiscard]] LeafValues<Dual<Base>> dual_leaves(const LeafValues<Base>& point,
+                                                 const LeafValues<Base>& direction) {
   return map_leaves(
       [](const Base& value, const Base& slope) {
         return Dual<Base>{value, slope};

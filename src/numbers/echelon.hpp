@@ -66,7 +66,7 @@ template <class Number>
 
 /// row - factor * other; entries that become 0 are kept.
 template <class Field, class Number = typename Field::Number>
-[[nodiscard]] EchelonRow<Number> row_less_multiple(Field& field, EchelonRow<Number> row,
+[[nodiscard]] EchelonRow<Number> subtract_multiple(Field& field, EchelonRow<Number> row,
                                                    const Number& factor,
                                                    const EchelonRow<Number>& other) {
   EchelonRow<Number> result;
@@ -145,7 +145,7 @@ class Echelon {
   /// equations contradict each other.
   [[nodiscard]] std::optional<std::vector<Number>> solution() const {
     if (!contradictions().empty()) return std::nullopt;
-    return substituted(unknowns_);
+    return back_substitute(unknowns_);
   }
 
   /// A basis of the null space A x = 0, with one vector per free unknown. The vector is 1 at its
@@ -156,7 +156,7 @@ class Echelon {
     std::vector<std::vector<Number>> basis;
     for (std::size_t u = 0; u < unknowns_; ++u) {
       if (!is_free[u]) continue;
-      std::vector<Number>& x = basis.emplace_back(substituted(u));
+      std::vector<Number>& x = basis.emplace_back(back_substitute(u));
       for (Number& number : x) number = field_.negate(number);
       x[u] = field_.integer(1);
     }
@@ -218,12 +218,12 @@ class Echelon {
     Number factor = std::move(at->value);
     row.erase(at);
     if constexpr (Field::form == EchelonForm::upper) factor = field_.divide(factor, pivot.value);
-    row = row_less_multiple(field_, std::move(row), factor, rest(pivot));
+    row = subtract_multiple(field_, std::move(row), factor, rest(pivot));
     drop_zeros(row);
   }
 
   /// Back substitution: solves A x = column `right`, with all free unknowns 0.
-  std::vector<Number> substituted(std::size_t right) const {
+  std::vector<Number> back_substitute(std::size_t right) const {
     std::vector<Number> x(unknowns_, field_.integer(0));
     for (auto pivot = pivots_.rbegin(); pivot != pivots_.rend(); ++pivot) {
       const Number* const own = entry_of(rest(*pivot), right);

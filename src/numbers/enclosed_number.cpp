@@ -28,9 +28,9 @@ constexpr long largest_exponent = 23'025;
 
 cln::float_format_t bound_format() { return cln::float_format(17); }
 
-cl_R largest(const EnclosedNumber& x) { return cln::abs(x.value) + x.error; }
+cl_R largest_magnitude(const EnclosedNumber& x) { return cln::abs(x.value) + x.error; }
 /// The least magnitude; <= 0 if the enclosure contains 0.
-cl_R least(const EnclosedNumber& x) { return cln::abs(x.value) - x.error; }
+cl_R least_magnitude(const EnclosedNumber& x) { return cln::abs(x.value) - x.error; }
 
 /// log(1 + x) = log(s) x/(s - 1) with s = 1 + x rounded. log(s) and s - 1 have nearly the same
 /// relative error, which cancels in the quotient (W. Kahan).
@@ -75,7 +75,7 @@ cl_F stumpff_function(const cl_F& x, int order) {
 }
 
 /// The order k of stumpff(x, k).
-int whole_number(const cl_R& k) { return cln::cl_I_to_int(cln::round1(k)); }
+int stumpff_order(const cl_R& k) { return cln::cl_I_to_int(cln::round1(k)); }
 
 bool is_zero(const EnclosedNumber& x) { return is_exact(x) && cln::zerop(x.value); }
 
@@ -92,7 +92,7 @@ bool is_exact(const EnclosedNumber& x) { return cln::zerop(x.error); }
 EnclosedNumber operator-(const EnclosedNumber& x) { return {-x.value, x.error}; }
 
 std::optional<int> sign_of(const EnclosedNumber& x) {
-  if (cln::plusp(least(x))) return cln::minusp(x.value) ? -1 : 1;
+  if (cln::plusp(least_magnitude(x))) return cln::minusp(x.value) ? -1 : 1;
   return is_zero(x) ? std::optional(0) : std::nullopt;
 }
 
@@ -107,13 +107,13 @@ EnclosedNumber EnclosedArithmetic::rounded(const cl_R& value, const cl_R& error)
 }
 
 /// The argument as a float, as CLN's functions need it.
-EnclosedNumber EnclosedArithmetic::floating(const EnclosedNumber& x) const {
+EnclosedNumber EnclosedArithmetic::to_float(const EnclosedNumber& x) const {
   return is_rational(x.value) ? rounded(as_float(x.value), x.error) : x;
 }
 
 /// f(x), given |f'| <= slope on the enclosure of x.
-EnclosedNumber EnclosedArithmetic::sloped(FunctionId function, const EnclosedNumber& x,
-                                          const cl_R& slope) const {
+EnclosedNumber EnclosedArithmetic::call_with_slope(FunctionId function, const EnclosedNumber& x,
+                                                   const cl_R& slope) const {
   const cl_F argument = as_float(x.value);
   return rounded(function_value(function, argument, argument), x.error * slope);
 }
@@ -129,15 +129,15 @@ EnclosedNumber EnclosedArithmetic::sum(const EnclosedNumber& x, const EnclosedNu
 EnclosedNumber EnclosedArithmetic::product(const EnclosedNumber& x, const EnclosedNumber& y) const {
   const cl_R value = x.value * y.value;
   if (is_exact(x) && is_exact(y)) return {value, 0};
-  return rounded(value, largest(x) * y.error + cln::abs(y.value) * x.error);
+  return rounded(value, largest_magnitude(x) * y.error + cln::abs(y.value) * x.error);
 }
 
 /// |1/x - 1/y| = |x - y|/|x y|
 Enclosed EnclosedArithmetic::reciprocal(const EnclosedNumber& x) const {
-  if (!cln::plusp(least(x))) return is_zero(x) ? NoValue::undefined : NoValue::unknown;
+  if (!cln::plusp(least_magnitude(x))) return is_zero(x) ? NoValue::undefined : NoValue::unknown;
   const cl_R value = cln::recip(x.value);
   if (is_exact(x)) return EnclosedNumber{value, 0};
-  return rounded(value, x.error / (cln::abs(x.value) * least(x)));
+  return rounded(value, x.error / (cln::abs(x.value) * least_magnitude(x)));
 }
 
 Enclosed EnclosedArithmetic::integer_power(const EnclosedNumber& x, const cl_I& exponent) const {
@@ -152,7 +152,7 @@ Enclosed EnclosedArithmetic::integer_power(const EnclosedNumber& x, const cl_I& 
 
 /// |sqrt x - sqrt y| <= |x - y|/sqrt y
 EnclosedNumber EnclosedArithmetic::square_root(const EnclosedNumber& x) const {
-  return rounded(cln::sqrt(as_float(x.value)), x.error / cln::sqrt(as_float(least(x))));
+  return rounded(cln::sqrt(as_float(x.value)), x.error / cln::sqrt(as_float(least_magnitude(x))));
 }
 
 /// x^(p/q); exact if the root is rational.
@@ -170,7 +170,7 @@ Enclosed EnclosedArithmetic::power(const EnclosedNumber& x, const cl_RA& exponen
   if (is_exact(x) && is_rational(x.value) && cln::rootp(cln::the<cl_RA>(x.value), q, &root)) {
     return integer_power({root, 0}, cln::numerator(exponent));
   }
-  const EnclosedNumber base = floating(x);
+  const EnclosedNumber base = to_float(x);
   if (q == 2) return integer_power(square_root(base), cln::numerator(exponent));
   return exponential(FunctionId::exp,
                      product(*logarithm(FunctionId::log, base).number, {exponent, 0}));
@@ -179,18 +179,18 @@ Enclosed EnclosedArithmetic::power(const EnclosedNumber& x, const cl_RA& exponen
 Enclosed EnclosedArithmetic::tangent(const EnclosedNumber& x) const {
   const cl_R cosine = cln::abs(cln::cos(as_float(x.value))) - x.error - roundoff_;
   if (!cln::plusp(cosine)) return -cosine > pole_distance() ? NoValue::unknown : NoValue::undefined;
-  return sloped(FunctionId::tan, x, cln::recip(cosine * cosine));
+  return call_with_slope(FunctionId::tan, x, cln::recip(cosine * cosine));
 }
 
 /// asin or acos. The slope 1/sqrt(1 - x^2) is unbounded at ±1, so x must be exact there.
 Enclosed EnclosedArithmetic::inverse_circular(FunctionId function, const EnclosedNumber& x) const {
-  if (is_exact(x) && cln::abs(x.value) == 1) return sloped(function, x, 0);
-  const EnclosedNumber sine = floating(x);
+  if (is_exact(x) && cln::abs(x.value) == 1) return call_with_slope(function, x, 0);
+  const EnclosedNumber sine = to_float(x);
   const cl_R square = (1 - x.value) * (1 + x.value);  // cos(asin x)^2
   const cl_R error = sine.error * (2 * cln::abs(x.value) + sine.error);
   if (square < -error) return NoValue::complex;
   if (square <= error) return NoValue::unknown;
-  return sloped(function, sine, cln::recip(cln::sqrt(as_float(square - error))));
+  return call_with_slope(function, sine, cln::recip(cln::sqrt(as_float(square - error))));
 }
 
 /// The angle of (x, y). Undefined at the origin; unknown near the branch cut unless y is exactly 0.
@@ -199,10 +199,10 @@ Enclosed EnclosedArithmetic::arc_tangent_2(const EnclosedNumber& y, const Enclos
   const bool is_right = cln::plusp(x.value - x.error);
   if (is_zero(y) && is_right) return EnclosedNumber{0, 0};
   const bool is_on_cut = is_zero(y) && cln::minusp(x.value + x.error);
-  if (!is_right && !cln::plusp(least(y)) && !is_on_cut) return NoValue::unknown;
-  const EnclosedNumber across = floating(y);
-  const EnclosedNumber along = floating(x);
-  const cl_R distance = cln::max(least(across), least(along));
+  if (!is_right && !cln::plusp(least_magnitude(y)) && !is_on_cut) return NoValue::unknown;
+  const EnclosedNumber across = to_float(y);
+  const EnclosedNumber along = to_float(x);
+  const cl_R distance = cln::max(least_magnitude(across), least_magnitude(along));
   const cl_R value =
       function_value(FunctionId::atan2, as_float(across.value), as_float(along.value));
   return rounded(value, (across.error + along.error) / distance);
@@ -215,31 +215,31 @@ Enclosed EnclosedArithmetic::logarithm(FunctionId function, const EnclosedNumber
   const std::optional<int> sign = sign_of(argument);
   if (!sign) return NoValue::unknown;
   if (*sign < 0) return NoValue::complex;
-  return sloped(function, floating(x), cln::recip(least(argument)));
+  return call_with_slope(function, to_float(x), cln::recip(least_magnitude(argument)));
 }
 
 Enclosed EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumber& x) const {
-  const EnclosedNumber argument = floating(x);
-  if (largest(argument) > largest_exponent) {
+  const EnclosedNumber argument = to_float(x);
+  if (largest_magnitude(argument) > largest_exponent) {
     // tanh and expm1 equal ±1 to all digits here.
     const bool is_flat =
         function == FunctionId::tanh || (function == FunctionId::expm1 && cln::minusp(x.value));
     return is_flat ? Enclosed(rounded(cln::signum(as_float(x.value)), 0)) : NoValue::too_large;
   }
-  if (function == FunctionId::tanh) return sloped(function, argument, 1);
+  if (function == FunctionId::tanh) return call_with_slope(function, argument, 1);
   // The slopes of exp and expm1 are largest at the right end; the slopes of sinh and cosh grow with
   // |x|.
   const bool falls = function == FunctionId::exp || function == FunctionId::expm1;
-  const cl_R end = falls ? argument.value + argument.error : largest(argument);
-  return sloped(function, argument, 2 * cln::exp(cln::cl_float(end, bound_format())));
+  const cl_R end = falls ? argument.value + argument.error : largest_magnitude(argument);
+  return call_with_slope(function, argument, 2 * cln::exp(cln::cl_float(end, bound_format())));
 }
 
 /// |c_k'| <= 1/(k + 1)! for k > 0, and <= sinh |x| for k < 0.
 Enclosed EnclosedArithmetic::stumpff(const EnclosedNumber& x, const EnclosedNumber& k) const {
-  const EnclosedNumber argument = floating(x);
+  const EnclosedNumber argument = to_float(x);
   const bool grows = cln::minusp(k.value);
-  if (grows && largest(argument) > largest_exponent) return NoValue::too_large;
-  const cl_R end = grows ? largest(argument) : cl_R(0);
+  if (grows && largest_magnitude(argument) > largest_exponent) return NoValue::too_large;
+  const cl_R end = grows ? largest_magnitude(argument) : cl_R(0);
   const cl_R slope = cln::exp(cln::cl_float(end, bound_format()));
   return rounded(function_value(FunctionId::stumpff, as_float(x.value), as_float(k.value)),
                  argument.error * slope);
@@ -257,9 +257,9 @@ Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
     case FunctionId::sin:
     case FunctionId::cos:
     case FunctionId::atan:
-      return sloped(function, floating(x), 1);
+      return call_with_slope(function, to_float(x), 1);
     case FunctionId::tan:
-      return tangent(floating(x));
+      return tangent(to_float(x));
     case FunctionId::asin:
     case FunctionId::acos:
       return inverse_circular(function, x);
@@ -276,7 +276,7 @@ Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
       return logarithm(function, x);
     case FunctionId::hypot:
       return rounded(function_value(function, as_float(x.value), as_float(y.value)),
-                     floating(x).error + floating(y).error);
+                     to_float(x).error + to_float(y).error);
     case FunctionId::stumpff:
       return stumpff(x, y);
     case FunctionId::abs:
@@ -314,7 +314,7 @@ cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
     ELGEN_VALUE(log1p, logarithm_of_sum(x))
     ELGEN_VALUE(expm1, exponential_less_one(x))
     ELGEN_VALUE(hypot, cln::sqrt(x * x + y * y))
-    ELGEN_VALUE(stumpff, stumpff_function(x, whole_number(y)))
+    ELGEN_VALUE(stumpff, stumpff_function(x, stumpff_order(y)))
     ELGEN_VALUE(abs, cln::abs(x))
     ELGEN_VALUE(sign, cln::signum(x))
     ELGEN_VALUE(min, cln::min(x, y))
@@ -348,7 +348,7 @@ std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x, const cl_R
   if (row.arity == 1) return at(row.exact_at, row.exact_value);
   if (function == FunctionId::atan2 && cln::plusp(y)) return at(0, 0);
   if (function == FunctionId::stumpff) {
-    const auto k = static_cast<unsigned>(std::abs(whole_number(y)));
+    const auto k = static_cast<unsigned>(std::abs(stumpff_order(y)));
     return at(0, cln::recip(cl_RA(cln::factorial(k))));
   }
   cl_RA root;

@@ -64,9 +64,9 @@ class EnclosedArithmetic {
  private:
   [[nodiscard]] cln::cl_F as_float(const cln::cl_R& x) const { return cln::cl_float(x, format_); }
   [[nodiscard]] EnclosedNumber rounded(const cln::cl_R& value, const cln::cl_R& error) const;
-  [[nodiscard]] EnclosedNumber floating(const EnclosedNumber& x) const;
-  [[nodiscard]] EnclosedNumber sloped(FunctionId function, const EnclosedNumber& x,
-                                      const cln::cl_R& slope) const;
+  [[nodiscard]] EnclosedNumber to_float(const EnclosedNumber& x) const;
+  [[nodiscard]] EnclosedNumber call_with_slope(FunctionId function, const EnclosedNumber& x,
+                                               const cln::cl_R& slope) const;
   [[nodiscard]] EnclosedNumber square_root(const EnclosedNumber& x) const;
   [[nodiscard]] Enclosed integer_power(const EnclosedNumber& x, const cln::cl_I& exponent) const;
   [[nodiscard]] Enclosed tangent(const EnclosedNumber& x) const;

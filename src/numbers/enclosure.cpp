@@ -16,8 +16,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi_below = 0x1.921fb54442d18p1;  // pi - pi_below is 1.2e-16
 constexpr Enclosure no_value{infinity, -infinity, Definedness::nowhere};
 
-double below(double x) { return std::nextafter(x, -infinity); }
-double above(double x) { return std::nextafter(x, infinity); }
+double next_below(double x) { return std::nextafter(x, -infinity); }
+double next_above(double x) { return std::nextafter(x, infinity); }
 
 /// A result rounded to nearest, and a number with the sign of exact - rounded; NaN if unknown.
 struct Rounded {
@@ -26,10 +26,10 @@ struct Rounded {
 };
 
 double lower(const Rounded& x) {
-  return x.error < 0 || std::isnan(x.error) ? below(x.value) : x.value;
+  return x.error < 0 || std::isnan(x.error) ? next_below(x.value) : x.value;
 }
 double upper(const Rounded& x) {
-  return x.error > 0 || std::isnan(x.error) ? above(x.value) : x.value;
+  return x.error > 0 || std::isnan(x.error) ? next_above(x.value) : x.value;
 }
 
 /// Knuth's two-sum: the error is exact unless the sum overflows.
@@ -91,9 +91,11 @@ Enclosure hull(const std::array<Rounded, 4>& corners, Definedness defined) {
   return bounds(low, high, defined);
 }
 
-Definedness both(const Enclosure& x, const Enclosure& y) { return std::max(x.defined, y.defined); }
+Definedness joint_definedness(const Enclosure& x, const Enclosure& y) {
+  return std::max(x.defined, y.defined);
+}
 
-bool has_none(const Enclosure& x) { return x.defined == Definedness::nowhere; }
+bool is_undefined(const Enclosure& x) { return x.defined == Definedness::nowhere; }
 
 /// Error bound for a value of a C library: 8 ulp.
 double error_of(double value) { return std::abs(value) * 0x1p-49 + 0x1p-1070; }
@@ -102,16 +104,16 @@ double upper_value(double value) { return std::isfinite(value) ? value + error_o
 
 /// f(x) for an increasing function f with values in [least, greatest].
 template <class F>
-Enclosure rising(const F& f, const Enclosure& x, double least = -infinity,
-                 double greatest = infinity) {
-  if (has_none(x)) return x;
+Enclosure increasing_function(const F& f, const Enclosure& x, double least = -infinity,
+                              double greatest = infinity) {
+  if (is_undefined(x)) return x;
   return bounds(std::max(lower_value(f(x.low)), least), std::min(upper_value(f(x.high)), greatest),
                 x.defined);
 }
 
 /// The part of x inside the domain [least, greatest] of a function.
-Enclosure inside(const Enclosure& x, double least, double greatest) {
-  if (has_none(x) || x.high < least || x.low > greatest) return no_value;
+Enclosure clip_to_domain(const Enclosure& x, double least, double greatest) {
+  if (is_undefined(x) || x.high < least || x.low > greatest) return no_value;
   const bool is_inside = x.low >= least && x.high <= greatest;
   return {std::max(x.low, least), std::min(x.high, greatest),
           is_inside ? x.defined : Definedness::somewhere};
@@ -119,7 +121,7 @@ Enclosure inside(const Enclosure& x, double least, double greatest) {
 
 /// True if x may contain first + k period for an integer k. The slack covers the rounding error of
 /// the period, half an ulp per turn.
-bool may_hold(const Enclosure& x, double first, double period) {
+bool may_contain_multiple(const Enclosure& x, double first, double period) {
   const auto turns = [&](double at) { return (at - first) / period; };
   const double slack = 0x1p-49 * (1 + std::abs(turns(x.low)) + std::abs(turns(x.high)));
   return std::floor(turns(x.high) + slack) >= turns(x.low) - slack;
@@ -131,20 +133,21 @@ constexpr double largest_angle = 1e9;
 /// Sine or cosine, with its maxima at top + 2 k pi.
 template <class F>
 Enclosure sinusoid(const F& f, const Enclosure& x, double top) {
-  if (has_none(x)) return x;
+  if (is_undefined(x)) return x;
   if (magnitude(x) > largest_angle) return {-1, 1, x.defined};
   const double first = f(x.low);
   const double last = f(x.high);
-  const double high =
-      may_hold(x, top, 2 * pi_below) ? 1 : std::min(upper_value(std::max(first, last)), 1.0);
-  const double low = may_hold(x, top + pi_below, 2 * pi_below)
+  const double high = may_contain_multiple(x, top, 2 * pi_below)
+                          ? 1
+                          : std::min(upper_value(std::max(first, last)), 1.0);
+  const double low = may_contain_multiple(x, top + pi_below, 2 * pi_below)
                          ? -1
                          : std::max(lower_value(std::min(first, last)), -1.0);
   return {low, high, x.defined};
 }
 
 Enclosure square(const Enclosure& x) {
-  if (has_none(x)) return x;
+  if (is_undefined(x)) return x;
   const double largest = magnitude(x);
   const bool holds_zero = x.low <= 0 && x.high >= 0;
   const double least = holds_zero ? 0 : std::min(std::abs(x.low), std::abs(x.high));
@@ -154,36 +157,38 @@ Enclosure square(const Enclosure& x) {
 
 }  // namespace
 
-bool may_be(const Enclosure& enclosure, double x) {
-  return !has_none(enclosure) && enclosure.low <= x && x <= enclosure.high;
+bool may_contain(const Enclosure& enclosure, double x) {
+  return !is_undefined(enclosure) && enclosure.low <= x && x <= enclosure.high;
 }
 
 double magnitude(const Enclosure& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
 
 Enclosure ScalarTraits<Enclosure>::from_real(const cln::cl_R& value) {
-  const double nearest = ScalarTraits<double>::from_real(value);
+  const double nearest = to_double(value);
   if (!std::isfinite(nearest)) return bounds(nearest, nearest, Definedness::everywhere);
   const cln::cl_R exact = exact_value(nearest);
-  return {exact > value ? below(nearest) : nearest, exact < value ? above(nearest) : nearest};
+  return {exact > value ? next_below(nearest) : nearest,
+          exact < value ? next_above(nearest) : nearest};
 }
 
 Enclosure operator-(const Enclosure& x) {
-  return has_none(x) ? x : Enclosure{-x.high, -x.low, x.defined};
+  return is_undefined(x) ? x : Enclosure{-x.high, -x.low, x.defined};
 }
 
 Enclosure operator+(const Enclosure& x, const Enclosure& y) {
-  if (has_none(x) || has_none(y)) return no_value;
-  return bounds(lower(rounded_sum(x.low, y.low)), upper(rounded_sum(x.high, y.high)), both(x, y));
+  if (is_undefined(x) || is_undefined(y)) return no_value;
+  return bounds(lower(rounded_sum(x.low, y.low)), upper(rounded_sum(x.high, y.high)),
+                joint_definedness(x, y));
 }
 
 Enclosure operator-(const Enclosure& x, const Enclosure& y) { return x + (-y); }
 
 Enclosure operator*(const Enclosure& x, const Enclosure& y) {
-  if (has_none(x) || has_none(y)) return no_value;
+  if (is_undefined(x) || is_undefined(y)) return no_value;
   if (&x == &y) return square(x);
   const std::array products{rounded_product(x.low, y.low), rounded_product(x.low, y.high),
                             rounded_product(x.high, y.low), rounded_product(x.high, y.high)};
-  return hull(products, both(x, y));
+  return hull(products, joint_definedness(x, y));
 }
 
 Enclosure operator*(const Enclosure& x, int factor) {
@@ -191,16 +196,16 @@ Enclosure operator*(const Enclosure& x, int factor) {
 }
 
 Enclosure operator/(const Enclosure& x, const Enclosure& y) {
-  if (has_none(x) || has_none(y) || (y.low == 0 && y.high == 0)) return no_value;
-  if (may_be(y, 0)) return {-infinity, infinity, Definedness::somewhere};
+  if (is_undefined(x) || is_undefined(y) || (y.low == 0 && y.high == 0)) return no_value;
+  if (may_contain(y, 0)) return {-infinity, infinity, Definedness::somewhere};
   const std::array quotients{rounded_quotient(x.low, y.low), rounded_quotient(x.low, y.high),
                              rounded_quotient(x.high, y.low), rounded_quotient(x.high, y.high)};
-  return hull(quotients, both(x, y));
+  return hull(quotients, joint_definedness(x, y));
 }
 
 Enclosure sqrt(const Enclosure& x) {
-  const Enclosure radicand = inside(x, 0, infinity);
-  if (has_none(radicand)) return radicand;
+  const Enclosure radicand = clip_to_domain(x, 0, infinity);
+  if (is_undefined(radicand)) return radicand;
   return bounds(std::max(lower(rounded_root(radicand.low)), 0.0),
                 upper(rounded_root(radicand.high)), radicand.defined);
 }
@@ -214,18 +219,18 @@ Enclosure cos(const Enclosure& x) {
 }
 
 Enclosure tan(const Enclosure& x) {
-  if (has_none(x)) return x;
-  if (magnitude(x) > largest_angle || may_hold(x, pi_below / 2, pi_below)) {
+  if (is_undefined(x)) return x;
+  if (magnitude(x) > largest_angle || may_contain_multiple(x, pi_below / 2, pi_below)) {
     return {-infinity, infinity, Definedness::somewhere};
   }
-  return rising([](double angle) { return std::tan(angle); }, x);
+  return increasing_function([](double angle) { return std::tan(angle); }, x);
 }
 
-#define ELGEN_RISING(name, ...)                                          \
-  Enclosure name(const Enclosure& x) {                                   \
-    return rising([](double at) { return std::name(at); }, __VA_ARGS__); \
+#define ELGEN_RISING(name, ...)                                                       \
+  Enclosure name(const Enclosure& x) {                                                \
+    return increasing_function([](double at) { return std::name(at); }, __VA_ARGS__); \
   }
-ELGEN_RISING(asin, inside(x, -1, 1))
+ELGEN_RISING(asin, clip_to_domain(x, -1, 1))
 ELGEN_RISING(atan, x)
 ELGEN_RISING(sinh, x)
 ELGEN_RISING(tanh, x, -1, 1)
@@ -234,48 +239,50 @@ ELGEN_RISING(expm1, x, -1)
 #undef ELGEN_RISING
 
 Enclosure acos(const Enclosure& x) {
-  return -rising([](double cosine) { return -std::acos(cosine); }, inside(x, -1, 1));
+  return -increasing_function([](double cosine) { return -std::acos(cosine); },
+                              clip_to_domain(x, -1, 1));
 }
 
 /// In a box without the origin the angle is monotone along every edge, so the corners bound it.
 Enclosure atan2(const Enclosure& x, const Enclosure& y) {
-  if (has_none(x) || has_none(y)) return no_value;
-  if (y.low <= 0 && may_be(x, 0)) {
+  if (is_undefined(x) || is_undefined(y)) return no_value;
+  if (y.low <= 0 && may_contain(x, 0)) {
     return {lower_value(-pi_below), upper_value(pi_below), Definedness::somewhere};
   }
   const std::array angles{std::atan2(x.low, y.low), std::atan2(x.low, y.high),
                           std::atan2(x.high, y.low), std::atan2(x.high, y.high)};
   return {lower_value(*std::ranges::min_element(angles)),
-          upper_value(*std::ranges::max_element(angles)), both(x, y)};
+          upper_value(*std::ranges::max_element(angles)), joint_definedness(x, y)};
 }
 
 Enclosure cosh(const Enclosure& x) {
-  if (has_none(x)) return x;
+  if (is_undefined(x)) return x;
   const Enclosure size = abs(x);
-  return rising([](double value) { return std::cosh(value); }, size, 1);
+  return increasing_function([](double value) { return std::cosh(value); }, size, 1);
 }
 
 Enclosure log(const Enclosure& x) {
-  if (has_none(x) || x.high <= 0) return no_value;
-  Enclosure result = rising([](double value) { return std::log(value); }, inside(x, 0, infinity));
+  if (is_undefined(x) || x.high <= 0) return no_value;
+  Enclosure result = increasing_function([](double value) { return std::log(value); },
+                                         clip_to_domain(x, 0, infinity));
   if (x.low <= 0) result.defined = Definedness::somewhere;
   return result;
 }
 
 Enclosure log1p(const Enclosure& x) {
-  if (has_none(x) || x.high <= -1) return no_value;
-  Enclosure result =
-      rising([](double value) { return std::log1p(value); }, inside(x, -1, infinity));
+  if (is_undefined(x) || x.high <= -1) return no_value;
+  Enclosure result = increasing_function([](double value) { return std::log1p(value); },
+                                         clip_to_domain(x, -1, infinity));
   if (x.low <= -1) result.defined = Definedness::somewhere;
   return result;
 }
 
 Enclosure hypot(const Enclosure& x, const Enclosure& y) {
-  if (has_none(x) || has_none(y)) return no_value;
+  if (is_undefined(x) || is_undefined(y)) return no_value;
   const Enclosure width = abs(x);
   const Enclosure height = abs(y);
   return bounds(std::max(lower_value(std::hypot(width.low, height.low)), 0.0),
-                upper_value(std::hypot(width.high, height.high)), both(x, y));
+                upper_value(std::hypot(width.high, height.high)), joint_definedness(x, y));
 }
 
 /// y must be a single integer. c_k increases with |x| for k < 0 and decreases for k > 2; c_1
@@ -284,11 +291,11 @@ Enclosure stumpff(const Enclosure& x, const Enclosure& y) {
   constexpr double least_sinc = -0.2172337;
   constexpr double far = 1e150;            // x^2 overflows beyond this
   constexpr double more_errors = 0x1p-49;  // the error is up to 17 u, at k = -36
-  if (has_none(x) || has_none(y)) return no_value;
+  if (is_undefined(x) || is_undefined(y)) return no_value;
   const Enclosure size = abs(x);
   if (y.low < 0) {
     const auto f = [&](double value) { return interpreter::stumpff(std::min(value, far), y.low); };
-    return rising(f, size, 0) * Enclosure{1 - more_errors, 1 + more_errors};
+    return increasing_function(f, size, 0) * Enclosure{1 - more_errors, 1 + more_errors};
   }
   if (y.low == 2) {
     const Enclosure ratio = stumpff(x / enclosure_of(2), enclosure_of(1));
@@ -305,27 +312,27 @@ Enclosure stumpff(const Enclosure& x, const Enclosure& y) {
 }
 
 Enclosure abs(const Enclosure& x) {
-  if (has_none(x)) return x;
-  const double least = may_be(x, 0) ? 0 : std::min(std::abs(x.low), std::abs(x.high));
+  if (is_undefined(x)) return x;
+  const double least = may_contain(x, 0) ? 0 : std::min(std::abs(x.low), std::abs(x.high));
   return {least, magnitude(x), x.defined};
 }
 
 /// A jump counts as `somewhere`: sign is not continuous at 0.
 Enclosure sign(const Enclosure& x) {
-  if (has_none(x)) return x;
+  if (is_undefined(x)) return x;
   const auto of = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
   const bool jumps = of(x.low) != of(x.high);
   return {of(x.low), of(x.high), jumps ? Definedness::somewhere : x.defined};
 }
 
 Enclosure min(const Enclosure& x, const Enclosure& y) {
-  if (has_none(x) || has_none(y)) return no_value;
-  return {std::min(x.low, y.low), std::min(x.high, y.high), both(x, y)};
+  if (is_undefined(x) || is_undefined(y)) return no_value;
+  return {std::min(x.low, y.low), std::min(x.high, y.high), joint_definedness(x, y)};
 }
 
 Enclosure max(const Enclosure& x, const Enclosure& y) {
-  if (has_none(x) || has_none(y)) return no_value;
-  return {std::max(x.low, y.low), std::max(x.high, y.high), both(x, y)};
+  if (is_undefined(x) || is_undefined(y)) return no_value;
+  return {std::max(x.low, y.low), std::max(x.high, y.high), joint_definedness(x, y)};
 }
 
 }  // namespace elgen

@@ -31,7 +31,7 @@ struct Enclosure {
 [[nodiscard]] inline Enclosure enclosure_of(double x) { return {x, x}; }
 
 /// False if the enclosure excludes the value x.
-[[nodiscard]] bool may_be(const Enclosure& enclosure, double x);
+[[nodiscard]] bool may_contain(const Enclosure& enclosure, double x);
 
 /// max |x|
 [[nodiscard]] double magnitude(const Enclosure& x);

@@ -39,7 +39,7 @@ long remove_factor(cln::cl_I& n, int factor) {
 }
 
 /// floor(log10 |x|) for x != 0.
-long first_place(const cln::cl_RA& x) {
+long floor_log10(const cln::cl_RA& x) {
   const cln::cl_RA magnitude = cln::abs(x);
   auto exponent = static_cast<long>(std::floor(decimal_exponent(magnitude))) - 1;
   while (magnitude * power_of_ten(-exponent - 1) >= 1) ++exponent;
@@ -126,7 +126,7 @@ std::optional<Decimal> exact_decimal(const cln::cl_R& value, long most_places) {
 Decimal rounded_decimal(const cln::cl_R& value, int digits) {
   if (cln::zerop(value)) return {};
   const cln::cl_RA x = cln::rational(value);
-  const long exponent = first_place(x) - digits + 1;
+  const long exponent = floor_log10(x) - digits + 1;
   return without_trailing_zeros(cln::round1(x * power_of_ten(-exponent)), exponent);
 }
 

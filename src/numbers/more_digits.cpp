@@ -10,7 +10,7 @@ namespace {
 /// Digits that computations in this thread requested, and digits that its arithmetic reported as
 /// lost or hidden.
 struct DigitsOfThread {
-  unsigned asked = 0;
+  unsigned requested = 0;
   unsigned lost = 0;
   unsigned hidden = 0;
 };
@@ -27,28 +27,28 @@ constexpr unsigned spare_digits = 10;
 }  // namespace
 
 MoreDigits::MoreDigits(unsigned digits) : digits_(digits) {
-  digits_of_thread().asked += digits;
+  digits_of_thread().requested += digits;
   digits_of_thread().lost = 0;
 }
 
-MoreDigits::~MoreDigits() { digits_of_thread().asked -= digits_; }
+MoreDigits::~MoreDigits() { digits_of_thread().requested -= digits_; }
 
 bool MoreDigits::grow() {
   const unsigned lost = std::exchange(digits_of_thread().lost, 0U);
   if (lost <= digits_ + spare_digits) return false;
-  digits_of_thread().asked += lost - digits_;
+  digits_of_thread().requested += lost - digits_;
   digits_ = lost;
   return true;
 }
 
-unsigned MoreDigits::count() { return digits_of_thread().asked; }
+unsigned MoreDigits::count() { return digits_of_thread().requested; }
 
-void MoreDigits::lose(unsigned digits) {
+void MoreDigits::report_lost(unsigned digits) {
   unsigned& lost = digits_of_thread().lost;
   lost = std::max(lost, digits);
 }
 
-void MoreDigits::hide(unsigned digits) {
+void MoreDigits::report_hidden(unsigned digits) {
   unsigned& hidden = digits_of_thread().hidden;
   hidden = std::max(hidden, digits);
 }

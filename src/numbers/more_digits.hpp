@@ -17,13 +17,13 @@ class MoreDigits {
   [[nodiscard]] static unsigned count();
 
   /// Arithmetic reports an angle with this many digits before its decimal point.
-  static void lose(unsigned digits);
+  static void report_lost(unsigned digits);
 
   /// Arithmetic reports an exponential: in a sum with it, terms smaller by this many digits may
   /// vanish.
-  static void hide(unsigned digits);
+  static void report_hidden(unsigned digits);
 
-  /// The largest argument of hide() since the last call of this function.
+  /// The largest argument of report_hidden() since the last call of this function.
   [[nodiscard]] static unsigned hidden();
 
  private:

@@ -34,14 +34,14 @@ Real guarded(bool in_domain, const Operation& operation) {
   }
 }
 
-bool both(const Real& x, const Real& y) { return x.is_defined() && y.is_defined(); }
+bool are_defined(const Real& x, const Real& y) { return x.is_defined() && y.is_defined(); }
 
 /// x with more digits: as many as it has before its point. After reduction by a multiple of pi, as
 /// many digits remain as Real has.
-cln::cl_F lengthened(const Real& x) {
+cln::cl_F extend_digits(const Real& x) {
   const auto exponent = std::max(std::int64_t{0}, std::int64_t{cln::float_exponent(number(x))});
   const auto before_point = static_cast<unsigned>(exponent / 3);
-  MoreDigits::lose(before_point);
+  MoreDigits::report_lost(before_point);
   return cln::cl_float(number(x), cln::float_format(digits() + before_point));
 }
 
@@ -57,8 +57,8 @@ bool is_periodic(FunctionId function) {
 constexpr std::int64_t maximal_exponent = 30;
 
 /// tanh or expm1 of a large argument, if it equals ±1 to all digits; otherwise none.
-std::optional<Real> limit_far_out(FunctionId function, const cln::cl_F& x) {
-  const std::optional<FarValues>& far = function_row(function).far_values;
+std::optional<Real> limit_at_infinity(FunctionId function, const cln::cl_F& x) {
+  const std::optional<LimitsAtInfinity>& far = function_row(function).limits_at_infinity;
   if (!far || cln::float_exponent(x) < maximal_exponent) return std::nullopt;
   const double limit = cln::minusp(x) ? far->left : far->right;
   return std::abs(limit) == 1 ? std::optional(Real(exact_value(limit))) : std::nullopt;
@@ -67,7 +67,7 @@ std::optional<Real> limit_far_out(FunctionId function, const cln::cl_F& x) {
 bool in_domain(FunctionId function, const cln::cl_F& x) {
   const FunctionRow& row = function_row(function);
   if (is_periodic(function)) return cln::float_exponent(x) < maximal_angle_exponent;
-  if (row.far_values) return cln::float_exponent(x) < maximal_exponent;
+  if (row.limits_at_infinity) return cln::float_exponent(x) < maximal_exponent;
   switch (row.domain) {
     case FunctionDomain::all:
       break;
@@ -81,15 +81,15 @@ bool in_domain(FunctionId function, const cln::cl_F& x) {
   return true;
 }
 
-Real called(FunctionId function, const Real& x, const Real& y) {
-  if (!both(x, y)) return Real::undefined();
+Real call_function(FunctionId function, const Real& x, const Real& y) {
+  if (!are_defined(x, y)) return Real::undefined();
   if (is_kinked(function)) return Real(function_value(function, number(x), number(y)));
-  const FunctionId far = far_out(function, cln::minusp(number(y)));
-  if (const auto limit = limit_far_out(function, number(x))) return *limit;
+  const FunctionId far = growth_function(function, cln::minusp(number(y)));
+  if (const auto limit = limit_at_infinity(function, number(x))) return *limit;
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
   if (function == FunctionId::atan2 && is_origin) return Real();  // as in the C library
   return guarded(in_domain(far, number(x)), [&] {
-    return function_value(function, is_periodic(far) ? lengthened(x) : number(x), number(y));
+    return function_value(function, is_periodic(far) ? extend_digits(x) : number(x), number(y));
   });
 }
 
@@ -107,23 +107,26 @@ Real operator-(const Real& x) {
   return guarded(x.is_defined(), [&] { return -number(x); });
 }
 Real operator+(const Real& x, const Real& y) {
-  return guarded(both(x, y), [&] { return number(x) + number(y); });
+  return guarded(are_defined(x, y), [&] { return number(x) + number(y); });
 }
 Real operator-(const Real& x, const Real& y) {
-  return guarded(both(x, y), [&] { return number(x) - number(y); });
+  return guarded(are_defined(x, y), [&] { return number(x) - number(y); });
 }
 Real operator*(const Real& x, const Real& y) {
-  return guarded(both(x, y), [&] { return number(x) * number(y); });
+  return guarded(are_defined(x, y), [&] { return number(x) * number(y); });
 }
 Real operator/(const Real& x, const Real& y) {
-  return guarded(both(x, y) && !cln::zerop(number(y)), [&] { return number(x) / number(y); });
+  return guarded(are_defined(x, y) && !cln::zerop(number(y)),
+                 [&] { return number(x) / number(y); });
 }
 Real sqrt(const Real& x) {
   return guarded(x.is_defined() && !cln::minusp(number(x)), [&] { return cln::sqrt(number(x)); });
 }
 
-bool operator<(const Real& x, const Real& y) { return both(x, y) && number(x) < number(y); }
-bool operator<=(const Real& x, const Real& y) { return both(x, y) && number(x) <= number(y); }
+bool operator<(const Real& x, const Real& y) { return are_defined(x, y) && number(x) < number(y); }
+bool operator<=(const Real& x, const Real& y) {
+  return are_defined(x, y) && number(x) <= number(y);
+}
 bool is_zero(const Real& x) { return x.is_defined() && cln::zerop(x.value()); }
 
 bool is_near(const Real& x, const Real& y, long digits) {
@@ -131,9 +134,9 @@ bool is_near(const Real& x, const Real& y, long digits) {
 }
 
 #define ELGEN_REAL_1(name) \
-  Real name(const Real& x) { return called(FunctionId::name, x, x); }
+  Real name(const Real& x) { return call_function(FunctionId::name, x, x); }
 #define ELGEN_REAL_2(name) \
-  Real name(const Real& x, const Real& y) { return called(FunctionId::name, x, y); }
+  Real name(const Real& x, const Real& y) { return call_function(FunctionId::name, x, y); }
 #define ELGEN_FUNCTION(name, arity) ELGEN_REAL_##arity(name)
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION

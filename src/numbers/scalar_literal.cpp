@@ -57,7 +57,7 @@ Scalar round_positive(const cln::cl_RA& x) {
 /// The correctly rounded quotient by one hardware operation. None unless the numerator is exact in
 /// Scalar and the denominator is exact or a power of two; none on hardware that rounds twice (x87).
 template <class Scalar>
-std::optional<Scalar> divided(const cln::cl_RA& x) {
+std::optional<Scalar> divide_in_hardware(const cln::cl_RA& x) {
   constexpr auto digits = static_cast<uintC>(std::min(std::numeric_limits<Scalar>::digits, 62));
   const cln::cl_I numerator = cln::numerator(x);
   if (FLT_EVAL_METHOD != 0 || cln::integer_length(numerator) > digits) return std::nullopt;
@@ -92,7 +92,7 @@ Scalar round_to(const cln::cl_R& value) {
     return cln::minusp(value) ? -*magnitude : *magnitude;
   }
   const cln::cl_RA x = cln::rational(value);
-  if (const std::optional<Scalar> quotient = divided<Scalar>(x)) return *quotient;
+  if (const std::optional<Scalar> quotient = divide_in_hardware<Scalar>(x)) return *quotient;
   return cln::minusp(x) ? -round_positive<Scalar>(-x) : round_positive<Scalar>(x);
 }
 

@@ -40,8 +40,9 @@ cl_R length_of(const Direction& row) {
 
 /// The rows that are linearly independent of earlier rows if `fixed` velocities are 0, by the
 /// Gram-Schmidt method.
-Shortage independent(const Shortage& all, const std::vector<bool>& fixed) {
-  Shortage kept;
+LinearisedConstraints independent_rows(const LinearisedConstraints& all,
+                                       const std::vector<bool>& fixed) {
+  LinearisedConstraints kept;
   std::vector<Direction> basis;
   for (std::size_t k = 0; k < all.rows.size(); ++k) {
     Direction rest = all.rows[k];
@@ -64,9 +65,10 @@ Shortage independent(const Shortage& all, const std::vector<bool>& fixed) {
 
 /// Empty if the system has no solution.
 std::optional<Direction> newton_step(const Model& model, const State& state,
-                                     const Shortage& shortage, const std::vector<bool>& fixed) {
+                                     const LinearisedConstraints& shortage,
+                                     const std::vector<bool>& fixed) {
   std::optional<Direction> step =
-      attempt([&] { return correction(model, state, independent(shortage, fixed), fixed); });
+      attempt([&] { return correction(model, state, independent_rows(shortage, fixed), fixed); });
   if (!step) return std::nullopt;
   for (cl_R& entry : *step) {
     if (!cln::zerop(entry)) entry = as_float(entry);
@@ -75,7 +77,7 @@ std::optional<Direction> newton_step(const Model& model, const State& state,
 }
 
 /// The length of each row; 1 for a zero row.
-std::vector<cl_R> scales_of(const Shortage& shortage) {
+std::vector<cl_R> scales_of(const LinearisedConstraints& shortage) {
   std::vector<cl_R> lengths;
   for (const Direction& row : shortage.rows) {
     const cl_R length = length_of(row);
@@ -85,7 +87,7 @@ std::vector<cl_R> scales_of(const Shortage& shortage) {
 }
 
 /// `at`: the coordinates or the rates that Newton's method solves for. They scale the tolerance.
-bool is_met(const Shortage& shortage, const std::vector<cl_R>& at) {
+bool is_met(const LinearisedConstraints& shortage, const std::vector<cl_R>& at) {
   const std::vector<cl_R> lengths = scales_of(shortage);
   const cl_R share = met_share() * (1 + largest_of(at));
   for (std::size_t k = 0; k < lengths.size(); ++k) {
@@ -105,13 +107,14 @@ cl_R squared_error(const std::vector<cl_R>& left, const std::vector<cl_R>& lengt
 }
 
 /// The state after the first step s = 1, 1/2, ... that shrinks the errors; empty if no step does.
-std::optional<State> nearer(const Model& model, const State& state, const Shortage& shortage,
-                            const std::vector<bool>& fixed) {
+std::optional<State> damped_newton_step(const Model& model, const State& state,
+                                        const LinearisedConstraints& shortage,
+                                        const std::vector<bool>& fixed) {
   std::optional<Direction> step = newton_step(model, state, shortage, fixed);
   const std::vector<cl_R> lengths = scales_of(shortage);
   const cl_R now = squared_error(shortage.s, lengths);
   for (unsigned halving = 0; step && halving <= most_halvings; ++halving) {
-    State next = moved_by(model, state, *step);
+    State next = displaced_state(model, state, *step);
     const auto error =
         attempt([&] { return squared_error(constraint_residual(model, next), lengths); });
     if (error && *error < now) return next;
@@ -122,23 +125,23 @@ std::optional<State> nearer(const Model& model, const State& state, const Shorta
 
 /// Moves the rates onto the constraints; `has_rates` is true if they meet them.
 void assemble_rates(const Model& model, Assembly& at, const std::vector<bool>& fixed) {
-  const Shortage shortage = rate_shortage(model, at.state);
+  const LinearisedConstraints shortage = linearised_rates(model, at.state);
   if (!is_met(shortage, at.state.v)) {
     const std::optional<Direction> step = newton_step(model, at.state, shortage, fixed);
     if (!step) return;
     for (std::size_t i = 0; i < step->size(); ++i) at.state.v[i] = at.state.v[i] + (*step)[i];
   }
-  at.has_rates = is_met(rate_shortage(model, at.state), at.state.v);
+  at.has_rates = is_met(linearised_rates(model, at.state), at.state.v);
 }
 
-Assembly assembled(const Model& model, State state, const KeptStart& kept) {
+Assembly assemble(const Model& model, State state, const FixedVariables& kept) {
   Assembly at{std::move(state)};
   at.state.q = normalized(model, std::move(at.state.q));
   for (unsigned step = 0; step <= most_newton_steps; ++step) {
-    const Shortage shortage = position_shortage(model, at.state);
+    const LinearisedConstraints shortage = linearised_positions(model, at.state);
     at.has_pose = is_met(shortage, at.state.q);
     if (at.has_pose) break;
-    std::optional<State> next = nearer(model, at.state, shortage, kept.positions);
+    std::optional<State> next = damped_newton_step(model, at.state, shortage, kept.positions);
     if (!next) return at;
     at.state = std::move(*next);
   }
@@ -152,8 +155,8 @@ Assembly assembled(const Model& model, State state, const KeptStart& kept) {
 namespace elgen {
 
 std::optional<Assembly> oracle_assembly(const Model& model, const State& state,
-                                        const KeptStart& kept) {
-  return oracle::guarded([&] { return oracle::assembled(model, state, kept); });
+                                        const FixedVariables& kept) {
+  return oracle::attempt_with_enough_digits([&] { return oracle::assemble(model, state, kept); });
 }
 
 std::optional<State> oracle_assembled(const Model& model, State state) {

@@ -14,8 +14,8 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-constexpr Generators pushing = generator(0);
-constexpr Generators changing = generator(1);
+constexpr Generators displacement_generator = generator(0);
+constexpr Generators slope_generator = generator(1);
 
 Jet rate_of(Evaluation& at, const Constraint& constraint) {
   return constraint.is_position ? at.rate(constraint.value) : at.value(constraint.value);
@@ -27,7 +27,7 @@ Jet rate_of_rate(Evaluation& at, const Constraint& constraint) {
 
 /// dr/dt + 2 zeta omega r + omega^2 f at the motion's acceleration; f for position constraints
 /// only.
-Jet stabilised(Evaluation& at, const Constraint& constraint) {
+Jet stabilised_acceleration(Evaluation& at, const Constraint& constraint) {
   Jet result = rate_of_rate(at, constraint);
   if (!constraint.omega) return result;
   const Jet omega = at.value(*constraint.omega);
@@ -39,11 +39,12 @@ Jet stabilised(Evaluation& at, const Constraint& constraint) {
 
 /// The motion displaced along w: in position for position constraints, else in velocity. The
 /// derivative of the constraint along it is A w.
-Motion pushed(const Model& model, const Constraint& constraint, Motion motion, const Direction& w) {
+Motion displaced_motion(const Model& model, const Constraint& constraint, Motion motion,
+                        const Direction& w) {
   if (constraint.is_position) {
-    displace_position(model, motion, w, pushing);
+    displace_position(model, motion, w, displacement_generator);
   } else {
-    displace(motion.v, w, pushing);
+    displace(motion.v, w, displacement_generator);
   }
   return motion;
 }
@@ -51,8 +52,8 @@ Motion pushed(const Model& model, const Constraint& constraint, Motion motion, c
 /// The entry of A w for this constraint, as a jet in the remaining generators of the motion.
 Jet along(const Model& model, const Constraint& constraint, const Motion& motion,
           const Direction& w) {
-  const Motion moved = pushed(model, constraint, motion, w);
-  return Evaluation(model, moved).value(constraint.value).tangent(pushing);
+  const Motion moved = displaced_motion(model, constraint, motion, w);
+  return Evaluation(model, moved).value(constraint.value).tangent(displacement_generator);
 }
 
 Direction jacobian_row(const Model& model, const Constraint& constraint, const Motion& motion) {
@@ -117,7 +118,7 @@ Values times(const Values& matrix, const Values& x) {
   return result;
 }
 
-cl_R product(const Values& x, const Values& y) { return times(x, y).front(); }
+cl_R dot_product(const Values& x, const Values& y) { return times(x, y).front(); }
 
 Values transposed_times(const Values& matrix, const Values& y, std::size_t columns) {
   Values result(columns);
@@ -134,8 +135,8 @@ Values column_of(const Values& matrix, std::size_t column, std::size_t columns) 
 }
 
 /// Solves A x = s for the dependent entries of x; the independent entries are given.
-Values completed_by(const std::vector<std::uint32_t>& independent, const Values& jacobian,
-                    const Values& x, const Values& s) {
+Values solve_dependent(const std::vector<std::uint32_t>& independent, const Values& jacobian,
+                       const Values& x, const Values& s) {
   const std::size_t n = x.size();
   const std::size_t m = s.size();
   std::vector<std::size_t> dependent;
@@ -185,31 +186,31 @@ Values constraint_bias(const Model& model, const State& state) {
 }
 
 Values stabilised_bias(const Model& model, const State& state) {
-  return at_zero_acceleration(model, state, stabilised);
+  return at_zero_acceleration(model, state, stabilised_acceleration);
 }
 
 Values stabilised_slope(const Model& model, const State& state, const Displacement& along,
                         const Direction& a) {
   Motion motion = motion_of(state);
   motion.a.assign(a.begin(), a.end());
-  displace_position(model, motion, along.x, changing);
-  displace(motion.v, along.y, changing);
+  displace_position(model, motion, along.x, slope_generator);
+  displace(motion.v, along.y, slope_generator);
   Evaluation at(model, motion);
   Values values;
   for (const Constraint& constraint : model.constraints) {
-    values.push_back(stabilised(at, constraint).coefficient(changing));
+    values.push_back(stabilised_acceleration(at, constraint).coefficient(slope_generator));
   }
   return values;
 }
 
-cl_R held_slope(const Model& model, const State& state, const Direction& w, const Direction& x,
-                const Values& multipliers) {
+cl_R constraint_force_slope(const Model& model, const State& state, const Direction& w,
+                            const Direction& x, const Values& multipliers) {
   Motion motion = motion_of(state);
-  displace_position(model, motion, x, changing);
+  displace_position(model, motion, x, slope_generator);
   cl_R sum = 0;
   for (std::size_t k = 0; k < multipliers.size(); ++k) {
     const Jet row = along(model, model.constraints[k], motion, w);
-    sum = sum + multipliers[k] * row.coefficient(changing);
+    sum = sum + multipliers[k] * row.coefficient(slope_generator);
   }
   return sum;
 }
@@ -259,13 +260,13 @@ ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system, const
 }
 
 ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system) {
-  return response(at, system, moving_forces(at), negative(stabilised_bias(at.model(), at.state())));
+  return response(at, system, net_forces(at), negative(stabilised_bias(at.model(), at.state())));
 }
 
-Shortage position_shortage(const Model& model, const State& state) {
+LinearisedConstraints linearised_positions(const Model& model, const State& state) {
   const Motion motion = motion_of(state);
   Evaluation at(model, motion);
-  Shortage shortage;
+  LinearisedConstraints shortage;
   for (const Constraint& constraint : model.constraints) {
     if (!constraint.is_position) continue;
     shortage.rows.push_back(jacobian_row(model, constraint, motion));
@@ -274,10 +275,10 @@ Shortage position_shortage(const Model& model, const State& state) {
   return shortage;
 }
 
-Shortage rate_shortage(const Model& model, const State& state) {
+LinearisedConstraints linearised_rates(const Model& model, const State& state) {
   const Motion motion = motion_of(state);
   Evaluation at(model, motion);
-  Shortage shortage;
+  LinearisedConstraints shortage;
   for (const Constraint& constraint : model.constraints) {
     shortage.rows.push_back(jacobian_row(model, constraint, motion));
     shortage.s.push_back(-rate_of(at, constraint).real());
@@ -285,7 +286,7 @@ Shortage rate_shortage(const Model& model, const State& state) {
   return shortage;
 }
 
-Direction correction(const Model& model, const State& state, const Shortage& shortage,
+Direction correction(const Model& model, const State& state, const LinearisedConstraints& shortage,
                      const std::vector<bool>& kept) {
   const Values still(state.v.size());
   if (shortage.rows.empty()) return still;
@@ -304,7 +305,7 @@ Direction correction(const Model& model, const State& state, const Shortage& sho
   return solve_constrained(system, still, shortage.s).x;
 }
 
-State moved_by(const Model& model, State state, const Direction& x) {
+State displaced_state(const Model& model, State state, const Direction& x) {
   const std::vector<Jet> moving(x.begin(), x.end());
   const std::vector<Jet> rates = coordinate_rates(model, motion_of(state).q, moving);
   for (std::size_t i = 0; i < rates.size(); ++i) state.q[i] = state.q[i] + rates[i].real();
@@ -313,9 +314,9 @@ State moved_by(const Model& model, State state, const Direction& x) {
 }
 
 Values projected(const Model& model, const State& state) {
-  const Direction dq = correction(model, state, position_shortage(model, state));
-  const State moved = moved_by(model, state, dq);
-  const Direction dv = correction(model, moved, rate_shortage(model, moved));
+  const Direction dq = correction(model, state, linearised_positions(model, state));
+  const State moved = displaced_state(model, state, dq);
+  const Direction dv = correction(model, moved, linearised_rates(model, moved));
   Values values = moved.q;
   for (std::size_t i = 0; i < dv.size(); ++i) values.push_back(state.v[i] + dv[i]);
   return values;
@@ -326,11 +327,11 @@ Values completed(const Model& model, const std::vector<std::uint32_t>& independe
   const Values jacobian = constraint_jacobian(model, state);
   State moving = state;
   moving.v.assign(state.v.size(), cl_R(0));
-  const Shortage at_rest = rate_shortage(model, moving);  // r is affine in v
-  moving.v = completed_by(independent, jacobian, state.v, at_rest.s);
+  const LinearisedConstraints at_rest = linearised_rates(model, moving);  // r is affine in v
+  moving.v = solve_dependent(independent, jacobian, state.v, at_rest.s);
   const Values bias = negative(constraint_bias(model, moving));
   Values values = moving.v;
-  const Values accelerations = completed_by(independent, jacobian, state.a, bias);
+  const Values accelerations = solve_dependent(independent, jacobian, state.a, bias);
   values.insert(values.end(), accelerations.begin(), accelerations.end());
   return values;
 }
@@ -356,7 +357,7 @@ Values constrained_inverse(const Model& model, const State& state) {
     for (std::size_t i = 0; i < inputs; ++i) matrix[i * (inputs + 1) + j] = column[i];
     if (j == inputs) continue;
     const Values force_of_input = column_of(b, j, inputs);
-    free.push_back(product(force_of_input, solve_mass(model, system.mass, force_of_input).x));
+    free.push_back(dot_product(force_of_input, solve_mass(model, system.mass, force_of_input).x));
   }
   Values values = eliminated(matrix, free);
   const Values rest = difference(force, times(b, values));

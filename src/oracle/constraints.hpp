@@ -38,8 +38,9 @@ namespace elgen::oracle {
                                                       const Direction& a);
 
 /// Derivative of w.A^T lambda along the displacement x of q, at constant lambda.
-[[nodiscard]] cln::cl_R held_slope(const Model& model, const State& state, const Direction& w,
-                                   const Direction& x, const std::vector<cln::cl_R>& multipliers);
+[[nodiscard]] cln::cl_R constraint_force_slope(const Model& model, const State& state,
+                                               const Direction& w, const Direction& x,
+                                               const std::vector<cln::cl_R>& multipliers);
 
 /// x and y with M x = r + A^T y, A x = s, for M n x n and A m x n. Gaussian elimination of the
 /// whole matrix with pivoting; OutsideDomain if it is singular.
@@ -73,20 +74,21 @@ struct ConstrainedSystem {
 
 /// Linearised constraints: a direction x with A x = s makes f (positions) or r (all) 0 to first
 /// order.
-struct Shortage {
+struct LinearisedConstraints {
   std::vector<Direction> rows = {};  ///< rows of A
   std::vector<cln::cl_R> s = {};     ///< -f or -r
 };
-[[nodiscard]] Shortage position_shortage(const Model& model, const State& state);
-[[nodiscard]] Shortage rate_shortage(const Model& model, const State& state);
+[[nodiscard]] LinearisedConstraints linearised_positions(const Model& model, const State& state);
+[[nodiscard]] LinearisedConstraints linearised_rates(const Model& model, const State& state);
 
 /// x with M x = A^T y, A x = s: the change of least kinetic energy. `kept` velocities do not
 /// change.
-[[nodiscard]] Direction correction(const Model& model, const State& state, const Shortage& shortage,
+[[nodiscard]] Direction correction(const Model& model, const State& state,
+                                   const LinearisedConstraints& shortage,
                                    const std::vector<bool>& kept = {});
 
 /// The state at q + N x, with quaternions normalised.
-[[nodiscard]] State moved_by(const Model& model, State state, const Direction& x);
+[[nodiscard]] State displaced_state(const Model& model, State state, const Direction& x);
 
 /// Coordinates, then rates, after one Newton step: q + N dq, then v + dv at that position. Both
 /// changes are by correction().

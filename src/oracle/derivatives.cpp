@@ -34,7 +34,7 @@ Values force_slopes(Mechanics& at, const ConstrainedMotion& motion, const Displa
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Direction w = at.unit(i);
     values.push_back(at.residual_slope(w, along, motion.x, at.state().u) -
-                     held_slope(at.model(), at.state(), w, along.x, motion.y));
+                     constraint_force_slope(at.model(), at.state(), w, along.x, motion.y));
   }
   return values;
 }
@@ -74,7 +74,7 @@ cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& a
   const ConstrainedSystem system = constrained_system(at);
   const ConstrainedMotion motion = constrained_motion(at, system);
   const ConstrainedMotion z = response(at, system, w, Values(motion.y.size()));
-  cl_R sum = held_slope(at.model(), at.state(), z.x, along.x, motion.y) -
+  cl_R sum = constraint_force_slope(at.model(), at.state(), z.x, along.x, motion.y) -
              at.residual_slope(z.x, along, motion.x, at.state().u);
   const Values slopes = stabilised_slope(at.model(), at.state(), along, motion.x);
   for (std::size_t k = 0; k < slopes.size(); ++k) sum = sum + z.y[k] * slopes[k];
@@ -146,7 +146,7 @@ Values state_matrices(Mechanics& at) {
   const std::size_t b = 4 * n * n;  // offset of B
   Values values(b + 2 * n * inputs, cl_R(0));
   for (std::size_t j = 0; j < n; ++j) {
-    const Direction across = at.across_velocity(at.unit(j));
+    const Direction across = at.cross_velocity(at.unit(j));
     values[2 * n * j + n + j] = 1;
     for (std::size_t i = 0; i < n; ++i) {
       values[2 * n * i + j] = -across[i];
@@ -167,7 +167,7 @@ cl_R state_contraction(Mechanics& at, const Contraction& by) {
   if (by.field == 1) return is_zero(w_velocity) ? 0 : along_inputs(at, w_velocity, by.y);
   const Displacement along{{by.y.begin(), by.y.begin() + middle},
                            {by.y.begin() + middle, by.y.end()}};
-  const cl_R rates = dot(w_position, along.y) - dot(w_position, at.across_velocity(along.x));
+  const cl_R rates = dot(w_position, along.y) - dot(w_position, at.cross_velocity(along.x));
   return is_zero(w_velocity) ? rates : rates + along_acceleration(at, w_velocity, along);
 }
 

@@ -111,7 +111,7 @@ CyclicParts cyclic_parts(const Evaluation& at) {
       rate = rate + Jet(along_first, 1);
       Jet& other = moved.v[cyclic[j].velocity];
       other = other + Jet(along_second, 1);
-      Evaluation evaluation(whole_of(at.model()), moved);
+      Evaluation evaluation(whole_model(at.model()), moved);
       const Jet value = lagrangian(evaluation);
       parts.mass[i * n + j] = value.tangent(along_first).tangent(along_second);
       parts.mass[j * n + i] = parts.mass[i * n + j];
@@ -125,7 +125,7 @@ CyclicParts cyclic_parts(const Evaluation& at) {
 }
 
 /// v_c from M_cc v_c = w, by elimination from the first row to the last.
-std::vector<Jet> rates_of(const CyclicParts& parts) {
+std::vector<Jet> solve_cyclic_rates(const CyclicParts& parts) {
   const std::size_t n = parts.excess.size();
   std::vector<Jet> both;
   for (std::size_t i = 0; i < n; ++i) {
@@ -138,7 +138,7 @@ std::vector<Jet> rates_of(const CyclicParts& parts) {
 
 Jet routhian(const Evaluation& at) {
   const CyclicParts parts = cyclic_parts(at);
-  const std::vector<Jet> rates = rates_of(parts);
+  const std::vector<Jet> rates = solve_cyclic_rates(parts);
   Jet work;
   for (std::size_t i = 0; i < rates.size(); ++i) work = work + parts.excess[i] * rates[i];
   return parts.rest - half() * work;
@@ -147,12 +147,12 @@ Jet routhian(const Evaluation& at) {
 }  // namespace
 
 Motion whole_motion(const Model& model, const Motion& motion) {
-  const VariablesLeft left = variables_left(whole_of(model));
+  const RemainingVariables left = remaining_variables(whole_model(model));
   Motion whole = motion;
-  whole.q = left.coordinates.spread(motion.q);
-  whole.v = left.velocities.spread(motion.v);
-  whole.a = left.velocities.spread(motion.a);
-  whole.u = left.inputs.spread(motion.u);
+  whole.q = left.coordinates.with_zeros(motion.q);
+  whole.v = left.velocities.with_zeros(motion.v);
+  whole.a = left.velocities.with_zeros(motion.a);
+  whole.u = left.inputs.with_zeros(motion.u);
   Evaluation at(model, motion);
   for (const Lock& lock : model.variant.locks) {
     for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
@@ -165,7 +165,7 @@ Motion whole_motion(const Model& model, const Motion& motion) {
   return whole;
 }
 
-std::vector<Jet> cyclic_rates(const Evaluation& at) { return rates_of(cyclic_parts(at)); }
+std::vector<Jet> cyclic_rates(const Evaluation& at) { return solve_cyclic_rates(cyclic_parts(at)); }
 
 Jet kinetic_energy(Evaluation& at) {
   const Model& model = at.model();

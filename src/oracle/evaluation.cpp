@@ -14,7 +14,9 @@ constexpr unsigned first_time_generator = 8;
 Generators time_generator(unsigned k) { return generator(first_time_generator + k); }
 
 /// The time generators after the first `order`.
-Generators beyond(unsigned order) { return all_generators & ~(time_generator(order) - 1); }
+Generators later_time_generators(unsigned order) {
+  return all_generators & ~(time_generator(order) - 1);
+}
 
 /// s = e_1 + ... + e_order
 Jet elapsed_time(unsigned order) {
@@ -32,22 +34,22 @@ Evaluation::Evaluation(const Model& model, const Motion& motion,
       functions_(std::move(functions)),
       known_(model.expressions.size()) {}
 
-Jet Evaluation::value(ExpressionId expression) { return made(expression, 0); }
+Jet Evaluation::value(ExpressionId expression) { return evaluate(expression, 0); }
 
 Jet Evaluation::rate(ExpressionId expression) {
-  return made(expression, 1).tangent(time_generator(0));
+  return evaluate(expression, 1).tangent(time_generator(0));
 }
 
 Jet Evaluation::second_rate(ExpressionId expression) {
-  return made(expression, 2).tangent(time_generator(0)).tangent(time_generator(1));
+  return evaluate(expression, 2).tangent(time_generator(0)).tangent(time_generator(1));
 }
 
-bool Evaluation::knows(ExpressionId id, unsigned time_order) const {
+bool Evaluation::is_known(ExpressionId id, unsigned time_order) const {
   return known_[id] && known_[id]->time_order >= time_order;
 }
 
 /// Not recursive, because chains of names may be thousands of links long.
-Jet Evaluation::made(ExpressionId root, unsigned time_order) {
+Jet Evaluation::evaluate(ExpressionId root, unsigned time_order) {
   struct Wanted {
     ExpressionId id = 0;
     unsigned time_order = 0;
@@ -61,14 +63,14 @@ Jet Evaluation::made(ExpressionId root, unsigned time_order) {
       known_[id] = {evaluated(e, order), order};
       known_[id]->value.shorten();
     }
-    if (knows(id, order)) {
+    if (is_known(id, order)) {
       stack.pop_back();
       continue;
     }
     stack.back().has_operands = true;
     const unsigned needed = order + (e.kind == ExpressionKind::time_derivative ? 1U : 0U);
     for (const ExpressionId reference : references(model_, id)) {
-      if (!knows(reference, needed)) stack.push_back({reference, needed});
+      if (!is_known(reference, needed)) stack.push_back({reference, needed});
     }
   }
   return operand(root, time_order);
@@ -77,7 +79,7 @@ Jet Evaluation::made(ExpressionId root, unsigned time_order) {
 /// The memoised value, without time generators beyond `time_order`.
 Jet Evaluation::operand(ExpressionId id, unsigned time_order) const {
   const auto& [value, known_order] = *known_[id];
-  return known_order == time_order ? value : value.without(beyond(time_order));
+  return known_order == time_order ? value : value.without(later_time_generators(time_order));
 }
 
 Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
@@ -88,7 +90,7 @@ Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
       return -operand(e.operands[0], time_order);
     case ExpressionKind::add:
     case ExpressionKind::multiply:
-      return folded(e, time_order);
+      return sum_or_product(e, time_order);
     case ExpressionKind::divide:
       return operand(e.operands[0], time_order) / operand(e.operands[1], time_order);
     case ExpressionKind::power:
@@ -164,7 +166,7 @@ Jet Evaluation::position(std::uint32_t index, const Jet& s) const {
          (turning[component] + accelerating[component]) * half_square;
 }
 
-Jet Evaluation::folded(const Expression& e, unsigned time_order) const {
+Jet Evaluation::sum_or_product(const Expression& e, unsigned time_order) const {
   Jet result = operand(e.operands.front(), time_order);
   for (std::size_t i = 1; i < e.operands.size(); ++i) {
     const Jet next = operand(e.operands[i], time_order);

@@ -50,13 +50,13 @@ class Evaluation {
     unsigned time_order = 0;
   };
 
-  [[nodiscard]] bool knows(ExpressionId id, unsigned time_order) const;
-  [[nodiscard]] Jet made(ExpressionId root, unsigned time_order);
+  [[nodiscard]] bool is_known(ExpressionId id, unsigned time_order) const;
+  [[nodiscard]] Jet evaluate(ExpressionId root, unsigned time_order);
   Jet evaluated(const Expression& e, unsigned time_order);
   Jet leaf(const Expression& e, unsigned time_order) const;
   [[nodiscard]] Jet open_value(const Expression& e, unsigned time_order) const;
   [[nodiscard]] Jet position(std::uint32_t index, const Jet& s) const;
-  Jet folded(const Expression& e, unsigned time_order) const;
+  Jet sum_or_product(const Expression& e, unsigned time_order) const;
   Jet function(const Expression& e, unsigned time_order);
   [[nodiscard]] Jet operand(ExpressionId id, unsigned time_order) const;
 

@@ -99,7 +99,7 @@ bool is_graded(const Jet& x) { return x.lowest_grade() != 0; }
 
 /// The power p with f(x + d) - f(x) ~ |d|^p at a point where f has no derivative: acos(1 - d) is
 /// sqrt(2 d) to lowest order, p = 1/2. Empty at every other point.
-std::optional<cl_RA> bend_of(FunctionId function, const Jet& x, const Jet& y) {
+std::optional<cl_RA> kink_order(FunctionId function, const Jet& x, const Jet& y) {
   const bool is_arc = function == FunctionId::asin || function == FunctionId::acos;
   if (is_arc && cln::abs(x.real()) == 1) return cl_RA(1) / 2;
   const bool is_origin = cln::zerop(x.real()) && cln::zerop(y.real());
@@ -127,7 +127,7 @@ Jet::Jet(Generators generators, const cl_R& coefficient) {
   if (moving_ != 0) order_ = static_cast<unsigned>(std::popcount(moving_));
 }
 
-Jet Jet::bent(const cl_R& real, Generators moving, const cl_RA& order) {
+Jet Jet::with_kink(const cl_R& real, Generators moving, const cl_RA& order) {
   if (order < 1) throw OutsideDomain("an infinite derivative");
   Jet result(real);
   result.moving_ = moving;
@@ -203,8 +203,8 @@ Jet Jet::part(Generators of, Generators exactly) const {
     if ((present & of) == exactly) result.unknown_.push_back(present & ~exactly);
   }
   result.moving_ = moving_ & ~of;
-  const auto taken = static_cast<unsigned>(std::popcount(exactly & all_generators));
-  if (result.moving_ != 0) result.order_ = order_ > taken ? order_ - taken : 1;
+  const auto removed = static_cast<unsigned>(std::popcount(exactly & all_generators));
+  if (result.moving_ != 0) result.order_ = order_ > removed ? order_ - removed : 1;
   return result;
 }
 
@@ -259,10 +259,10 @@ void Jet::depend_on_factors(const Jet& x, const Jet& y) {
   };
   const unsigned of_x = x.order();
   const unsigned of_y = y.order();
-  order_ = std::min(never, of_x + of_y);
+  order_ = std::min(constant_order, of_x + of_y);
   if (has_real(x)) order_ = std::min(order_, of_y);
   if (has_real(y)) order_ = std::min(order_, of_x);
-  moving_ = order_ == never ? 0 : x.moving_ | y.moving_;
+  moving_ = order_ == constant_order ? 0 : x.moving_ | y.moving_;
 }
 
 Jet operator*(const Jet& x, const Jet& y) {
@@ -304,11 +304,11 @@ Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
     return composed(x, y,
                     [&](const Jet& at_x, const Jet& at_y) { return value(function, at_x, at_y); });
   }
-  const std::optional<cl_RA> bend = bend_of(function, x, y);
+  const std::optional<cl_RA> bend = kink_order(function, x, y);
   const Generators moving = x.moving() | y.moving();
   if (bend && moving != 0) {
     const cl_RA order = *bend * std::min(x.order(), y.order());
-    return Jet::bent(real_.value(function, x.real(), y.real()), moving, order);
+    return Jet::with_kink(real_.value(function, x.real(), y.real()), moving, order);
   }
   if (support == 0) {
     Jet result = real_.value(function, x.real(), y.real());
@@ -371,7 +371,7 @@ Jet JetFunctions::power(const Jet& x, const cl_RA& exponent) {
   }
   const bool is_zero = cln::zerop(x.real());
   if (is_zero && exponent > 0 && x.moving() != 0 && !is_graded(x)) {
-    return Jet::bent(0, x.moving(), exponent * x.order());
+    return Jet::with_kink(0, x.moving(), exponent * x.order());
   }
   Jet result;
   if (support == 0) {

@@ -105,7 +105,8 @@ class Jet {
   /// real + c |d|^order with c unknown and d a displacement along the generators `moving`.
   /// Derivatives of lower order are 0, all others unknown. OutsideDomain if order < 1: the first
   /// derivative is infinite.
-  [[nodiscard]] static Jet bent(const cln::cl_R& real, Generators moving, const cln::cl_RA& order);
+  [[nodiscard]] static Jet with_kink(const cln::cl_R& real, Generators moving,
+                                     const cln::cl_RA& order);
 
   /// Converts rationals that are too long to floats.
   void shorten();
@@ -126,12 +127,12 @@ class Jet {
   void depend_on_factors(const Jet& x, const Jet& y);
 
   /// The order of a constant.
-  static constexpr unsigned never = 255;
+  static constexpr unsigned constant_order = 255;
 
   std::vector<Term> terms_ = {};          ///< ascending by generators, no exact zeros
   std::vector<Generators> unknown_ = {};  ///< generators of coefficients that do not exist
   Generators moving_ = 0;
-  unsigned order_ = never;
+  unsigned order_ = constant_order;
 };
 
 [[nodiscard]] Jet operator-(const Jet& x, const Jet& y);

@@ -74,7 +74,7 @@ std::optional<ExpansionPoint> expansion_point(const Model& model, const State& s
   return point;
 }
 
-Motion towards(const ExpansionPoint& point, const Motion& motion, unsigned order) {
+Motion scaled_towards(const ExpansionPoint& point, const Motion& motion, unsigned order) {
   const Jet s(graded_symbol(order), 1);
   Motion result = motion;
   scale(result.q, point.q, s);
@@ -102,7 +102,7 @@ Motion Mechanics::at_rest() const {
 template <class Quantity>
 Jet Mechanics::expanded(unsigned order, const Motion& motion, const Quantity& quantity) const {
   if (!point_) return quantity(motion);
-  return quantity(towards(*point_, motion, order)).ungraded();
+  return quantity(scaled_towards(*point_, motion, order)).ungraded();
 }
 
 Jet Mechanics::energy_at(Energy energy, const Motion& motion) {
@@ -155,8 +155,8 @@ std::vector<cl_R> Mechanics::mass_matrix() {
   return values;
 }
 
-cl_R Mechanics::turned_mass(const Direction& w, const Direction& by, const Direction& y) {
-  return model_.rotations.empty() ? 0 : mass(turned(model_, w, by), y);
+cl_R Mechanics::cross_mass(const Direction& w, const Direction& by, const Direction& y) {
+  return model_.rotations.empty() ? 0 : mass(cross_on_rotations(model_, w, by), y);
 }
 
 /// Coefficient of e0 e1 e2 in L(q + x e2, w e0 + y e1).
@@ -197,7 +197,7 @@ cl_R Mechanics::position_gradient(const Direction& w) {
 /// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + dq/dt e1, v + a e1 + w e0, t + e1).
 Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a) {
   Motion moving = at;
-  move_on(model_, moving, a, second);
+  advance_time(model_, moving, a, second);
   displace(moving.v, w, first);
   Motion displaced = at;
   displace_position(model_, displaced, w, first);
@@ -208,7 +208,7 @@ Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a
             energy_at(dissipation, resisted).tangent(first) - force_along(at, w);
   if (model_.rotations.empty()) return sum;
   Motion turning = at;
-  displace(turning.v, turned(model_, jets(w), at.v), first);
+  displace(turning.v, cross_on_rotations(model_, jets(w), at.v), first);
   return sum + energy_at(lagrangian, turning).tangent(first);
 }
 
@@ -216,8 +216,8 @@ cl_R Mechanics::inverse_dynamics(const Direction& w, const Direction& a) {
   return residual(base_, w, a).real();
 }
 
-Direction Mechanics::across_velocity(const Direction& d) const {
-  return turned(model_, state_.v, d);
+Direction Mechanics::cross_velocity(const Direction& d) const {
+  return cross_on_rotations(model_, state_.v, d);
 }
 
 cl_R Mechanics::residual_slope(const Direction& w, const Displacement& along, const Direction& a,
@@ -316,21 +316,21 @@ cl_R Mechanics::energy_magnitude() {
   return cln::abs(energy_function()) + energy_at(potential_magnitude, base_).real();
 }
 
-cl_R turning(Mechanics& at, const Direction& w, const Direction& y) {
+cl_R rotation_terms(Mechanics& at, const Direction& w, const Direction& y) {
   const Direction& v = at.state().v;
-  return at.turned_mass(w, v, y) + at.turned_mass(w, y, v) - at.turned_mass(y, v, w);
+  return at.cross_mass(w, v, y) + at.cross_mass(w, y, v) - at.cross_mass(y, v, w);
 }
 
 cl_R velocity_force(Mechanics& at, const Direction& w) {
   const Direction& v = at.state().v;
-  return at.mass_gradient(v, w, v) - at.mass_gradient(w, v, v) / 2 + at.turned_mass(w, v, v);
+  return at.mass_gradient(v, w, v) - at.mass_gradient(w, v, v) / 2 + at.cross_mass(w, v, v);
 }
 
 cl_R coriolis(Mechanics& at, const Direction& w, const Direction& y) {
   const Direction& v = at.state().v;
   const cl_R christoffel =
       at.mass_gradient(v, w, y) + at.mass_gradient(y, w, v) - at.mass_gradient(w, y, v);
-  return (christoffel + turning(at, w, y)) / 2;
+  return (christoffel + rotation_terms(at, w, y)) / 2;
 }
 
 cl_R bias(Mechanics& at, const Direction& w) {

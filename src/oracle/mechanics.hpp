@@ -46,7 +46,8 @@ void displace_position(const Model& model, Motion& motion, const std::vector<Num
 
 /// q += N v along, v += a along, t += along.
 template <class Number>
-void move_on(const Model& model, Motion& motion, const std::vector<Number>& a, Generators along) {
+void advance_time(const Model& model, Motion& motion, const std::vector<Number>& a,
+                  Generators along) {
   displace_position(model, motion, motion.v, along);
   displace(motion.v, a, along);
   motion.t = motion.t + Jet(along, 1);
@@ -75,7 +76,8 @@ struct ExpansionPoint {
 [[nodiscard]] std::optional<ExpansionPoint> expansion_point(const Model& model, const State& state);
 
 /// The motion above; powers of s beyond `order` vanish.
-[[nodiscard]] Motion towards(const ExpansionPoint& point, const Motion& motion, unsigned order);
+[[nodiscard]] Motion scaled_towards(const ExpansionPoint& point, const Motion& motion,
+                                    unsigned order);
 
 class Mechanics {
  public:
@@ -87,7 +89,7 @@ class Mechanics {
   [[nodiscard]] const Model& model() const { return model_; }
 
   /// v x d on the velocities of rotations, 0 elsewhere.
-  [[nodiscard]] Direction across_velocity(const Direction& d) const;
+  [[nodiscard]] Direction cross_velocity(const Direction& d) const;
 
   /// w.M y, M = d2L/dv2
   [[nodiscard]] cln::cl_R mass(const Direction& w, const Direction& y);
@@ -96,7 +98,7 @@ class Mechanics {
   [[nodiscard]] std::vector<cln::cl_R> mass_matrix();
 
   /// w.([v]x M y) is (w x v).M y on the velocities of rotations. This is (w x by).M y.
-  [[nodiscard]] cln::cl_R turned_mass(const Direction& w, const Direction& by, const Direction& y);
+  [[nodiscard]] cln::cl_R cross_mass(const Direction& w, const Direction& by, const Direction& y);
 
   /// d/dq (w.M y) along x. Only for Lagrangians that are quadratic in the rates.
   [[nodiscard]] cln::cl_R mass_gradient(const Direction& x, const Direction& w, const Direction& y);
@@ -167,7 +169,7 @@ class Mechanics {
 };
 
 /// w.([v]x M y + [y]x M v + M [v]x y) on the velocities of rotations, with v of the state.
-[[nodiscard]] cln::cl_R turning(Mechanics& at, const Direction& w, const Direction& y);
+[[nodiscard]] cln::cl_R rotation_terms(Mechanics& at, const Direction& w, const Direction& y);
 
 /// w.C v = d/dq (w.M v) v - 1/2 d/dq (v.M v) w + w.[v]x M v
 [[nodiscard]] cln::cl_R velocity_force(Mechanics& at, const Direction& w);

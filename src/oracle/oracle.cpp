@@ -12,7 +12,7 @@ namespace {
 
 using cln::cl_R;
 using oracle::attempt;
-using oracle::guarded;
+using oracle::attempt_with_enough_digits;
 
 }  // namespace
 
@@ -36,24 +36,26 @@ State start_state(const Model& model, const Scene& scene) {
 }
 
 OracleValues oracle_values(const Model& model, const OutputRequest& output, const State& state) {
-  return guarded([&] { return oracle::output_values(model, output, state); });
+  return attempt_with_enough_digits([&] { return oracle::output_values(model, output, state); });
 }
 
 std::optional<cl_R> oracle_residual_slope(const Model& model, const State& state,
                                           const std::vector<cl_R>& w, const std::vector<cl_R>& x,
                                           const std::vector<cl_R>& y) {
-  return guarded([&] {
+  return attempt_with_enough_digits([&] {
     return oracle::Mechanics(model, state).residual_slope(w, {x, y}, state.a, state.u);
   });
 }
 
 std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& output,
                                        const State& state, const Contraction& by) {
-  return guarded([&] { return oracle::contracted_values(model, output, state, by); });
+  return attempt_with_enough_digits(
+      [&] { return oracle::contracted_values(model, output, state, by); });
 }
 
 std::optional<cl_R> oracle_energy_magnitude(const Model& model, const State& state) {
-  return guarded([&] { return oracle::Mechanics(model, state).energy_magnitude(); });
+  return attempt_with_enough_digits(
+      [&] { return oracle::Mechanics(model, state).energy_magnitude(); });
 }
 
 OracleValues oracle_relative_pivots(std::vector<cl_R> matrix, std::size_t n) {
@@ -63,38 +65,38 @@ OracleValues oracle_relative_pivots(std::vector<cl_R> matrix, std::size_t n) {
 
 std::optional<cl_R> oracle_expression(const Model& model, ExpressionId expression,
                                       const State& state) {
-  return guarded(
+  return attempt_with_enough_digits(
       [&] { return oracle::Evaluation(model, oracle::motion_of(state)).value(expression).real(); });
 }
 
-std::optional<cl_R> oracle_slope(const Model& model, ExpressionId expression, const State& state,
-                                 const State& direction) {
+std::optional<cl_R> oracle_directional_derivative(const Model& model, ExpressionId expression,
+                                                  const State& state, const State& direction) {
   constexpr oracle::Generators along = oracle::generator(0);
   const oracle::Motion motion = map_leaves(
       [](const cl_R& at, const cl_R& by) { return oracle::Jet(at) + oracle::Jet(along, by); },
       state, direction);
-  return guarded(
+  return attempt_with_enough_digits(
       [&] { return oracle::Evaluation(model, motion).value(expression).coefficient(along); });
 }
 
 std::optional<cl_R> oracle_rate(const Model& model, ExpressionId expression, const State& state) {
   constexpr oracle::Generators along = oracle::generator(1);
-  return guarded([&] {
+  return attempt_with_enough_digits([&] {
     oracle::Motion motion = oracle::motion_of(state);
-    oracle::move_on(model, motion, motion.a, along);
-    if (holds_leaf(model, expression, Opcode::momentum | Opcode::energy)) {
+    oracle::advance_time(model, motion, motion.a, along);
+    if (contains_leaf(model, expression, Opcode::momentum | Opcode::energy)) {
       oracle::Mechanics(model, state).add_momenta(motion);
     }
     return oracle::Evaluation(model, motion).value(expression).coefficient(along);
   });
 }
 
-bool oracle_meets(const Model& model, const Condition& condition, const State& state) {
+bool oracle_satisfies(const Model& model, const Condition& condition, const State& state) {
   const std::optional<cl_R> excess = oracle_expression(model, condition.excess, state);
   return excess && (condition.is_strict ? *excess > 0 : *excess >= 0);
 }
 
-std::optional<State> oracle_point(const Model& model, const StatedPoint& point, State state) {
+std::optional<State> oracle_rest_state(const Model& model, const StatedPoint& point, State state) {
   const State given = state;
   const auto place = [&](const std::vector<std::optional<ExpressionId>>& values,
                          std::vector<cl_R>& entries) {

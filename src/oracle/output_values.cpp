@@ -24,7 +24,7 @@ std::vector<cl_R> reaction(const Model& model, const State& state) {
   if (held.empty()) return {};
   const State whole = map_leaves([](const Jet& value) { return value.real(); },
                                  whole_motion(model, motion_of(state)));
-  Mechanics at(whole_of(model), whole);
+  Mechanics at(whole_model(model), whole);
   std::vector<cl_R> values;
   for (const std::uint32_t velocity : held) {
     const Direction w = at.unit(velocity);
@@ -35,9 +35,9 @@ std::vector<cl_R> reaction(const Model& model, const State& state) {
 }
 
 struct OracleRow {
-  Values (*values)(const Question&);
+  Values (*values)(const OutputQuery&);
   /// w.x or w.X y; null: contract the entries of `values`.
-  cl_R (*contraction)(const Question&, const Contraction&) = nullptr;
+  cl_R (*contraction)(const OutputQuery&, const Contraction&) = nullptr;
 };
 
 /// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + turning) with dM/dt along v and R_ij = d/dq_j (M v)_i. This
@@ -54,7 +54,7 @@ Values coriolis_entries(Mechanics& at) {
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       const cl_R r = at.mass_gradient(at.unit(j), at.unit(i), v);
-      c[i * n + j] = c[i * n + j] + r + turning(at, at.unit(i), at.unit(j));
+      c[i * n + j] = c[i * n + j] + r + rotation_terms(at, at.unit(i), at.unit(j));
       c[j * n + i] = c[j * n + i] - r;
     }
   }
@@ -65,7 +65,7 @@ Values coriolis_entries(Mechanics& at) {
 cl_R total_energy_of(Mechanics& at) { return at.kinetic_energy() + at.potential_energy(); }
 
 /// a, the relative pivots of M and of S = A M^-1 A^T, and the multipliers.
-Values solved(Mechanics& at) {
+Values forward_dynamics_entries(Mechanics& at) {
   const ConstrainedSystem system = constrained_system(at);
   const ConstrainedMotion motion = constrained_motion(at, system);
   Values values = motion.x;
@@ -76,13 +76,13 @@ Values solved(Mechanics& at) {
   return values;
 }
 
-bool has_reference(const Question& of) {
+bool has_reference(const OutputQuery& of) {
   return output_row(of.output.kind).takes.has_any(Opcode::reference);
 }
 
 /// Y, then rest. Column k of Y is the force at the k-th unit parameter vector minus rest; rest is
 /// the force at zero parameters.
-Values all_of_regressor(const Question& of) {
+Values regressor_entries(const OutputQuery& of) {
   const std::size_t n = of.state.v.size();
   const std::size_t count = extent_of(of.model, Extent::inertial);
   std::vector<Direction> units;
@@ -101,7 +101,7 @@ Values all_of_regressor(const Question& of) {
 }
 
 /// w.Y y, or w.rest.
-cl_R contracted_regressor(const Question& of, const Contraction& by) {
+cl_R contracted_regressor(const OutputQuery& of, const Contraction& by) {
   const auto force = [&](const Values& parameters) {
     return forces_of_parameters(of.model, of.state, parameters, {by.w}, has_reference(of)).front();
   };
@@ -109,7 +109,7 @@ cl_R contracted_regressor(const Question& of, const Contraction& by) {
   return by.field == 1 ? rest : force(by.y) - rest;
 }
 
-Values rates_of_coordinates(const Question& of) {
+Values rates_of_coordinates(const OutputQuery& of) {
   const Motion motion = motion_of(of.state);
   Values values;
   for (const Jet& rate : coordinate_rates(of.model, motion.q, motion.v)) {
@@ -119,7 +119,7 @@ Values rates_of_coordinates(const Question& of) {
 }
 
 /// The state with v computed from its momenta.
-State moving_state(const Question& of) {
+State state_from_momenta(const OutputQuery& of) {
   State state = of.state;
   state.v = velocities_of_momenta(of.model, of.state, of.state.momenta);
   return state;
@@ -157,14 +157,14 @@ Values input_force_slopes(Mechanics& at) {
 }
 
 /// v.dL/dv - L at the velocities that the momenta give.
-Values hamiltonian_of(const Question& of) {
-  const State state = moving_state(of);
+Values hamiltonian_of(const OutputQuery& of) {
+  const State state = state_from_momenta(of);
   return {Mechanics(of.model, state).energy_function()};
 }
 
 /// dq/dt, then dp/dt.
-Values canonical_rates(const Question& of) {
-  const State state = moving_state(of);
+Values canonical_rates(const OutputQuery& of) {
+  const State state = state_from_momenta(of);
   Values values = rates_of_coordinates({of.model, of.output, state});
   const Values of_momenta = momentum_rates(of.model, state);
   values.insert(values.end(), of_momenta.begin(), of_momenta.end());
@@ -172,8 +172,8 @@ Values canonical_rates(const Question& of) {
 }
 
 /// w.x for the field `by.field`, a column.
-template <Values (*values)(const Question&)>
-cl_R contracted_field(const Question& of, const Contraction& by) {
+template <Values (*values)(const OutputQuery&)>
+cl_R contracted_field(const OutputQuery& of, const Contraction& by) {
   const Values all = values(of);
   const std::size_t first = first_entry_of(of.model, of.output, by.field);
   cl_R sum = 0;
@@ -181,13 +181,13 @@ cl_R contracted_field(const Question& of, const Contraction& by) {
   return sum;
 }
 
-Values stepped(const Question& of) { return oracle::step(of.model, of.output, of.state); }
+Values step_entries(const OutputQuery& of) { return oracle::step(of.model, of.output, of.state); }
 
-Values completed_values(const Question& of) {
+Values completed_values(const OutputQuery& of) {
   return oracle::completed(of.model, of.output.independent, of.state);
 }
 
-Values rates_taken_out(const Question& of) {
+Values cyclic_rate_entries(const OutputQuery& of) {
   if (!has_routhian(of.model)) return {};
   const Motion motion = motion_of(of.state);
   Values values;
@@ -197,14 +197,14 @@ Values rates_taken_out(const Question& of) {
 
 /// Adapts a scalar or vector function of Mechanics to OracleRow::values.
 template <auto whole>
-Values entries(const Question& of) {
+Values entries(const OutputQuery& of) {
   Mechanics at(of.model, of.state);
   return {std::invoke(whole, at)};
 }
 
 /// x_i = e_i.x for each unit vector e_i.
 template <auto product>
-Values column_entries(const Question& of) {
+Values column_entries(const OutputQuery& of) {
   Mechanics at(of.model, of.state);
   Values values;
   for (std::size_t i = 0; i < at.size(); ++i) {
@@ -215,7 +215,7 @@ Values column_entries(const Question& of) {
 
 /// Adapts a function of w, of (w, y) or of a Contraction to OracleRow::contraction.
 template <auto product>
-cl_R contracted(const Question& of, const Contraction& by) {
+cl_R contracted(const OutputQuery& of, const Contraction& by) {
   Mechanics at(of.model, of.state);
   if constexpr (std::is_invocable_v<decltype(product), Mechanics&, const Direction&>) {
     return std::invoke(product, at, by.w);
@@ -245,14 +245,15 @@ constexpr OracleRow inverse_dynamics = column<oracle::inverse_dynamics>;
 constexpr OracleRow momentum = column<&Mechanics::momentum>;
 constexpr OracleRow position_gradient = column<&Mechanics::position_gradient>;
 constexpr OracleRow reaction{
-    [](const Question& of) { return oracle::reaction(of.model, of.state); }};
+    [](const OutputQuery& of) { return oracle::reaction(of.model, of.state); }};
 
 constexpr OracleRow potential_energy{entries<&Mechanics::potential_energy_at_rest>};
 constexpr OracleRow kinetic_energy{entries<&Mechanics::kinetic_energy>};
 constexpr OracleRow total_energy{entries<total_energy_of>};
 constexpr OracleRow energy_function{entries<&Mechanics::energy_function>};
 
-constexpr OracleRow forward_dynamics{entries<solved>, contracted_field<entries<solved>>};
+constexpr OracleRow forward_dynamics{entries<forward_dynamics_entries>,
+                                     contracted_field<entries<forward_dynamics_entries>>};
 constexpr OracleRow linearization{entries<state_matrices>, contracted<state_contraction>};
 constexpr OracleRow inverse_dynamics_derivatives{entries<inverse_derivatives>,
                                                  contracted<inverse_contraction>};
@@ -264,19 +265,19 @@ constexpr OracleRow input_force_derivatives{entries<input_force_slopes>,
 constexpr OracleRow inverse_mass_matrix{entries<inverse_of_mass>};
 
 constexpr OracleRow hamiltonian{hamiltonian_of};
-constexpr OracleRow velocities_of_momenta{[](const Question& of) {
+constexpr OracleRow velocities_of_momenta{[](const OutputQuery& of) {
   return oracle::velocities_of_momenta(of.model, of.state, of.state.momenta);
 }};
 constexpr OracleRow hamilton_equations{canonical_rates, contracted_field<canonical_rates>};
 
 constexpr OracleRow coordinate_rates{rates_of_coordinates};
 constexpr OracleRow normalized{
-    [](const Question& of) { return oracle::normalized(of.model, of.state.q); }};
+    [](const OutputQuery& of) { return oracle::normalized(of.model, of.state.q); }};
 
-constexpr OracleRow cyclic_rates{rates_taken_out};
+constexpr OracleRow cyclic_rates{cyclic_rate_entries};
 
 template <Values (*values)(const Model&, const State&)>
-Values of_constraints(const Question& of) {
+Values of_constraints(const OutputQuery& of) {
   return values(of.model, of.state);
 }
 
@@ -293,10 +294,10 @@ constexpr OracleRow constrained_inverse_dynamics =
 
 constexpr OracleRow completed{completed_values, contracted_field<completed_values>};
 
-constexpr OracleRow regressor{all_of_regressor, contracted_regressor};
+constexpr OracleRow regressor{regressor_entries, contracted_regressor};
 constexpr OracleRow regressor_reference = regressor;
 constexpr OracleRow regressor_parameters{
-    [](const Question& of) { return oracle::regressor_parameters(of.model, of.state); }};
+    [](const OutputQuery& of) { return oracle::regressor_parameters(of.model, of.state); }};
 
 constexpr OracleRow user_value{values_of_user};
 constexpr OracleRow user_jacobian{jacobian_of_user};
@@ -304,18 +305,18 @@ constexpr OracleRow user_bias{bias_of_user};
 constexpr OracleRow user_derivatives{all_derivatives_of_user, contracted_derivatives};
 constexpr OracleRow user_operational{operational_of_user, contracted_operational};
 
-constexpr OracleRow step{stepped, contracted_field<stepped>};
+constexpr OracleRow step{step_entries, contracted_field<step_entries>};
 constexpr OracleRow step_derivatives{
-    [](const Question& of) { return oracle::step_derivatives(of.model, of.output, of.state); },
-    [](const Question& of, const Contraction& by) {
+    [](const OutputQuery& of) { return oracle::step_derivatives(of.model, of.output, of.state); },
+    [](const OutputQuery& of, const Contraction& by) {
       return step_contraction(of.model, of.output, of.state, by);
     }};
 
-constexpr OracleRow of_others{[](const Question&) { return Values(); }};
+constexpr OracleRow no_entries{[](const OutputQuery&) { return Values(); }};
 
 constexpr OracleRow table[] = {
 #define ELGEN_OUTPUT(name) name,
-#define ELGEN_SUMMARY(name) of_others,
+#define ELGEN_SUMMARY(name) no_entries,
 #include "elgen/outputs.def"
 };
 
@@ -333,7 +334,7 @@ Values output_values(const Model& model, const OutputRequest& output, const Stat
 
 cl_R contracted_values(const Model& model, const OutputRequest& output, const State& state,
                        const Contraction& by) {
-  const Question of{model, output, state};
+  const OutputQuery of{model, output, state};
   if (oracle_row(output).contraction != nullptr) return oracle_row(output).contraction(of, by);
   return contracted_entries(oracle_row(output).values(of), by);
 }

@@ -32,7 +32,7 @@ unsigned all_digits() { return working_digits + MoreDigits::count(); }
 cln::float_format_t working_format() { return cln::float_format(all_digits()); }
 
 /// `x` with its digits before the decimal point in addition to working precision.
-cl_F widened(const cl_R& x) {
+cl_F widen(const cl_R& x) {
   if (is_rational(x)) {
     const cl_I integer_part = cln::truncate1(x);
     const auto digits = static_cast<unsigned>(cln::integer_length(integer_part)) / 3 + 1;
@@ -43,7 +43,7 @@ cl_F widened(const cl_R& x) {
   if (bits <= 0) return f;
   if (bits > largest_angle_exponent) throw BeyondReach("argument too large to reduce");
   const unsigned digits = static_cast<unsigned>(bits) / 3 + 1;
-  MoreDigits::lose(digits);
+  MoreDigits::report_lost(digits);
   return cln::cl_float(f, cln::float_format(all_digits() + digits));
 }
 
@@ -54,13 +54,13 @@ cl_R rounded(const cl_R& x) {
 /// e^x is 10^(0.43 x), and its square hides twice as many digits: fewer than x.
 void hide_exponential(const cl_R& x) {
   const cl_R size = cln::min(cln::abs(x), largest_exponent);
-  MoreDigits::hide(cln::cl_I_to_uint(cln::ceiling1(size)));
+  MoreDigits::report_hidden(cln::cl_I_to_uint(cln::ceiling1(size)));
 }
 
 cl_R checked_exponent(const cl_R& x) {
   if (cln::abs(x) > largest_exponent) throw BeyondReach("exponential too large");
   hide_exponential(x);
-  return widened(x);
+  return widen(x);
 }
 
 cl_R root_of_one_minus_square(const cl_R& x) {
@@ -78,7 +78,7 @@ cl_R angle(const cl_R& sine, const cl_R& cosine) {
 cl_R hyperbolic_tangent(const cl_R& x) {
   hide_exponential(x);
   if (cln::abs(x) > tanh_saturation()) return as_float(cln::signum(x));
-  return cln::tanh(widened(x));
+  return cln::tanh(widen(x));
 }
 
 cl_R logarithm(const cl_R& x) {
@@ -133,7 +133,7 @@ cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
   if (x == 0) return reciprocal_factorial(k);
   const unsigned widest = 3 * k + 100;
   if (cln::abs(x) > widest) {
-    const cl_F argument = cln::the<cl_F>(is_hyperbolic ? checked_exponent(x) : widened(x));
+    const cl_F argument = cln::the<cl_F>(is_hyperbolic ? checked_exponent(x) : widen(x));
     const cl_R square = is_hyperbolic ? -argument * argument : argument * argument;
     cl_R value = first_of_series(argument, k % 2 != 0, is_hyperbolic);
     for (unsigned n = k % 2; n < k; n += 2) value = (reciprocal_factorial(n) - value) / square;
@@ -151,13 +151,13 @@ cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
 }
 
 /// Every function except sin and cos.
-cl_R computed(FunctionId function, const cl_R& x, const cl_R& y) {
+cl_R uncached_value(FunctionId function, const cl_R& x, const cl_R& y) {
   switch (function) {
     case FunctionId::sin:
     case FunctionId::cos:
       break;
     case FunctionId::tan:
-      return cln::tan(widened(x));
+      return cln::tan(widen(x));
     case FunctionId::asin:
       return angle(x, root_of_one_minus_square(x));
     case FunctionId::acos:
@@ -237,15 +237,15 @@ cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {
     if (function == FunctionId::acos) return real_pi() / 2;
   }
   const auto entry = known_.find(Call{function, x, y});
-  return entry != known_.end() ? entry->second : remembered(function, x, y);
+  return entry != known_.end() ? entry->second : compute_and_store(function, x, y);
 }
 
 /// Sine and cosine are computed together, because the derivative of one is the other.
-cl_R RealFunctions::remembered(FunctionId function, const cl_R& x, const cl_R& y) {
+cl_R RealFunctions::compute_and_store(FunctionId function, const cl_R& x, const cl_R& y) {
   if (!is_circular(function)) {
-    return known_[Call{function, x, y}] = rounded(computed(function, x, y));
+    return known_[Call{function, x, y}] = rounded(uncached_value(function, x, y));
   }
-  const cln::cos_sin_t both = cos_sin_of(widened(x));
+  const cln::cos_sin_t both = cos_sin_of(widen(x));
   const cl_R sine = known_[Call{FunctionId::sin, x, y}] = rounded(both.sin);
   const cl_R cosine = known_[Call{FunctionId::cos, x, y}] = rounded(both.cos);
   return function == FunctionId::sin ? sine : cosine;

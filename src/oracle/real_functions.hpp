@@ -67,7 +67,7 @@ class RealFunctions {
 
  private:
   using Call = std::tuple<FunctionId, cln::cl_R, cln::cl_R>;
-  cln::cl_R remembered(FunctionId function, const cln::cl_R& x, const cln::cl_R& y);
+  cln::cl_R compute_and_store(FunctionId function, const cln::cl_R& x, const cln::cl_R& y);
 
   std::map<Call, cln::cl_R> known_ = {};
 };
@@ -86,7 +86,8 @@ auto attempt(const Computation& computation) -> std::optional<decltype(computati
 
 /// attempt() with as many digits as large angles need; with fewer a value may seem undefined.
 template <class Computation>
-auto guarded(const Computation& computation) -> std::optional<decltype(computation())> {
+auto attempt_with_enough_digits(const Computation& computation)
+    -> std::optional<decltype(computation())> {
   return with_enough_digits([&] { return attempt(computation); });
 }
 

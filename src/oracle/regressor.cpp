@@ -131,7 +131,7 @@ cl_R force_by_reference(Mechanics& at, Mechanics& at_reference, const Direction&
 }
 
 /// The parameter of a body in a frame, about the frame's origin.
-cl_R of_body_in_frame(Evaluation& at, const Body& body, std::uint32_t component) {
+cl_R parameter_of_framed_body(Evaluation& at, const Body& body, std::uint32_t component) {
   const auto value = [&at](ExpressionId id) { return at.value(id).real(); };
   const BodyInFrame& local = *body.local;
   const cl_R mass = body.mass ? value(*body.mass) : cl_R(0);
@@ -150,7 +150,7 @@ cl_R of_body_in_frame(Evaluation& at, const Body& body, std::uint32_t component)
   return own + mass * shift[entry];
 }
 
-cl_R of_body(Evaluation& at, const Body& body, const InertialParameter& parameter) {
+cl_R parameter_of_body(Evaluation& at, const Body& body, const InertialParameter& parameter) {
   if (parameter.is_mass()) return at.value(*body.mass).real();
   const std::uint32_t entry = parameter.component - first_inertia_component;
   return at.value(body.inertia[body.inertia.size() == 1 ? 0 : entry]).real();
@@ -161,9 +161,9 @@ cl_R of_body(Evaluation& at, const Body& body, const InertialParameter& paramete
 Values forces_of_parameters(const Model& model, State state, const Values& values,
                             const std::vector<Direction>& directions, bool by_reference) {
   const ModelOfParameters given(model, values);
-  const std::size_t first = values.size() - model.regressed.size();
-  for (std::size_t k = 0; k < model.regressed.size(); ++k) {
-    state.parameters[model.regressed[k]] = values[first + k];
+  const std::size_t first = values.size() - model.affine_parameters.size();
+  for (std::size_t k = 0; k < model.affine_parameters.size(); ++k) {
+    state.parameters[model.affine_parameters[k]] = values[first + k];
   }
   Mechanics at(given.model(), state);
   State moving = state;
@@ -194,8 +194,8 @@ Values regressor_parameters(const Model& model, const State& state) {
         break;
       case InertialOwner::body: {
         const Body& body = model.bodies[parameter.index];
-        values.push_back(body.local ? of_body_in_frame(at, body, parameter.component)
-                                    : of_body(at, body, parameter));
+        values.push_back(body.local ? parameter_of_framed_body(at, body, parameter.component)
+                                    : parameter_of_body(at, body, parameter));
         break;
       }
     }

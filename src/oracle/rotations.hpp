@@ -23,8 +23,9 @@ using Spin = std::array<Jet, axis_count>;             ///< in the axes of the bo
 
 /// w x y on the velocities of rotations, 0 elsewhere.
 template <class Number>
-[[nodiscard]] std::vector<Number> turned(const Model& model, const std::vector<Number>& w,
-                                         const std::vector<Number>& y) {
+[[nodiscard]] std::vector<Number> cross_on_rotations(const Model& model,
+                                                     const std::vector<Number>& w,
+                                                     const std::vector<Number>& y) {
   std::vector<Number> result(w.size(), Number(0));
   for (const Rotation& rotation : model.rotations) {
     const std::uint32_t first = rotation.first_velocity;

@@ -26,7 +26,7 @@ using oracle::working_digits;
 /// Digits in addition to working_digits.
 constexpr unsigned digits_of_first_look = 60;
 constexpr unsigned digits_of_last_look = 1920;
-static_assert(working_digits + digits_of_last_look >= most_settled_digits);
+static_assert(working_digits + digits_of_last_look >= max_stable_digits);
 
 /// Two more digits than elgen prints.
 constexpr int digits_that_stay = 62;
@@ -101,13 +101,13 @@ Look look_at(const Computation& values, const State& state, unsigned digits) {
       throw;
     }
   };
-  look.values = with_digits(digits, [&] { return oracle::guarded(noting); });
+  look.values = with_digits(digits, [&] { return oracle::attempt_with_enough_digits(noting); });
   look.hidden = MoreDigits::hidden();
   return look;
 }
 
 struct LookPair {
-  bool tells = false;  ///< the first look has enough digits to show a non-zero value
+  bool is_conclusive = false;  ///< the first look has enough digits to show a non-zero value
   bool is_last = false;
 };
 
@@ -118,15 +118,14 @@ std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, const Loo
   const bool is_zero = cln::zerop(now) || cln::zerop(before) ||
                        cln::abs(now) <= cln::abs(before) * share_of_a_zero();
   if (is_rational(now) && stays) return now;
-  if (is_zero) return looks.tells ? std::optional<cl_R>(0) : std::nullopt;
-  return stays && (looks.tells || looks.is_last) ? std::optional(now) : std::nullopt;
+  if (is_zero) return looks.is_conclusive ? std::optional<cl_R>(0) : std::nullopt;
+  return stays && (looks.is_conclusive || looks.is_last) ? std::optional(now) : std::nullopt;
 }
 
 /// All values from two looks; empty if one is not settled.
-std::optional<SettledValues> settled_by(const Look& before, const Look& now,
-                                        const LookPair& looks) {
-  const bool lacks = !before.values && !now.values;
-  if (lacks && looks.tells) return SettledValues{};
+std::optional<StableValues> settled_by(const Look& before, const Look& now, const LookPair& looks) {
+  const bool has_no_value = !before.values && !now.values;
+  if (has_no_value && looks.is_conclusive) return StableValues{};
   if (!before.values || !now.values) return std::nullopt;
   std::vector<cl_R> values;
   for (std::size_t i = 0; i < now.values->size(); ++i) {
@@ -134,7 +133,7 @@ std::optional<SettledValues> settled_by(const Look& before, const Look& now,
     if (!value) return std::nullopt;
     values.push_back(*value);
   }
-  return SettledValues{std::move(values)};
+  return StableValues{std::move(values)};
 }
 
 /// Sets values to 0 that shrink with the digits of the state's numbers.
@@ -146,19 +145,19 @@ void clear_rounding(std::vector<cl_R>& settled, const OracleValues& at_rounded) 
   }
 }
 
-SettledValues settled(const Model& model, const State& state, const Computation& values) {
-  const SettledValues untold{.is_told = false};
-  const unsigned telling = digits_of_powers(model, state);
+StableValues settled(const Model& model, const State& state, const Computation& values) {
+  const StableValues undecided{.is_decided = false};
+  const unsigned needed_digits = digits_of_powers(model, state);
   // With fewer digits both looks may agree on 1 for 1 + (1 - cos(e))/e^2.
   unsigned digits = digits_of_first_look;
-  while (2 * digits < digits_of_last_look && working_digits + digits < telling) digits *= 2;
+  while (2 * digits < digits_of_last_look && working_digits + digits < needed_digits) digits *= 2;
   Look before = look_at(values, state, digits);
   for (; digits < digits_of_last_look; digits *= 2) {
     Look now = look_at(values, state, 2 * digits);
-    if (before.is_beyond || now.is_beyond) return untold;
-    const LookPair looks{
-        .tells = working_digits + digits >= std::max({telling, before.hidden, now.hidden}),
-        .is_last = 2 * digits >= digits_of_last_look};
+    if (before.is_beyond || now.is_beyond) return undecided;
+    const LookPair looks{.is_conclusive = working_digits + digits >=
+                                          std::max({needed_digits, before.hidden, now.hidden}),
+                         .is_last = 2 * digits >= digits_of_last_look};
     if (auto found = settled_by(before, now, looks)) {
       const std::optional<State> rough = found->values ? rounded(state) : std::nullopt;
       if (rough) clear_rounding(*found->values, look_at(values, *rough, 2 * digits).values);
@@ -166,17 +165,18 @@ SettledValues settled(const Model& model, const State& state, const Computation&
     }
     before = std::move(now);
   }
-  return untold;
+  return undecided;
 }
 
 }  // namespace
 
-SettledValues settled_values(const Model& model, const OutputRequest& output, const State& state) {
+StableValues stable_values(const Model& model, const OutputRequest& output, const State& state) {
   return settled(model, state,
                  [&](const State& at) { return oracle::output_values(model, output, at); });
 }
 
-SettledValues settled_expression(const Model& model, ExpressionId expression, const State& state) {
+StableValues stable_expression_value(const Model& model, ExpressionId expression,
+                                     const State& state) {
   return settled(model, state, [&](const State& at) {
     const oracle::Motion motion = oracle::motion_of(at);
     return std::vector<cl_R>{oracle::Evaluation(model, motion).value(expression).real()};

@@ -16,14 +16,14 @@ namespace {
 using cln::cl_R;
 
 /// A pivot below this share of its diagonal entry is zero up to rounding errors.
-const cl_R& lost_pivot() {
+const cl_R& least_pivot_share() {
   static const cl_R share = cln::expt(cl_R(10), -75);
   return share;
 }
 
 cl_R pivot_share(const cl_R& pivot, const cl_R& diagonal) {
   const cl_R share = quotient(pivot, diagonal);
-  if (cln::abs(share) < lost_pivot()) throw OutsideDomain("singular matrix");
+  if (cln::abs(share) < least_pivot_share()) throw OutsideDomain("singular matrix");
   return share;
 }
 
@@ -75,7 +75,7 @@ std::vector<cl_R> negative(std::vector<cl_R> values) {
   return values;
 }
 
-std::vector<cl_R> moving_forces(Mechanics& at) {
+std::vector<cl_R> net_forces(Mechanics& at) {
   std::vector<cl_R> forces;
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Direction w = at.unit(i);
@@ -101,7 +101,7 @@ std::vector<cl_R> velocities_of_momenta(const Model& model, State state,
 
 std::vector<cl_R> momentum_rates(const Model& model, const State& state) {
   Mechanics at(model, state);
-  const std::vector<cl_R> turning = at.across_velocity(unit_products(at, &Mechanics::momentum));
+  const std::vector<cl_R> turning = at.cross_velocity(unit_products(at, &Mechanics::momentum));
   std::vector<cl_R> values;
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Direction w = at.unit(i);

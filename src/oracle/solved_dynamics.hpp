@@ -29,7 +29,7 @@ struct Solution {
 [[nodiscard]] std::vector<cln::cl_R> negative(std::vector<cln::cl_R> values);
 
 /// B u - bias.
-[[nodiscard]] std::vector<cln::cl_R> moving_forces(Mechanics& at);
+[[nodiscard]] std::vector<cln::cl_R> net_forces(Mechanics& at);
 
 /// x_i = e_i.x for each unit vector e_i.
 [[nodiscard]] std::vector<cln::cl_R> unit_products(

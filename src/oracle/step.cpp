@@ -24,74 +24,75 @@ using cln::cl_R;
 using Values = std::vector<cl_R>;
 
 /// The part of a state that a step changes, and the residual of an implicit method.
-struct Moved {
+struct StepState {
   Values q;
   Values v;
   Values residual = {};
 };
 
-Values sum(const Values& x, const cl_R& factor, const Values& y) {
+Values add_scaled(const Values& x, const cl_R& factor, const Values& y) {
   Values result;
   for (std::size_t i = 0; i < x.size(); ++i) result.push_back(x[i] + factor * y[i]);
   return result;
 }
 
-Moved sum(const Moved& x, const cl_R& factor, const Moved& y) {
-  return {sum(x.q, factor, y.q), sum(x.v, factor, y.v)};
+StepState add_scaled(const StepState& x, const cl_R& factor, const StepState& y) {
+  return {add_scaled(x.q, factor, y.q), add_scaled(x.v, factor, y.v)};
 }
 
-class Stepping {
+class OracleStepper {
  public:
-  Stepping(const Model& model, const State& start, const OutputRequest& output)
+  OracleStepper(const Model& model, const State& start, const OutputRequest& output)
       : model_(model),
         start_(start),
         iterations_(output.step->iterations),
-        parts_(step_parts(output.step->composed_order)) {}
+        parts_(composition_coefficients(output.step->composed_order)) {}
 
   /// x + h/6 (k1 + 2 k2 + 2 k3 + k4)
-  Moved rk4() {
+  StepState rk4() {
     const cl_R& h = start_.h;
-    const Moved x{start_.q, start_.v};
-    const Moved k1 = rates(x, 0);
-    const Moved k2 = rates(sum(x, h / 2, k1), h / 2);
-    const Moved k3 = rates(sum(x, h / 2, k2), h / 2);
-    const Moved k4 = rates(sum(x, h, k3), h);
-    return sum(sum(sum(sum(x, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
+    const StepState x{start_.q, start_.v};
+    const StepState k1 = rates(x, 0);
+    const StepState k2 = rates(add_scaled(x, h / 2, k1), h / 2);
+    const StepState k3 = rates(add_scaled(x, h / 2, k2), h / 2);
+    const StepState k4 = rates(add_scaled(x, h, k3), h);
+    return add_scaled(add_scaled(add_scaled(add_scaled(x, h / 6, k1), h / 3, k2), h / 3, k3), h / 6,
+                      k4);
   }
 
   /// Kick, drift, kick for each substep.
-  Moved verlet() {
-    Moved x{start_.q, start_.v};
+  StepState verlet() {
+    StepState x{start_.q, start_.v};
     cl_R time = 0;
     for (const cln::cl_RA& part : parts_) {
       const cl_R h = part * start_.h;
-      x.v = sum(x.v, h / 2, rates(x, time).v);
-      x.q = sum(x.q, h, x.v);
+      x.v = add_scaled(x.v, h / 2, rates(x, time).v);
+      x.q = add_scaled(x.q, h, x.v);
       time = time + h;
-      x.v = sum(x.v, h / 2, rates(x, time).v);
+      x.v = add_scaled(x.v, h / 2, rates(x, time).v);
     }
     return x;
   }
 
   /// M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2) in each substep, by `iterations`
   /// substitutions. The residual belongs to the middle substep.
-  Moved midpoint() {
+  StepState midpoint() {
     Values p = momentum(start_);
-    Moved x{start_.q, start_.v};
+    StepState x{start_.q, start_.v};
     cl_R time = 0;
     for (std::size_t k = 0; k < parts_.size(); ++k) {
       const cl_R h = parts_[k] * start_.h;
       Values& w = x.v;
-      const auto middle = [&] { return state_of({sum(x.q, h / 2, w), w}, time + h / 2); };
+      const auto middle = [&] { return state_of({add_scaled(x.q, h / 2, w), w}, time + h / 2); };
       for (std::uint32_t i = 0; i < iterations_; ++i) {
-        w = velocities(middle(), sum(p, h / 2, momentum_rates(model_, middle())));
+        w = velocities(middle(), add_scaled(p, h / 2, momentum_rates(model_, middle())));
       }
       const Values rate = momentum_rates(model_, middle());
       if (k == parts_.size() / 2) {
-        x.residual = sum(momentum(middle()), -1, sum(p, h / 2, rate));
+        x.residual = add_scaled(momentum(middle()), -1, add_scaled(p, h / 2, rate));
       }
-      x.q = sum(x.q, h, w);
-      p = sum(p, h, rate);
+      x.q = add_scaled(x.q, h, w);
+      p = add_scaled(p, h, rate);
       time = time + h;
     }
     x.v = velocities(state_of(x, time), p);
@@ -99,7 +100,7 @@ class Stepping {
   }
 
  private:
-  [[nodiscard]] State state_of(const Moved& x, const cl_R& later) const {
+  [[nodiscard]] State state_of(const StepState& x, const cl_R& later) const {
     State state = start_;
     state.q = normalized(model_, x.q);
     state.v = x.v;
@@ -117,11 +118,11 @@ class Stepping {
   }
 
   /// dx/dt at the time t + later.
-  [[nodiscard]] Moved rates(const Moved& x, const cl_R& later) const {
+  [[nodiscard]] StepState rates(const StepState& x, const cl_R& later) const {
     const State state = state_of(x, later);
     Mechanics at(model_, state);
     const Motion motion = motion_of(state);
-    Moved rates;
+    StepState rates;
     for (const Jet& rate : coordinate_rates(model_, motion.q, motion.v)) {
       rates.q.push_back(rate.real());
     }
@@ -135,8 +136,8 @@ class Stepping {
   std::vector<cln::cl_RA> parts_;  ///< substeps as fractions of h; {1} if not composed
 };
 
-constexpr Moved (Stepping::*methods[])() = {
-#define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) &Stepping::name,
+constexpr StepState (OracleStepper::*methods[])() = {
+#define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) &OracleStepper::name,
 #include "elgen/step_methods.def"
 #undef ELGEN_STEP_METHOD
 };
@@ -163,7 +164,7 @@ State displaced(const Model& model, State state, const Direction& along, const c
 }
 
 /// dq in the components of velocities; for a quaternion e the rotation vector 4 N(e)^T de.
-Values by_velocity(const Model& model, const Values& q, const Values& dq) {
+Values velocity_components(const Model& model, const Values& q, const Values& dq) {
   Values result;
   const std::size_t n = model.velocities.size();
   const std::vector<Jet> place(q.begin(), q.end());
@@ -207,7 +208,8 @@ class StepLine {
       change.push_back((there[i] - back[i]) / (2 * size));
     }
     const auto first_rate = static_cast<std::ptrdiff_t>(coordinates);
-    Values result = by_velocity(model_, middle, {change.begin(), change.begin() + first_rate});
+    Values result =
+        velocity_components(model_, middle, {change.begin(), change.begin() + first_rate});
     result.insert(result.end(), change.begin() + first_rate, change.end());
     return result;
   }
@@ -235,7 +237,7 @@ Values slope(const Model& model, const OutputRequest& output, const State& state
 
 Values step(const Model& model, const OutputRequest& output, const State& state) {
   const auto method = static_cast<std::size_t>(output.step->method);
-  const Moved end = (Stepping(model, state, output).*methods[method])();
+  const StepState end = (OracleStepper(model, state, output).*methods[method])();
   Values values = normalized(model, end.q);
   if (output.step->projects) {
     State there = state;

@@ -15,7 +15,7 @@ namespace {
 using cln::cl_R;
 
 /// The state. If the output uses the motion, its accelerations and multipliers are set.
-Motion motion_of_user(const Question& of) {
+Motion motion_of_user(const OutputQuery& of) {
   Motion motion = motion_of(of.state);
   if (!of.of_user().motion) return motion;
   Mechanics at(of.model, of.state);
@@ -33,7 +33,7 @@ struct MotionChange {
 };
 
 /// dy along a direction. If the output uses the motion, accelerations and multipliers vary too.
-Values slopes_along(const Question& of, Motion motion, const MotionChange& change) {
+Values slopes_along(const OutputQuery& of, Motion motion, const MotionChange& change) {
   constexpr Generators moving = generator(0);
   displace_position(of.model, motion, change.along.x, moving);
   displace(motion.v, change.along.y, moving);
@@ -54,7 +54,7 @@ Values slopes_along(const Question& of, Motion motion, const MotionChange& chang
 }
 
 /// dy along each unit vector of one member of a change, row-major.
-Values slopes_by(const Question& of, std::size_t count, Direction& (*part)(MotionChange&)) {
+Values slopes_by(const OutputQuery& of, std::size_t count, Direction& (*part)(MotionChange&)) {
   const std::size_t n = of.state.v.size();
   const MotionChange still{
       {Direction(n), Direction(n)}, Direction(n), Direction(of.state.u.size())};
@@ -76,7 +76,7 @@ Direction& inputs_of(MotionChange& change) { return change.inputs; }
 
 /// One field of the derivatives: dy/dq along N, dy/dv, dy/da or dy/du. dy/da is empty if the output
 /// uses the acceleration of the motion.
-Values derivative_of_user(const Question& of, std::size_t field) {
+Values derivative_of_user(const OutputQuery& of, std::size_t field) {
   constexpr std::size_t acceleration = 2;
   constexpr std::array parts{position_of, velocity_of, acceleration_of, inputs_of};
   if (field == acceleration && of.of_user().motion) return {};
@@ -85,7 +85,7 @@ Values derivative_of_user(const Question& of, std::size_t field) {
 }
 
 /// The fields of operational_of_user().
-std::array<Values, 4> operational_fields(const Question& of) {
+std::array<Values, 4> operational_fields(const OutputQuery& of) {
   Mechanics at(of.model, of.state);
   const std::size_t n = at.size();
   const Values jacobian = jacobian_of_user(of);
@@ -143,7 +143,7 @@ cl_R contracted_entries(const Values& values, const Contraction& by) {
   return sum;
 }
 
-Values values_of_user(const Question& of) {
+Values values_of_user(const OutputQuery& of) {
   const Motion motion = motion_of_user(of);
   Evaluation at(of.model, motion);
   Values values;
@@ -151,11 +151,11 @@ Values values_of_user(const Question& of) {
   return values;
 }
 
-Values jacobian_of_user(const Question& of) {
+Values jacobian_of_user(const OutputQuery& of) {
   return slopes_by(of, of.state.v.size(), of.is_twist() ? velocity_of : position_of);
 }
 
-Values bias_of_user(const Question& of) {
+Values bias_of_user(const OutputQuery& of) {
   Motion motion = motion_of(of.state);
   motion.a.assign(of.state.v.size(), Jet());
   Evaluation at(of.model, motion);
@@ -166,18 +166,18 @@ Values bias_of_user(const Question& of) {
   return values;
 }
 
-Values all_derivatives_of_user(const Question& of) {
+Values all_derivatives_of_user(const OutputQuery& of) {
   return joined({derivative_of_user(of, 0), derivative_of_user(of, 1), derivative_of_user(of, 2),
                  derivative_of_user(of, 3)});
 }
 
-cl_R contracted_derivatives(const Question& of, const Contraction& by) {
+cl_R contracted_derivatives(const OutputQuery& of, const Contraction& by) {
   return contracted_entries(derivative_of_user(of, by.field), by);
 }
 
-Values operational_of_user(const Question& of) { return joined(operational_fields(of)); }
+Values operational_of_user(const OutputQuery& of) { return joined(operational_fields(of)); }
 
-cl_R contracted_operational(const Question& of, const Contraction& by) {
+cl_R contracted_operational(const OutputQuery& of, const Contraction& by) {
   return contracted_entries(operational_fields(of).at(by.field), by);
 }
 

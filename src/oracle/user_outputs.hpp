@@ -10,7 +10,7 @@ namespace elgen::oracle {
 using Values = std::vector<cln::cl_R>;
 
 /// A request for an output of a model at a state.
-struct Question {
+struct OutputQuery {
   const Model& model;
   const OutputRequest& output;
   const State& state;
@@ -26,21 +26,21 @@ struct Question {
 [[nodiscard]] cln::cl_R contracted_entries(const Values& values, const Contraction& by);
 
 /// The values y of the output.
-[[nodiscard]] Values values_of_user(const Question& of);
+[[nodiscard]] Values values_of_user(const OutputQuery& of);
 
 /// dy/dq along N; for a frame the derivative of its twist by v.
-[[nodiscard]] Values jacobian_of_user(const Question& of);
+[[nodiscard]] Values jacobian_of_user(const OutputQuery& of);
 
 /// d2y/dt2 at a = 0; for a frame the rate of its twist.
-[[nodiscard]] Values bias_of_user(const Question& of);
+[[nodiscard]] Values bias_of_user(const OutputQuery& of);
 
 /// dy/dq along N, dy/dv, dy/da, dy/du, one after another.
-[[nodiscard]] Values all_derivatives_of_user(const Question& of);
-[[nodiscard]] cln::cl_R contracted_derivatives(const Question& of, const Contraction& by);
+[[nodiscard]] Values all_derivatives_of_user(const OutputQuery& of);
+[[nodiscard]] cln::cl_R contracted_derivatives(const OutputQuery& of, const Contraction& by);
 
 /// Operational-space dynamics: Lambda = (J M^-1 J^T)^-1, M^-1 J^T Lambda, Lambda (J M^-1 bias -
 /// bias of y), and the relative pivots of J M^-1 J^T.
-[[nodiscard]] Values operational_of_user(const Question& of);
-[[nodiscard]] cln::cl_R contracted_operational(const Question& of, const Contraction& by);
+[[nodiscard]] Values operational_of_user(const OutputQuery& of);
+[[nodiscard]] cln::cl_R contracted_operational(const OutputQuery& of, const Contraction& by);
 
 }  // namespace elgen::oracle

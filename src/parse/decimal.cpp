@@ -24,7 +24,7 @@ std::size_t skip_digits(std::string_view text, std::size_t position) {
 }
 
 /// Extends to the end of the characters of words and numbers, for the message.
-NumberExtent malformed(std::string_view text, std::size_t position) {
+NumberExtent malformed_extent(std::string_view text, std::size_t position) {
   const auto belongs = [](char c) { return is_word_character(c) || c == '.'; };
   while (belongs(at(text, position))) ++position;
   return {position, false};
@@ -37,7 +37,7 @@ bool is_radix_prefix(std::string_view text, std::size_t begin) {
 }
 
 /// Whether a character that must not follow a number directly follows at `end`.
-bool continues_badly(std::string_view text, std::size_t end) {
+bool has_invalid_continuation(std::string_view text, std::size_t end) {
   const char next = at(text, end);
   const char after = at(text, end + 1);
   const bool second_exponent = (next == 'e' || next == 'E') && is_digit(after);
@@ -60,11 +60,11 @@ bool exceeds(const std::string& digits, std::uint64_t limit) {
 
 NumberExtent number_extent(std::string_view text, std::size_t begin) {
   const std::size_t point = skip_digits(text, begin);
-  if (point == begin || is_radix_prefix(text, begin)) return malformed(text, begin);
+  if (point == begin || is_radix_prefix(text, begin)) return malformed_extent(text, begin);
   std::size_t end = point;
   if (at(text, point) == '.') {
     end = skip_digits(text, point + 1);
-    if (end == point + 1) return malformed(text, begin);
+    if (end == point + 1) return malformed_extent(text, begin);
   }
   if (at(text, end) == 'e' || at(text, end) == 'E') {
     const bool sign = at(text, end + 1) == '+' || at(text, end + 1) == '-';
@@ -74,7 +74,8 @@ NumberExtent number_extent(std::string_view text, std::size_t begin) {
     if (last == first && !starts_name) return {first, false};
     if (last != first) end = last;
   }
-  return continues_badly(text, end) ? malformed(text, end) : NumberExtent{end, true};
+  return has_invalid_continuation(text, end) ? malformed_extent(text, end)
+                                             : NumberExtent{end, true};
 }
 
 DecimalParts decimal_parts(std::string_view text) {
@@ -96,20 +97,21 @@ DecimalParts decimal_parts(std::string_view text) {
   return parts;
 }
 
-std::optional<LimitHit> limit_hit(const DecimalParts& parts, const Limits& limits) {
+std::optional<ExceededLimit> find_exceeded_limit(const DecimalParts& parts, const Limits& limits) {
   if (parts.digits.size() > limits.literal_digits) {
-    return LimitHit{Code::E903,
-                    fmt::format("number has {} digits, more than {}", parts.digits.size(),
-                                limits.literal_digits),
-                    "`--limit literal_digits=N` raises the limit"};
+    return ExceededLimit{Code::E903,
+                         fmt::format("number has {} digits, more than {}", parts.digits.size(),
+                                     limits.literal_digits),
+                         "`--limit literal_digits=N` raises the limit"};
   }
   if (exceeds(parts.exponent, limits.decimal_exponent)) {
     const std::string shown =
         parts.exponent.size() > 12 ? parts.exponent.substr(0, 12) + "…" : parts.exponent;
-    return LimitHit{Code::E904,
-                    fmt::format("decimal exponent `{}{}` is beyond ±{}",
-                                parts.negative_exponent ? "-" : "", shown, limits.decimal_exponent),
-                    "`--limit decimal_exponent=N` raises the limit"};
+    return ExceededLimit{
+        Code::E904,
+        fmt::format("decimal exponent `{}{}` is beyond ±{}", parts.negative_exponent ? "-" : "",
+                    shown, limits.decimal_exponent),
+        "`--limit decimal_exponent=N` raises the limit"};
   }
   return std::nullopt;
 }

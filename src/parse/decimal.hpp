@@ -23,7 +23,7 @@ struct NumberExtent {
 [[nodiscard]] NumberExtent number_extent(std::string_view text, std::size_t begin);
 
 /// A limit that a number exceeds: the code (E903, E904), the message, and how to raise the limit.
-struct LimitHit {
+struct ExceededLimit {
   Code code;
   std::string message;
   std::string hint;
@@ -40,7 +40,8 @@ struct DecimalParts {
 /// `text` must be a well-formed number without a sign; underscores are skipped.
 [[nodiscard]] DecimalParts decimal_parts(std::string_view text);
 
-[[nodiscard]] std::optional<LimitHit> limit_hit(const DecimalParts& parts, const Limits& limits);
+[[nodiscard]] std::optional<ExceededLimit> find_exceeded_limit(const DecimalParts& parts,
+                                                               const Limits& limits);
 
 /// The value of a number within the limits.
 [[nodiscard]] cln::cl_RA decimal_value(const DecimalParts& parts);

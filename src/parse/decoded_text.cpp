@@ -127,7 +127,7 @@ Span DecodedText::span(std::size_t begin, std::size_t end) const {
   return make_span(source, begin == end ? last : file_begin(begin), last);
 }
 
-DecodedText copied_text(const Span& span) {
+DecodedText text_of_span(const Span& span) {
   const std::string_view bytes = covered_text(span);
   return {span.source, std::string(bytes), {{0, span.begin, bytes.size(), true}}, span};
 }

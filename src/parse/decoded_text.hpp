@@ -40,7 +40,7 @@ struct DecodedText {
 };
 
 /// The text of a span, copied byte by byte.
-[[nodiscard]] DecodedText copied_text(const Span& span);
+[[nodiscard]] DecodedText text_of_span(const Span& span);
 
 /// Decodes a TOML string of any of the four forms. `token` includes the quotes and must be
 /// well-formed (toml++ has accepted it).

@@ -160,7 +160,7 @@ std::optional<Span> model_of_kind(const SourceText& source, TomlKind kind) {
 
 }  // namespace
 
-std::optional<Span> named_model(const SourceText& source) {
+std::optional<Span> model_key(const SourceText& source) {
   return model_of_kind(source, TomlKind::string);
 }
 

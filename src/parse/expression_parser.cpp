@@ -54,15 +54,15 @@ class ExpressionParser {
   Step primary();
   Step number();
   Step name();
-  Step indexed(Subtree named);
+  Step parse_index(Subtree named);
   Step call(Subtree named);
-  Step bracketed();
+  Step parse_brackets();
   bool arguments(Subtree& call);
 
   [[nodiscard]] bool at(TokenKind kind) const { return tokens_.at(kind); }
 
   Subtree node(SyntaxKind kind, const Token& token, std::deque<Subtree> operands) const;
-  Subtree negated(const Token& minus, Subtree operand) const;
+  Subtree negate_node(const Token& minus, Subtree operand) const;
 
   // These functions return whether parsing can continue.
   bool enter(const Token& token);
@@ -99,7 +99,7 @@ Step ExpressionParser::sum() {
     const Token sign = tokens_.advance();
     Step term = product();
     if (!term) return std::nullopt;
-    terms.push_back(sign.kind == TokenKind::minus ? negated(sign, *std::move(term))
+    terms.push_back(sign.kind == TokenKind::minus ? negate_node(sign, *std::move(term))
                                                   : *std::move(term));
   }
   return node(SyntaxKind::add, token, std::move(terms));
@@ -151,7 +151,7 @@ Step ExpressionParser::unary() {
   Step operand = unary();
   leave();
   if (!operand) return std::nullopt;
-  Subtree result = negated(minus, *std::move(operand));
+  Subtree result = negate_node(minus, *std::move(operand));
   ++result.levels;
   return result;
 }
@@ -179,7 +179,7 @@ Step ExpressionParser::primary() {
     case TokenKind::name:
       return name();
     case TokenKind::open:
-      return bracketed();
+      return parse_brackets();
     default:
       fail(missing_operand(tokens_));
       return std::nullopt;
@@ -189,7 +189,7 @@ Step ExpressionParser::primary() {
 Step ExpressionParser::number() {
   const Token token = tokens_.advance();
   const DecimalParts parts = decimal_parts(tokens_.text(token));
-  if (std::optional<LimitHit> hit = limit_hit(parts, limits_)) {
+  if (std::optional<ExceededLimit> hit = find_exceeded_limit(parts, limits_)) {
     fail({hit->code, tokens_.span(token), std::move(hit->message), std::move(hit->hint)});
     return std::nullopt;
   }
@@ -203,11 +203,11 @@ Step ExpressionParser::name() {
   Subtree result = node(SyntaxKind::name, token, {});
   result.tree.text = tokens_.text(token);
   if (at(TokenKind::open)) return call(std::move(result));
-  if (at(TokenKind::open_index)) return indexed(std::move(result));
+  if (at(TokenKind::open_index)) return parse_index(std::move(result));
   return result;
 }
 
-Step ExpressionParser::indexed(Subtree named) {
+Step ExpressionParser::parse_index(Subtree named) {
   const Token opened = tokens_.current();
   if (!enter(opened)) return std::nullopt;
   tokens_.advance();
@@ -249,7 +249,7 @@ bool ExpressionParser::arguments(Subtree& call) {
   return true;
 }
 
-Step ExpressionParser::bracketed() {
+Step ExpressionParser::parse_brackets() {
   const Token opened = tokens_.current();
   if (!enter(opened)) return std::nullopt;
   tokens_.advance();
@@ -281,7 +281,7 @@ Subtree ExpressionParser::node(SyntaxKind kind, const Token& token,
   return result;
 }
 
-Subtree ExpressionParser::negated(const Token& minus, Subtree operand) const {
+Subtree ExpressionParser::negate_node(const Token& minus, Subtree operand) const {
   const Span whole = join(tokens_.span(minus), operand.tree.span);
   std::deque<Subtree> operands;
   operands.push_back(std::move(operand));

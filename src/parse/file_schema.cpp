@@ -22,7 +22,7 @@ struct SchemaKey {
   bool required = true;
 };
 
-Json documented(Json schema, std::string_view doc) {
+Json with_description(Json schema, std::string_view doc) {
   if (!doc.empty()) schema["description"] = doc;
   return schema;
 }
@@ -38,7 +38,7 @@ Json word_schema(const std::vector<std::string_view>& words) {
 }
 
 Json list_schema(Json item, std::string_view doc = {}) {
-  return documented({{"type", "array"}, {"items", std::move(item)}}, doc);
+  return with_description({{"type", "array"}, {"items", std::move(item)}}, doc);
 }
 
 /// Matches any of the choices.
@@ -48,7 +48,7 @@ Json choice_schema(const std::vector<Json>& choices) {
   return schema;
 }
 
-/// An object with these keys. Other keys are refused, or match `others`.
+/// An object with these keys. Other keys are refused, or match `additional`.
 Json object_schema(std::vector<SchemaKey> keys, std::string_view doc = {}, Json others = false) {
   Json properties = Json::object();
   Json required = Json::array();
@@ -59,7 +59,7 @@ Json object_schema(std::vector<SchemaKey> keys, std::string_view doc = {}, Json 
   Json schema{{"type", "object"}, {"properties", std::move(properties)}};
   if (!required.empty()) schema["required"] = std::move(required);
   schema["additionalProperties"] = std::move(others);
-  return documented(std::move(schema), doc);
+  return with_description(std::move(schema), doc);
 }
 
 /// The text of the file: `schema` with a title.
@@ -103,7 +103,7 @@ Json turns_schema() {
   return list_schema(std::move(turn));
 }
 
-Json some_words_schema(const KeyRow& row) {
+Json word_list_schema(const KeyRow& row) {
   Json schema = list_schema(word_schema(choice_words(row)));
   schema["minItems"] = 1;
   return schema;
@@ -143,7 +143,7 @@ Json schema_of(const KeyRow& row) {
     case KeyType::choice:
       return word_schema(choice_words(row));
     case KeyType::choice_list:
-      return some_words_schema(row);
+      return word_list_schema(row);
     case KeyType::equations:
     case KeyType::repetition:
       return choice_schema({text, list_schema(text)});
@@ -183,7 +183,7 @@ void add_outputs(std::vector<SchemaKey>& keys) {
 /// The keys of one entry of the key table.
 struct TableKeys {
   std::vector<SchemaKey> named = {};
-  Json others = false;
+  Json additional = false;
 };
 
 /// The default as JSON; null if it is words.
@@ -211,7 +211,7 @@ TableKeys keys_of(std::string_view entry) {
     schema["description"] = description_of(row);
     if (has_default_value(row)) schema["default"] = default_json(row);
     if (row.key == "*") {
-      keys.others = std::move(schema);
+      keys.additional = std::move(schema);
     } else {
       keys.named.push_back({row.key, std::move(schema), row.required});
     }
@@ -222,7 +222,7 @@ TableKeys keys_of(std::string_view entry) {
 
 Json table_schema(const std::string& entry, std::string_view doc) {
   TableKeys keys = keys_of(entry);
-  return object_schema(std::move(keys.named), doc, std::move(keys.others));
+  return object_schema(std::move(keys.named), doc, std::move(keys.additional));
 }
 
 Json entry_schema(FileKind kind, const EntryRow& row) {

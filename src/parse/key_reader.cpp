@@ -27,19 +27,19 @@ struct KeyPart {
   ValueKind kind = ValueKind::expression;
 };
 
-using KeyParts = std::vector<KeyPart>;
+using SplitParts = std::vector<KeyPart>;
 
 /// A kind of such a text: its names in messages, and the error if it does not split.
-struct PartedText {
+struct SplitText {
   std::string_view noun;
   std::string_view expected;
   Code code;
   const char* hint;
-  KeyParts (*split)(const DecodedText& text);
+  SplitParts (*split)(const DecodedText& text);
 };
 
 /// "i in 1..n" to { index = i, low = 1, high = n }
-KeyParts split_repetition(const DecodedText& text) {
+SplitParts split_repetition(const DecodedText& text) {
   const std::size_t dots = text.text.find("..");
   if (dots == std::string::npos) return {};
   Lexer lexer(text, 0, dots);
@@ -52,7 +52,7 @@ KeyParts split_repetition(const DecodedText& text) {
 }
 
 /// "a > b" to { left = a, sign = ">", right = b }. A second comparison is an error in its side.
-KeyParts split_condition(const DecodedText& text) {
+SplitParts split_condition(const DecodedText& text) {
   const std::size_t begin = text.text.find_first_of("<>");
   if (begin == std::string::npos) return {};
   const std::size_t end = text.text.substr(begin + 1).starts_with('=') ? begin + 2 : begin + 1;
@@ -61,20 +61,20 @@ KeyParts split_condition(const DecodedText& text) {
 }
 
 /// "a = b" to { left = a, right = b }
-KeyParts split_equation(const DecodedText& text) {
+SplitParts split_equation(const DecodedText& text) {
   const std::size_t sign = text.text.find('=');
   if (sign == std::string::npos || text.text.find('=', sign + 1) != std::string::npos) return {};
   return {{"left", 0, sign}, {"right", sign + 1, text.text.size()}};
 }
 
-constexpr PartedText repetition_text{"repetition", "a repetition (a string)", Code::E210,
-                                     "a repetition is written `i in 1..n`", &split_repetition};
-constexpr PartedText condition_text{
+constexpr SplitText repetition_text{"repetition", "a repetition (a string)", Code::E210,
+                                    "a repetition is written `i in 1..n`", &split_repetition};
+constexpr SplitText condition_text{
     "condition", "a condition (a string)", Code::E320,
     "a condition is written `a > b`, with one of `>`, `>=`, `<` and `<=`", &split_condition};
-constexpr PartedText equation_text{"equation", "an equation (a string)", Code::E321,
-                                   "an equation is written `left = right`, with one `=`",
-                                   &split_equation};
+constexpr SplitText equation_text{"equation", "an equation (a string)", Code::E321,
+                                  "an equation is written `left = right`, with one `=`",
+                                  &split_equation};
 
 KeySyntax part_entry(const KeyPart& part, const DecodedText& text, FileReading& reading) {
   KeySyntax result;
@@ -90,13 +90,13 @@ KeySyntax part_entry(const KeyPart& part, const DecodedText& text, FileReading& 
 }
 
 /// E104, the error of the kind, or the errors of the parts.
-ValueSyntax read_parts(const TomlValue& value, const PartedText& kind, FileReading& reading) {
+ValueSyntax read_split_text(const TomlValue& value, const SplitText& kind, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::table);
   if (value.kind != TomlKind::string) {
     report_wrong_type(value, kind.expected, reading);
     return result;
   }
-  const KeyParts parts = kind.split(value.text);
+  const SplitParts parts = kind.split(value.text);
   if (parts.empty()) {
     reading.report(kind.code, value.text.whole,
                    fmt::format("{} is no {}", in_backticks(value.text.text), kind.noun), kind.hint);
@@ -108,13 +108,13 @@ ValueSyntax read_parts(const TomlValue& value, const PartedText& kind, FileReadi
 }
 
 /// One text, or a list of texts; the result is always a list.
-ValueSyntax read_one_or_list(const TomlValue& value, const PartedText& kind, FileReading& reading) {
+ValueSyntax read_one_or_list(const TomlValue& value, const SplitText& kind, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::list);
   if (value.kind != TomlKind::array) {
-    result.items.push_back(read_parts(value, kind, reading));
+    result.items.push_back(read_split_text(value, kind, reading));
   }
   for (const TomlValue& item : value.items) {
-    result.items.push_back(read_parts(item, kind, reading));
+    result.items.push_back(read_split_text(item, kind, reading));
   }
   return result;
 }
@@ -169,7 +169,7 @@ void report_choice(const ValueSyntax& value, const std::string& observed, const 
   reading.report(
       Reason::unknown_word, value.span,
       fmt::format("{} where `{}` is expected", observed, fmt::join(choice_words(row), "` or `")),
-      std::string(hint_of_former_choice(row, value.text)));
+      std::string(replacement_of_choice(row, value.text)));
 }
 
 /// One word of the choice table, or E104.
@@ -236,7 +236,7 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& r
     case KeyType::repetition:
       return read_one_or_list(value, repetition_text, reading);
     case KeyType::condition:
-      return read_parts(value, condition_text, reading);
+      return read_split_text(value, condition_text, reading);
     case KeyType::equations:
       return read_equations(value, reading);
     case KeyType::integer:

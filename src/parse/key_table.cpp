@@ -13,7 +13,7 @@ namespace {
 
 constexpr bool optional = false;
 constexpr bool required = true;
-constexpr bool later = false;  ///< value of `supported`: a later version reads the key
+constexpr bool unsupported = false;  ///< value of `supported`: a later version reads the key
 constexpr bool drawn = true;
 
 using enum KeyType;
@@ -215,7 +215,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
      "type that computes between double arguments and results"},
     {"scene.numeric", "form", choice, optional, true, "form of every output"},
     {"scene.numeric", "prefer", choice, optional, true, "criterion between equal formulas"},
-    {"scene.numeric", "check", table, optional, later, "ranges and tolerance of the checks"},
+    {"scene.numeric", "check", table, optional, unsupported, "ranges and tolerance of the checks"},
     {"scene.numeric", "trigonometry", table, optional, true, "sines and cosines of the code"},
     {"scene.numeric.trigonometry", "max_error", expression, optional, true,
      "largest error in batches"},
@@ -382,7 +382,7 @@ std::vector<std::string_view> choice_words(const KeyRow& row) {
   return words;
 }
 
-std::string_view hint_of_former_choice(const KeyRow& row, std::string_view word) {
+std::string_view replacement_of_choice(const KeyRow& row, std::string_view word) {
   for (const auto& [choice, hint] : former_choices) {
     if (choice.entry == row.entry && choice.key == row.key && choice.word == word) return hint;
   }

@@ -166,7 +166,9 @@ Token Lexer::advance() {
   return previous_;
 }
 
-std::string Lexer::shown(const Token& token) const { return in_backticks(text(token)); }
+std::string Lexer::token_in_backticks(const Token& token) const {
+  return in_backticks(text(token));
+}
 
 std::string_view Lexer::text(const Token& token) const {
   return bytes_.substr(token.begin, token.end - token.begin);

@@ -53,7 +53,7 @@ class Lexer {
     return source_->span(token.begin, token.end);
   }
   /// The token in back-ticks.
-  [[nodiscard]] std::string shown(const Token& token) const;
+  [[nodiscard]] std::string token_in_backticks(const Token& token) const;
   /// The error of the current token, if it is invalid: E301, E305, E307, E308, E317.
   [[nodiscard]] const std::optional<Diagnostic>& problem() const { return problem_; }
 

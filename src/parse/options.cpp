@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-Span trimmed(Span span) {
+Span trim(Span span) {
   const std::string& text = span.source->text;
   while (span.begin < span.end && text[span.begin] == ' ') ++span.begin;
   while (span.begin < span.end && text[span.end - 1] == ' ') --span.end;
@@ -30,10 +30,10 @@ std::vector<Span> split_at_commas(const Span& text) {
     if (letter == '(' || letter == '[') ++depth;
     if (letter == ')' || letter == ']') --depth;
     if (letter != ',' || depth > 0) continue;
-    words.push_back(trimmed({text.source, begin, i}));
+    words.push_back(trim({text.source, begin, i}));
     begin = i + 1;
   }
-  words.push_back(trimmed({text.source, begin, text.end}));
+  words.push_back(trim({text.source, begin, text.end}));
   return words;
 }
 
@@ -45,14 +45,14 @@ class OptionReader {
     const std::string_view text = covered_text(word);
     const auto equals = static_cast<std::uint32_t>(std::min(text.find('='), text.size()));
     KeySyntax key;
-    key.key_span = trimmed({word.source, word.begin, word.begin + equals});
+    key.key_span = trim({word.source, word.begin, word.begin + equals});
     key.key = covered_text(key.key_span);
     std::erase(key.key, ' ');
     if (std::ranges::find(keys_, key.key, &KeySyntax::key) != keys_.end()) {
       return refuse(key.key_span, in_backticks(key.key) + " is given twice");
     }
     key.value.span = {word.source, std::min(word.begin + equals + 1, word.end), word.end};
-    key.value.span = trimmed(key.value.span);
+    key.value.span = trim(key.value.span);
     const bool is_alone = equals == text.size();
     if (is_alone && type_ == KeyType::boolean_or_expression) {
       key.value.kind = ValueKind::boolean;
@@ -98,7 +98,7 @@ class OptionReader {
     value.kind = ValueKind::list;
     bool is_read = true;
     for (const Span& item : items) {
-      value.items.emplace_back().span = trimmed(item);
+      value.items.emplace_back().span = trim(item);
       is_read = read_expression(value.items.back()) && is_read;
     }
     return is_read;

@@ -17,7 +17,7 @@ namespace elgen {
 
 namespace {
 
-Span all_of(const SourceText& source) {
+Span whole_span(const SourceText& source) {
   return {&source, 0, static_cast<std::uint32_t>(source.text.size())};
 }
 
@@ -55,7 +55,7 @@ std::optional<Diagnostic> format_error(const TomlValue& root) {
 
 Result<FileSyntax> read_file(SourcePointer source, FileKind kind, const Limits& limits) {
   if (auto error = size_error(*source, limits)) return *std::move(error);
-  if (auto error = encoding_error(all_of(*source))) return *std::move(error);
+  if (auto error = encoding_error(whole_span(*source))) return *std::move(error);
   const Result<TomlValue> root = read_toml(*source);
   if (!root) return root.diagnostics;
   if (auto error = format_error(*root)) return *std::move(error);
@@ -103,12 +103,12 @@ Result<FileSyntax> parse_scene(SourcePointer source, const Limits& limits) {
 }
 
 Result<ExpressionSyntax> parse_expression(const SourcePointer& source, const Limits& limits) {
-  return parse_expression(all_of(*source), limits);
+  return parse_expression(whole_span(*source), limits);
 }
 
 Result<ExpressionSyntax> parse_expression(const Span& text, const Limits& limits) {
   if (auto error = encoding_error(text)) return *std::move(error);
-  return read_expression(copied_text(text), limits);
+  return read_expression(text_of_span(text), limits);
 }
 
 }  // namespace elgen

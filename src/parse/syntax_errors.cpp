@@ -37,7 +37,8 @@ Diagnostic missing_operator(const Lexer& tokens) {
   const bool shown_whole =
       both_words && right.end - left.begin <= short_enough && !tokens.at(TokenKind::open);
   return at_current(tokens, Code::E303,
-                    tokens.shown(right) + " follows " + tokens.shown(left) + " without an operator",
+                    tokens.token_in_backticks(right) + " follows " +
+                        tokens.token_in_backticks(left) + " without an operator",
                     shown_whole
                         ? fmt::format("write `{}*{}`", tokens.text(left), tokens.text(right))
                         : "a product is written with `*`");
@@ -55,8 +56,9 @@ Diagnostic missing_operand(const Lexer& tokens) {
       return at_current(tokens, Code::E301, "`[` where an operand is expected",
                         "an index follows a name: `q[i]`");
     default:
-      return at_current(tokens, Code::E302,
-                        tokens.shown(tokens.current()) + " where an operand is expected");
+      return at_current(
+          tokens, Code::E302,
+          tokens.token_in_backticks(tokens.current()) + " where an operand is expected");
   }
 }
 
@@ -67,11 +69,13 @@ Diagnostic misplaced_token(const Lexer& tokens) {
     case TokenKind::comma:
       return misplaced_comma(tokens);
     case TokenKind::open_index:
-      return at_current(tokens, Code::E301, "`[` after " + tokens.shown(tokens.previous()),
+      return at_current(tokens, Code::E301,
+                        "`[` after " + tokens.token_in_backticks(tokens.previous()),
                         "a name takes one index: `q[i]`");
     case TokenKind::close:
     case TokenKind::close_index:
-      return at_current(tokens, Code::E304, tokens.shown(tokens.current()) + " was never opened");
+      return at_current(tokens, Code::E304,
+                        tokens.token_in_backticks(tokens.current()) + " was never opened");
     default:
       return missing_operator(tokens);
   }
@@ -81,10 +85,11 @@ Diagnostic unclosed_bracket(const Lexer& tokens, const Token& opened) {
   const bool ends = tokens.at(TokenKind::end);
   const bool closes = tokens.at(TokenKind::close) || tokens.at(TokenKind::close_index);
   if (!ends && !closes) return misplaced_token(tokens);
-  Diagnostic result = at_current(tokens, Code::E304,
-                                 ends ? tokens.shown(opened) + " is not closed"
-                                      : tokens.shown(tokens.current()) + " stands where " +
-                                            tokens.shown(opened) + " is to be closed");
+  Diagnostic result =
+      at_current(tokens, Code::E304,
+                 ends ? tokens.token_in_backticks(opened) + " is not closed"
+                      : tokens.token_in_backticks(tokens.current()) + " stands where " +
+                            tokens.token_in_backticks(opened) + " is to be closed");
   result.related = tokens.span(opened);
   result.related_message = "opened here";
   return result;

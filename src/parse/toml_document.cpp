@@ -68,7 +68,7 @@ std::size_t skip_quoted(std::string_view text, std::size_t begin) {
 
 /// The position at which a dotted key exceeds most_key_parts parts. toml++ limits nested values but
 /// not `a.b.c…`, which it frees recursively.
-std::optional<std::size_t> find_endless_key(std::string_view text) {
+std::optional<std::size_t> find_too_long_key(std::string_view text) {
   std::size_t points = 0;
   bool after_part = false;
   bool after_space = false;
@@ -130,7 +130,7 @@ Span character_at(const SourceText& source, std::uint32_t offset) {
 
 /// The span for a redefinition: toml++ points at the second value of a key, but the key is clearer.
 /// For headers, its position is kept.
-Span redefined(const SourceText& source, std::uint32_t offset) {
+Span redefinition_span(const SourceText& source, std::uint32_t offset) {
   std::uint32_t end = offset;
   while (end > 0 && (source.text[end - 1] == ' ' || source.text[end - 1] == '=')) --end;
   const Span key = word_at(source, end);
@@ -159,7 +159,7 @@ std::optional<Span> first_definition(const SourceText& source, const Span& key) 
 
 Diagnostic redefinition(const SourceText& source, std::uint32_t offset,
                         std::string_view description) {
-  Diagnostic error{Code::E101, redefined(source, offset), message_of(description)};
+  Diagnostic error{Code::E101, redefinition_span(source, offset), message_of(description)};
   if (const auto first = first_definition(source, error.span)) {
     error.hint = "rename one of them";
     error.related = *first;
@@ -230,7 +230,7 @@ class DocumentBuilder {
     } else if (const auto* table = node.as_table()) {
       result.entries = entries(*table);
     } else {
-      result.text = copied_text(result.span);
+      result.text = text_of_span(result.span);
       const bool decimal = node.is_number() && is_decimal_token(result.text.text);
       result.kind = decimal ? TomlKind::number : TomlKind::other;
     }
@@ -268,7 +268,7 @@ const TomlEntry* find_entry(const std::vector<TomlEntry>& entries, std::string_v
 }
 
 Result<TomlValue> read_toml(const SourceText& source) {
-  if (const auto endless = find_endless_key(source.text)) {
+  if (const auto endless = find_too_long_key(source.text)) {
     const auto begin = static_cast<std::uint32_t>(*endless);
     return Diagnostic{Code::E101,
                       {&source, begin, begin + 1},

@@ -109,7 +109,7 @@ std::optional<LatexMistake> find_latex_mistake(std::string_view text) {
   return mistake(text, open.back(), open.back() + 1, "is not closed");
 }
 
-std::string described(const TomlValue& value) {
+std::string describe_value(const TomlValue& value) {
   switch (value.kind) {
     case TomlKind::string:
       return "string " + in_backticks(value.text.text);
@@ -142,11 +142,11 @@ void report_hidden(const DecodedText& text, FileReading& reading) {
 }
 
 /// E113: a CI runner executes log lines that begin with `::` as commands.
-void report_order(const DecodedText& text, FileReading& reading) {
-  constexpr std::string_view order = "::";
+void report_ci_command(const DecodedText& text, FileReading& reading) {
+  constexpr std::string_view command_prefix = "::";
   const std::size_t begin = text.text.find_first_not_of(" \t\r\n");
-  if (begin == std::string::npos || !text.text.substr(begin).starts_with(order)) return;
-  reading.report(Code::E113, text.span(begin, begin + order.size()),
+  if (begin == std::string::npos || !text.text.substr(begin).starts_with(command_prefix)) return;
+  reading.report(Code::E113, text.span(begin, begin + command_prefix.size()),
                  "GitHub reads a text that begins with `::` as a command");
 }
 
@@ -156,7 +156,7 @@ void read_number(const TomlValue& value, ValueSyntax& result, FileReading& readi
   const bool negative = text[0] == '-';
   const DecimalParts parts = decimal_parts(text);
   result.expression.span = result.expression.token = value.span;
-  if (std::optional<LimitHit> hit = limit_hit(parts, reading.limits)) {
+  if (std::optional<ExceededLimit> hit = find_exceeded_limit(parts, reading.limits)) {
     reading.report(hit->code, value.span, std::move(hit->message), std::move(hit->hint));
     return;
   }
@@ -172,7 +172,7 @@ bool is_name(const ExpressionSyntax& tree, const DecodedText& text) {
 
 /// Whether the error is clearer than "not a name": a non-ASCII letter, or a mistake inside an
 /// index.
-bool speaks_for_itself(const Result<ExpressionSyntax>& read, const DecodedText& text) {
+bool is_clearer_than_not_a_name(const Result<ExpressionSyntax>& read, const DecodedText& text) {
   if (read || read.diagnostics.empty()) return false;
   return read.diagnostics.front().code == Code::E307 || text.text.find('[') != std::string::npos;
 }
@@ -200,12 +200,12 @@ ValueSyntax empty_value(const TomlValue& value, ValueKind kind) {
 
 void report_wrong_type(const TomlValue& value, std::string_view expected, FileReading& reading) {
   if (value.kind == TomlKind::other) {
-    reading.report(Code::E109, value.span, described(value) + " is not a decimal number",
+    reading.report(Code::E109, value.span, describe_value(value) + " is not a decimal number",
                    "numbers are written `12`, `0.5` or `1e-3`");
     return;
   }
   reading.report(Reason::wrong_value_type, value.span,
-                 fmt::format("{} where {} is expected", described(value), expected));
+                 fmt::format("{} where {} is expected", describe_value(value), expected));
 }
 
 ValueSyntax read_expression_value(const TomlValue& value, FileReading& reading) {
@@ -227,8 +227,8 @@ ValueSyntax read_name(const TomlValue& value, FileReading& reading) {
     return result;
   }
   Result<ExpressionSyntax> read = read_expression(value.text, reading.limits);
-  const bool good = read && is_name(*read, value.text);
-  if (good || speaks_for_itself(read, value.text)) {
+  const bool is_valid_name = read && is_name(*read, value.text);
+  if (is_valid_name || is_clearer_than_not_a_name(read, value.text)) {
     keep(std::move(read), result.expression, reading);
   } else {
     reading.report(Code::E205, value.text.whole, in_backticks(value.text.text) + " is not a name",
@@ -291,7 +291,7 @@ ValueSyntax read_turns(const TomlValue& value, FileReading& reading) {
 ValueSyntax read_text(const TomlValue& value, FileReading& reading) {
   if (value.kind != TomlKind::string) report_wrong_type(value, "a string", reading);
   report_hidden(value.text, reading);
-  report_order(value.text, reading);
+  report_ci_command(value.text, reading);
   ValueSyntax result = empty_value(value, ValueKind::text);
   result.text = one_line(result.text);
   return result;

@@ -26,7 +26,7 @@
 #include "elgen/lagrangian.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/specialise.hpp"
-#include "pipeline/byways.hpp"
+#include "pipeline/combined_stages.hpp"
 #include "pipeline/stages.hpp"
 
 namespace elgen {
@@ -85,7 +85,7 @@ Scene inspected_scene(const CheckedModel& checked, const std::vector<Goal>& goal
 }
 
 /// Momenta of `[routh]` are numbers that the oracle computes; check cannot.
-Result<CheckedModel> resolved(const Syntaxes& syntaxes, const PipelineOptions& options) {
+Result<CheckedModel> check_inputs(const Syntaxes& syntaxes, const PipelineOptions& options) {
   Result<CheckedModel> result = check(syntaxes.model, syntaxes.scene ? &*syntaxes.scene : nullptr,
                                       options.scene, options.limits);
   if (!result) return result;
@@ -97,10 +97,10 @@ Result<CheckedModel> resolved(const Syntaxes& syntaxes, const PipelineOptions& o
   return {std::move(*result), std::move(all)};
 }
 
-Result<SelfCheck> checked(const CheckedModel& checked, const Program& program) {
+Result<SelfCheck> run_self_check(const CheckedModel& checked, const Program& program) {
   SelfCheck check = self_check(checked.model, checked.scene, program);
   if (check.failure.empty()) return check;
-  if (check.lacks_value) {
+  if (check.has_undefined_output) {
     return Diagnostic{Code::E521, check.place.value_or(Span{}), check.failure, check.remedy};
   }
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
@@ -124,7 +124,7 @@ class Compilation {
   Products products() && {
     Products out;
     out.checked = std::move(checked_.product);
-    if (lowered_.product) out.lowered = composed(std::move(*lowered_.product));
+    if (lowered_.product) out.lowered = compose_outputs(std::move(*lowered_.product));
     out.closed_forms = std::move(forms_.product);
     if (choice_.product) out.program = std::move(choice_.product->program);
     if (choice_.product) out.costs = std::move(choice_.product->costs);
@@ -145,9 +145,9 @@ class Compilation {
  private:
   /// The result of an analysis that reads the program of its own outputs.
   template <class Found>
-  static Result<Found> analysed(Goal goal, Result<Found> (*find)(const AnalysisInput&),
-                                const Lagrangian& lagrangian, const CheckedModel& checked,
-                                const PipelineOptions& options) {
+  static Result<Found> run_analysis(Goal goal, Result<Found> (*find)(const AnalysisInput&),
+                                    const Lagrangian& lagrangian, const CheckedModel& checked,
+                                    const PipelineOptions& options) {
     const Result<Program> recursive =
         recursive_program(lagrangian, find_analysis(goal)->outputs(checked.model), options.limits);
     if (!recursive) return recursive.diagnostics;
@@ -156,9 +156,9 @@ class Compilation {
 
   /// The result of an analysis that reads the result of another analysis.
   template <class Found, class Known>
-  static Result<Found> analysed(Goal, Result<Found> (*find)(const CheckedModel&, const Known&),
-                                const Known& known, const CheckedModel& checked,
-                                const PipelineOptions&) {
+  static Result<Found> run_analysis(Goal, Result<Found> (*find)(const CheckedModel&, const Known&),
+                                    const Known& known, const CheckedModel& checked,
+                                    const PipelineOptions&) {
     return find(checked, known);
   }
 
@@ -170,7 +170,7 @@ class Compilation {
                             [this](const Limits& limits) { return parse(inputs_, limits); }};
 
   Stage<CheckedModel> checked_{run_, Goal::check, std::tie(syntaxes_),
-                               [this](const Syntaxes& s) { return resolved(s, options_); }};
+                               [this](const Syntaxes& s) { return check_inputs(s, options_); }};
 
   Stage<Inspection> inspection_{run_, Goal::inspect, std::tie(checked_),
                                 [this](const CheckedModel& c) {
@@ -198,23 +198,23 @@ class Compilation {
                              const Limits& limits) { return lower(e, c.scene.outputs, limits); }};
 
   Stage<Program> recursive_{run_, Goal::cancel, std::tie(lowered_),
-                            [](const Program& p) { return composed(cancel(p)); }};
+                            [](const Program& p) { return compose_outputs(cancel(p)); }};
 
   Stage<ClosedForms> forms_{run_, Goal::present, std::tie(recursive_),
                             [](const Program& p) { return present(p); }};
 
   Stage<Choice> choice_{run_, Goal::choose, std::tie(lagrangian_, recursive_, forms_, checked_),
-                        chosen};
+                        choose_forms};
 
-#define ELGEN_ANALYSIS(id, name, source, Found, find, ...)                  \
-  Stage<Found> id##_{run_, Goal::id, std::tie(source##_, checked_),         \
-                     [this](const auto& known, const CheckedModel& c) {     \
-                       return analysed(Goal::id, find, known, c, options_); \
+#define ELGEN_ANALYSIS(id, name, source, Found, find, ...)                      \
+  Stage<Found> id##_{run_, Goal::id, std::tie(source##_, checked_),             \
+                     [this](const auto& known, const CheckedModel& c) {         \
+                       return run_analysis(Goal::id, find, known, c, options_); \
                      }};
 #include "elgen/analyses.def"
 
-  Stage<std::vector<JudgedEquilibrium>> claims_{run_, Goal::claims, std::tie(lagrangian_, checked_),
-                                                claims};
+  Stage<std::vector<EquilibriumVerdict>> claims_{run_, Goal::claims,
+                                                 std::tie(lagrangian_, checked_), claims};
 
   Stage<Book> book_{run_, Goal::typeset, std::tie(lagrangian_, forms_, choice_, checked_), book_of};
 
@@ -223,14 +223,16 @@ class Compilation {
                                return emit(c.model, c.scene, chosen.program, book);
                              }};
 
-  Stage<SelfCheck> self_check_{run_, Goal::self_check, std::tie(checked_, choice_, files_),
-                               [](const CheckedModel& c, const Choice& chosen,
-                                  const EmittedFiles&) { return checked(c, chosen.program); }};
+  Stage<SelfCheck> self_check_{
+      run_, Goal::self_check, std::tie(checked_, choice_, files_),
+      [](const CheckedModel& c, const Choice& chosen, const EmittedFiles&) {
+        return run_self_check(c, chosen.program);
+      }};
 };
 
 }  // namespace
 
-std::optional<Goal> goal_named(std::string_view name) {
+std::optional<Goal> find_goal(std::string_view name) {
   const auto* const found = std::ranges::find(goal_names, name);
   if (found == goal_names.end()) return std::nullopt;
   return static_cast<Goal>(found - goal_names.begin());
@@ -242,8 +244,8 @@ Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
   return std::move(compilation).products();
 }
 
-std::vector<StageTime> times_alone(const CheckedModel& checked, std::size_t output,
-                                   const Limits& limits) {
+std::vector<StageTime> stage_times_of_output(const CheckedModel& checked, std::size_t output,
+                                             const Limits& limits) {
   PipelineOptions options;
   options.limits = limits;
   CheckedModel one = checked;

@@ -31,10 +31,10 @@ class StageRunner {
 
   /// Runs a stage. Empty after an error, or if a product that it needs is null.
   template <class T, class Make, class... Needs>
-  std::optional<T> made(Goal goal, const Make& make, const Needs*... needs) {
+  std::optional<T> run_stage(Goal goal, const Make& make, const Needs*... needs) {
     if (has_errors(diagnostics) || (... || (needs == nullptr))) return std::nullopt;
     const auto start = std::chrono::steady_clock::now();
-    Result<T> result = guarded<T>(std::string(name_of(goal)), make, *needs...);
+    Result<T> result = run_guarded<T>(std::string(name_of(goal)), make, *needs...);
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     times.push_back({std::string(name_of(goal)), elapsed.count()});
     diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
@@ -53,7 +53,7 @@ class StageRunner {
  private:
   /// An internal error must not hide the diagnostics of earlier stages.
   template <class T, class Make, class... Needs>
-  Result<T> guarded(const std::string& name, const Make& make, const Needs&... needs) {
+  Result<T> run_guarded(const std::string& name, const Make& make, const Needs&... needs) {
     try {
       if (options_.on_stage) options_.on_stage(name);
       if constexpr (std::is_invocable_v<Make, const Needs&..., const Limits&>) {
@@ -86,7 +86,7 @@ class Stage {
   Stage(StageRunner& run, Goal goal, const Needs& needs, Make make)
       : make_([=, &run, make = std::move(make)] {
           const auto made = [&](auto&... stages) {
-            return run.made<T>(goal, make, stages.get()...);
+            return run.run_stage<T>(goal, make, stages.get()...);
           };
           return std::apply(made, needs);
         }) {
@@ -97,13 +97,13 @@ class Stage {
 
   /// Null if the stage, or a stage that it needs, failed.
   const T* get() {
-    if (!std::exchange(was_asked_for_, true)) product = make_();
+    if (!std::exchange(has_run_, true)) product = make_();
     return product ? &*product : nullptr;
   }
 
   /// Sets the product, so that the stage does not run.
   void set(T known) {
-    was_asked_for_ = true;
+    has_run_ = true;
     product = std::move(known);
   }
 
@@ -111,7 +111,7 @@ class Stage {
 
  private:
   std::function<std::optional<T>()> make_;
-  bool was_asked_for_ = false;
+  bool has_run_ = false;
 };
 
 }  // namespace elgen

@@ -34,7 +34,7 @@ double matrix_width(const SetEquation& equation, const PageShape& shape) {
          columns_width(equation.entries, equation.columns, shape);
 }
 
-Glyphs equated(Glyphs left, Glyphs right) {
+Glyphs equation_row(Glyphs left, Glyphs right) {
   append_sign(left, "=", true);
   append(left, std::move(right), true);
   return left;
@@ -44,9 +44,9 @@ Glyphs equated(Glyphs left, Glyphs right) {
 Display lines_display(const Glyphs& left, const Glyphs& right, const PageShape& shape) {
   const double first = left_width(left, shape);
   if (first > shape.width / 2 && first + shape.measured(right) > shape.width) {
-    return {{}, 0, broken_lines(equated(left, right), shape.width - indent, shape.measured)};
+    return {{}, 0, break_lines(equation_row(left, right), shape.width - indent, shape.measured)};
   }
-  return {left, 0, broken_lines(right, shape.width - std::max(first, indent), shape.measured)};
+  return {left, 0, break_lines(right, shape.width - std::max(first, indent), shape.measured)};
 }
 
 /// X if the row is \sqrt{X}; null otherwise.
@@ -57,7 +57,7 @@ const Glyphs* radicand(const Glyphs& row) {
 
 bool is_one(const Glyphs& row) { return row.parts.size() == 1 && row.parts[0].text == "1"; }
 
-/// The first fraction wider than `widest`, including its sign, that `taken_apart` can rewrite.
+/// The first fraction wider than `widest`, including its sign, that `split_fraction` can rewrite.
 std::optional<std::size_t> wide_fraction(const Glyphs& row, double widest, const PageShape& shape) {
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     const Glyphs& fraction = row.parts[i];
@@ -89,13 +89,13 @@ std::size_t last_bracket(const Glyphs& product) {
   int depth = 0;
   for (std::size_t i = product.parts.size(); i-- > 0;) {
     depth -= bracket_step(product.parts[i]);
-    if (depth == 0) return product.parts[i].is_apart ? i : 0;
+    if (depth == 0) return product.parts[i].has_space_before ? i : 0;
   }
   return 0;
 }
 
 /// N/D -> 1/D (N), which can be broken into lines; g (N)/D -> g/D (N); 1/D -> D^-1.
-Glyphs taken_apart(const Glyphs& fraction) {
+Glyphs split_fraction(const Glyphs& fraction) {
   const Glyphs& above = fraction.parts[0];
   const Glyphs& below = fraction.parts[1];
   if (is_one(above)) {
@@ -117,23 +117,23 @@ Display number_display(const Glyphs& left, const Glyphs& right, const PageShape&
   Glyphs row = right;
   for (auto wide = wide_fraction(row, widest, shape); wide;
        wide = wide_fraction(row, widest, shape)) {
-    Glyphs apart = taken_apart(row.parts[*wide]);
-    apart.parts.front().is_apart = row.parts[*wide].is_apart;
+    Glyphs split = split_fraction(row.parts[*wide]);
+    split.parts.front().has_space_before = row.parts[*wide].has_space_before;
     const auto place = row.parts.begin() + static_cast<std::ptrdiff_t>(*wide);
-    row.parts.insert(row.parts.erase(place), apart.parts.begin(), apart.parts.end());
+    row.parts.insert(row.parts.erase(place), split.parts.begin(), split.parts.end());
   }
   return lines_display(left, row, shape);
 }
 
 bool needs_brackets(const Glyphs& symbol) {
   return std::ranges::any_of(symbol.parts, [](const Glyphs& part) {
-    return part.is_apart || part.kind == GlyphKind::fraction;
+    return part.has_space_before || part.kind == GlyphKind::fraction;
   });
 }
 
 /// The name of an entry: M_{1, 2}; g_{1} of \mathbf{g}; "(C \dot{q})_{1}". A name that has an index
 /// already, such as D_i/M_ii, is put into brackets.
-Glyphs indexed(const SetEquation& equation, std::size_t entry) {
+Glyphs entry_name(const SetEquation& equation, std::size_t entry) {
   const std::size_t row = entry / equation.columns + 1;
   const Glyphs index =
       read_latex(equation.columns > 1 ? fmt::format("{}, {}", row, entry % equation.columns + 1)
@@ -166,9 +166,9 @@ std::vector<Display> entry_displays(const SetEquation& equation, const PageShape
     const std::size_t row = i / equation.columns;
     const std::size_t column = i % equation.columns;
     if (is_zero_entry(equation.entries[i]) || (is_half && row > column)) continue;
-    Glyphs left = indexed(equation, i);
+    Glyphs left = entry_name(equation, i);
     if (is_half && row < column) {
-      left = equated(std::move(left), indexed(equation, column * equation.columns + row));
+      left = equation_row(std::move(left), entry_name(equation, column * equation.columns + row));
     }
     all.push_back(number_display(left, equation.entries[i], shape));
   }
@@ -222,7 +222,7 @@ std::optional<SetEquation> equation_in(const Glyphs& row) {
     if (row.parts[i].kind == GlyphKind::prose) break;
     if (row.parts[i].text != "=") continue;
     Glyphs right = part_of(row, i + 1, row.parts.size());
-    right.parts.front().is_apart = false;
+    right.parts.front().has_space_before = false;
     return SetEquation{part_of(row, 0, i), 1, 1, {std::move(right)}};
   }
   return std::nullopt;
@@ -261,7 +261,7 @@ bool is_listed(const SetEquation& equation, const PageShape& shape) {
   return equation.entries.size() > 1 && !fits_as_matrix(equation, shape);
 }
 
-bool leaves_out_zeros(const SetEquation& equation, const PageShape& shape) {
+bool omits_zeros(const SetEquation& equation, const PageShape& shape) {
   return is_listed(equation, shape) && std::ranges::any_of(equation.entries, is_zero_entry);
 }
 
@@ -287,7 +287,7 @@ NamedEntries named_entries(const SetEquation& equation, const PageShape& shape) 
     const std::size_t row = i / equation.columns;
     const std::size_t column = i % equation.columns;
     const bool is_below = is_half && row > column;
-    Glyphs name = indexed(equation, is_below ? column * equation.columns + row : i);
+    Glyphs name = entry_name(equation, is_below ? column * equation.columns + row : i);
     const bool is_wider = shape.measured(equation.entries[i]) > shape.measured(name);
     if (is_wider) {
       result.matrix.entries[i] = std::move(name);
@@ -301,7 +301,7 @@ NamedEntries named_entries(const SetEquation& equation, const PageShape& shape) 
 std::vector<DisplayBlock> aligned_blocks(const std::vector<SetEquation>& equations,
                                          const PageShape& shape) {
   std::vector<DisplayBlock> blocks;
-  const auto stand_together = [&shape](const Sides& sides) {
+  const auto fit_together = [&shape](const Sides& sides) {
     return sides.left <= shape.width / 3 || sides.left + sides.right <= shape.width;
   };
   for (auto first = equations.begin(); first != equations.end();) {
@@ -309,7 +309,7 @@ std::vector<DisplayBlock> aligned_blocks(const std::vector<SetEquation>& equatio
     auto end = first + 1;
     for (; end != equations.end(); ++end) {
       const Sides wider = wider_of(sides, sides_of(*end, shape));
-      if (!stand_together(wider)) break;
+      if (!fit_together(wider)) break;
       sides = wider;
     }
     PageShape aligned = shape;

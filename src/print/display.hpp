@@ -67,7 +67,7 @@ using DisplayBlock = std::vector<Display>;
 [[nodiscard]] bool is_listed(const SetEquation& equation, const PageShape& shape = {});
 
 /// True if a list omits entries that are 0.
-[[nodiscard]] bool leaves_out_zeros(const SetEquation& equation, const PageShape& shape = {});
+[[nodiscard]] bool omits_zeros(const SetEquation& equation, const PageShape& shape = {});
 
 /// A matrix whose wide entries are replaced by their names, and a matrix of these entries (0
 /// elsewhere). In a symmetric matrix only entries on and above the diagonal have names.

@@ -84,7 +84,7 @@ std::string joined(const std::vector<Term>& terms, std::string_view time) {
 }
 
 /// True if some function depends on rates, momenta, accelerations or the mass matrix.
-bool knows_motion(const Model& model, const Program& program) {
+bool depends_on_motion(const Model& model, const Program& program) {
   const auto knows = [&model](const Function& function) {
     const LeafSet takes = request_of(model, function.kind, function.user).takes;
     return takes.has_any(Opcode::velocity | Opcode::momentum | Opcode::acceleration);
@@ -140,7 +140,7 @@ Lines multiplier_names(const Model& model) {
 }
 
 /// True if multipliers do no work: every constraint is on positions and independent of t.
-bool constraints_stand_still(const Model& model, const Program& program) {
+bool are_constraints_workless(const Model& model, const Program& program) {
   if (model.constraints.empty()) return true;
   const Function* const function = find_function(program, OutputKind::constraint_residual);
   return function != nullptr && !contains_time(model, *function) &&
@@ -222,9 +222,9 @@ class NamedFormulas {
   /// as superscript.
   [[nodiscard]] static Glyphs component_of_frame(const std::string& frame, std::uint32_t k) {
     if (k >= frame_origin && k < frame_angular_velocity) return component(frame, k % 3);
-    const std::string_view letter = k < frame_origin    ? "R"
-                                    : k < frame_turning ? "\\omega"
-                                                        : "\\Omega";
+    const std::string_view letter = k < frame_origin           ? "R"
+                                    : k < frame_recursive_spin ? "\\omega"
+                                                               : "\\Omega";
     Glyphs symbol = read_latex(letter);
     add_script(symbol, 1,
                read_latex(k < frame_origin ? fmt::format("{}{}", k / 3 + 1, k % 3 + 1)
@@ -252,7 +252,7 @@ std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Pr
   const Conservation found = find_conservation(model, program, !model.inputs.empty(), true);
   const LeafValues<Formula> symbols = ModelSymbols(model).leaves();
   std::vector<ConservedQuantity> result;
-  if (!found.is_forced && !found.has_time && constraints_stand_still(model, program)) {
+  if (!found.is_forced && !found.has_time && are_constraints_workless(model, program)) {
     result.push_back({"E", heading(model, *energy).definition});
   }
   for (const std::uint32_t i : found.momenta) {
@@ -263,16 +263,16 @@ std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Pr
 }
 
 Formula equation_of_motion(const Model& model, const Program& program) {
-  const bool is_at_rest = !knows_motion(model, program);
+  const bool is_at_rest = !depends_on_motion(model, program);
   const char* const time = model.uses_time ? ",t" : "";
-  return typed_formula(model,
+  return latex_formula(model,
                        fmt::format("{} = {}", joined(left_side(model, program, is_at_rest), time),
                                    joined(right_side(model, program, is_at_rest), time)));
 }
 
 Lines variable_lines(const Model& model, const Program& program) {
   Lines lines = {"q = " + tuple(with_units(model.coordinates))};
-  if (!knows_motion(model, program)) {
+  if (!depends_on_motion(model, program)) {
     lines.emplace_back("at rest");
   } else if (model.rotations.empty()) {
     lines.push_back("v = dq/dt, a = dv/dt");
@@ -283,7 +283,7 @@ Lines variable_lines(const Model& model, const Program& program) {
   if (is_passed(program.leaves, Opcode::momentum)) lines.emplace_back("p = dL/dv: momenta");
   if (!model.inputs.empty()) lines.push_back("u = " + tuple(with_units(model.inputs)));
   if (!model.constraints.empty()) lines.push_back("lambda = " + tuple(multiplier_names(model)));
-  if (!model.constraints.empty() && knows_motion(model, program)) {
+  if (!model.constraints.empty() && depends_on_motion(model, program)) {
     lines.push_back(text_of(constraint_equation(model)) + ", (f, r) = constraint_residual");
   }
   if (!model.open_values.empty()) lines.push_back("f = " + tuple(with_units(model.open_values)));
@@ -295,7 +295,7 @@ Formula constraint_equation(const Model& model) {
   if (std::ranges::any_of(model.constraints, has_gains)) latex += R"( - 2 \zeta \omega <r>)";
   const auto is_spring = [](const Constraint& c) { return c.is_position && has_gains(c); };
   if (std::ranges::any_of(model.constraints, is_spring)) latex += R"( - \omega^{2} <f>)";
-  return typed_formula(model, latex);
+  return latex_formula(model, latex);
 }
 
 std::vector<std::string> constraint_lines(const Model& model) {
@@ -321,8 +321,8 @@ PageSection constraint_section(const Model& model) {
   Formulas& heads = section.table.heads;
   heads = {prose("multiplier"), prose("unit"), prose("kind"), prose("equation")};
   if (are_stabilised) {
-    heads.push_back(typed_formula("\\omega"));
-    heads.push_back(typed_formula("\\zeta"));
+    heads.push_back(latex_formula("\\omega"));
+    heads.push_back(latex_formula("\\zeta"));
   }
   Formulas& cells = section.table.cells;
   const NamedFormulas formulas(model);
@@ -334,8 +334,8 @@ PageSection constraint_section(const Model& model) {
     for (const std::optional<ExpressionId>& gain : {constraint.omega, constraint.zeta}) {
       if (are_stabilised) cells.push_back(gain ? formulas(*gain) : number_formula(0));
     }
-    const bool is_told = section.doc.find(constraint.doc) != std::string::npos;
-    if (!is_told) section.doc += fmt::format(" {}: {}.", constraint.name, constraint.doc);
+    const bool is_printed = section.doc.find(constraint.doc) != std::string::npos;
+    if (!is_printed) section.doc += fmt::format(" {}: {}.", constraint.name, constraint.doc);
   }
   return section;
 }

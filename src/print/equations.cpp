@@ -42,7 +42,7 @@ class ReadFunction {
 
   /// The formula of an instruction, even if it has a name.
   [[nodiscard]] Formula definition(std::uint32_t at) const {
-    return folded(*this, program_, function_.instructions[at], *this);
+    return fold_instruction(*this, program_, function_.instructions[at], *this);
   }
   /// The name of an instruction, or its formula if it has no name.
   [[nodiscard]] Formula entry(std::uint32_t at) const {
@@ -71,7 +71,7 @@ class ReadFunction {
   [[nodiscard]] Formula call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
     Formulas arguments = {entry(x)};
     if (function == FunctionId::stumpff) {
-      arguments.push_back(number_formula(order_at(program_, function_, y)));
+      arguments.push_back(number_formula(stumpff_order(program_, function_, y)));
     } else if (function_row(function).arity > 1) {
       arguments.push_back(entry(y));
     }
@@ -162,9 +162,9 @@ Formulas symbols_of(const std::vector<std::string>& names, ModelSymbols symbols)
 
 /// Prints definitions and entries by name. `sizes`: operations of each formula over the leaves,
 /// which decide if an entry is written out; if empty, no entry is.
-FunctionEquations by_names(const Program& program, const Function& function,
-                           const LeafValues<Formula>& leaves, const Formulas& names,
-                           const std::vector<std::size_t>& sizes) {
+FunctionEquations named_equations(const Program& program, const Function& function,
+                                  const LeafValues<Formula>& leaves, const Formulas& names,
+                                  const std::vector<std::size_t>& sizes) {
   const Formulas no_names(names.size());
   const ReadFunction with_names(program, function, leaves, names);
   const ReadFunction over_leaves(program, function, leaves, no_names);
@@ -183,22 +183,22 @@ FunctionEquations by_names(const Program& program, const Function& function,
   return result;
 }
 
-FunctionEquations with_needed(const Program& program, const Function& function,
-                              const LeafValues<Formula>& leaves, Formulas names,
-                              const std::vector<std::size_t>& sizes) {
-  const std::vector<bool> needed = needed_for(function, long_entries(function, sizes));
+FunctionEquations needed_equations(const Program& program, const Function& function,
+                                   const LeafValues<Formula>& leaves, Formulas names,
+                                   const std::vector<std::size_t>& sizes) {
+  const std::vector<bool> needed = needed_instructions(function, long_entries(function, sizes));
   for (std::size_t at = 0; at < names.size(); ++at) {
     if (!needed[at]) names[at] = {};
   }
-  return by_names(program, function, leaves, names, sizes);
+  return named_equations(program, function, leaves, names, sizes);
 }
 
 /// Removes the names of short definitions. Other definitions without their own name become xi_1,
 /// xi_2, ….
-std::vector<std::string> read_names(const Program& program, const Function& function,
-                                    const std::vector<std::size_t>& sizes) {
+std::vector<std::string> readable_names(const Program& program, const Function& function,
+                                        const std::vector<std::size_t>& sizes) {
   std::vector<std::string> names = temporary_names(program, function);
-  const std::vector<std::string> own = own_names(program, function);
+  const std::vector<std::string> own = context_free_names(program, function);
   std::size_t number = 0;
   for (std::size_t at = 0; at < names.size(); ++at) {
     if (sizes[at] <= short_definition) names[at].clear();
@@ -231,8 +231,9 @@ bool has_readable_form(const Program& program, std::size_t index) {
 
 FunctionEquations equations(const Program& program, const Function& function,
                             const std::vector<std::string>& names) {
-  return with_needed(program, function, leaf_formulas(program.leaves),
-                     formulas_of(names, name_formula), written_out_sizes(function, longest_entry));
+  return needed_equations(program, function, leaf_formulas(program.leaves),
+                          formulas_of(names, name_formula),
+                          expanded_sizes(function, longest_entry));
 }
 
 FunctionEquations equations(const Program& program, std::size_t index) {
@@ -242,20 +243,20 @@ FunctionEquations equations(const Program& program, std::size_t index) {
                      temporary_names(program, function));
   }
   const Function& book = program.readable[index];
-  return by_names(program, book, leaf_formulas(program.leaves),
-                  formulas_of(book.names, name_formula), {});
+  return named_equations(program, book, leaf_formulas(program.leaves),
+                         formulas_of(book.names, name_formula), {});
 }
 
 FunctionEquations equations(const Model& model, const Program& program, std::size_t index) {
   const ModelSymbols symbols(model, program.leaves);
   if (has_readable_form(program, index)) {
     const Function& book = program.readable[index];
-    return by_names(program, book, symbols.leaves(), symbols_of(book.names, symbols), {});
+    return named_equations(program, book, symbols.leaves(), symbols_of(book.names, symbols), {});
   }
   const Function& function = program.functions[index];
-  const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry);
-  return with_needed(program, without_guards(program, function), symbols.leaves(),
-                     symbols_of(read_names(program, function, sizes), symbols), sizes);
+  const std::vector<std::size_t> sizes = expanded_sizes(function, longest_entry);
+  return needed_equations(program, without_guards(program, function), symbols.leaves(),
+                          symbols_of(readable_names(program, function, sizes), symbols), sizes);
 }
 
 Formula first_entry(const Model& model, const Program& program) {

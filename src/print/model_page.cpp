@@ -99,9 +99,9 @@ std::string title_of(const Function& function) {
 /// The definition of an output by other outputs; empty if it has none.
 Formula definition_by_others(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
-  if (!row.definition.empty()) return typed_formula(model, row.definition);
-  const bool is_square = !row.undrifting_definition.empty() && !model.may_drift;
-  if (is_square) return typed_formula(model, row.undrifting_definition);
+  if (!row.definition.empty()) return latex_formula(model, row.definition);
+  const bool is_square = !row.driftless_definition.empty() && !model.may_drift;
+  if (is_square) return latex_formula(model, row.driftless_definition);
   return heading(model, function).definition;
 }
 
@@ -198,7 +198,7 @@ Heading heading(const Model& model, const Function& function) {
     }
     symbol = replaced(std::move(symbol), "y", y);
     definition = replaced(std::move(definition), "y", y);
-    definition = replaced(std::move(definition), "y''", accented(std::move(y), "¨"));
+    definition = replaced(std::move(definition), "y''", add_dots(std::move(y), "¨"));
   }
   Heading result{symbol_formula(function.name, std::move(symbol))};
   if (!definition.parts.empty()) result.definition = symbol_formula("", std::move(definition));
@@ -260,7 +260,7 @@ Page model_page(const Model& model, const Scene& scene, const Program& program,
       result.sections.back().doc += fmt::format(" {} entries.", entry_count(function));
     }
   }
-  if (needs_parts && moves_in_frames(model)) {
+  if (needs_parts && has_frame_recursion(model)) {
     const std::vector<PageSection> parts = named_parts(model);
     result.sections.insert(result.sections.begin(), parts.begin(), parts.end());
   }

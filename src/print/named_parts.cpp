@@ -16,56 +16,59 @@ namespace elgen {
 namespace {
 
 /// Both sides of an equation; `<v>` is replaced by the symbol of the velocities.
-struct PartRow {
+struct EquationRow {
   std::string_view left;
   std::string_view right;
 };
 
 constexpr std::array motion_rows{
-    PartRow{R"(\omega_{i})", R"(R_{i}^{\top} \omega_{p} + s_{i})"},
-    PartRow{R"(\nu_{i})", R"(R_{i}^{\top} (\nu_{p} + \omega_{p} \times o_{i} + \dot{o}_{i}))"},
-    PartRow{R"(\dot{\omega}_{i})", R"(R_{i}^{\top} \dot{\omega}_{p} + )"
-                                   R"((R_{i}^{\top} \omega_{p}) \times s_{i} + \dot{s}_{i})"},
-    PartRow{R"(\gamma_{i})", R"(R_{i}^{\top} (\gamma_{p} + \dot{\omega}_{p} \times o_{i} + )"
-                             R"(\omega_{p} \times (\omega_{p} \times o_{i}) + )"
-                             R"(2 \omega_{p} \times \dot{o}_{i} + \ddot{o}_{i}))"}};
+    EquationRow{R"(\omega_{i})", R"(R_{i}^{\top} \omega_{p} + s_{i})"},
+    EquationRow{R"(\nu_{i})", R"(R_{i}^{\top} (\nu_{p} + \omega_{p} \times o_{i} + \dot{o}_{i}))"},
+    EquationRow{R"(\dot{\omega}_{i})", R"(R_{i}^{\top} \dot{\omega}_{p} + )"
+                                       R"((R_{i}^{\top} \omega_{p}) \times s_{i} + \dot{s}_{i})"},
+    EquationRow{R"(\gamma_{i})", R"(R_{i}^{\top} (\gamma_{p} + \dot{\omega}_{p} \times o_{i} + )"
+                                 R"(\omega_{p} \times (\omega_{p} \times o_{i}) + )"
+                                 R"(2 \omega_{p} \times \dot{o}_{i} + \ddot{o}_{i}))"}};
 
 constexpr std::array force_rows{
-    PartRow{R"(F_{b})", R"(m_{b} (\gamma_{i} + \dot{\omega}_{i} \times c_{b} + )"
-                        R"(\omega_{i} \times (\omega_{i} \times c_{b})))"},
-    PartRow{R"(f_{i})", R"(\sum_{b} F_{b} + \sum_{j} R_{j} f_{j})"},
-    PartRow{R"(n_{i})", R"(\sum_{b} (I_{b} \dot{\omega}_{i} + \omega_{i} \times I_{b} \omega_{i} )"
-                        R"(+ c_{b} \times F_{b}) + )"
-                        R"(\sum_{j} (R_{j} n_{j} + o_{j} \times R_{j} f_{j}))"}};
+    EquationRow{R"(F_{b})", R"(m_{b} (\gamma_{i} + \dot{\omega}_{i} \times c_{b} + )"
+                            R"(\omega_{i} \times (\omega_{i} \times c_{b})))"},
+    EquationRow{R"(f_{i})", R"(\sum_{b} F_{b} + \sum_{j} R_{j} f_{j})"},
+    EquationRow{R"(n_{i})",
+                R"(\sum_{b} (I_{b} \dot{\omega}_{i} + \omega_{i} \times I_{b} \omega_{i} )"
+                R"(+ c_{b} \times F_{b}) + )"
+                R"(\sum_{j} (R_{j} n_{j} + o_{j} \times R_{j} f_{j}))"}};
 
 constexpr std::array inertia_rows{
-    PartRow{R"(m^{c}_{i})", R"(\sum_{b} m_{b} + \sum_{j} m^{c}_{j})"},
-    PartRow{R"(h^{c}_{i})", R"(\sum_{b} m_{b} c_{b} + )"
-                            R"(\sum_{j} (R_{j} h^{c}_{j} + m^{c}_{j} o_{j}))"},
-    PartRow{R"(I^{c}_{i})", R"(\sum_{b} (I_{b} - m_{b} [c_{b}]_{\times}^{2}) + )"
-                            R"(\sum_{j} (R_{j} I^{c}_{j} R_{j}^{\top} - )"
-                            R"([o_{j}]_{\times} [R_{j} h^{c}_{j}]_{\times} - )"
-                            R"([R_{j} h^{c}_{j} + m^{c}_{j} o_{j}]_{\times} [o_{j}]_{\times}))"},
-    PartRow{R"(G_{i}(x, y))", R"((I^{c}_{i} x + h^{c}_{i} \times y, )"
-                              R"(m^{c}_{i} y + x \times h^{c}_{i}))"}};
+    EquationRow{R"(m^{c}_{i})", R"(\sum_{b} m_{b} + \sum_{j} m^{c}_{j})"},
+    EquationRow{R"(h^{c}_{i})", R"(\sum_{b} m_{b} c_{b} + )"
+                                R"(\sum_{j} (R_{j} h^{c}_{j} + m^{c}_{j} o_{j}))"},
+    EquationRow{R"(I^{c}_{i})",
+                R"(\sum_{b} (I_{b} - m_{b} [c_{b}]_{\times}^{2}) + )"
+                R"(\sum_{j} (R_{j} I^{c}_{j} R_{j}^{\top} - )"
+                R"([o_{j}]_{\times} [R_{j} h^{c}_{j}]_{\times} - )"
+                R"([R_{j} h^{c}_{j} + m^{c}_{j} o_{j}]_{\times} [o_{j}]_{\times}))"},
+    EquationRow{R"(G_{i}(x, y))", R"((I^{c}_{i} x + h^{c}_{i} \times y, )"
+                                  R"(m^{c}_{i} y + x \times h^{c}_{i}))"}};
 
 constexpr std::array twist_rows{
-    PartRow{R"(S_{ik})", R"(\left( \frac{\partial s_{i}}{\partial <v>_{k}}, )"
-                         R"(R_{i}^{\top} \frac{\partial \dot{o}_{i}}{\partial <v>_{k}} \right))"},
-    PartRow{R"(V_{ik})", R"(\left( \frac{\partial \omega_{i}}{\partial <v>_{k}}, )"
-                         R"(\frac{\partial \nu_{i}}{\partial <v>_{k}} \right))"}};
+    EquationRow{R"(S_{ik})",
+                R"(\left( \frac{\partial s_{i}}{\partial <v>_{k}}, )"
+                R"(R_{i}^{\top} \frac{\partial \dot{o}_{i}}{\partial <v>_{k}} \right))"},
+    EquationRow{R"(V_{ik})", R"(\left( \frac{\partial \omega_{i}}{\partial <v>_{k}}, )"
+                             R"(\frac{\partial \nu_{i}}{\partial <v>_{k}} \right))"}};
 
 constexpr std::string_view mass_entry =
     R"(\sum_{i} (S_{ik} \cdot G_{i}(V_{il}) + V_{ik} \cdot G_{i}(S_{il}) - )"
     R"(S_{ik} \cdot G_{i}(S_{il})))";
 
-class FramesWriter {
+class FrameFormulas {
  public:
-  explicit FramesWriter(const Model& model)
+  explicit FrameFormulas(const Model& model)
       : model_(model), symbols_(ModelSymbols(model).leaves()) {}
 
   [[nodiscard]] PageTable frames() const {
-    PageTable table{{typed_formula("i"), {}, typed_formula("p"), typed_formula("H_{i}")}};
+    PageTable table{{latex_formula("i"), {}, latex_formula("p"), latex_formula("H_{i}")}};
     for (const Frame& frame : model_.frames) {
       const std::size_t number = table.cells.size() / table.heads.size() + 1;
       const std::uint32_t carrier = frame.parent ? *frame.parent + 1 : 0;
@@ -77,8 +80,8 @@ class FramesWriter {
   }
 
   [[nodiscard]] PageTable bodies() const {
-    PageTable table{{typed_formula("i"), typed_formula("m_{b}"), typed_formula("c_{b}"),
-                     typed_formula("I_{b}")}};
+    PageTable table{{latex_formula("i"), latex_formula("m_{b}"), latex_formula("c_{b}"),
+                     latex_formula("I_{b}")}};
     for (const Body& body : model_.bodies) {
       add(table, body.local->com, body.mass);
       const Formulas x = formulas(body.local->inertia);
@@ -91,7 +94,7 @@ class FramesWriter {
       }
       if (!body.local->about_origin) continue;
       table.cells.back() =
-          sum_of({table.cells.back(), typed_formula("m_{b} [c_{b}]_{\\times}^{2}")});
+          sum_of({table.cells.back(), latex_formula("m_{b} [c_{b}]_{\\times}^{2}")});
     }
     for (const Point& point : model_.points) {
       if (point.mass) add(table, *point.local, point.mass);
@@ -135,26 +138,27 @@ class FramesWriter {
 
   [[nodiscard]] Formula pose(const Frame& frame) const {
     Formulas motions;
-    for (const FrameStep& step : frame.steps) motions.push_back(motion(step));
+    for (const ElementaryTransform& transform : frame.transforms)
+      motions.push_back(motion(transform));
     Formula product = row_of(std::move(motions));
     return product.is_empty() ? number_formula(1) : product;
   }
 
-  /// The elementary transform of a step; empty for the identity.
-  [[nodiscard]] Formula motion(const FrameStep& step) const {
-    if (step.kind == FrameStepKind::translation) {
-      Formula by = vector(step.vector);
+  /// The motion of an elementary transform; empty for the identity.
+  [[nodiscard]] Formula motion(const ElementaryTransform& transform) const {
+    if (transform.kind == TransformKind::translation) {
+      Formula by = vector(transform.vector);
       return std::ranges::all_of(by.parts, is_zero) ? Formula{} : applied("\\mathrm{Trans}", by);
     }
-    if (step.kind == FrameStepKind::turn) {
-      const Formula angle = formula(step.angle);
+    if (transform.kind == TransformKind::turn) {
+      const Formula angle = formula(transform.angle);
       if (is_zero(angle)) return {};
       Glyphs turn = read_latex("\\mathrm{Rot}");
-      add_script(turn, 1, axis(step));
+      add_script(turn, 1, axis(transform));
       return applied(turn, tuple_of({angle}));
     }
-    if (!step.rotation) return applied("\\mathrm{Rot}", vector(step.quaternion));
-    const Rotation& rotation = model_.rotations[*step.rotation];
+    if (!transform.rotation) return applied("\\mathrm{Rot}", vector(transform.quaternion));
+    const Rotation& rotation = model_.rotations[*transform.rotation];
     const Glyphs symbol = symbol_of_name(rotation.name, rotation.latex);
     return applied("\\mathrm{Rot}", tuple_of({symbol_formula(rotation.name, symbol)}));
   }
@@ -169,7 +173,7 @@ class FramesWriter {
   }
 
   /// "z"; all three components if the axis is not a coordinate axis.
-  [[nodiscard]] Glyphs axis(const FrameStep& turn) const {
+  [[nodiscard]] Glyphs axis(const ElementaryTransform& turn) const {
     const Formula unit = vector(turn.vector);
     const auto one =
         std::ranges::find_if(unit.parts, [](const Formula& part) { return is_number(part, 1); });
@@ -182,19 +186,19 @@ class FramesWriter {
 };
 
 PageEquation part(const Model& model, std::string_view left, std::string_view right) {
-  return {typed_formula(model, left), 1, 1, {typed_formula(model, right)}};
+  return {latex_formula(model, left), 1, 1, {latex_formula(model, right)}};
 }
 
 template <class Rows>
-PageSection part_section(const Model& model, const std::string& doc, const Rows& rows) {
+PageSection recursion_section(const Model& model, const std::string& doc, const Rows& rows) {
   PageSection result{.doc = doc};
-  for (const PartRow& row : rows) result.equations.push_back(part(model, row.left, row.right));
+  for (const EquationRow& row : rows) result.equations.push_back(part(model, row.left, row.right));
   return result;
 }
 
 /// M and the left side of the equations of motion, with weight as the only potential force.
-std::vector<PageEquation> part_results(const Model& model, const FramesWriter& writer,
-                                       bool has_weights) {
+std::vector<PageEquation> mass_and_force_equations(const Model& model, const FrameFormulas& writer,
+                                                   bool has_weights) {
   std::vector<PageEquation> result;
   const bool has_armature = std::ranges::any_of(
       model.coordinates, [](const Coordinate& c) { return c.armature.has_value(); });
@@ -202,7 +206,7 @@ std::vector<PageEquation> part_results(const Model& model, const FramesWriter& w
       part(model, "M_{kl}", std::string(mass_entry) + (has_armature ? " + A_{kl}" : "")));
   for (const Coordinate& c : model.coordinates) {
     if (!c.armature) continue;
-    result.push_back({typed_formula(fmt::format("A_{{{0}, {0}}}", c.velocity + 1)),
+    result.push_back({latex_formula(fmt::format("A_{{{0}, {0}}}", c.velocity + 1)),
                       1,
                       1,
                       {writer.formula(*c.armature)}});
@@ -219,7 +223,7 @@ std::vector<PageEquation> part_results(const Model& model, const FramesWriter& w
 
 }  // namespace
 
-bool moves_in_frames(const Model& model) {
+bool has_frame_recursion(const Model& model) {
   const auto is_carried = [](const Point& p) { return !p.mass || p.local; };
   return !model.frames.empty() && std::ranges::all_of(model.points, is_carried) &&
          std::ranges::all_of(model.bodies, [](const Body& b) { return b.local.has_value(); }) &&
@@ -228,7 +232,7 @@ bool moves_in_frames(const Model& model) {
 }
 
 std::vector<PageSection> named_parts(const Model& model) {
-  const FramesWriter writer(model);
+  const FrameFormulas writer(model);
   const bool has_weights = model.gravity && !model.energies.V;
   PageSection opening{.title = prose("Named parts")};
   opening.doc =
@@ -240,30 +244,31 @@ std::vector<PageSection> named_parts(const Model& model) {
   PageSection bodies{
       .doc = "Body b in the axes of frame i: mass, centre, inertia (xx, yy, zz; xy, xz, yz)."};
   bodies.table = writer.bodies();
-  PageSection motions = part_section(
+  PageSection motions = recursion_section(
       model,
       "Motion of frame i in its own axes, accelerations less gravity; s is its angular velocity "
       "relative to p.",
       motion_rows);
   Formula weight = has_weights ? negative(writer.vector(*model.gravity)) : number_formula(0);
-  motions.equations.push_back({typed_formula("\\gamma_{0}"), 1, 1, {std::move(weight)}});
-  PageSection results = part_section(
+  motions.equations.push_back({latex_formula("\\gamma_{0}"), 1, 1, {std::move(weight)}});
+  PageSection results = recursion_section(
       model,
       "Derivatives with respect to the velocities k and l: twist V of frame i, its part S relative "
       "to p, then M.",
       twist_rows);
-  const std::vector<PageEquation> last = part_results(model, writer, has_weights);
+  const std::vector<PageEquation> last = mass_and_force_equations(model, writer, has_weights);
   results.equations.insert(results.equations.end(), last.begin(), last.end());
-  return {opening,
-          frames,
-          bodies,
-          motions,
-          part_section(model, "Force and moment on frame i with its bodies b and child frames j.",
-                       force_rows),
-          part_section(
-              model, "Mass, first moment and inertia of frame i with its bodies and child frames.",
-              inertia_rows),
-          results};
+  return {
+      opening,
+      frames,
+      bodies,
+      motions,
+      recursion_section(model, "Force and moment on frame i with its bodies b and child frames j.",
+                        force_rows),
+      recursion_section(
+          model, "Mass, first moment and inertia of frame i with its bodies and child frames.",
+          inertia_rows),
+      results};
 }
 
 }  // namespace elgen

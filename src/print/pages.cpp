@@ -14,7 +14,7 @@ namespace elgen {
 namespace {
 
 /// The syntax of a page language: functions from content to its text.
-struct PageWords {
+struct PageSyntax {
   std::string (*plain)(const std::string& text);  ///< prose, with markup escaped
   std::string (*name)(const std::string& name);   ///< a name in models and programs
   std::string (*unit)(const std::string& unit);   ///< of "m/s^2"
@@ -29,12 +29,12 @@ TemplateData section_of(const std::string& text) {
   return section_if(!text.empty(), {"line", text});
 }
 
-TemplateData formula_section(const Formula& formula, const PageWords& words) {
+TemplateData formula_section(const Formula& formula, const PageSyntax& words) {
   return section_of(formula.is_empty() ? "" : words.formula(glyphs_of(formula)));
 }
 
 /// A row of prose and formulas.
-std::string mixed(const Glyphs& row, const PageWords& words) {
+std::string prose_with_formulas(const Glyphs& row, const PageSyntax& words) {
   std::string text;
   for (const auto& [is_prose, prose, formula] : pieces(row)) {
     text += is_prose ? words.plain(prose) : words.in_line(formula);
@@ -42,12 +42,12 @@ std::string mixed(const Glyphs& row, const PageWords& words) {
   return text;
 }
 
-std::string mixed(const Formula& formula, const PageWords& words) {
-  return mixed(glyphs_of(formula), words);
+std::string prose_with_formulas(const Formula& formula, const PageSyntax& words) {
+  return prose_with_formulas(glyphs_of(formula), words);
 }
 
 /// A table for each kind of variable on the page; only parameters have values.
-TemplateData variables_data(const Page& page, const PageWords& words) {
+TemplateData variables_data(const Page& page, const PageSyntax& words) {
   TemplateData tables(List::list);
   const auto add = [&](const std::vector<PageVariable>& variables, const std::string& word) {
     if (variables.empty()) return;
@@ -71,12 +71,12 @@ TemplateData variables_data(const Page& page, const PageWords& words) {
 }
 
 /// Rows of cells, starting with the heads; absent without heads.
-TemplateData cells_data(const PageTable& table, const PageWords& words) {
+TemplateData cells_data(const PageTable& table, const PageSyntax& words) {
   const auto row_of = [&](auto first, std::size_t count) {
     TemplateData cells(List::list);
     for (std::size_t i = 0; i < count; ++i, ++first) {
       TemplateData cell;
-      cell.set("cell", section_of(mixed(*first, words)));
+      cell.set("cell", section_of(prose_with_formulas(*first, words)));
       cell.set("separator", i + 1 < count ? " & " : "");
       cells << cell;
     }
@@ -107,25 +107,25 @@ std::vector<DisplayBlock> blocks_of(const std::vector<SetEquation>& equations, b
 }
 
 /// The heading of a section. A title equal to the name in code is printed as code.
-TemplateData heading_data(const PageSection& section, const PageWords& words) {
+TemplateData heading_data(const PageSection& section, const PageSyntax& words) {
   const bool is_name = text_of(section.title) == section.function;
   TemplateData heading;
-  heading.set("title", is_name ? "" : mixed(section.title, words));
+  heading.set("title", is_name ? "" : prose_with_formulas(section.title, words));
   heading.set("function", section_of(is_name ? words.name(section.function) : ""));
   return section_if(!section.title.is_empty(), heading);
 }
 
-TemplateData section_data(const PageSection& section, const PageWords& words) {
+TemplateData section_data(const PageSection& section, const PageSyntax& words) {
   const SetSection set = set_section(section);
   std::vector<std::string> equations;
   for (const DisplayBlock& block : blocks_of(set.equations, section.is_aligned)) {
     equations.push_back(words.equations(block));
   }
   const bool leaves_out = std::ranges::any_of(
-      set.equations, [](const SetEquation& equation) { return leaves_out_zeros(equation); });
+      set.equations, [](const SetEquation& equation) { return omits_zeros(equation); });
   TemplateData data;
   std::vector<std::string> lines;
-  for (const Glyphs& line : set.lines) lines.push_back(mixed(line, words));
+  for (const Glyphs& line : set.lines) lines.push_back(prose_with_formulas(line, words));
   data.set("heading", heading_data(section, words));
   data.set("lines", lines_data(lines));
   data.set("table", cells_data(section.table, words));
@@ -136,7 +136,7 @@ TemplateData section_data(const PageSection& section, const PageWords& words) {
   return data;
 }
 
-TemplateData sections_data(const std::vector<PageSection>& sections, const PageWords& words) {
+TemplateData sections_data(const std::vector<PageSection>& sections, const PageSyntax& words) {
   TemplateData list(List::list);
   for (const PageSection& section : sections) list << section_data(section, words);
   return list;
@@ -144,12 +144,12 @@ TemplateData sections_data(const std::vector<PageSection>& sections, const PageW
 
 /// The data of templates/pages/. A section with an empty value is absent; `line` is a text of one
 /// or more lines.
-TemplateData page_data(const Page& page, const PageWords& words) {
+TemplateData page_data(const Page& page, const PageSyntax& words) {
   TemplateData notes(List::list);
   for (const std::string& note : page.notes) notes << TemplateData("line", words.plain(note));
   TemplateData data;
   data.set("title", words.plain(text_of(page.title)));
-  data.set("headline", mixed(page.title, words));
+  data.set("headline", prose_with_formulas(page.title, words));
   data.set("description", section_of(words.plain(page.description)));
   data.set("reference", section_of(words.plain(page.reference)));
   data.set("notes", notes);
@@ -160,7 +160,7 @@ TemplateData page_data(const Page& page, const PageWords& words) {
 }
 
 /// The identity, for languages without escapes.
-std::string unchanged(const std::string& text) { return text; }
+std::string identity(const std::string& text) { return text; }
 
 /// Escapes Markdown syntax in one line.
 std::string markdown_text(const std::string& text) {
@@ -221,7 +221,7 @@ std::string html_formula(const Glyphs& glyphs) {
   return fmt::format("<mrow>{}</mrow>", mathml(glyphs));
 }
 
-std::string in_math(const Glyphs& glyphs) {
+std::string mathml_element(const Glyphs& glyphs) {
   return fmt::format("<math>{}</math>", html_formula(glyphs));
 }
 
@@ -261,14 +261,14 @@ std::string html_equations(const DisplayBlock& block) {
   return fmt::format("<mtable class=\"lines\" displaystyle=\"true\">\n{}</mtable>", rows);
 }
 
-constexpr PageWords html_words{xml_text,     xml_text, html_unit,
-                               html_formula, in_math,  html_equations};
+constexpr PageSyntax html_words{xml_text,     xml_text,       html_unit,
+                                html_formula, mathml_element, html_equations};
 
 }  // namespace
 
 /// GitHub Markdown with $$ blocks.
 std::string markdown_page(const Page& page) {
-  const PageWords words{markdown_text, unchanged, markdown_unit, latex, in_dollars, latex_block};
+  const PageSyntax words{markdown_text, identity, markdown_unit, latex, in_dollars, latex_block};
   std::string text = fill_template("pages/markdown.md.mustache", page_data(page, words));
   while (text.ends_with("\n\n")) text.pop_back();
   return text;
@@ -277,7 +277,7 @@ std::string markdown_page(const Page& page) {
 /// A complete document with amsmath and longtable. It needs outline fonts: without lmodern, LaTeX
 /// uses OT1 fonts, which lack <, > and |.
 std::string latex_document(const Page& page) {
-  const PageWords words{latex_text, latex_text, latex_unit, latex, in_dollars, latex_equations};
+  const PageSyntax words{latex_text, latex_text, latex_unit, latex, in_dollars, latex_equations};
   return fill_template("pages/latex.tex.mustache", page_data(page, words));
 }
 

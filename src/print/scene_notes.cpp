@@ -21,7 +21,7 @@ Lines fixed_parameters(const Model& model, const Scene& scene) {
 
 /// "q1 = 1/6*pi"; of a rotation each component.
 Lines locked_coordinates(const Model& model) {
-  const Model& whole = whole_of(model);
+  const Model& whole = whole_model(model);
   Lines values;
   for (const Lock& lock : model.variant.locks) {
     for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
@@ -38,16 +38,16 @@ Lines cyclic_coordinates(const Model& model) {
   for (const Cyclic& cyclic : model.variant.cyclic) {
     const Parameter& momentum = model.parameters[cyclic.parameter];
     values.push_back(fmt::format("{} at {} = {}",
-                                 whole_of(model).coordinates[cyclic.coordinate].name, momentum.name,
-                                 short_text(momentum.value)));
+                                 whole_model(model).coordinates[cyclic.coordinate].name,
+                                 momentum.name, short_text(momentum.value)));
   }
   return values;
 }
 
 /// "Left out, with more than 4096 entries: mass_matrix, linearization. …"
-std::string left_out_text(const LeftOut& left_out) {
+std::string left_out_text(const OmittedOutputs& left_out) {
   const std::string names = fmt::format("{}", fmt::join(left_out.outputs, ", "));
-  if (left_out.reason == LeftOutReason::too_many_entries) {
+  if (left_out.reason == OmissionReason::too_many_entries) {
     return fmt::format(
         "Left out, with more than {} entries: {}. To emit one, name it in a scene or with "
         "--outputs.",
@@ -114,7 +114,7 @@ std::vector<std::string> scene_notes(const Model& model, const Scene& scene) {
   add("Locked", locked_coordinates(model));
   add("Eliminated, at constant momentum", cyclic_coordinates(model));
   if (model.approximation) notes.push_back(expansion_text(model));
-  for (const LeftOut& left_out : scene.left_out) notes.push_back(left_out_text(left_out));
+  for (const OmittedOutputs& left_out : scene.left_out) notes.push_back(left_out_text(left_out));
   return notes;
 }
 

@@ -55,7 +55,8 @@ class ScreenDrawing {
   [[nodiscard]] Block equated(const Glyphs& left, const Block& right, std::size_t least = 0) const {
     const Block drawn = draw(left, Fractions::in_line);
     const std::size_t missing = least - std::min(least, drawn.width());
-    return beside(beside({{std::string(missing, ' ')}, 0}, beside(drawn, {{" = "}, 0})), right);
+    return join_blocks(
+        join_blocks({{std::string(missing, ' ')}, 0}, join_blocks(drawn, {{" = "}, 0})), right);
   }
 
   [[nodiscard]] Block draw(const Glyphs& glyphs, Fractions fractions = Fractions::stacked) const {
@@ -167,7 +168,7 @@ class ScreenPage : public ScreenDrawing {
         return display(names, Fractions::in_line) + list(named);
       }
     }
-    const bool leaves_out = leaves_out_zeros(equation, shape_);
+    const bool leaves_out = omits_zeros(equation, shape_);
     return list(equation) +
            (leaves_out ? fmt::format("{}all other entries are 0\n", page_indent) : "");
   }
@@ -178,8 +179,8 @@ class ScreenPage : public ScreenDrawing {
     for (const SetEquation& equation : equations) {
       std::vector<Block> cells;
       for (const Glyphs& entry : equation.entries) cells.push_back(draw(entry));
-      if (all.width() > 0) all = beside(all, {{"  "}, 0});
-      all = beside(all, equated(equation.left, matrix_of(equation, cells)));
+      if (all.width() > 0) all = join_blocks(all, {{"  "}, 0});
+      all = join_blocks(all, equated(equation.left, matrix_of(equation, cells)));
     }
     return fits(all) ? text_of(all, page_indent) : "";
   }
@@ -196,7 +197,7 @@ class ScreenPage : public ScreenDrawing {
     std::vector<Block> rights;
     for (const Glyphs& row : part.rows) {
       const bool continues = part.columns == 0 && !rights.empty();
-      rights.push_back(draw(continues ? continued(row) : row, fractions));
+      rights.push_back(draw(continues ? continuation_row(row) : row, fractions));
     }
     if (part.columns > 0) rights = {matrix_drawing(rights, part.columns, alphabet_)};
     std::string text;
@@ -206,14 +207,14 @@ class ScreenPage : public ScreenDrawing {
       const Block behind{{std::string(left + 3, ' ')}, 0};
       text += text_of(is_alone   ? right
                       : is_first ? equated(part.left, right, left)
-                                 : beside(behind, right),
+                                 : join_blocks(behind, right),
                       page_indent);
     }
     return text;
   }
 
   /// A continuation line; its leading sign is a binary operator.
-  static Glyphs continued(const Glyphs& row) {
+  static Glyphs continuation_row(const Glyphs& row) {
     Glyphs result{GlyphKind::row, "", {Glyphs{}}};
     append(result, row, true);
     return result;
@@ -235,12 +236,12 @@ constexpr std::array overview_outputs{OutputKind::mass_matrix, OutputKind::veloc
                                       OutputKind::drift,       OutputKind::gravity,
                                       OutputKind::dissipation, OutputKind::applied_force};
 
-std::vector<const PageSection*> shown_first(const Page& page) {
+std::vector<const PageSection*> overview_sections(const Page& page) {
   std::vector<const PageSection*> shown;
   for (const OutputKind kind : overview_outputs) {
     for (const PageSection& output : page.sections) {
-      const bool says = !output.equations.empty() || !output.definition.is_empty();
-      if (output.kind == kind && says) shown.push_back(&output);
+      const bool has_content = !output.equations.empty() || !output.definition.is_empty();
+      if (output.kind == kind && has_content) shown.push_back(&output);
     }
   }
   if (!shown.empty()) return shown;
@@ -279,7 +280,7 @@ std::string overview(const Page& page, const Screen& screen) {
       fmt::format("{}\n\n{}", text_of(page.title), printer.formula(page.equation_of_motion));
   text += fmt::format("  {}\n", printer.tuple("q", page.coordinates));
   if (!page.inputs.empty()) text += fmt::format("  {}\n", printer.tuple("u", page.inputs));
-  for (const PageSection* const section : shown_first(page)) {
+  for (const PageSection* const section : overview_sections(page)) {
     text += "\n";
     if (section->equations.empty()) text += printer.formula(section->definition);
     for (const PageEquation& equation : section->equations) {

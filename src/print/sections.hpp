@@ -38,7 +38,7 @@ struct Heading {
 
 /// True if all kinetic energy belongs to bodies and points in frames and to armatures, so that a
 /// recursion over the frames gives M and the forces.
-[[nodiscard]] bool moves_in_frames(const Model& model);
+[[nodiscard]] bool has_frame_recursion(const Model& model);
 
 /// The sections of the recursion over frames, from the poses of the frames to M.
 [[nodiscard]] std::vector<PageSection> named_parts(const Model& model);

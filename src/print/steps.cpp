@@ -58,7 +58,7 @@ class Outline {
     const Function& read = read_form(function);
     return loads_zero(steps_.program, read.instructions[read.fields[field].entries.front()]);
   }
-  [[nodiscard]] bool is_zero(std::size_t function, BookLine line) const {
+  [[nodiscard]] bool is_zero(std::size_t function, BookField line) const {
     return is_zero(function, field_of(line));
   }
 
@@ -66,7 +66,7 @@ class Outline {
   [[nodiscard]] bool has_multiplier(std::size_t function) const {
     const Function& read = read_form(function);
     const std::vector<bool> needed =
-        needed_for(read, read.fields[field_of(BookLine::force)].entries);
+        needed_instructions(read, read.fields[field_of(BookField::force)].entries);
     for (std::size_t at = 0; at < needed.size(); ++at) {
       if (needed[at] && read.instructions[at].opcode == Opcode::multiplier) return true;
     }
@@ -116,7 +116,7 @@ class Outline {
   }
 
   void add_line(std::string_view latex) {
-    outline_.back().lines.push_back(typed_formula(model_, latex));
+    outline_.back().lines.push_back(latex_formula(model_, latex));
   }
 
   void add_action() {
@@ -159,7 +159,7 @@ class Outline {
     if (steps_.masses.empty()) section.doc += positions_left_out();
     const std::string_view names = is_whole ? "L" : "TVL";
     for (std::size_t i = 0; i < names.size(); ++i) {
-      add(typed_formula(names.substr(i, 1)), function, i);
+      add(latex_formula(names.substr(i, 1)), function, i);
     }
     end_section();
   }
@@ -168,7 +168,7 @@ class Outline {
   /// velocities.
   void add_constraints(std::size_t function) {
     PageSection& section = add_section(prose("Constraints"), std::string(constraints_doc));
-    Formulas sum = {typed_formula("L")};
+    Formulas sum = {latex_formula("L")};
     bool has_velocities = false;
     for (std::uint32_t i = 0; i < model_.constraints.size(); ++i) {
       const Constraint& constraint = model_.constraints[i];
@@ -181,14 +181,14 @@ class Outline {
     }
     if (sum.size() > 1) {
       section.lines.push_back(
-          row_of({sum_of(std::move(sum)), prose("instead of"), typed_formula("L"),
-                  prose("gives the same"), typed_formula(model_, "A^{\\top} <lambda>")}));
+          row_of({sum_of(std::move(sum)), prose("instead of"), latex_formula("L"),
+                  prose("gives the same"), latex_formula(model_, "A^{\\top} <lambda>")}));
     }
     if (has_velocities) add_line(of_velocities);
     end_section();
   }
 
-  [[nodiscard]] static std::size_t field_of(BookLine line) {
+  [[nodiscard]] static std::size_t field_of(BookField line) {
     return static_cast<std::size_t>(line);
   }
 
@@ -198,29 +198,29 @@ class Outline {
     const Glyphs glyphs =
         is_angular ? symbol_of_name(q) : glyphs_of(symbols_.leaves().q[velocity.coordinate]);
     const Formula symbol = symbol_formula(q, glyphs);
-    const Formula rate = symbol_formula(fmt::format("dot({})", q), accented(glyphs, "˙"));
+    const Formula rate = symbol_formula(fmt::format("dot({})", q), add_dots(glyphs, "˙"));
     const Formula slope = partial_derivative("L", rate);
     PageSection& section = add_section(row_of({prose("Equation of"), symbol}),
                                        is_angular ? std::string(turning_doc) : "");
     const bool is_held = has_multiplier(function);
-    if (!is_angular && !is_held && is_zero(function, BookLine::partial)) {
+    if (!is_angular && !is_held && is_zero(function, BookField::partial)) {
       section.lines.push_back(conservation(function, slope, symbol));
     }
-    add(slope, function, field_of(BookLine::momentum));
-    add(row_of({typed_formula("\\frac{d}{dt}"), slope}), function,
-        field_of(BookLine::momentum_rate));
-    add(partial_derivative("L", symbol), function, field_of(BookLine::partial));
-    if (!is_zero(function, BookLine::dissipation)) {
-      add(partial_derivative("D", rate), function, field_of(BookLine::dissipation));
+    add(slope, function, field_of(BookField::momentum));
+    add(row_of({latex_formula("\\frac{d}{dt}"), slope}), function,
+        field_of(BookField::momentum_rate));
+    add(partial_derivative("L", symbol), function, field_of(BookField::partial));
+    if (!is_zero(function, BookField::dissipation)) {
+      add(partial_derivative("D", rate), function, field_of(BookField::dissipation));
     }
-    if (!is_zero(function, BookLine::force)) {
+    if (!is_zero(function, BookField::force)) {
       Glyphs force = read_latex("Q");
       add_script(force, 1, glyphs);
       Glyphs held = typed_glyphs(model_, "(A^{\\top} <lambda>)");
       add_script(held, 1, glyphs);
       Formulas terms = {symbol_formula("Q_" + q, std::move(force))};
       if (is_held) terms.push_back(symbol_formula("(A^T lambda)_" + q, std::move(held)));
-      add(sum_of(std::move(terms)), function, field_of(BookLine::force));
+      add(sum_of(std::move(terms)), function, field_of(BookField::force));
     }
     add_row(function);
     end_section();
@@ -228,8 +228,8 @@ class Outline {
 
   /// Adds the equation d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda, written out.
   void add_row(std::size_t function) {
-    add(read_[function].entries[field_of(BookLine::left)].front(), function,
-        field_of(BookLine::force));
+    add(read_[function].entries[field_of(BookField::left)].front(), function,
+        field_of(BookField::force));
   }
 
   /// Adds the equations of all velocities, then the constraints and the solved accelerations.
@@ -269,11 +269,11 @@ class Outline {
   [[nodiscard]] Formula conservation(std::size_t function, const Formula& slope,
                                      const Formula& q) const {
     const bool is_free =
-        is_zero(function, BookLine::force) && is_zero(function, BookLine::dissipation);
+        is_zero(function, BookField::force) && is_zero(function, BookField::dissipation);
     const char* condition = is_free ? "" : " if no force and no dissipation act on it";
     Glyphs momentum = read_latex("p");
     add_script(momentum, 1, glyphs_of(q));
-    return row_of({typed_formula("L"), prose("does not contain"), q, prose(", so"),
+    return row_of({latex_formula("L"), prose("does not contain"), q, prose(", so"),
                    relation(symbol_formula("p_" + text_of(q), std::move(momentum)), slope),
                    prose(fmt::format("is conserved{}", condition))});
   }
@@ -295,8 +295,8 @@ class Outline {
                           : is_free()        ? "is conserved"
                           : is_constrained() ? conserved_unless_constrained
                                              : conserved_unless_driven;
-    section.lines = {row_of({typed_formula("L"), prose(contains), typed_formula("t"), prose(", so"),
-                             typed_formula("E"), prose(verdict)})};
+    section.lines = {row_of({latex_formula("L"), prose(contains), latex_formula("t"), prose(", so"),
+                             latex_formula("E"), prose(verdict)})};
     const Glyphs definition =
         typed_glyphs(model_, R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)");
     add(symbol_formula("E = sum of v dL/dv - L", definition), function, 0);
@@ -331,7 +331,7 @@ std::vector<PageSection> steps_sections(const Model& model, const ReadableSteps&
 Page steps_page(const Model& model, const Scene& scene, const ReadableSteps& steps,
                 std::string_view title) {
   Page result = model_page(model, scene, {});
-  result.equation_of_motion = typed_formula(
+  result.equation_of_motion = latex_formula(
       model, fmt::format("{}{}", lagrange, model.constraints.empty() ? "" : constraint_forces));
   result.sections = steps_sections(model, steps, title);
   return result;

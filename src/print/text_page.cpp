@@ -18,14 +18,15 @@ namespace {
 /// Joins functions into one, so that common subexpressions are computed once. Fields keep the order
 /// of the functions. A marked name that is already in use gets the name of its function as a
 /// prefix.
-Function united(const Program& program, const std::vector<std::size_t>& functions) {
+Function joined_functions(const Program& program, const std::vector<std::size_t>& functions) {
   Function all;
   Instructions instructions(all);
   for (const std::size_t index : functions) {
     Function each = program.functions[index];
     const std::set<std::string> known(all.names.begin(), all.names.end());
     for (std::string& name : each.names) {
-      if (name.starts_with(told_mark) && known.contains(name)) name.insert(1, each.name + "_");
+      if (name.starts_with(intermediate_mark) && known.contains(name))
+        name.insert(1, each.name + "_");
     }
     const std::vector<std::uint32_t> places = instructions.add_all(each);
     for (Field field : each.fields) {
@@ -137,9 +138,9 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
     const bool is_closed = has_readable_form(program, i);
     if (!is_closed && is_shown(program, program.functions[i], options)) open.push_back(i);
   }
-  const Function all = united(program, open);
+  const Function all = joined_functions(program, open);
   const FunctionEquations parts =
-      equations(program, all, temporary_names(program, all, LastName::number));
+      equations(program, all, temporary_names(program, all, FallbackName::number));
   if (!parts.definitions.empty()) text += "\nnamed parts\n";
   text += definitions_text(parts);
   std::vector<Formulas>::const_iterator next = parts.entries.begin();
@@ -171,7 +172,7 @@ std::string cost_page(const std::vector<FormCosts>& costs) {
       {"function", "form", "add", "mul", "div", "sqrt", "sincos", "other", "cost", "digits", ""}};
   const auto add = [&](const FormCosts& of, Form form, const OperationCounts& n,
                        const std::optional<double>& loss) {
-    std::string mark = form != of.chosen ? "" : of.is_asked_for ? "requested" : "emitted";
+    std::string mark = form != of.chosen ? "" : of.is_demanded ? "requested" : "emitted";
     if (form == Form::closed && of.inaccurate) {
       mark += fmt::format("{}inaccurate in entry {}", mark.empty() ? "" : ", ", *of.inaccurate);
     }

@@ -85,7 +85,7 @@ std::string broken_repetition(const Function& function) {
     return fmt::format("{} times {} of {} instructions are repeated", count, length,
                        function.instructions.size());
   }
-  const std::size_t first = first_repeated(function);
+  const std::size_t first = first_repeated_instruction(function);
   for (std::size_t at = first + length; at < function.instructions.size(); ++at) {
     const Instruction& before = function.instructions[at - length];
     Instruction now = function.instructions[at];
@@ -113,7 +113,7 @@ std::string broken_function(const Program& program, const Function& function) {
   for (std::size_t at = 0; at < function.instructions.size(); ++at) {
     const std::string broken = broken_instruction(program, function, at);
     if (!broken.empty()) return fmt::format("instruction {}: {}", at, broken);
-    if (at >= first_repeated(function)) continue;
+    if (at >= first_repeated_instruction(function)) continue;
     if (!seen.insert(function.instructions[at]).second) {
       return fmt::format("instruction {}: computed before", at);
     }

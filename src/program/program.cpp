@@ -22,14 +22,14 @@ std::size_t operand_count(const Instruction& instruction) {
   return opcode_row(instruction.opcode).operands;
 }
 
-Instruction with_operands(Instruction instruction, const std::vector<std::uint32_t>& places) {
+Instruction renumber_operands(Instruction instruction, const std::vector<std::uint32_t>& places) {
   const std::size_t operands = operand_count(instruction);
   if (operands > 0) instruction.a = places[instruction.a];
   if (operands > 1) instruction.b = places[instruction.b];
   return instruction;
 }
 
-std::size_t first_repeated(const Function& function) {
+std::size_t first_repeated_instruction(const Function& function) {
   const Repetition& repeated = function.repeated;
   return function.instructions.size() - std::size_t{repeated.length} * repeated.count;
 }
@@ -101,13 +101,13 @@ bool is_zero(const Program& program, const Function& function) {
   });
 }
 
-int order_at(const Program& program, const Function& function, std::uint32_t at) {
+int stumpff_order(const Program& program, const Function& function, std::uint32_t at) {
   const Instruction& i = function.instructions[at];
-  if (i.opcode == Opcode::negate) return -order_at(program, function, i.a);
+  if (i.opcode == Opcode::negate) return -stumpff_order(program, function, i.a);
   return cln::cl_I_to_int(cln::round1(program.constants[i.a].value));
 }
 
-std::vector<std::size_t> written_out_sizes(const Function& function, std::size_t most) {
+std::vector<std::size_t> expanded_sizes(const Function& function, std::size_t most) {
   std::vector<std::size_t> sizes;
   for (const Instruction& i : function.instructions) {
     const std::size_t operands = operand_count(i);
@@ -161,7 +161,8 @@ std::size_t cost(const OperationCounts& counts) {
          16 * counts.other;
 }
 
-std::vector<bool> needed_for(const Function& function, const std::vector<std::uint32_t>& wanted) {
+std::vector<bool> needed_instructions(const Function& function,
+                                      const std::vector<std::uint32_t>& wanted) {
   std::vector<bool> needed(function.instructions.size(), false);
   for (const std::uint32_t at : wanted) needed[at] = true;
   for (std::size_t at = needed.size(); at-- > 0;) {
@@ -193,9 +194,9 @@ std::vector<std::uint32_t> cone_of(const Function& function, std::vector<std::ui
   return cone;
 }
 
-void take_name(std::string& known, const std::string& name) {
+void merge_name(std::string& known, const std::string& name) {
   const bool gives_way =
-      known.empty() || (known.front() == told_mark && !name.starts_with(told_mark));
+      known.empty() || (known.front() == intermediate_mark && !name.starts_with(intermediate_mark));
   if (gives_way && !name.empty()) known = name;
 }
 
@@ -204,7 +205,7 @@ namespace {
 /// True if `order` ends with the repeated instructions in their old order.
 bool keeps_repetitions(const Function& function, const std::vector<std::uint32_t>& order) {
   std::size_t old = function.instructions.size();
-  const std::size_t size = old - first_repeated(function);
+  const std::size_t size = old - first_repeated_instruction(function);
   if (order.size() < size) return false;
   return std::all_of(order.rbegin(), order.rbegin() + static_cast<std::ptrdiff_t>(size),
                      [&old](std::uint32_t at) { return at == --old; });
@@ -219,7 +220,7 @@ Function reordered(const Function& function, const std::vector<std::uint32_t>& o
   result.names.clear();
   std::vector<std::uint32_t> renumbered(function.instructions.size());
   for (const std::uint32_t at : order) {
-    const Instruction i = with_operands(function.instructions[at], renumbered);
+    const Instruction i = renumber_operands(function.instructions[at], renumbered);
     renumbered[at] = static_cast<std::uint32_t>(result.instructions.size());
     result.instructions.push_back(i);
     result.names.push_back(function.names[at]);
@@ -231,7 +232,7 @@ Function reordered(const Function& function, const std::vector<std::uint32_t>& o
 }
 
 Function pruned(const Function& function) {
-  const std::vector<bool> needed = needed_for(function, entries_of(function));
+  const std::vector<bool> needed = needed_instructions(function, entries_of(function));
   std::vector<std::uint32_t> order;
   for (std::uint32_t at = 0; at < needed.size(); ++at) {
     if (needed[at]) order.push_back(at);

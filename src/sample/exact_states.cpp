@@ -44,7 +44,7 @@ void draw_parameters(const Model& model, const FixedParameters& fixed, Sampler& 
 void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& state) {
   const cln::cl_RA& scale = scales()[turn % scales().size()];
   const auto set = [&](Opcode kind, std::uint32_t number, cl_R& value) {
-    if (!is_of_state(kind) || leaf_row(kind).passed == Passed::if_taken) return;
+    if (!is_in_state(kind) || leaf_row(kind).passed == Passed::if_used) return;
     if (const auto range = declared_range(model, kind, number)) {
       value = exactly_within(*range, draw);
     } else {
@@ -54,12 +54,12 @@ void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& sta
   };
   for_each_leaf(set, state);
   // A copy, so that these draws do not change the numbers that follow.
-  Sampler of_few = draw;
-  const auto set_taken = [&](const LeafRow& row, std::vector<cl_R>& list) {
-    if (row.passed != Passed::if_taken) return;
-    for (cl_R& value : list) value = of_few.number() * scale;
+  Sampler optional_sampler = draw;
+  const auto set_used = [&](const LeafRow& row, std::vector<cl_R>& list) {
+    if (row.passed != Passed::if_used) return;
+    for (cl_R& value : list) value = optional_sampler.number() * scale;
   };
-  for_each_list(set_taken, state);
+  for_each_list(set_used, state);
   make_unit_quaternions(model, state);
 }
 
@@ -76,7 +76,7 @@ void scale_to_length_one(const Model& model, State& state) {
   if (scaled) state.q = std::move(*scaled);
 }
 
-std::optional<State> on_constraints(const Model& model, const State& state) {
+std::optional<State> move_onto_constraints(const Model& model, const State& state) {
   if (model.constraints.empty()) return state;
   std::optional<State> there = oracle_assembled(model, state);
   if (!there) return std::nullopt;
@@ -89,7 +89,7 @@ std::optional<State> on_constraints(const Model& model, const State& state) {
 }
 
 bool is_compared_on_constraints(const Model& model, OutputKind output) {
-  return !model.constraints.empty() && !output_row(output).takes_drifted;
+  return !model.constraints.empty() && !output_row(output).takes_unprojected;
 }
 
 State compared_state(const Model& model, OutputKind output, const State& drawn, State kept) {
@@ -114,13 +114,13 @@ State with_leaves(const Model& model, State state, const std::vector<StatedLeaf>
   OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
   if (momenta) state.momenta = std::move(*momenta);
   const auto take_velocities = [&state](const LeafRow& row, std::vector<cl_R>& list) {
-    if (row.passed == Passed::if_taken && row.id != Opcode::momentum) list = state.v;
+    if (row.passed == Passed::if_used && row.id != Opcode::momentum) list = state.v;
   };
   for_each_list(take_velocities, state);
-  const auto place_taken = [&place](Opcode kind, std::uint32_t number, cl_R& value) {
-    if (leaf_row(kind).passed == Passed::if_taken) place(kind, number, value);
+  const auto place_used = [&place](Opcode kind, std::uint32_t number, cl_R& value) {
+    if (leaf_row(kind).passed == Passed::if_used) place(kind, number, value);
   };
-  for_each_leaf(place_taken, state);
+  for_each_leaf(place_used, state);
   return state;
 }
 

@@ -40,8 +40,8 @@ LeafValues<double> Sampler::scaled_point(const LeafNames& leaves, int low, int h
   return result;
 }
 
-void Sampler::move_angles(AnglePlace place, const std::vector<bool>& is_angle,
-                          std::vector<double>& q) {
+void Sampler::set_angles(AnglePlace place, const std::vector<bool>& is_angle,
+                         std::vector<double>& q) {
   const double common = within({-2 * right_angle, 2 * right_angle});
   for (std::size_t i = 0; i < q.size(); ++i) {
     const double sign = side();

@@ -53,7 +53,7 @@ class Sampler {
   /// A scaled number for every leaf that has a name; parameters are positive.
   [[nodiscard]] LeafValues<double> scaled_point(const LeafNames& leaves, int low, int high);
   /// Moves the coordinates that are angles to a place.
-  void move_angles(AnglePlace place, const std::vector<bool>& is_angle, std::vector<double>& q);
+  void set_angles(AnglePlace place, const std::vector<bool>& is_angle, std::vector<double>& q);
 
  private:
   Random random_;

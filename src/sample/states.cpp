@@ -22,7 +22,7 @@ constexpr double pi = 3.141592653589793;
 /// Ranges may exceed every scalar. A quarter of the largest number keeps their widths finite.
 double within_scalar(const cln::cl_R& value) {
   constexpr double largest = std::numeric_limits<double>::max() / 4;
-  return std::clamp(ScalarTraits<double>::from_real(value), -largest, largest);
+  return std::clamp(to_double(value), -largest, largest);
 }
 
 Range range_or(const std::optional<Interval>& interval, double otherwise) {
@@ -38,7 +38,7 @@ constexpr Range steps{0, 0.1};  ///< in s: at a rate of 10, the longest step mov
 using Ranges = LeafValues<Range>;
 
 LeafValues<double> values_of(const StateSpace& space) {
-  return map_leaves([](const cln::cl_R& value) { return ScalarTraits<double>::from_real(value); },
+  return map_leaves([](const cln::cl_R& value) { return to_double(value); },
                     nominal_state(space.model, space.scene));
 }
 
@@ -103,8 +103,8 @@ class Extremes {
 
   std::vector<SampledState<double>> make(const Reach& reach, std::size_t most_combinations) {
     add("origin") = at_value_;
-    ends("low ends of ranges", &Range::low);
-    ends("high ends of ranges", &Range::high);
+    add_range_ends("low ends of ranges", &Range::low);
+    add_range_ends("high ends of ranges", &Range::high);
     for (const double size : reach.tiny) {
       set_positions(fmt::format("positions {:g}", size), size, false);
       set_rates(fmt::format("rates {:g}", size), size);
@@ -115,8 +115,8 @@ class Extremes {
     for (const double size : reach.rates) set_rates(fmt::format("rates {:g}", size), size);
     ratios(reach.ratios.back());
     ratios(1 / reach.ratios.back());
-    charts();
-    combinations(reach.ratios, most_combinations);
+    add_singular_charts();
+    add_combinations(reach.ratios, most_combinations);
     return std::move(states_);
   }
 
@@ -127,7 +127,7 @@ class Extremes {
     return states_.back().values;
   }
 
-  void ends(const char* name, double Range::*end) {
+  void add_range_ends(const char* name, double Range::*end) {
     static constexpr LeafSet others = Opcode::parameter | Opcode::acceleration | Opcode::time;
     const auto set = [end](Opcode kind, std::uint32_t, double& value, const Range& range) {
       if (!others.has_any(kind)) value = range.*end;
@@ -157,7 +157,7 @@ class Extremes {
   }
 
   /// Angles about 1e-15 from singular charts: gimbals, poles, aligned links.
-  void charts() {
+  void add_singular_charts() {
     for (const double angle : {0.0, pi / 2, pi}) {
       LeafValues<double>& values = add(fmt::format("angles 1e-15 from {:.3g}", angle));
       double distance = 1e-15;
@@ -169,7 +169,7 @@ class Extremes {
 
   /// One parameter far from its value, and angles at every place: sums of masses or lengths cancel,
   /// and their small results are divided.
-  void combinations(const std::vector<double>& sizes, std::size_t most) {
+  void add_combinations(const std::vector<double>& sizes, std::size_t most) {
     const std::size_t places = std::size(angle_places);
     const std::size_t per_parameter = 2 * sizes.size() * places;
     const std::size_t all = space_.model.parameters.size() * per_parameter;
@@ -178,17 +178,18 @@ class Extremes {
       const std::size_t which = i * step % all;
       const double size = sizes[which / places / 2 % sizes.size()];
       const bool is_small = which / places % 2 != 0;
-      combination(which / per_parameter, is_small ? 1 / size : size, angle_places[which % places]);
+      add_combination(which / per_parameter, is_small ? 1 / size : size,
+                      angle_places[which % places]);
     }
   }
 
-  void combination(std::size_t parameter, double ratio, AnglePlace place) {
+  void add_combination(std::size_t parameter, double ratio, AnglePlace place) {
     constexpr std::array words{"near right ones", "near straight ones", "nearly equal", "tiny"};
     LeafValues<double>& values =
         add(fmt::format("{} times {:g}, angles {}", space_.model.parameters[parameter].name, ratio,
                         words[static_cast<std::size_t>(place)]));
     values.parameters[parameter] *= ratio;
-    draw_.move_angles(place, is_angle_, values.q);
+    draw_.set_angles(place, is_angle_, values.q);
   }
 
   const StateSpace& space_;

@@ -35,7 +35,7 @@ void scale_to_length_one(const Model& model, State& state);
 
 /// The state moved onto the constraints to all digits, with one step of Newton's method more than a
 /// pose needs. Without constraints the state itself; none if the method does not converge.
-[[nodiscard]] std::optional<State> on_constraints(const Model& model, const State& state);
+[[nodiscard]] std::optional<State> move_onto_constraints(const Model& model, const State& state);
 
 /// True if an output is compared at states on the constraints. Not for constraint_residual and
 /// projected, which would be 0 and the state itself.

@@ -51,8 +51,8 @@ std::string c99_arguments(const DriverInput& input, const Function& function) {
 std::string call(const DriverInput& input, const Function& function, const std::string& scalar) {
   const std::string name = fmt::format("{}_{}", name_space(input.scene), function.name);
   const std::string given = c99_arguments(input, function);
-  const std::string results = appended(input, function, "&to", "");
-  if (gives_struct(function)) {
+  const std::string results = append_statements(input, function, "&to", "");
+  if (returns_struct(function)) {
     return fmt::format("  {0}_result result;\n  {0}({1}, &result);\n{2}", name, given, results);
   }
   if (is_scalar(input.program, function, function.fields.front())) {

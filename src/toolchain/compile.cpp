@@ -92,7 +92,7 @@ Result<CompiledHeader> header_of(const Driver& driver, Build build,
   CompiledHeader header{driver.types, driver.in_packs, nullptr, build};
   header.is_wide = driver.is_wide;
   if (library == nullptr) {
-    header.lacking = "the compiler does not take -O3 -march=native";
+    header.failure_reason = "the compiler does not take -O3 -march=native";
     return header;
   }
   std::vector<LoadedFunction> functions = functions_of(driver, *library, input.program);
@@ -102,7 +102,7 @@ Result<CompiledHeader> header_of(const Driver& driver, Build build,
     });
   };
   if (!driver.needs.empty() && have(0)) {
-    header.lacking = fmt::format("<{}> is not installed", driver.needs);
+    header.failure_reason = fmt::format("<{}> is not installed", driver.needs);
     return header;
   }
   if (!have(scalars_of(driver, input).size())) return missing_function();
@@ -136,9 +136,9 @@ std::vector<DriverUnit> all_units(const DriverInput& input, const std::vector<Bu
 namespace {
 
 template <class Scalar>
-ValuesOfFunctions<Scalar> called_one_by_one(const CompiledModel& code,
-                                            const std::vector<std::string_view>& functions,
-                                            const std::vector<Arguments<Scalar>>& states) {
+ValuesOfFunctions<Scalar> call_each_state(const CompiledModel& code,
+                                          const std::vector<std::string_view>& functions,
+                                          const std::vector<Arguments<Scalar>>& states) {
   ValuesOfFunctions<Scalar> values(functions.size());
   for (std::size_t i = 0; i < functions.size(); ++i) {
     for (const auto& state : states) values[i].push_back(code.call(functions[i], state));
@@ -151,13 +151,13 @@ ValuesOfFunctions<Scalar> called_one_by_one(const CompiledModel& code,
 Result<ValuesOfFunctions<double>> CompiledModel::call_all(
     const std::vector<std::string_view>& functions,
     const std::vector<Arguments<double>>& states) const {
-  return called_one_by_one(*this, functions, states);
+  return call_each_state(*this, functions, states);
 }
 
 Result<ValuesOfFunctions<float>> CompiledModel::call_all(
     const std::vector<std::string_view>& functions,
     const std::vector<Arguments<float>>& states) const {
-  return called_one_by_one(*this, functions, states);
+  return call_each_state(*this, functions, states);
 }
 
 Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, const Scene& scene,
@@ -177,9 +177,9 @@ Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, c
   CompiledHeaders headers;
   for (const auto& [source, build, all] : units) {
     Result<Library> built = workshop->build(source, build);
-    const bool lacks_flags =
+    const bool is_flag_refused =
         !built && build != Build::as_written && !workshop->takes(build, source);
-    if (!built && !lacks_flags) return built.diagnostics;
+    if (!built && !is_flag_refused) return built.diagnostics;
     std::shared_ptr<const Library> library;
     if (built) library = std::make_shared<const Library>(std::move(*built));
     const bool declares = headers.empty() && options.declarations && library != nullptr;

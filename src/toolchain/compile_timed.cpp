@@ -72,17 +72,18 @@ class LoadedTiming final : public TimedFunction {
 
 /// Null if the symbol is missing.
 template <class Scalar>
-std::unique_ptr<TimedFunction> loaded(const std::shared_ptr<const Library>& library,
-                                      const std::string& symbol,
-                                      const std::vector<Arguments<double>>& states,
-                                      std::size_t entries) {
+std::unique_ptr<TimedFunction> load_timed(const std::shared_ptr<const Library>& library,
+                                          const std::string& symbol,
+                                          const std::vector<Arguments<double>>& states,
+                                          std::size_t entries) {
   const auto function = library->find<TimingDriverFunction<Scalar>>(symbol);
   if (function == nullptr) return nullptr;
   return std::make_unique<LoadedTiming<Scalar>>(library, function, states, entries);
 }
 
-Result<std::shared_ptr<const Library>> built_to_time(const EmittedFiles& files,
-                                                     const Source& source, const Limits& limits) {
+Result<std::shared_ptr<const Library>> build_for_timing(const EmittedFiles& files,
+                                                        const Source& source,
+                                                        const Limits& limits) {
   const NoInterrupts until_removed;
   const Result<Workshop> workshop = Workshop::open(files, {source}, limits);
   if (!workshop) return workshop.diagnostics;
@@ -98,13 +99,13 @@ Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& mod
                                      const TimingOptions& options) {
   const Source source = timing_driver({model, scene, program}, options.variants);
   const Result<std::shared_ptr<const Library>> library =
-      built_to_time(files, source, options.limits);
+      build_for_timing(files, source, options.limits);
   if (!library) return library.diagnostics;
   const std::size_t entries = entry_count(program.functions.front());
   TimedFunctions functions;
   for (std::size_t i = 0; i < options.variants.size(); ++i) {
     const bool is_float = options.variants[i].scalar == ScalarKind::single_precision;
-    const auto load = is_float ? &loaded<float> : &loaded<double>;
+    const auto load = is_float ? &load_timed<float> : &load_timed<double>;
     functions.push_back(load(*library, timed_symbol(i), options.states, entries));
     if (functions.back() == nullptr) return missing_function();
   }
@@ -114,7 +115,7 @@ Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& mod
 Result<StepLoops> compile_steps(const EmittedFiles& files, const Model& model, const Scene& scene,
                                 const Program& program, const Limits& limits) {
   const Result<std::shared_ptr<const Library>> library =
-      built_to_time(files, step_driver({model, scene, program}), limits);
+      build_for_timing(files, step_driver({model, scene, program}), limits);
   if (!library) return library.diagnostics;
   const auto step = std::ranges::find(program.functions, OutputKind::step, &Function::kind);
   const StepLoops loops{.code = *library,

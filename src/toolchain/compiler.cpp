@@ -141,8 +141,8 @@ bool takes_probe(const Compiler& compiler, Build build, const std::filesystem::p
   return compile_shared(compiler, build, probe, directory / "probe.so").succeeded();
 }
 
-Diagnostic why_refused(const Compiler& compiler, const ProcessResult& compiled,
-                       const std::filesystem::path& directory, const Source& source) {
+Diagnostic compile_error(const Compiler& compiler, const ProcessResult& compiled,
+                         const std::filesystem::path& directory, const Source& source) {
   if (compiled.ending == Ending::out_of_time) {
     return out_of_time(compiler.command, compiler.seconds);
   }

@@ -106,11 +106,11 @@ std::string cpp_arguments(const Model& model, const Function& function) {
 
 std::string call(const DriverInput& input, const Types& types, const Function& function) {
   const std::string given = cpp_arguments(input.model, function);
-  const std::string results = appended(input, function, "to", ".data()");
+  const std::string results = append_statements(input, function, "to", ".data()");
   if (is_returned(function)) {
     return fmt::format("  const auto result = emitted::{}({});\n{}", function.name, given, results);
   }
-  const std::string type = gives_struct(function)
+  const std::string type = returns_struct(function)
                                ? fmt::format("emitted::{}<Scalar>", camel_case(function.name))
                                : types.array(function);
   return fmt::format("  {} result{{}};\n  emitted::{}(result, {});\n{}", type, function.name, given,

@@ -110,7 +110,7 @@ class DeclarationText {
         const std::string member =
             array.is_array ? fmt::format("{}[{}]", array.name, i) : array.name;
         const std::string element = fmt::format("{}.{}", all, member);
-        add(fmt::format("{} ({})", member, type), element, nearest(values[i], scalar));
+        add(fmt::format("{} ({})", member, type), element, nearest_float(values[i], scalar));
         add(fmt::format("the place of {} ({})", member, type),
             fmt::format("{} - {}", address(element), address(all)),
             static_cast<double>(position++));
@@ -120,9 +120,9 @@ class DeclarationText {
         fmt::format("sizeof({}) / sizeof({})", all, type), static_cast<double>(position));
   }
 
-  [[nodiscard]] static double nearest(const cln::cl_R& value, ScalarKind scalar) {
+  [[nodiscard]] static double nearest_float(const cln::cl_R& value, ScalarKind scalar) {
     return scalar == ScalarKind::single_precision ? ScalarTraits<float>::from_real(value)
-                                                  : ScalarTraits<double>::from_real(value);
+                                                  : to_double(value);
   }
 
   /// C has no arrays of zero elements, so empty arrays are skipped.
@@ -134,7 +134,7 @@ class DeclarationText {
       if (array.size() == 0 && row_.header == ArtifactId::c99) continue;
       add("the size of " + array.name, fmt::format(fmt::runtime(row_.size), expression(array.name)),
           static_cast<double>(array.size()));
-      for (const DeclaredNumber& number : numbers_of(array)) {
+      for (const DeclaredNumber& number : declared_numbers_of(array)) {
         add(number.name, expression(number.name), number.of_model);
       }
     }
@@ -145,12 +145,12 @@ class DeclarationText {
   void add_trigonometry(ScalarKind scalar) {
     const std::string table = fmt::format("Trigonometry<{}>::", name_of(scalar));
     const Numerics& numerics = input_.scene.numerics;
-    const bool is_own = has_tables_of_packs(input_.scene, input_.program);
+    const bool is_own = has_batch_tables(input_.scene, input_.program);
     const std::string space =
         fmt::format("::{}::{}detail::", name_space(input_.scene), is_own ? "batch::" : "");
-    for (const SineNumber& number : sine_numbers(numerics, SinesOf::packs, scalar)) {
+    for (const SineNumber& number : sine_numbers(numerics, SineArithmetic::packs, scalar)) {
       add(table + number.name, space + table + number.name,
-          nearest(exact_value(number.value), scalar));
+          nearest_float(exact_value(number.value), scalar));
     }
   }
 
@@ -163,7 +163,7 @@ class DeclarationText {
 
 }  // namespace
 
-std::vector<DeclaredNumber> numbers_of(const DeclaredArray& array) {
+std::vector<DeclaredNumber> declared_numbers_of(const DeclaredArray& array) {
   using Double = ScalarTraits<double>;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<DeclaredNumber> all;

@@ -32,7 +32,7 @@ std::set<std::string> emitted_names(const DriverInput& input) {
 
 /// Most instructions of a program whose headers share a unit: all headers of an arm of seven joints
 /// in one unit take a gigabyte of the compiler's memory.
-constexpr std::size_t longest_together = 4096;
+constexpr std::size_t max_unit_length = 4096;
 
 std::size_t length_of(const Program& program) {
   std::size_t length = 0;
@@ -96,8 +96,8 @@ std::string_view stored_position(const Scene& scene) {
   return is_row_major ? "i * columns + j" : "j * rows + i";
 }
 
-std::string appended(const DriverInput& input, const Function& function, std::string_view to,
-                     std::string_view data) {
+std::string append_statements(const DriverInput& input, const Function& function,
+                              std::string_view to, std::string_view data) {
   std::string text;
   for (const Field& field : function.fields) {
     if (field.entries.empty()) continue;
@@ -113,7 +113,7 @@ std::vector<Driver> drivers(const DriverInput& input, Build build) {
   std::vector<Driver> result;
   for (const Artifact& artifact : artifacts_of(input.scene)) {
     const DriverRow& row = driver_table[artifact.id];
-    const DriverText text = build == Build::as_users ? row.as_users : row.text;
+    const DriverText text = build == Build::user_flags ? row.as_users : row.text;
     if (text == nullptr) continue;
     result.push_back({row.types, row.name, text(input), row.needs, row.in_packs, row.is_wide,
                       text != &sine_driver});
@@ -122,7 +122,7 @@ std::vector<Driver> drivers(const DriverInput& input, Build build) {
 }
 
 std::vector<DriverUnit> units_of(const DriverInput& input, Build build, const std::string& more) {
-  const bool is_long = length_of(input.program) > longest_together;
+  const bool is_long = length_of(input.program) > max_unit_length;
   std::vector<DriverUnit> units;
   for (Driver& driver : drivers(input, build)) {
     if (units.empty() || (is_long && driver.has_functions)) {
@@ -156,8 +156,8 @@ std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& inpu
 }
 
 bool is_wrapped(const Driver& driver, const Function& function) {
-  const bool is_limited = driver.in_packs || driver.is_wide;
-  return driver.has_functions && (!is_limited || is_returned(function));
+  const bool returns_by_value = driver.in_packs || driver.is_wide;
+  return driver.has_functions && (!returns_by_value || is_returned(function));
 }
 
 std::string driver_symbol(std::string_view driver, std::string_view scalar, std::size_t function) {

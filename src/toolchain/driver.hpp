@@ -82,7 +82,7 @@ struct Declarations {
 [[nodiscard]] Declarations declarations(const DriverInput& input);
 
 /// The numbers of a declared array, or its bounds: "input_limits[0].low".
-[[nodiscard]] std::vector<DeclaredNumber> numbers_of(const DeclaredArray& array);
+[[nodiscard]] std::vector<DeclaredNumber> declared_numbers_of(const DeclaredArray& array);
 
 /// void (*)(double* to), in the text of declarations: writes all declared numbers.
 inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
@@ -97,8 +97,8 @@ inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 
 /// "  append(to, result.gravity.data(), 2, 1);" for each field. `data` is the call that returns the
 /// address of an array.
-[[nodiscard]] std::string appended(const DriverInput& input, const Function& function,
-                                   std::string_view to, std::string_view data);
+[[nodiscard]] std::string append_statements(const DriverInput& input, const Function& function,
+                                            std::string_view to, std::string_view data);
 
 /// "const double* parameters, const double* q, …, double t, ": the parameters of a driver function
 /// before its result, each after `attribute`.

@@ -83,7 +83,7 @@ void call_any(AnyFunction function, const Pointers& arguments, double* result) {
 bool is_touched(double x) { return std::bit_cast<std::uint64_t>(x) != untouched; }
 
 /// The numbers up to the last number that was written.
-std::vector<double> written(const double* first, std::size_t count) {
+std::vector<double> written_numbers(const double* first, std::size_t count) {
   std::vector<double> numbers(first, first + count);
   numbers.erase(std::find_if(numbers.rbegin(), numbers.rend(), is_touched).base(), numbers.end());
   return numbers;
@@ -107,7 +107,7 @@ struct LibraryMemory {
 void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& memory) {
   const auto& [code, name, seconds] = calls.function;
   for (const int output : {STDOUT_FILENO, STDERR_FILENO}) {
-    (void)::dup2(memory.words.writing().number(), output);
+    (void)::dup2(memory.words.write_end().number(), output);
   }
   const Library library(std::filesystem::absolute(code));
   if (!library.loaded()) {
@@ -115,8 +115,8 @@ void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& me
   }
   const auto function = library.find<AnyFunction>(name);
   if (function == nullptr) {
-    const std::string lacking = in_backticks(code) + " has no function ";
-    return memory.refuse(lacking + in_backticks(name));
+    const std::string error = in_backticks(code) + " has no function ";
+    return memory.refuse(error + in_backticks(name));
   }
   for (std::size_t k = 0; k < calls.states.size(); ++k) {
     double* const result = &memory.results[k * slot + spare_numbers];
@@ -136,17 +136,17 @@ ForeignAnswers results_of(const LibraryMemory& memory, std::size_t slot, std::si
       break;
     }
     if (answers.values.size() == answered) break;
-    answers.values.push_back(written(room + spare_numbers, slot - spare_numbers));
+    answers.values.push_back(written_numbers(room + spare_numbers, slot - spare_numbers));
   }
   return answers;
 }
 
-Result<ForeignAnswers> ask_library(const ForeignCalls& calls) {
+Result<ForeignAnswers> run_library(const ForeignCalls& calls) {
   constexpr std::size_t most_words = 1024;
   const std::size_t count = calls.states.size();
   const std::size_t slot = spare_numbers + calls.entries + spare_numbers;
   LibraryMemory memory{SharedArray<double>(count * slot), SharedArray<std::atomic<std::size_t>>(1),
-                       SharedArray<char>(most_words), Stream(most_said)};
+                       SharedArray<char>(most_words), Stream(max_message_bytes)};
   if (!memory.words.is_open()) return Diagnostic{Code::E716, {}, "no pipe can be opened"};
   std::fill_n(&memory.results[0], memory.results.size(), std::bit_cast<double>(untouched));
   const auto work = [&](std::size_t) { call_library(calls, slot, memory); };
@@ -162,7 +162,7 @@ Result<ForeignAnswers> ask_library(const ForeignCalls& calls) {
   if (answers.failure.empty() && (answered < count || !end.succeeded())) {
     answers.failure = how_it_ended(calls, end.ending, end.status);
   }
-  answers.said = quoted_lines(memory.words.take());
+  answers.error_output = quoted_lines(memory.words.take());
   return answers;
 }
 
@@ -204,14 +204,14 @@ ForeignAnswers read_answers(const ForeignCalls& calls, const ProcessResult& proc
   return answers;
 }
 
-Result<ForeignAnswers> ask_command(const ForeignCalls& calls) {
+Result<ForeignAnswers> run_command(const ForeignCalls& calls) {
   constexpr std::size_t bytes_of_number = 64;
   std::string lines;
   for (const Arguments<double>& state : calls.states) lines += request_line(calls, state);
   const std::size_t most = calls.states.size() * (calls.entries + spare_numbers) * bytes_of_number;
   const ForeignFunction& function = calls.function;
   const ProcessResult process =
-      run_apart(words_of_command(function.code), function.seconds, most, lines);
+      run_with_input(words_of_command(function.code), function.seconds, most, lines);
   if (process.ending != Ending::not_started) return read_answers(calls, process);
   return Diagnostic{
       Code::E716,
@@ -230,7 +230,7 @@ Result<ForeignAnswers> call_foreign(const ForeignFunction& function, const Model
                            first_entry_of(model, output, fields)};
   std::error_code error;
   const bool is_file = std::filesystem::is_regular_file(function.code, error);
-  return is_file ? ask_library(calls) : ask_command(calls);
+  return is_file ? run_library(calls) : run_command(calls);
 }
 
 }  // namespace elgen

@@ -26,7 +26,7 @@ constexpr int status_of_exception = 70;
 
 /// Restores the default handlers in a child, so that a signal ends it; the parent reports the
 /// signal.
-void forget_handlers() {
+void reset_handlers() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM, SIGCHLD, SIGSEGV, SIGABRT,
                            SIGBUS, SIGFPE, SIGILL}) {
     (void)std::signal(signal, SIG_DFL);
@@ -36,10 +36,10 @@ void forget_handlers() {
   pthread_sigmask(SIG_SETMASK, &none, nullptr);
 }
 
-[[noreturn]] void be_child(pid_t parent, std::size_t number,
-                           const std::function<void(std::size_t)>& work) {
+[[noreturn]] void run_child(pid_t parent, std::size_t number,
+                            const std::function<void(std::size_t)>& work) {
   (void)::setpgid(0, 0);
-  forget_handlers();
+  reset_handlers();
   (void)::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(status_of_exception);
   try {
@@ -115,18 +115,18 @@ Descriptor signals_to_wait_for() {
   return Descriptor(::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK));
 }
 
-bool take_interrupt(const Descriptor& signals) {
-  signalfd_siginfo taken{};
-  if (::read(signals.number(), &taken, sizeof taken) != sizeof taken) return false;
-  const auto signal = static_cast<int>(taken.ssi_signo);
+bool read_interrupt(const Descriptor& signals) {
+  signalfd_siginfo info{};
+  if (::read(signals.number(), &info, sizeof info) != sizeof info) return false;
+  const auto signal = static_cast<int>(info.ssi_signo);
   return signal != SIGCHLD && ::raise(signal) == 0;
 }
 
 ForkedEnding run_forked(std::size_t count, const std::function<void(std::size_t)>& work,
                         const std::function<void()>& on_wait, std::uint64_t seconds) {
   using Clock = std::chrono::steady_clock;
-  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, longest_run));
-  const NoInterrupts taken_in_turn;
+  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, max_run_seconds));
+  const NoInterrupts blocks_interrupts;
   const ChildSignal end_of_child;
   const Descriptor signals = signals_to_wait_for();
   if (!signals.is_open()) return {Ending::not_started, -1};
@@ -134,7 +134,7 @@ ForkedEnding run_forked(std::size_t count, const std::function<void(std::size_t)
   std::list<Child> children;
   for (std::size_t i = 0; i < count; ++i) {
     const pid_t id = ::fork();
-    if (id == 0) be_child(parent, i, work);
+    if (id == 0) run_child(parent, i, work);
     if (id < 0) return {Ending::not_started, -1};
     (void)::setpgid(id, id);  // in the parent too, because either process may run first
     children.emplace_back(id);
@@ -142,7 +142,7 @@ ForkedEnding run_forked(std::size_t count, const std::function<void(std::size_t)
   pollfd event{signals.number(), POLLIN, 0};
   for (std::size_t running = count; running > 0;) {
     (void)::poll(&event, 1, milliseconds_between_looks);
-    if (take_interrupt(signals)) return {Ending::interrupted, -1};
+    if (read_interrupt(signals)) return {Ending::interrupted, -1};
     if (const auto failed = failure(children, running)) return *failed;
     if (running > 0 && Clock::now() >= deadline) return {Ending::out_of_time, -1};
     on_wait();

@@ -57,7 +57,7 @@ class Child {
 
 /// Reads one signal. An interrupt is raised again, to be delivered once signals are unblocked. True
 /// for an interrupt.
-[[nodiscard]] bool take_interrupt(const Descriptor& signals);
+[[nodiscard]] bool read_interrupt(const Descriptor& signals);
 
 /// `size` zeros in memory that forked processes write and this process reads after they end. T is
 /// plain data, or a lock-free atomic of plain data.
@@ -102,6 +102,6 @@ struct ForkedEnding {
 [[nodiscard]] ForkedEnding run_forked(std::size_t count,
                                       const std::function<void(std::size_t)>& work,
                                       const std::function<void()>& on_wait,
-                                      std::uint64_t seconds = longest_run);
+                                      std::uint64_t seconds = max_run_seconds);
 
 }  // namespace elgen

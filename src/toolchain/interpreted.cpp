@@ -50,7 +50,7 @@ TemplateData parameters_data(const DriverInput& input) {
   for (const auto& [name, place] : members_of(input.model, input.program.leaves)) {
     const auto element = fmt::runtime(place ? spelling.element : "");
     const TemplateRow row{
-        {"name", spelt_name(spelling.language, name)},
+        {"name", name_in_language(spelling.language, name)},
         {"element", fmt::format(element, "", place.value_or(0) + spelling.first_index)},
         {"number", std::to_string(number++)}};
     if (emitted.contains(name)) list.push_back(row);
@@ -63,13 +63,13 @@ std::vector<DeclaredNumber> declared_numbers(const DriverInput& input) {
   std::vector<DeclaredNumber> all;
   for (const DeclaredArray& array : declared_arrays(input.model, input.program)) {
     all.push_back({"the size of " + array.name, 0, static_cast<double>(array.size())});
-    const std::vector<DeclaredNumber> numbers = numbers_of(array);
+    const std::vector<DeclaredNumber> numbers = declared_numbers_of(array);
     all.insert(all.end(), numbers.begin(), numbers.end());
   }
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     for (std::uint32_t i = 0; i < array.count; ++i) {
       const Parameter& parameter = input.model.parameters[array.first + i];
-      all.push_back({parameter.name, 0, ScalarTraits<double>::from_real(parameter.value)});
+      all.push_back({parameter.name, 0, to_double(parameter.value)});
     }
   }
   return all;
@@ -85,13 +85,13 @@ TemplateData arrays_data(const DriverInput& input) {
 TemplateData defaults_data(const DriverInput& input) {
   return rows_data(
       emitted_parameters(input.model, input.program), [&](const ParameterArray& array) {
-        return TemplateRow{{"name", spelt_name(input.scene.emission.language, array.name)}};
+        return TemplateRow{{"name", name_in_language(input.scene.emission.language, array.name)}};
       });
 }
 
 TemplateData leaves_data(LanguageId language) {
   return rows_data(leaf_table(), [language](const LeafRow& leaf) {
-    return TemplateRow{{"name", spelt_name(language, leaf.symbol)},
+    return TemplateRow{{"name", name_in_language(language, leaf.symbol)},
                        {"single", section_if(is_single(leaf.id))}};
   });
 }
@@ -101,13 +101,13 @@ TemplateData functions_data(const DriverInput& input) {
   return rows_data(input.program.functions, [&](const Function& function) {
     Texts arguments;
     for (const Opcode argument : arguments_of(input.model, function, input.program, language)) {
-      arguments.push_back("x." + spelt_name(language, leaf_row(argument).symbol));
+      arguments.push_back("x." + name_in_language(language, leaf_row(argument).symbol));
     }
     std::vector<std::string> fields;
     for (const Field& field : function.fields) {
-      if (!field.name.empty()) fields.push_back(spelt_name(language, field.name));
+      if (!field.name.empty()) fields.push_back(name_in_language(language, field.name));
     }
-    return TemplateRow{{"name", spelt_name(language, function.name)},
+    return TemplateRow{{"name", name_in_language(language, function.name)},
                        {"fields", lines_data(fields)},
                        {"arguments", fmt::format("{}", fmt::join(arguments, ", "))}};
   });
@@ -167,8 +167,8 @@ class InterpretedModel final : public CompiledModel {
   }
 
   /// Runs the driver with these questions.
-  [[nodiscard]] ProcessResult said(const std::string& questions) const {
-    return run_apart(command_, seconds_, most_output, questions);
+  [[nodiscard]] ProcessResult run_driver(const std::string& questions) const {
+    return run_with_input(command_, seconds_, most_output, questions);
   }
   /// The command without the driver, whose folder has a random name.
   [[nodiscard]] std::string command() const {
@@ -202,11 +202,11 @@ class InterpretedModel final : public CompiledModel {
         questions += question(static_cast<std::size_t>(number), state);
       }
     }
-    const ProcessResult process = said(questions);
+    const ProcessResult process = run_driver(questions);
     std::vector<Answer> answers = answers_in(process.output);
     std::erase_if(answers, [](const Answer& x) { return x.mark != "=" && x.mark != "!"; });
     if (answers.size() != functions.size() * states.size()) {
-      return Diagnostic{Code::E709, {}, why_silent(process, answers.size())};
+      return Diagnostic{Code::E709, {}, failure_text(process, answers.size())};
     }
     ValuesOfFunctions<double> values(functions.size());
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -216,9 +216,9 @@ class InterpretedModel final : public CompiledModel {
     return values;
   }
 
-  [[nodiscard]] std::string why_silent(const ProcessResult& process, std::size_t answers) const {
+  [[nodiscard]] std::string failure_text(const ProcessResult& process, std::size_t answers) const {
     const std::string ended = ending_text(process.ending, process.status, seconds_);
-    const std::string after = answers == 0 ? "" : ", after " + counted(answers, "answer");
+    const std::string after = answers == 0 ? "" : ", after " + count_text(answers, "answer");
     return fmt::format("{} {}{}{}", command(), ended, after, quoted_lines(process.errors));
   }
 
@@ -232,14 +232,14 @@ class InterpretedModel final : public CompiledModel {
 /// The reason why no code can be called; "" if it can. An interpreter that runs prints that it is
 /// ready before it imports the module. Sets the declared numbers.
 Result<std::string> first_answer(const InterpretedModel& model, std::vector<DeclaredNumber>& all) {
-  const ProcessResult process = model.said("");
+  const ProcessResult process = model.run_driver("");
   if (process.ending == Ending::not_started) return model.command() + " could not be run";
   const std::vector<Answer> answers = answers_in(process.output);
-  if (answers.empty()) return model.why_silent(process, 0);
+  if (answers.empty()) return model.failure_text(process, 0);
   if (answers.front().mark == "!") return std::string(answers.front().text);
   const auto numbers = answers.size() < 2 ? std::nullopt : numbers_in(answers[1].text);
   if (!process.succeeded() || !numbers || numbers->size() != all.size()) {
-    return Diagnostic{Code::E705, {}, model.why_silent(process, answers.size() - 1)};
+    return Diagnostic{Code::E705, {}, model.failure_text(process, answers.size() - 1)};
   }
   for (std::size_t i = 0; i < all.size(); ++i) all[i].declared = (*numbers)[i];
   return std::string();
@@ -269,7 +269,7 @@ Result<CompiledHeaders> interpret(const EmittedFiles& files, const DriverInput& 
   CompiledHeader& header = headers.front();
   header.roundings = spelling.roundings;
   header.own_implementations = spelling.own_implementations;
-  header.lacking = *lacking;
+  header.failure_reason = *lacking;
   if (!lacking->empty()) return headers;
   header.functions = std::move(functions);
   header.declared = std::move(numbers);

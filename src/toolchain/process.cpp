@@ -65,9 +65,9 @@ Descriptor file_with(std::string_view text) {
 }
 
 /// stdin from a file or /dev/null, stdout and stderr into pipes; no signal is blocked.
-class Circumstances {
+class SpawnSetup {
  public:
-  Circumstances(const Descriptor& input, int output, int errors) {
+  SpawnSetup(const Descriptor& input, int output, int errors) {
     posix_spawn_file_actions_init(&actions_);
     if (input.is_open()) {
       posix_spawn_file_actions_adddup2(&actions_, input.number(), 0);
@@ -83,9 +83,9 @@ class Circumstances {
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&attributes_, &none);
   }
-  Circumstances(const Circumstances&) = delete;
-  Circumstances& operator=(const Circumstances&) = delete;
-  ~Circumstances() {
+  SpawnSetup(const SpawnSetup&) = delete;
+  SpawnSetup& operator=(const SpawnSetup&) = delete;
+  ~SpawnSetup() {
     posix_spawn_file_actions_destroy(&actions_);
     posix_spawnattr_destroy(&attributes_);
   }
@@ -115,7 +115,7 @@ int milliseconds_until(Clock::time_point deadline) {
 Ending wait_for(Child& child, std::vector<Stream>& streams, const Descriptor& signals,
                 Clock::time_point deadline) {
   std::vector<pollfd> events;
-  for (const Stream& stream : streams) events.push_back({stream.reading().number(), POLLIN, 0});
+  for (const Stream& stream : streams) events.push_back({stream.read_end().number(), POLLIN, 0});
   events.push_back({signals.number(), POLLIN, 0});
   while (!child.has_ended()) {
     if (Clock::now() >= deadline) return Ending::out_of_time;
@@ -124,7 +124,7 @@ Ending wait_for(Child& child, std::vector<Stream>& streams, const Descriptor& si
       streams[i].drain();
       if ((events[i].revents & POLLHUP) != 0) events[i].fd = -1;
     }
-    if (take_interrupt(signals)) return Ending::interrupted;
+    if (read_interrupt(signals)) return Ending::interrupted;
   }
   for (Stream& stream : streams) stream.drain();
   return child.ending();
@@ -135,31 +135,31 @@ ProcessResult run_with(std::vector<Stream> streams, const std::vector<std::strin
                        std::uint64_t seconds, const std::string& temporary,
                        std::string_view input = {}) {
   if (command.empty()) return {};
-  const NoInterrupts taken_in_turn;
+  const NoInterrupts blocks_interrupts;
   const ChildSignal end_of_child;
   const Descriptor signals = signals_to_wait_for();
   if (!signals.is_open() || !std::ranges::all_of(streams, &Stream::is_open)) return {};
   const Descriptor file = input.empty() ? Descriptor() : file_with(input);
   if (!input.empty() && !file.is_open()) return {};
-  const Circumstances circumstances(file, streams.front().writing().number(),
-                                    streams.back().writing().number());
+  const SpawnSetup circumstances(file, streams.front().write_end().number(),
+                                 streams.back().write_end().number());
   const std::optional<pid_t> id = circumstances.start(command, variables_with(temporary));
-  for (Stream& stream : streams) stream.close_writing();
+  for (Stream& stream : streams) stream.close_write_end();
   if (!id) return {};
-  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, longest_run));
+  const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, max_run_seconds));
   Child child(*id);
   const Ending ending = wait_for(child, streams, signals, deadline);
   return {ending, child.status(), streams.front().take(), streams.back().take()};
 }
 
-constexpr std::size_t most_bytes = 4000;
+constexpr std::size_t max_plain_bytes = 4000;
 constexpr char escape = '\x1b';
 constexpr char bell = '\a';
 
 // Escape sequences of ECMA-48: ESC [ parameters letter, ESC ] text BEL, and ESC with one character.
 
 /// The first position after the sequence that begins at `position`.
-std::size_t behind_sequence(std::string_view text, std::size_t position) {
+std::size_t after_escape_sequence(std::string_view text, std::size_t position) {
   const char kind = position + 1 < text.size() ? text[position + 1] : '\0';
   if (kind != '[' && kind != ']') return position + 2;
   for (std::size_t i = position + 2; i < text.size(); ++i) {
@@ -176,15 +176,15 @@ std::size_t behind_sequence(std::string_view text, std::size_t position) {
 ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
                   const std::string& temporary) {
   std::vector<Stream> both;
-  both.emplace_back(most_said);
+  both.emplace_back(max_message_bytes);
   return run_with(std::move(both), command, seconds, temporary);
 }
 
-ProcessResult run_apart(const std::vector<std::string>& command, std::uint64_t seconds,
-                        std::size_t most_output, std::string_view input) {
+ProcessResult run_with_input(const std::vector<std::string>& command, std::uint64_t seconds,
+                             std::size_t most_output, std::string_view input) {
   std::vector<Stream> streams;
   streams.emplace_back(most_output);
-  streams.emplace_back(most_said);
+  streams.emplace_back(max_message_bytes);
   return run_with(std::move(streams), command, seconds, {}, input);
 }
 
@@ -227,11 +227,11 @@ std::string plain_text(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] == escape) {
-      i = behind_sequence(text, i);
+      i = after_escape_sequence(text, i);
       continue;
     }
     const CodePoint point = code_point_at(text, i);
-    if (point.bytes == 0 || plain.size() > most_bytes) return plain + "…\n";
+    if (point.bytes == 0 || plain.size() > max_plain_bytes) return plain + "…\n";
     if (text[i] == '\n' || !is_hidden(point.value)) plain += text.substr(i, point.bytes);
     i += point.bytes;
   }

@@ -19,9 +19,9 @@ enum class Ending : unsigned char {
 };
 
 /// Seconds that mean no limit: 34 years.
-inline constexpr std::uint64_t longest_run = 1U << 30U;
+inline constexpr std::uint64_t max_run_seconds = 1U << 30U;
 /// Bytes of another program's messages that are kept.
-inline constexpr std::size_t most_said = 1U << 14U;
+inline constexpr std::size_t max_message_bytes = 1U << 14U;
 
 struct ProcessResult {
   Ending ending = Ending::not_started;
@@ -40,9 +40,9 @@ struct ProcessResult {
 
 /// The same with separate stdout and stderr, and the first `most_output` bytes of stdout. `input`
 /// is the whole content of stdin.
-[[nodiscard]] ProcessResult run_apart(const std::vector<std::string>& command,
-                                      std::uint64_t seconds, std::size_t most_output,
-                                      std::string_view input = {});
+[[nodiscard]] ProcessResult run_with_input(const std::vector<std::string>& command,
+                                           std::uint64_t seconds, std::size_t most_output,
+                                           std::string_view input = {});
 
 /// The words between blanks, as a shell splits a command without quotes.
 [[nodiscard]] std::vector<std::string> words_of_command(const std::string& text);

@@ -19,16 +19,16 @@ class Stream {
   explicit Stream(std::size_t most) : most_(most) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
-    reading_ = Descriptor(ends[0]);
-    writing_ = Descriptor(ends[1]);
-    if (::fcntl(reading_.number(), F_SETFL, O_NONBLOCK) != 0) (void)reading_.close();
+    read_end_ = Descriptor(ends[0]);
+    write_end_ = Descriptor(ends[1]);
+    if (::fcntl(read_end_.number(), F_SETFL, O_NONBLOCK) != 0) (void)read_end_.close();
   }
 
-  [[nodiscard]] bool is_open() const { return reading_.is_open(); }
-  [[nodiscard]] const Descriptor& reading() const { return reading_; }
-  [[nodiscard]] const Descriptor& writing() const { return writing_; }
+  [[nodiscard]] bool is_open() const { return read_end_.is_open(); }
+  [[nodiscard]] const Descriptor& read_end() const { return read_end_; }
+  [[nodiscard]] const Descriptor& write_end() const { return write_end_; }
   /// Closes this process's end; reading then ends when the child closes its ends.
-  void close_writing() { (void)writing_.close(); }
+  void close_write_end() { (void)write_end_.close(); }
 
   /// Reads at most the content of one full pipe, so that a child that never stops writing cannot
   /// block elgen.
@@ -36,7 +36,7 @@ class Stream {
     constexpr std::size_t largest_pipe = 1U << 20U;  // on Linux, without privileges
     std::array<char, 4096> part{};
     for (std::size_t reads = 0; reads <= largest_pipe / part.size(); ++reads) {
-      const ssize_t count = ::read(reading_.number(), part.data(), part.size());
+      const ssize_t count = ::read(read_end_.number(), part.data(), part.size());
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) return;
       text_.append(part.data(), std::min(static_cast<std::size_t>(count), most_ - text_.size()));
@@ -46,8 +46,8 @@ class Stream {
 
  private:
   std::size_t most_;
-  Descriptor reading_ = {};
-  Descriptor writing_ = {};
+  Descriptor read_end_ = {};
+  Descriptor write_end_ = {};
   std::string text_ = {};
 };
 

@@ -168,7 +168,7 @@ std::string prologue_of(const Scene& scene) {
                      fmt::arg("name_space", name_space(scene)));
 }
 
-std::string gathered(Opcode argument) {
+std::string gather_expression(Opcode argument) {
   const LeafRow& leaf = leaf_row(argument);
   if (argument == Opcode::parameter) return "p";
   if (is_single(argument)) return fmt::format("{}[i]", leaf.member);
@@ -189,7 +189,7 @@ std::string stores(const Function& function) {
 std::string state_by_state(const DriverInput& input, const Function& function) {
   std::vector<std::string> arguments;
   for (const Opcode argument : arguments_of(input.model, function)) {
-    arguments.push_back(gathered(argument));
+    arguments.push_back(gather_expression(argument));
   }
   const bool is_wide = input.scene.numerics.inner != InnerScalar::same;
   const std::string callee =
@@ -215,7 +215,7 @@ std::string pack_by_state(const DriverInput& input, const Function& function) {
   for (const Opcode argument : arguments_of(input.model, function)) {
     if (argument == Opcode::parameter) continue;
     arguments.push_back(is_single(argument) ? fmt::format("{} + i", leaf_row(argument).member)
-                                            : gathered(argument) + ".data()");
+                                            : gather_expression(argument) + ".data()");
   }
   return fmt::format(one_per_call, fmt::arg("leaves", declared("Scalar", "[[maybe_unused]] ")),
                      fmt::arg("entries", entry_count(function)),

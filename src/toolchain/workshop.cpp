@@ -36,7 +36,9 @@ bool write_all(const std::filesystem::path& directory, const EmittedFiles& files
          });
 }
 
-Diagnostic nowhere(Code code, std::string message) { return {code, {}, std::move(message)}; }
+Diagnostic error_without_span(Code code, std::string message) {
+  return {code, {}, std::move(message)};
+}
 
 }  // namespace
 
@@ -44,7 +46,8 @@ Result<TemporaryDirectory> directory_with(const EmittedFiles& files,
                                           const std::vector<Source>& sources) {
   std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
   if (directory && write_all(directory->path(), files, sources)) return std::move(*directory);
-  return nowhere(Code::E706, "no temporary directory could be written; $TMPDIR names another");
+  return error_without_span(Code::E706,
+                            "no temporary directory could be written; $TMPDIR names another");
 }
 
 std::optional<TemporaryDirectory> TemporaryDirectory::create() {
@@ -82,11 +85,12 @@ Result<Library> Workshop::build(const Source& source, Build build) const {
   const std::filesystem::path& directory = directory_.path();
   const std::filesystem::path object = directory / (source.file + ".so");
   const ProcessResult compiled = compile_shared(compiler_, build, directory / source.file, object);
-  if (!compiled.succeeded()) return why_refused(compiler_, compiled, directory, source);
+  if (!compiled.succeeded()) return compile_error(compiler_, compiled, directory, source);
   Library library(object);
   if (!library.loaded()) {
-    return nowhere(Code::E709, fmt::format("the output of `{}` could not be loaded: {}",
-                                           fmt::join(compiler_.command, " "), dlerror()));
+    return error_without_span(Code::E709,
+                              fmt::format("the output of `{}` could not be loaded: {}",
+                                          fmt::join(compiler_.command, " "), dlerror()));
   }
   return library;
 }
@@ -96,7 +100,7 @@ bool Workshop::takes(Build build, const Source& source) const {
 }
 
 Diagnostic missing_function() {
-  return nowhere(Code::E705, "a compiled function is missing from the loaded object");
+  return error_without_span(Code::E705, "a compiled function is missing from the loaded object");
 }
 
 }  // namespace elgen

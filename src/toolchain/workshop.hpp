@@ -47,8 +47,9 @@ struct Compiler {
 
 /// The error of a failed compilation: E909 out of time; E705 if the compiler refuses the source but
 /// accepts the probe; else E709. The last two contain the compiler's output.
-[[nodiscard]] Diagnostic why_refused(const Compiler& compiler, const ProcessResult& compiled,
-                                     const std::filesystem::path& directory, const Source& source);
+[[nodiscard]] Diagnostic compile_error(const Compiler& compiler, const ProcessResult& compiled,
+                                       const std::filesystem::path& directory,
+                                       const Source& source);
 
 /// A new directory, removed with its content by the destructor.
 class TemporaryDirectory {

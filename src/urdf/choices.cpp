@@ -20,7 +20,7 @@ Span part_of(const SourcePointer& source, std::size_t begin, std::size_t end) {
 }
 
 /// The words between commas.
-std::vector<Span> listed_words(const SourcePointer& source) {
+std::vector<Span> split_words(const SourcePointer& source) {
   std::vector<Span> words;
   const std::string& text = source->text;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -49,9 +49,9 @@ class JointChooser {
     }
     std::size_t rank = 0;
     for (const SourcePointer& list : options.joints) {
-      for (const Span& name : listed_words(list)) keep(name, ++rank);
+      for (const Span& name : split_words(list)) keep_joint(name, ++rank);
     }
-    if (!options.joints.empty()) weld_the_rest();
+    if (!options.joints.empty()) weld_other_joints();
     weld_followers(robot_);
     return found_;
   }
@@ -68,7 +68,7 @@ class JointChooser {
       }
       if (joint.moves()) return &joint;
       refuse(name, fmt::format("{} is {}", in_backticks(text),
-                               joint.welded ? "welded" : word(joint.type)));
+                               joint.welded ? "welded" : type_word(joint.type)));
       return nullptr;
     }
     refuse(name, fmt::format("the robot has no joint {}", in_backticks(text)),
@@ -93,11 +93,11 @@ class JointChooser {
     if (number) joint->welded = *number;
     if (number && !number->is_zero() && !has_one_coordinate(joint->type)) {
       refuse(value, fmt::format("{} is {}, so it can be fixed only at 0",
-                                in_backticks(joint->name.text), word(joint->type)));
+                                in_backticks(joint->name.text), type_word(joint->type)));
     }
   }
 
-  void keep(const Span& name, std::size_t rank) {
+  void keep_joint(const Span& name, std::size_t rank) {
     Joint* joint = find(name);
     if (joint == nullptr) return;
     if (joint->mimic) {
@@ -112,7 +112,7 @@ class JointChooser {
     joint->rank = rank;
   }
 
-  void weld_the_rest() {
+  void weld_other_joints() {
     for (Joint& joint : robot_.joints) {
       if (!joint.moves() || joint.mimic || joint.rank != 0) continue;
       joint.welded = nearest_to_zero(joint);
@@ -131,7 +131,7 @@ class JointChooser {
 };
 
 /// The position of a joint that mimics a held joint; none for other joints.
-std::optional<FileNumber> held_place(const Robot& robot, const Joint& joint) {
+std::optional<FileNumber> held_position(const Robot& robot, const Joint& joint) {
   if (!joint.mimic || !joint.moves() || !has_one_coordinate(joint.type)) return std::nullopt;
   const auto is_mimicked = [&](const Joint& other) {
     return other.name.text == joint.mimic->joint.text;
@@ -147,8 +147,8 @@ std::optional<FileNumber> held_place(const Robot& robot, const Joint& joint) {
 template <class Named>
 std::string free_name(const std::vector<Named>& elements, const std::string& wanted) {
   std::string name = wanted;
-  const auto is_taken = [&](const Named& element) { return element.name.text == name; };
-  for (int i = 2; std::ranges::any_of(elements, is_taken); ++i) {
+  const auto is_used = [&](const Named& element) { return element.name.text == name; };
+  for (int i = 2; std::ranges::any_of(elements, is_used); ++i) {
     name = wanted + "_" + std::to_string(i);
   }
   return name;
@@ -166,7 +166,7 @@ void weld_followers(Robot& robot) {
   for (int round = 0; has_changed && round < longest_chain; ++round) {
     has_changed = false;
     for (Joint& joint : robot.joints) {
-      const auto place = held_place(robot, joint);
+      const auto place = held_position(robot, joint);
       if (!place) continue;
       joint.welded = place;
       has_changed = true;
@@ -179,7 +179,7 @@ bool welds_massless(const ImportOptions& options) {
                              [](const SourcePointer& weld) { return weld->text == massless; });
 }
 
-void let_float(Robot& robot, std::size_t root) {
+void add_floating_joint(Robot& robot, std::size_t root) {
   const Text base = robot.links[root].name;
   const Text world{free_name(robot.links, "world"), base.span};
   Joint joint;

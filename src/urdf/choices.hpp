@@ -21,7 +21,7 @@ void weld_followers(Robot& robot);
 [[nodiscard]] Diagnostics weld_massless(Robot& robot, const LinkTree& tree);
 
 /// Adds a new root link, and a joint `base` of type floating from it to `root`.
-void let_float(Robot& robot, std::size_t root);
+void add_floating_joint(Robot& robot, std::size_t root);
 
 /// The joint by which a base without mass already floats; null if there is none.
 [[nodiscard]] const Joint* floating_joint(const Robot& robot, const LinkTree& tree);

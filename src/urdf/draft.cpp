@@ -30,7 +30,7 @@ std::vector<std::vector<std::string>> tree_rows(const Robot& robot, const LinkTr
   std::vector<std::vector<std::string>> rows{tree_row(0, robot.links[tree.root], "the world")};
   for (const Branch& branch : tree.branches) {
     const Joint& joint = robot.joints[branch.joint];
-    std::string text = fmt::format("{}, {}", joint.name.text, word(joint.type));
+    std::string text = fmt::format("{}, {}", joint.name.text, type_word(joint.type));
     if (const auto& mimicked = tree.mimicked[branch.joint]) {
       text += " like " + robot.joints[*mimicked].name.text;
     }
@@ -45,7 +45,7 @@ std::string head(const Draft& draft, const LinkTree& tree) {
   std::string text = toml_comment(fmt::format("{}, imported from {}.", robot.name, robot.file)) +
                      "#\n" + comments(aligned(tree_rows(robot, tree)));
   text += legend;
-  const std::vector<std::string>& renamed = draft.glossary.renamed();
+  const std::vector<std::string>& renamed = draft.glossary.name_changes();
   return text + (renamed.empty() ? "" : "#\n") + comments(renamed);
 }
 
@@ -76,7 +76,7 @@ std::string dissipation_table(const std::vector<std::string>& terms) {
 }
 
 /// In the order of `--joints`, otherwise in the order of the tree.
-std::vector<std::string> texts(const Robot& robot, std::vector<JointTable> tables) {
+std::vector<std::string> table_texts(const Robot& robot, std::vector<JointTable> tables) {
   const auto rank = [&](const JointTable& table) { return robot.joints[table.joint].rank; };
   std::ranges::stable_sort(tables, {}, rank);
   std::vector<std::string> result;
@@ -94,18 +94,18 @@ std::vector<JointTable> with_armatures(const Draft& draft) {
   return tables;
 }
 
-std::string text_of(const Draft& draft, const LinkTree& tree) {
+std::string model_text(const Draft& draft, const LinkTree& tree) {
   std::vector<std::string> parts{model_table(draft.robot)};
   const auto append = [&](const std::vector<std::string>& tables) {
     parts.insert(parts.end(), tables.begin(), tables.end());
   };
-  append(texts(draft.robot, with_armatures(draft)));
+  append(table_texts(draft.robot, with_armatures(draft)));
   parts.push_back(parameters_table(draft.glossary.groups()));
   append(draft.links);
   parts.emplace_back("[gravity]\nvector = [\"0\", \"0\", \"-g\"]\n");
   if (!draft.dissipation.empty()) parts.push_back(dissipation_table(draft.dissipation));
   append(draft.forces);
-  append(texts(draft.robot, draft.inputs));
+  append(table_texts(draft.robot, draft.inputs));
   return head(draft, tree) + fmt::format("{}", fmt::join(parts, "\n"));
 }
 
@@ -133,7 +133,7 @@ std::string model_text(const Robot& robot, const LinkTree& tree) {
     draft_frames(draft, branch, motion);
     if (branch.moves) draft_body(draft, branch.child);
   }
-  return text_of(draft, tree);
+  return model_text(draft, tree);
 }
 
 }  // namespace elgen::urdf

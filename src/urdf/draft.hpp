@@ -27,9 +27,9 @@ struct Coupling {
 };
 
 // Expressions of the model language as text; zero terms and factors of 1 are omitted.
-[[nodiscard]] std::string sum(const std::string& left, const std::string& right);
+[[nodiscard]] std::string sum_text(const std::string& left, const std::string& right);
 [[nodiscard]] std::string negated(const std::string& expression);
-[[nodiscard]] std::string product(const std::string& factor, const std::string& expression);
+[[nodiscard]] std::string product_text(const std::string& factor, const std::string& expression);
 [[nodiscard]] std::string quotient(const std::string& expression, const std::string& divisor);
 
 /// The table of a coordinate or an input, and its joint.
@@ -80,10 +80,11 @@ struct FrameDraft {
 [[nodiscard]] std::string step_text(const std::string& axis, const std::string& angle);
 
 /// "0 0 1.57", with the digits of the file.
-[[nodiscard]] std::string listed(const Vector& numbers);
+[[nodiscard]] std::string numbers_text(const Vector& numbers);
 
 /// The components of a position; "c{}_arm" gives the names of their parameters.
-[[nodiscard]] Components place_of(Glossary& glossary, std::string_view name, const Vector& xyz);
+[[nodiscard]] Components position_components(Glossary& glossary, std::string_view name,
+                                             const Vector& xyz);
 
 /// The comments above a table, one per line.
 [[nodiscard]] std::string comments(const std::vector<std::string>& lines);

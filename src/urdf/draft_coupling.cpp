@@ -25,15 +25,15 @@ std::string ratio_of(Draft& draft, std::size_t index, JointType other) {
   return draft.glossary.parameter("ratio_" + draft.glossary.joint(index), ratio, unit);
 }
 
-Coupling mimicking(Draft& draft, std::size_t index, std::size_t mimicked) {
+Coupling mimic_coupling(Draft& draft, std::size_t index, std::size_t mimicked) {
   const Joint& joint = draft.robot.joints[index];
   const Coupling& other = coupling_of(draft, mimicked);
   const std::string ratio = ratio_of(draft, index, draft.robot.joints[mimicked].type);
   const std::string offset =
       draft.glossary.parameter("offset_" + draft.glossary.joint(index), joint.mimic->offset,
                                std::string(units_of(joint.type).position));
-  return {other.coordinate, product(ratio, other.factor),
-          sum(product(ratio, other.offset), offset)};
+  return {other.coordinate, product_text(ratio, other.factor),
+          sum_text(product_text(ratio, other.offset), offset)};
 }
 
 void draft_damping(Draft& draft, std::size_t index, const Coupling& coupling) {
@@ -79,17 +79,17 @@ void draft_rotor(Draft& draft, std::size_t index, const Coupling& coupling) {
   const bool slides = joint.type == JointType::prismatic;
   const FileNumber& ratio = joint.rotor->gear_ratio;
   if (slides || ratio.value != 1) {
-    armature = product(
+    armature = product_text(
         armature, draft.glossary.parameter("gear_" + name, ratio, slides ? "rad/m" : "1") + "^2");
   }
   if (!coupling.has_sign_only()) armature += fmt::format("*({})^2", coupling.factor);
   std::string& sum_of_all =
       draft.armatures.try_emplace(draft.tree.leader(index), "0").first->second;
-  sum_of_all = sum(sum_of_all, armature);
+  sum_of_all = sum_text(sum_of_all, armature);
 }
 
 /// The position at which a joint is held.
-std::string weld_of(Draft& draft, std::size_t index) {
+std::string held_position_text(Draft& draft, std::size_t index) {
   const Joint& joint = draft.robot.joints[index];
   if (joint.type != JointType::prismatic) {
     return angle_of(*joint.welded, draft.robot.digits).text;
@@ -97,7 +97,7 @@ std::string weld_of(Draft& draft, std::size_t index) {
   return draft.glossary.parameter("at_" + draft.glossary.joint(index), *joint.welded, "m");
 }
 
-std::string in_brackets(const std::string& expression) { return "(" + expression + ")"; }
+std::string parenthesise(const std::string& expression) { return "(" + expression + ")"; }
 
 /// Only the signs of sums have spaces around them; spaces inside brackets belong to another sum.
 bool is_sum(const std::string& expression) {
@@ -109,8 +109,8 @@ bool is_sum(const std::string& expression) {
   return false;
 }
 
-std::string as_factor(const std::string& expression) {
-  return is_sum(expression) || expression.front() == '-' ? in_brackets(expression) : expression;
+std::string parenthesise_factor(const std::string& expression) {
+  return is_sum(expression) || expression.front() == '-' ? parenthesise(expression) : expression;
 }
 
 }  // namespace
@@ -125,10 +125,10 @@ const Coupling& coupling_of(Draft& draft, std::size_t joint) {
   if (known != draft.couplings.end()) return known->second;
   const auto& mimicked = draft.tree.mimicked[joint];
   const bool is_welded = draft.robot.joints[joint].welded.has_value();
-  Coupling made = is_welded  ? Coupling{{}, "0", weld_of(draft, joint)}
-                  : mimicked ? mimicking(draft, joint, *mimicked)
-                             : Coupling{draft.glossary.joint(joint)};
-  return draft.couplings.emplace(joint, std::move(made)).first->second;
+  Coupling coupling = is_welded  ? Coupling{{}, "0", held_position_text(draft, joint)}
+                      : mimicked ? mimic_coupling(draft, joint, *mimicked)
+                                 : Coupling{draft.glossary.joint(joint)};
+  return draft.couplings.emplace(joint, std::move(coupling)).first->second;
 }
 
 void draft_resistance(Draft& draft, std::size_t joint) {
@@ -139,7 +139,7 @@ void draft_resistance(Draft& draft, std::size_t joint) {
   draft_rotor(draft, joint, coupling);
 }
 
-std::string sum(const std::string& left, const std::string& right) {
+std::string sum_text(const std::string& left, const std::string& right) {
   if (left == "0") return right;
   if (right == "0") return left;
   if (right.front() == '-') return left + " - " + right.substr(1);
@@ -148,26 +148,30 @@ std::string sum(const std::string& left, const std::string& right) {
 
 std::string negated(const std::string& expression) {
   if (expression == "0") return expression;
-  if (is_sum(expression)) return "-" + in_brackets(expression);
+  if (is_sum(expression)) return "-" + parenthesise(expression);
   return expression.front() == '-' ? expression.substr(1) : "-" + expression;
 }
 
-std::string product(const std::string& factor, const std::string& expression) {
+std::string product_text(const std::string& factor, const std::string& expression) {
   if (factor == "0" || expression == "0") return "0";
   if (factor == "1") return expression;
   if (factor == "-1") return negated(expression);
   if (expression == "1") return factor;
   if (expression == "-1") return negated(factor);
-  return factor + "*" + as_factor(expression);
+  return factor + "*" + parenthesise_factor(expression);
 }
 
 std::string quotient(const std::string& expression, const std::string& divisor) {
   if (expression == "0" || divisor == "1") return expression;
-  return (is_sum(expression) ? in_brackets(expression) : expression) + "/" + divisor;
+  return (is_sum(expression) ? parenthesise(expression) : expression) + "/" + divisor;
 }
 
-std::string Coupling::position() const { return sum(product(factor, coordinate), offset); }
+std::string Coupling::position() const {
+  return sum_text(product_text(factor, coordinate), offset);
+}
 
-std::string Coupling::rate() const { return product(factor, fmt::format("dot({})", coordinate)); }
+std::string Coupling::rate() const {
+  return product_text(factor, fmt::format("dot({})", coordinate));
+}
 
 }  // namespace elgen::urdf

@@ -13,18 +13,19 @@ namespace {
 
 std::string description(const Joint& joint, AngleDigits digits) {
   const Axis axis = axis_of(joint.axis, digits);
-  const std::string_view type = word(joint.type);
+  const std::string_view type = type_word(joint.type);
   if (joint.type == JointType::fixed || joint.type == JointType::floating) {
     const std::string_view weld = joint.welded ? ", welded" : "";
     return fmt::format("{}: {}{}", joint.name.text, type, weld);
   }
-  const std::string direction =
-      axis.along ? (axis.is_reversed ? "-" : "") + axis_letter(*axis.along) : listed(joint.axis);
+  const std::string direction = axis.along
+                                    ? (axis.is_reversed ? "-" : "") + axis_letter(*axis.along)
+                                    : numbers_text(joint.axis);
   const std::string_view relation = joint.type == JointType::prismatic ? "along"
                                     : joint.type == JointType::planar  ? "normal to"
                                                                        : "about";
   const std::string rounded =
-      axis.is_rounded ? fmt::format(" (in the URDF: {})", listed(joint.axis)) : "";
+      axis.is_rounded ? fmt::format(" (in the URDF: {})", numbers_text(joint.axis)) : "";
   const std::string weld = joint.welded            ? ", welded at " + joint.welded->text
                            : joint.is_angle_welded ? ", its angle welded at 0"
                                                    : "";
@@ -72,11 +73,11 @@ std::string add_axes(Draft& draft, const std::string& link, const Inertial& iner
 
 }  // namespace
 
-std::string listed(const Vector& numbers) {
+std::string numbers_text(const Vector& numbers) {
   return fmt::format("{} {} {}", numbers[0].text, numbers[1].text, numbers[2].text);
 }
 
-Components place_of(Glossary& glossary, std::string_view name, const Vector& xyz) {
+Components position_components(Glossary& glossary, std::string_view name, const Vector& xyz) {
   Components result;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string of_axis = fmt::format(fmt::runtime(name), axis_letter(i));
@@ -102,7 +103,7 @@ std::vector<std::string> steps_of(const RollPitchYaw& rotation) {
 std::vector<std::string> frame_comments(const std::string& title, const RollPitchYaw& rotation,
                                         const Vector& rpy) {
   if (!rotation.is_rounded()) return {title};
-  return {title, "rpy in the URDF: " + listed(rpy)};
+  return {title, "rpy in the URDF: " + numbers_text(rpy)};
 }
 
 std::string frame_table(const FrameDraft& frame) {
@@ -128,7 +129,7 @@ void draft_frames(Draft& draft, const Branch& branch, const JointMotion& motion)
   frame.comments =
       frame_comments(description(joint, draft.robot.digits), rotation, joint.origin.rpy);
   frame.parent = glossary.frame(branch.parent);
-  frame.translate = place_of(glossary, "{}_" + name, joint.origin.xyz);
+  frame.translate = position_components(glossary, "{}_" + name, joint.origin.xyz);
   frame.rotate = steps_of(rotation);
   if (!rotation.is_zero() && slides) {
     frame.name = glossary.claim(name + "_origin", "frame");
@@ -137,7 +138,7 @@ void draft_frames(Draft& draft, const Branch& branch, const JointMotion& motion)
   }
   frame.name = glossary.frame(branch.child);
   for (std::size_t i = 0; i < 3; ++i) {
-    frame.translate[i] = sum(frame.translate[i], motion.translate[i]);
+    frame.translate[i] = sum_text(frame.translate[i], motion.translate[i]);
   }
   frame.rotate.insert(frame.rotate.end(), motion.turn.begin(), motion.turn.end());
   frame.rotation = motion.attitude;
@@ -152,7 +153,7 @@ void draft_body(Draft& draft, std::size_t link) {
   const auto& [xyz, rpy] = inertial->origin;
   const std::string mass =
       glossary.parameter("m_" + name, inertial->mass, "kg", "assume = \"positive\"");
-  Components com = place_of(glossary, "c{}_" + name, xyz);
+  Components com = position_components(glossary, "c{}_" + name, xyz);
   const RollPitchYaw rotation = rotation_of(rpy, draft.robot.digits);
   const auto turned = rotated(rotation, inertial->inertia);
   const auto inertia = inertia_of(glossary, name, turned.value_or(inertial->inertia));
@@ -169,7 +170,7 @@ void draft_body(Draft& draft, std::size_t link) {
   if (!inertia.empty()) body.add("inertia", inertia_text(inertia));
   const bool is_turned = turned && !rotation.is_zero() && !inertia.empty();
   draft.links.push_back(
-      (is_turned ? toml_comment("inertia turned from axes of rpy " + listed(rpy)) : "") +
+      (is_turned ? toml_comment("inertia turned from axes of rpy " + numbers_text(rpy)) : "") +
       body.text());
 }
 

@@ -24,8 +24,8 @@ std::string length_of(const Vector& axis) {
     if (component.is_zero()) continue;
     square = square + component.value * component.value;
     const bool is_negative = cln::minusp(component.value);
-    terms +=
-        (terms.empty() ? "" : " + ") + (is_negative ? negative(component) : component).text + "^2";
+    terms += (terms.empty() ? "" : " + ") +
+             (is_negative ? negate_number(component) : component).text + "^2";
   }
   return square == 1 ? "1" : "sqrt(" + terms + ")";
 }
@@ -49,7 +49,7 @@ Components slide_by(const std::string& way, const Vector& xyz, AngleDigits digit
     return result;
   }
   const std::string length = length_of(xyz);
-  for (std::size_t i = 0; i < 3; ++i) result[i] = quotient(product(xyz[i].text, way), length);
+  for (std::size_t i = 0; i < 3; ++i) result[i] = quotient(product_text(xyz[i].text, way), length);
   return result;
 }
 
@@ -83,7 +83,7 @@ class JointDrafter {
 
  private:
   [[nodiscard]] std::string doc() const {
-    return fmt::format("{} joint: {} to {}", word(joint_.type),
+    return fmt::format("{} joint: {} to {}", type_word(joint_.type),
                        robot_.links[branch_.parent].name.text,
                        robot_.links[branch_.child].name.text);
   }

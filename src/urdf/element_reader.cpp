@@ -54,7 +54,7 @@ const Extension* extension_of(const Element& element) {
   return row == extensions.end() || names_other ? nullptr : &*row;
 }
 
-Diagnostic lost(const Span& span, const std::string& what, std::string_view remedy) {
+Diagnostic loss_warning(const Span& span, const std::string& what, std::string_view remedy) {
   return {Code::E822, span, what + " is not imported",
           fmt::format("the model ignores it: {}", remedy)};
 }
@@ -64,14 +64,14 @@ std::string child_text(const Element& parent, const Element& child) {
 }
 
 /// E822 for the child, or for elements inside it; false if none affects the motion.
-bool warn_of_mechanics(const Element& parent, const Element& child, Diagnostics& found) {
+bool warn_of_mechanical_effect(const Element& parent, const Element& child, Diagnostics& found) {
   if (const Extension* extension = extension_of(child)) {
-    found.push_back(lost(child.span, child_text(parent, child), extension->remedy));
+    found.push_back(loss_warning(child.span, child_text(parent, child), extension->remedy));
     return true;
   }
   bool warned = false;
   for (const Element& inner : child.children) {
-    warned = warn_of_mechanics(child, inner, found) || warned;
+    warned = warn_of_mechanical_effect(child, inner, found) || warned;
   }
   return warned;
 }
@@ -89,7 +89,7 @@ const Attribute* ElementReader::attribute(std::string_view name) {
   const auto& all = element_.attributes;
   const auto found = std::ranges::find(all, name, &Attribute::name);
   if (found == all.end()) return nullptr;
-  taken_.insert(&*found);
+  read_.insert(&*found);
   return &*found;
 }
 
@@ -143,7 +143,7 @@ bool ElementReader::vector(std::string_view name, Vector& vector) {
   if (words.size() != vector.size()) {
     reading_.found.push_back(
         {Code::E805, found->span,
-         fmt::format("{}, but `{}` has 3", counted(words.size(), "number"), name),
+         fmt::format("{}, but `{}` has 3", count_text(words.size(), "number"), name),
          remedy_of(found->span)});
     return false;
   }
@@ -162,7 +162,7 @@ const Element* ElementReader::first_child(std::string_view name) {
   const auto& all = element_.children;
   const auto found = std::ranges::find(all, name, &Element::name);
   if (found == all.end()) return nullptr;
-  taken_.insert(&*found);
+  read_.insert(&*found);
   return &*found;
 }
 
@@ -170,7 +170,7 @@ std::vector<const Element*> ElementReader::children(std::string_view name) {
   std::vector<const Element*> found;
   for (const Element& element : element_.children) {
     if (element.name != name) continue;
-    taken_.insert(&element);
+    read_.insert(&element);
     found.push_back(&element);
   }
   return found;
@@ -183,19 +183,20 @@ void ElementReader::ignore(std::initializer_list<std::string_view> names) {
   }
 }
 
-void ElementReader::note_the_rest() const {
+void ElementReader::note_unread() const {
   for (const Attribute& attribute : element_.attributes) {
-    if (taken_.count(&attribute) > 0 || belongs_to_xml(attribute.name)) continue;
+    if (read_.count(&attribute) > 0 || belongs_to_xml(attribute.name)) continue;
     const std::string what =
         fmt::format("attribute {} of `<{}>`", in_backticks(attribute.name), element_.name);
     if (changes_mechanics(attribute, reading_.limits)) {
-      reading_.found.push_back(lost(attribute.name_span, what, force_remedy));
+      reading_.found.push_back(loss_warning(attribute.name_span, what, force_remedy));
     } else {
       reading_.found.push_back({Code::E815, attribute.name_span, what + " is not imported"});
     }
   }
   for (const Element& child : element_.children) {
-    if (taken_.count(&child) > 0 || warn_of_mechanics(element_, child, reading_.found)) continue;
+    if (read_.count(&child) > 0 || warn_of_mechanical_effect(element_, child, reading_.found))
+      continue;
     reading_.found.push_back(
         {Code::E815, child.span, child_text(element_, child) + " is not imported"});
   }

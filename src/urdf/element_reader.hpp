@@ -34,7 +34,7 @@ class ElementReader {
     if (const Element* found = first_child(name)) {
       ElementReader reader(*found, reading_);
       read(reader);
-      reader.note_the_rest();
+      reader.note_unread();
     }
   }
   /// Like child(); E803 if there is no such child.
@@ -51,7 +51,7 @@ class ElementReader {
 
   /// E815 for every unread attribute and child; E822 instead if it, or an element inside it,
   /// affects the motion.
-  void note_the_rest() const;
+  void note_unread() const;
 
  private:
   const Attribute* attribute(std::string_view name);
@@ -61,7 +61,7 @@ class ElementReader {
 
   const Element& element_;
   RobotReading& reading_;
-  std::set<const void*> taken_ = {};
+  std::set<const void*> read_ = {};
 };
 
 /// The `<origin>` among the children; zeros if there is none.

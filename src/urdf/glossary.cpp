@@ -34,7 +34,7 @@ std::string with_script(std::string_view base, const std::string& script) {
 
 }  // namespace
 
-std::string well_formed(std::string_view text) {
+std::string well_formed_name(std::string_view text) {
   std::string name;
   for (const char c : text) {
     if (is_letter(c) || is_digit(c)) {
@@ -49,17 +49,17 @@ std::string well_formed(std::string_view text) {
 }
 
 std::string Names::claim(std::string_view wanted, std::string_view kind) {
-  std::string name = well_formed(wanted);
-  if (is_reserved(name) || taken_.count(name) > 0) name = std::string(kind) + "_" + name;
+  std::string name = well_formed_name(wanted);
+  if (is_reserved(name) || used_.count(name) > 0) name = std::string(kind) + "_" + name;
   const std::string stem = name;
-  for (std::size_t i = 2; is_reserved(name) || !taken_.insert(name).second; ++i) {
+  for (std::size_t i = 2; is_reserved(name) || !used_.insert(name).second; ++i) {
     name = stem + "_" + std::to_string(i);
   }
   return name;
 }
 
 std::string model_name(std::string_view robot) {
-  std::string name = well_formed(robot);
+  std::string name = well_formed_name(robot);
   std::transform(name.begin(), name.end(), name.begin(), in_lower_case);
   return is_reserved(name) ? "robot_" + name : name;
 }
@@ -73,7 +73,7 @@ Glossary::Glossary(const Robot& robot, const LinkTree& tree)
     const std::string& name = joint.name.text;
     const bool is_coordinate =
         has_one_coordinate(joint.type) && joint.moves() && !tree.mimicked[branch.joint];
-    joints_[branch.joint] = is_coordinate ? names_.claim(name, "joint") : well_formed(name);
+    joints_[branch.joint] = is_coordinate ? names_.claim(name, "joint") : well_formed_name(name);
     if (is_coordinate) coordinates.push_back(branch.joint);
     note_change(name, joints_[branch.joint]);
   }

@@ -20,11 +20,11 @@ class Names {
   std::string claim(std::string_view wanted, std::string_view kind);
 
  private:
-  std::set<std::string> taken_ = {};
+  std::set<std::string> used_ = {};
 };
 
 /// `text` with the characters of a name; it may still be in use: "left-leg.1" becomes "left_leg_1".
-[[nodiscard]] std::string well_formed(std::string_view text);
+[[nodiscard]] std::string well_formed_name(std::string_view text);
 
 /// The name of the model, in lower case.
 [[nodiscard]] std::string model_name(std::string_view robot);
@@ -46,7 +46,7 @@ class Glossary {
   /// The symbol of a joint's coordinate; empty if all names are short.
   [[nodiscard]] std::string symbol(std::size_t joint) const;
   /// Names that differ from the URDF: "`left-leg` is called left_leg".
-  [[nodiscard]] const std::vector<std::string>& renamed() const { return renamed_; }
+  [[nodiscard]] const std::vector<std::string>& name_changes() const { return renamed_; }
 
   std::string claim(const std::string& wanted, const std::string& kind) {
     return names_.claim(wanted, kind);

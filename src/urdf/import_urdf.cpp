@@ -32,7 +32,7 @@ Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked
                      "omit `--floating-base`"});
     return found;
   }
-  let_float(robot, tree.root);
+  add_floating_joint(robot, tree.root);
   return make_tree(robot);
 }
 
@@ -50,7 +50,7 @@ Result<LinkTree> chosen_tree(Robot& robot, const ImportOptions& options, Diagnos
 }
 
 /// If the file has another format or is not expanded, only E802 is reported.
-Diagnostics foreign_only(Diagnostics found) {
+Diagnostics keep_foreign_errors(Diagnostics found) {
   std::erase_if(found, [](const Diagnostic& diagnostic) { return diagnostic.code != Code::E802; });
   return found;
 }
@@ -66,7 +66,7 @@ Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& lim
   Diagnostics found;
   urdf::RobotReading reading{limits, found, options.file};
   urdf::Robot robot = urdf::read_robot(*root, reading);
-  const Diagnostics foreign = urdf::foreign_only(found);
+  const Diagnostics foreign = urdf::keep_foreign_errors(found);
   if (!foreign.empty()) return foreign;
   if (!options.name.empty()) robot.model = options.name;
   if (options.exact_angles) robot.digits = urdf::AngleDigits::kept;

@@ -12,22 +12,23 @@ namespace elgen::urdf {
 
 namespace {
 
-enum class Behind : unsigned char { everything, what_is_held };
+enum class CountedLinks : unsigned char { all_behind, fixed_behind };
 
 /// By link: whether it, or a link that it carries, has mass or inertia.
-std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Behind behind,
+std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, CountedLinks behind,
                                 bool (Link::*has)() const = &Link::has_mass) {
   std::vector<bool> massive;
   for (const Link& link : robot.links) massive.push_back((link.*has)());
   for (auto branch = tree.branches.rbegin(); branch != tree.branches.rend(); ++branch) {
-    const bool counts = behind == Behind::everything || !robot.joints[branch->joint].moves();
+    const bool counts = behind == CountedLinks::all_behind || !robot.joints[branch->joint].moves();
     if (counts && massive[branch->child]) massive[branch->parent] = true;
   }
   return massive;
 }
 
 /// By joint: whether it moves mass, or turns an inertia.
-std::vector<bool> movers(const Robot& robot, const LinkTree& tree, Behind behind) {
+std::vector<bool> joints_moving_mass(const Robot& robot, const LinkTree& tree,
+                                     CountedLinks behind) {
   const std::vector<bool> massive = massive_links(robot, tree, behind);
   const std::vector<bool> inert = massive_links(robot, tree, behind, &Link::has_inertia);
   std::vector<bool> result(robot.joints.size());
@@ -42,7 +43,7 @@ std::vector<bool> movers(const Robot& robot, const LinkTree& tree, Behind behind
 /// By joint: whether its coordinate moves mass behind the joint itself or behind a joint that
 /// mimics it, or a rotor.
 std::vector<bool> joints_with_mass(const Robot& robot, const LinkTree& tree) {
-  const std::vector<bool> moves = movers(robot, tree, Behind::everything);
+  const std::vector<bool> moves = joints_moving_mass(robot, tree, CountedLinks::all_behind);
   std::vector<bool> result(robot.joints.size());
   for (const Branch& branch : tree.branches) {
     if (moves[branch.joint] || has_rotor(robot.joints[branch.joint])) {
@@ -60,7 +61,7 @@ void check_inertia(const Link& link, Diagnostics& found) {
     tensor[i] = numbers[i].value;
     listed += (i == 0 ? "" : ", ") + numbers[i].text;
   }
-  if (is_of_a_body(tensor)) return;
+  if (is_physical_inertia(tensor)) return;
   found.push_back(
       {Code::E508, link.inertial->span,
        fmt::format("inertia {} of {} belongs to no body", listed, in_backticks(link.name.text)),
@@ -80,8 +81,8 @@ class InertiaAbout {
       : robot_(robot),
         tree_(tree),
         axis_(axis),
-        massive_(massive_links(robot, tree, Behind::everything)),
-        inert_(massive_links(robot, tree, Behind::everything, &Link::has_inertia)) {}
+        massive_(massive_links(robot, tree, CountedLinks::all_behind)),
+        inert_(massive_links(robot, tree, CountedLinks::all_behind, &Link::has_inertia)) {}
 
   [[nodiscard]] bool carries(std::size_t link) const { return massive_[link] || inert_[link]; }
 
@@ -91,20 +92,20 @@ class InertiaAbout {
       if (branch.parent != link || !carries(branch.child)) return false;
       const Joint& joint = robot_.joints[branch.joint];
       const bool is_on_axis = joint.type == JointType::fixed && are_zero(joint.origin.rpy) &&
-                              stands_on_axis(joint.origin);
+                              is_on_axis_point(joint.origin);
       return !is_on_axis || has(branch.child);
     });
   }
 
  private:
-  [[nodiscard]] bool stands_on_axis(const Pose& pose) const {
+  [[nodiscard]] bool is_on_axis_point(const Pose& pose) const {
     return pose.xyz[(axis_ + 1) % 3].is_zero() && pose.xyz[(axis_ + 2) % 3].is_zero();
   }
 
   [[nodiscard]] bool turns(const Inertial& inertial) const {
     const bool has_inertia = are_zero(inertial.origin.rpy) ? !inertial.inertia[axis_].is_zero()
                                                            : !are_zero(inertial.inertia);
-    return has_inertia || (!inertial.mass.is_zero() && !stands_on_axis(inertial.origin));
+    return has_inertia || (!inertial.mass.is_zero() && !is_on_axis_point(inertial.origin));
   }
 
   const Robot& robot_;
@@ -125,7 +126,7 @@ bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& plana
 /// Whether a joint moves mass at all, and whether it moves some without another joint in between.
 struct MovedMass {
   bool has_mass = false;
-  bool has_mass_at_once = false;
+  bool has_mass_without_joint = false;
 };
 
 void check_joint(const Robot& robot, const Branch& branch, const MovedMass& moved,
@@ -140,7 +141,7 @@ void check_joint(const Robot& robot, const Branch& branch, const MovedMass& move
                      fmt::format("{} moves no mass", in_backticks(joint.name.text)),
                      fmt::format("{} {}; `--weld massless` fixes such joints",
                                  in_backticks(child.name.text), mass)});
-  } else if (!moved.has_mass_at_once) {
+  } else if (!moved.has_mass_without_joint) {
     found.push_back({Code::E816, child.name.span,
                      fmt::format("{} moves but has no mass", in_backticks(child.name.text))});
   }
@@ -163,7 +164,7 @@ void check_world(const Robot& robot, const LinkTree& tree, Diagnostics& found) {
   if (held.empty()) return;
   const Text& first = held.front()->name;
   const std::string name = in_backticks(first.text);
-  const std::string others = counted(held.size() - 1, "more link");
+  const std::string others = count_text(held.size() - 1, "more link");
   found.push_back(
       {Code::E817, first.span,
        held.size() > 1
@@ -181,10 +182,10 @@ Diagnostics check_masses(const Robot& robot, const LinkTree& tree) {
     if (link.inertial) check_inertia(link, found);
   }
   const auto moves_mass = joints_with_mass(robot, tree);
-  const auto moves_at_once = movers(robot, tree, Behind::what_is_held);
+  const auto moves_mass_directly = joints_moving_mass(robot, tree, CountedLinks::fixed_behind);
   for (const Branch& branch : tree.branches) {
     const bool has_coordinate = robot.joints[branch.joint].moves() && !tree.mimicked[branch.joint];
-    const MovedMass moved{moves_mass[branch.joint], moves_at_once[branch.joint]};
+    const MovedMass moved{moves_mass[branch.joint], moves_mass_directly[branch.joint]};
     if (has_coordinate) check_joint(robot, branch, moved, found);
   }
   if (!tree.has_moving_link()) {

@@ -46,7 +46,7 @@ bool is_nonzero(const std::string& digits) {
 }
 
 /// The number without its sign in TOML's notation; none if `rest` is no number.
-std::optional<std::string> spelled(std::string_view rest) {
+std::optional<std::string> toml_digits(std::string_view rest) {
   std::string whole = take_digits(rest);
   std::string fraction;
   if (take(rest, ".")) fraction = take_digits(rest);
@@ -59,7 +59,7 @@ std::optional<std::string> spelled(std::string_view rest) {
   return whole + (fraction.empty() ? "" : "." + fraction) + *exponent;
 }
 
-Diagnostic refused(const Span& span) {
+Diagnostic number_error(const Span& span) {
   const std::string shown = in_backticks(covered_text(span));
   if (is_not_finite(covered_text(span))) return {Code::E804, span, shown + " is not finite"};
   return {Code::E804, span, shown + " is not a decimal number", remedy_of(span)};
@@ -79,7 +79,7 @@ bool is_not_finite(std::string_view text) {
   return word == "nan" || word == "inf" || word == "infinity";
 }
 
-double approximate(const cln::cl_RA& value) {
+double clamped_double(const cln::cl_RA& value) {
   const cln::cl_RA large = 1'000'000'000;
   const cln::cl_RA size = cln::abs(value);
   if (size > large) return cln::minusp(value) ? -1e9 : 1e9;
@@ -88,7 +88,7 @@ double approximate(const cln::cl_RA& value) {
 
 FileNumber decimal_of(int value) { return {std::to_string(value), value, {}}; }
 
-FileNumber negative(FileNumber number) {
+FileNumber negate_number(FileNumber number) {
   if (number.is_zero()) return number;
   if (number.text.front() == '-') {
     number.text.erase(0, 1);
@@ -103,14 +103,14 @@ Result<FileNumber> read_decimal(const Span& span, const Limits& limits) {
   std::string_view rest = covered_text(span);
   const bool is_negative = take(rest, "-");
   if (!is_negative) take(rest, "+");
-  const std::optional<std::string> text = spelled(rest);
-  if (!text) return refused(span);
+  const std::optional<std::string> text = toml_digits(rest);
+  if (!text) return number_error(span);
   const DecimalParts parts = decimal_parts(*text);
-  if (const auto hit = limit_hit(parts, limits)) {
+  if (const auto hit = find_exceeded_limit(parts, limits)) {
     return Diagnostic{hit->code, span, hit->message, hit->hint};
   }
   const FileNumber number{*text, decimal_value(parts), span};
-  return is_negative ? negative(number) : number;
+  return is_negative ? negate_number(number) : number;
 }
 
 std::vector<Span> words_of(const Span& span) {

@@ -38,9 +38,9 @@ using Vector = std::array<FileNumber, 3>;
 
 /// Only for comparisons with a tolerance; stored numbers stay decimals. Magnitudes above 1e9 become
 /// 1e9, magnitudes below 1e-27 become 0.
-[[nodiscard]] double approximate(const cln::cl_RA& value);
+[[nodiscard]] double clamped_double(const cln::cl_RA& value);
 
-[[nodiscard]] FileNumber negative(FileNumber number);
+[[nodiscard]] FileNumber negate_number(FileNumber number);
 
 /// The number in a span. E804: no decimal number, or not finite; E903, E904: limits.
 [[nodiscard]] Result<FileNumber> read_decimal(const Span& span, const Limits& limits);

@@ -36,7 +36,7 @@ struct ForeignFormat {
 constexpr std::array formats{ForeignFormat{"sdf", "SDF"}, ForeignFormat{"mujoco", "MJCF"},
                              ForeignFormat{"mujocoinclude", "MJCF"}};
 
-Diagnostic foreign(const Element& root) {
+Diagnostic foreign_format_error(const Element& root) {
   const std::string shown = in_backticks("<" + root.name + ">");
   const auto format = std::ranges::find(formats, root.name, &ForeignFormat::element);
   if (format == formats.end()) return {Code::E802, root.span, shown + " is no `<robot>`"};
@@ -76,7 +76,7 @@ Link read_link(const Element& element, RobotReading& reading) {
     read_inertia(parts, inertial);
   });
   reader.ignore({"visual", "collision", "type"});
-  reader.note_the_rest();
+  reader.note_unread();
   return link;
 }
 
@@ -230,7 +230,7 @@ void warn_of_dynamics(ElementReader& reader, const Joint& joint, Diagnostics& fo
       if (!number || number->is_zero()) continue;
       found.push_back({Code::E822, number->span,
                        fmt::format("the {} of {}, a {} joint, is not imported", name,
-                                   in_backticks(joint.name.text), word(joint.type)),
+                                   in_backticks(joint.name.text), type_word(joint.type)),
                        "the model ignores it: add it to `[energy] D`"});
     }
   });
@@ -276,7 +276,7 @@ Joint read_joint(const Element& element, RobotReading& reading) {
     read_mimic(reader, joint);
   }
   reader.ignore({"calibration", "safety_controller"});
-  reader.note_the_rest();
+  reader.note_unread();
   return joint;
 }
 
@@ -291,7 +291,7 @@ void add_world(Robot& robot) {
 
 }  // namespace
 
-std::string_view word(JointType type) {
+std::string_view type_word(JointType type) {
   return std::ranges::find(types, type, &TypeRow::type)->word;
 }
 
@@ -305,7 +305,7 @@ Robot read_robot(const Element& root, RobotReading& reading) {
   robot.file = reading.file.empty() ? file_name(*root.span.source) : reading.file;
   robot.span = root.span;
   if (root.name != "robot") {
-    reading.found.push_back(foreign(root));
+    reading.found.push_back(foreign_format_error(root));
     return robot;
   }
   ElementReader reader(root, reading);
@@ -326,7 +326,7 @@ Robot read_robot(const Element& root, RobotReading& reading) {
     read_transmission(*transmission, robot, reading);
   }
   reader.ignore({"version", "material"});
-  reader.note_the_rest();
+  reader.note_unread();
   return robot;
 }
 

@@ -12,7 +12,7 @@ namespace elgen::urdf {
 namespace {
 
 double length(const Vector& xyz) {
-  const auto number = [&](std::size_t i) { return approximate(xyz[i].value); };
+  const auto number = [&](std::size_t i) { return clamped_double(xyz[i].value); };
   return std::hypot(number(0), number(1), number(2));
 }
 
@@ -22,18 +22,18 @@ struct PoseChange {
   double place = 0.0;
 };
 
-class RightAngles {
+class PoseChanges {
  public:
-  explicit RightAngles(const Robot& robot) : robot_(robot), changes_(robot.links.size()) {}
+  explicit PoseChanges(const Robot& robot) : robot_(robot), changes_(robot.links.size()) {}
 
   Diagnostics note(const LinkTree& tree) {
     for (const Branch& branch : tree.branches) {
-      carry(branch);
+      add_branch_change(branch);
       const auto& inertial = robot_.links[branch.child].inertial;
       if (!branch.moves || !inertial) continue;
       const PoseChange& link = changes_[branch.child];
-      take({link.angle + turn_of(inertial->origin.rpy),
-            link.place + link.angle * length(inertial->origin.xyz)});
+      update_worst({link.angle + rotation_change(inertial->origin.rpy),
+                    link.place + link.angle * length(inertial->origin.xyz)});
     }
     if (count_ == 0) return {};
     return {
@@ -46,23 +46,24 @@ class RightAngles {
 
  private:
   /// The change of a link's pose, from its parent's.
-  void carry(const Branch& branch) {
+  void add_branch_change(const Branch& branch) {
     const Joint& joint = robot_.joints[branch.joint];
     PoseChange change = changes_[branch.parent];
     change.place += change.angle * length(joint.origin.xyz);
-    change.angle += turn_of(joint.origin.rpy);
+    change.angle += rotation_change(joint.origin.rpy);
     if (has_one_coordinate(joint.type)) {
       const Axis axis = axis_of(joint.axis, robot_.digits);
       count_ += axis.is_rounded ? 1 : 0;
       change.angle += axis.change;
-      if (joint.type == JointType::prismatic) change.place += change.angle * stroke(joint);
+      if (joint.type == JointType::prismatic)
+        change.place += change.angle * largest_displacement(joint);
     }
     changes_[branch.child] = change;
-    take(change);
+    update_worst(change);
   }
 
   /// The change by a rotation; also counts the rounded angles.
-  double turn_of(const Vector& rpy) {
+  double rotation_change(const Vector& rpy) {
     double change = 0.0;
     for (const Angle& angle : rotation_of(rpy, robot_.digits).rpy) {
       count_ += angle.is_rounded ? 1 : 0;
@@ -71,15 +72,15 @@ class RightAngles {
     return change;
   }
 
-  static double stroke(const Joint& joint) {
+  static double largest_displacement(const Joint& joint) {
     double farthest = 0.0;
     for (const auto& end : {joint.limit.lower, joint.limit.upper, joint.welded}) {
-      if (end) farthest = std::max(farthest, std::abs(approximate(end->value)));
+      if (end) farthest = std::max(farthest, std::abs(clamped_double(end->value)));
     }
     return farthest;
   }
 
-  void take(const PoseChange& change) {
+  void update_worst(const PoseChange& change) {
     worst_.angle = std::max(worst_.angle, change.angle);
     worst_.place = std::max(worst_.place, change.place);
   }
@@ -93,7 +94,7 @@ class RightAngles {
 }  // namespace
 
 Diagnostics note_right_angles(const Robot& robot, const LinkTree& tree) {
-  return RightAngles(robot).note(tree);
+  return PoseChanges(robot).note(tree);
 }
 
 }  // namespace elgen::urdf

@@ -48,7 +48,7 @@ struct Link {
 
 enum class JointType : unsigned char { revolute, continuous, prismatic, fixed, floating, planar };
 
-[[nodiscard]] std::string_view word(JointType type);
+[[nodiscard]] std::string_view type_word(JointType type);
 
 /// Revolute, continuous and prismatic joints.
 [[nodiscard]] bool has_one_coordinate(JointType type);

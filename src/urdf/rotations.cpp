@@ -21,7 +21,7 @@ constexpr unsigned exact_digits = 40;
 double distance(const cln::cl_RA& value, int right_angles) {
   const cln::float_format_t precision = cln::float_format(exact_digits);
   const cln::cl_R exact = cln::cl_float(value, precision);
-  return std::abs(approximate(cln::rational(exact - right_angles * cln::pi(precision) / 2)));
+  return std::abs(clamped_double(cln::rational(exact - right_angles * cln::pi(precision) / 2)));
 }
 
 std::string multiple_of_right_angle(int count) {
@@ -39,7 +39,7 @@ struct SignedAxis {
 using Permutation = std::array<SignedAxis, 3>;
 
 /// A quarter turn about an axis, applied after another rotation.
-Permutation turned(const Permutation& before, std::size_t axis) {
+Permutation quarter_turned(const Permutation& before, std::size_t axis) {
   const std::size_t next = (axis + 1) % 3;
   const std::size_t last = (axis + 2) % 3;
   Permutation after = before;
@@ -48,7 +48,7 @@ Permutation turned(const Permutation& before, std::size_t axis) {
   return after;
 }
 
-std::size_t place_of(std::size_t row, std::size_t column) {
+std::size_t inertia_index(std::size_t row, std::size_t column) {
   return row == column ? row : row + column + 2;
 }
 
@@ -57,7 +57,7 @@ std::size_t place_of(std::size_t row, std::size_t column) {
 Angle angle_of(const FileNumber& number, AngleDigits digits) {
   if (number.is_zero()) return {};
   if (digits == AngleDigits::kept) return {number.text, std::nullopt};
-  const double angle = approximate(number.value);
+  const double angle = clamped_double(number.value);
   constexpr double largest = 1e6;  // larger angles are never meant as multiples of a right angle
   if (std::abs(angle) > largest) return {number.text, std::nullopt};
   const double count = std::round(angle / right_angle);
@@ -77,15 +77,16 @@ std::optional<std::array<FileNumber, 6>> rotated(const RollPitchYaw& rotation,
   for (std::size_t axis = 0; axis < 3; ++axis) {  // about x, y, z of the outer frame, in this order
     const std::optional<int>& count = rotation.rpy[axis].quarter_turns;
     if (!count) return std::nullopt;
-    for (int turn = 0; turn < (*count % 4 + 4) % 4; ++turn) permutation = turned(permutation, axis);
+    for (int turn = 0; turn < (*count % 4 + 4) % 4; ++turn)
+      permutation = quarter_turned(permutation, axis);
   }
   std::array<FileNumber, 6> result;
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = row; column < 3; ++column) {
       const auto [first, first_sign] = permutation[row];
       const auto [second, second_sign] = permutation[column];
-      const FileNumber& entry = inertia[place_of(first, second)];
-      result[place_of(row, column)] = first_sign == second_sign ? entry : negative(entry);
+      const FileNumber& entry = inertia[inertia_index(first, second)];
+      result[inertia_index(row, column)] = first_sign == second_sign ? entry : negate_number(entry);
     }
   }
   return result;
@@ -99,8 +100,8 @@ Axis axis_of(const Vector& direction, AngleDigits digits) {
   const auto along = static_cast<std::size_t>(longest - direction.begin());
   const FileNumber& second = direction[(along + 1) % 3];
   const FileNumber& third = direction[(along + 2) % 3];
-  const double sine = std::hypot(approximate(second.value / longest->value),
-                                 approximate(third.value / longest->value));
+  const double sine = std::hypot(clamped_double(second.value / longest->value),
+                                 clamped_double(third.value / longest->value));
   const bool is_exact = second.is_zero() && third.is_zero();
   if (sine > tolerance || (digits == AngleDigits::kept && !is_exact)) return {};
   return {along, cln::minusp(longest->value), !is_exact, std::asin(sine)};

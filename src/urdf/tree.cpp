@@ -22,7 +22,7 @@ std::vector<std::string> names_of(const Indices& indices) {
 }
 
 /// The error of a second element where only one is allowed; it also shows the first.
-Diagnostic second(Code code, const Span& span, std::string message, const Span& first) {
+Diagnostic duplicate_error(Code code, const Span& span, std::string message, const Span& first) {
   return {code, span, std::move(message), {}, first, "the first is here"};
 }
 
@@ -35,17 +35,17 @@ Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Di
     const Text& name = elements[i].name;
     const auto [first, is_new] = indices.emplace(name.text, i);
     if (is_new || name.text.empty()) continue;
-    found.push_back(second(Code::E807, name.span,
-                           fmt::format("{} names two {}s", in_backticks(name.text), noun),
-                           elements[first->second].name.span));
+    found.push_back(duplicate_error(Code::E807, name.span,
+                                    fmt::format("{} names two {}s", in_backticks(name.text), noun),
+                                    elements[first->second].name.span));
   }
   indices.erase("");
   return indices;
 }
 
 /// The joint that a joint mimics; none after E812.
-std::optional<std::size_t> mimicked_by(const Joint& joint, const Robot& robot,
-                                       const Indices& joints, Diagnostics& found) {
+std::optional<std::size_t> find_mimicked(const Joint& joint, const Robot& robot,
+                                         const Indices& joints, Diagnostics& found) {
   if (!joint.mimic || joint.welded || joint.mimic->joint.text.empty()) return std::nullopt;
   const Text& name = joint.mimic->joint;
   const auto other = joints.find(name.text);
@@ -59,16 +59,16 @@ std::optional<std::size_t> mimicked_by(const Joint& joint, const Robot& robot,
     if (has_one_coordinate(one->type)) continue;
     found.push_back({Code::E812, name.span,
                      fmt::format("{} is {}: it has no coordinate to share",
-                                 in_backticks(one->name.text), word(one->type)),
+                                 in_backticks(one->name.text), type_word(one->type)),
                      fmt::format("`--weld {}` fixes the joint that mimics", joint.name.text)});
     return std::nullopt;
   }
   return other->second;
 }
 
-class TreeMaker {
+class TreeBuilder {
  public:
-  explicit TreeMaker(const Robot& robot)
+  explicit TreeBuilder(const Robot& robot)
       : robot_(robot),
         links_(indices_of(robot.links, "link", found_)),
         joints_(indices_of(robot.joints, "joint", found_)),
@@ -78,11 +78,11 @@ class TreeMaker {
   Result<LinkTree> make() {
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) connect(i);
     if (is_connected_ && !has_errors(found_)) find_root();
-    if (is_connected_ && !has_errors(found_)) grow();
+    if (is_connected_ && !has_errors(found_)) build_branches();
     tree_.mimicked.resize(robot_.joints.size());
     for (const Branch& branch : tree_.branches) {
       const Joint& joint = robot_.joints[branch.joint];
-      tree_.mimicked[branch.joint] = mimicked_by(joint, robot_, joints_, found_);
+      tree_.mimicked[branch.joint] = find_mimicked(joint, robot_, joints_, found_);
     }
     for (const Branch& branch : tree_.branches) follow_mimics(branch.joint);
     if (has_errors(found_)) return found_;
@@ -96,10 +96,10 @@ class TreeMaker {
     const auto child = link_of(joint.child);
     if (!parent || !child) return;
     if (const auto& first = joint_above_[*child]) {
-      found_.push_back(
-          second(Code::E809, joint.child.span,
-                 fmt::format("{} is the child of two joints", in_backticks(joint.child.text)),
-                 robot_.joints[*first].child.span));
+      found_.push_back(duplicate_error(
+          Code::E809, joint.child.span,
+          fmt::format("{} is the child of two joints", in_backticks(joint.child.text)),
+          robot_.joints[*first].child.span));
       return;
     }
     joint_above_[*child] = index;
@@ -126,7 +126,7 @@ class TreeMaker {
         continue;
       }
       const Text& name = robot_.links[i].name;
-      found_.push_back(second(
+      found_.push_back(duplicate_error(
           Code::E809, name.span,
           fmt::format("{} is a second root link: no joint leads to it", in_backticks(name.text)),
           robot_.links[*root].name.span));
@@ -143,7 +143,7 @@ class TreeMaker {
   }
 
   /// Depth first, children in the order of the file.
-  void grow() {
+  void build_branches() {
     std::vector<Branch> open;
     const auto open_below = [&](std::size_t link, std::size_t depth, bool moves) {
       const auto& below = joints_below_[link];
@@ -210,6 +210,6 @@ class TreeMaker {
 
 }  // namespace
 
-Result<LinkTree> make_tree(const Robot& robot) { return TreeMaker(robot).make(); }
+Result<LinkTree> make_tree(const Robot& robot) { return TreeBuilder(robot).make(); }
 
 }  // namespace elgen::urdf

@@ -15,26 +15,26 @@ namespace elgen::urdf {
 
 namespace {
 
-struct MistakeRow {
+struct XmlErrorRow {
   tinyxml2::XMLError error;
   std::string_view words;
 };
 
 constexpr std::array mistakes{
-    MistakeRow{tinyxml2::XML_ERROR_PARSING_ATTRIBUTE,
-               "an attribute is not written `name=\"value\"`"},
-    MistakeRow{tinyxml2::XML_ERROR_PARSING_TEXT, "a text has no end"},
-    MistakeRow{tinyxml2::XML_ERROR_PARSING_CDATA, "a CDATA section has no end"},
-    MistakeRow{tinyxml2::XML_ERROR_PARSING_COMMENT, "a comment has no end"},
-    MistakeRow{tinyxml2::XML_ERROR_PARSING_DECLARATION, "`<?xml` is not at the start of the file"},
-    MistakeRow{tinyxml2::XML_ERROR_PARSING_UNKNOWN, "a `<!` has no end"},
-    MistakeRow{tinyxml2::XML_ERROR_EMPTY_DOCUMENT, "the file has no element"},
-    MistakeRow{tinyxml2::XML_ERROR_MISMATCHED_ELEMENT, "an element is not closed by its own name"},
-    MistakeRow{tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED, "elements are nested more than 100 deep"},
+    XmlErrorRow{tinyxml2::XML_ERROR_PARSING_ATTRIBUTE,
+                "an attribute is not written `name=\"value\"`"},
+    XmlErrorRow{tinyxml2::XML_ERROR_PARSING_TEXT, "a text has no end"},
+    XmlErrorRow{tinyxml2::XML_ERROR_PARSING_CDATA, "a CDATA section has no end"},
+    XmlErrorRow{tinyxml2::XML_ERROR_PARSING_COMMENT, "a comment has no end"},
+    XmlErrorRow{tinyxml2::XML_ERROR_PARSING_DECLARATION, "`<?xml` is not at the start of the file"},
+    XmlErrorRow{tinyxml2::XML_ERROR_PARSING_UNKNOWN, "a `<!` has no end"},
+    XmlErrorRow{tinyxml2::XML_ERROR_EMPTY_DOCUMENT, "the file has no element"},
+    XmlErrorRow{tinyxml2::XML_ERROR_MISMATCHED_ELEMENT, "an element is not closed by its own name"},
+    XmlErrorRow{tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED, "elements are nested more than 100 deep"},
 };
 
 std::string_view words_of(tinyxml2::XMLError error) {
-  const auto row = std::ranges::find(mistakes, error, &MistakeRow::error);
+  const auto row = std::ranges::find(mistakes, error, &XmlErrorRow::error);
   return row == mistakes.end() ? "an element is malformed" : row->words;
 }
 
@@ -70,7 +70,7 @@ std::size_t skip_piece(std::string_view text, std::size_t position, std::string_
 }
 
 /// The position of the first attribute beyond the limit in an element.
-std::optional<std::size_t> find_endless_element(std::string_view text) {
+std::optional<std::size_t> find_element_with_too_many_attributes(std::string_view text) {
   std::size_t attributes = 0;
   bool is_inside = false;
   for (std::size_t i = 0; i < text.size();) {
@@ -104,9 +104,9 @@ const char* start_of_copy(const tinyxml2::XMLDocument& document, std::string_vie
 }
 
 /// Copies tinyxml2's nodes; they are at most 100 deep.
-class Copier {
+class ElementCopier {
  public:
-  Copier(const SourceText& source, const char* start) : source_(source), start_(start) {}
+  ElementCopier(const SourceText& source, const char* start) : source_(source), start_(start) {}
 
   Element copy(const tinyxml2::XMLElement& from) const {
     Element element{from.Name(), name_span(from.Name())};
@@ -147,7 +147,7 @@ Result<Element> read_xml(const SourceText& source) {
   if (const std::size_t zero = source.text.find('\0'); zero != std::string::npos) {
     return Diagnostic{Code::E801, span_at(source, zero, 1), "not XML: a byte is zero"};
   }
-  if (const auto endless = find_endless_element(source.text)) {
+  if (const auto endless = find_element_with_too_many_attributes(source.text)) {
     return Diagnostic{Code::E801, span_at(source, *endless, 1),
                       fmt::format("an element has more than {} attributes", most_attributes)};
   }
@@ -162,7 +162,7 @@ Result<Element> read_xml(const SourceText& source) {
     return malformed(source, node->GetLineNum(), "something follows or precedes the root element");
   }
   if (root == nullptr) return malformed(source, 1, words_of(tinyxml2::XML_ERROR_EMPTY_DOCUMENT));
-  return Copier(source, start_of_copy(document, source.text)).copy(*root);
+  return ElementCopier(source, start_of_copy(document, source.text)).copy(*root);
 }
 
 }  // namespace elgen::urdf

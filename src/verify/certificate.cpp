@@ -66,13 +66,13 @@ std::string evidence_text(const CertificateRow& row) {
     case Evidence::proof:
       return "for every state, by proof";
     case Evidence::zeros:
-      return "at " + counted(row.samples, "random point");
+      return "at " + count_text(row.samples, "random point");
     case Evidence::numbers:
-      return "of " + counted(row.samples, "number");
+      return "of " + count_text(row.samples, "number");
     case Evidence::states:
       break;
   }
-  return "at " + counted(row.samples, "state");
+  return "at " + count_text(row.samples, "state");
 }
 
 void append_details(std::string& text, const CertificateRow& row) {
@@ -132,8 +132,8 @@ std::size_t most_skipped_inside(const Rows& rows) {
 /// "9 checks, at 276 states, at most 0.4 digits lost", "4 checks, proved"
 std::string summary(const Rows& rows) {
   const std::size_t failed = count_of(rows, Verdict::fails);
-  if (failed > 0) return fmt::format("{} of {}", failed, counted(rows.size(), "check"));
-  std::string text = counted(rows.size(), "check");
+  if (failed > 0) return fmt::format("{} of {}", failed, count_text(rows.size(), "check"));
+  std::string text = count_text(rows.size(), "check");
   if (rests_on(rows, Evidence::numbers)) return text + ", exact";
   if (!rests_on(rows, Evidence::states)) return text + ", proved";
   std::optional<double> loss;
@@ -141,7 +141,7 @@ std::string summary(const Rows& rows) {
     if (row->loss) loss = std::max(loss.value_or(1), *row->loss);
   }
   const auto states = fewest_states(rows, loss.has_value());
-  if (states) text += ", at " + counted(*states, "state");
+  if (states) text += ", at " + count_text(*states, "state");
   const std::size_t skipped = most_skipped_inside(rows);
   if (skipped > 0) text += fmt::format(", {} inside the ranges skipped", skipped);
   if (loss) text += ", " + lost_text(std::log10(*loss));
@@ -177,7 +177,7 @@ std::string counts(const Certificate& certificate) {
   const std::size_t held = count(certificate, Verdict::holds);
   const std::size_t failed = count(certificate, Verdict::fails);
   const std::size_t noted = count(certificate, Verdict::noted);
-  return fmt::format("{} hold{}, {} fail{}, {} skipped{}", counted(held, "check"),
+  return fmt::format("{} hold{}, {} fail{}, {} skipped{}", count_text(held, "check"),
                      held == 1 ? "s" : "", failed, failed == 1 ? "s" : "",
                      count(certificate, Verdict::skipped),
                      noted > 0 ? fmt::format(", {} noted", noted) : "");

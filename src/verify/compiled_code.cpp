@@ -38,7 +38,7 @@ std::string kind_of_code(const CompiledHeader& compiled, std::string_view first)
   };
   add(compiled.types);
   if (compiled.build != Build::as_written) add("-O3 -march=native");
-  if (compiled.build == Build::as_users) add("contraction on");
+  if (compiled.build == Build::user_flags) add("contraction on");
   return text;
 }
 
@@ -75,9 +75,9 @@ std::vector<double> running_errors(const Subject& subject, const Function& funct
 /// largest entry and `most` times their running error. No values, after an exception, agree with
 /// values that are not all finite.
 template <class Scalar>
-std::size_t differing(const Function& function, const std::vector<Scalar>& given,
-                      const std::vector<Scalar>& expected, const std::vector<double>& errors,
-                      double most) {
+std::size_t differing_entries(const Function& function, const std::vector<Scalar>& given,
+                              const std::vector<Scalar>& expected,
+                              const std::vector<double>& errors, double most) {
   const auto is_finite = [](Scalar x) { return std::isfinite(x); };
   if (given.empty() && !std::ranges::all_of(expected, is_finite)) return 0;
   if (given.size() != expected.size()) return std::max(given.size(), expected.size());
@@ -121,7 +121,8 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
                             const std::vector<std::vector<Scalar>>& values) {
   // If numbers are compared, a batch processes one state after another.
   const bool in_packs = compiled.in_packs && !needs_order(function);
-  const Sines<Scalar> sines(subject.scene, in_packs ? SinesOf::packs : SinesOf::numbers);
+  const Sines<Scalar> sines(subject.scene,
+                            in_packs ? SineArithmetic::packs : SineArithmetic::numbers);
   const double most = allowed_roundings(compiled, function);
   std::size_t wrong = 0;
   std::size_t entries = 0;
@@ -129,7 +130,7 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
   for (std::size_t i = 0; i < states.size(); ++i) {
     const auto expected = evaluate_code(subject.program, function, states[i].values, sines);
     const auto errors = running_errors(subject, function, states[i].values, most);
-    const std::size_t count = differing(function, values[i], expected, errors, most);
+    const std::size_t count = differing_entries(function, values[i], expected, errors, most);
     if (wrong == 0 && count > 0) where = describe(subject, exact_state(subject, states[i].values));
     wrong += count;
     entries += expected.size();
@@ -161,7 +162,7 @@ double error_of_sines(const CompiledModel& functions, Scalar angle) {
   for (std::size_t i = 0; i < truths.size(); ++i) {
     if (!std::isfinite(values[i])) return std::numeric_limits<double>::infinity();
     const Real error = abs(Real(exact_value(static_cast<double>(values[i]))) - truths[i]);
-    largest = std::max(largest, ScalarTraits<double>::from_real(error.value()));
+    largest = std::max(largest, to_double(error.value()));
   }
   return largest;
 }
@@ -171,8 +172,7 @@ CertificateRow sine_row(const Subject& subject, const CompiledHeader& compiled) 
   constexpr ScalarKind scalar = scalar_kind<Scalar>;
   constexpr std::size_t angles = 256;
   const double domain = angle_reduction(scalar).domain;
-  const double most =
-      ScalarTraits<double>::from_real(trigonometry_error(subject.scene.numerics, scalar));
+  const double most = to_double(trigonometry_error(subject.scene.numerics, scalar));
   constexpr double golden = 0.6180339887498949;
   double worst = 0;
   Scalar at = 0;
@@ -254,7 +254,7 @@ std::vector<CertificateRow> check_helpers(const Subject& subject) {
     for (const Instruction& i : function.instructions) {
       if (i.opcode != Opcode::call || is_kinked(i.function)) continue;
       if (function_row(i.function).own_name.empty()) continue;
-      calls.emplace(i.function, order_at(subject.program, function, i.b));
+      calls.emplace(i.function, stumpff_order(subject.program, function, i.b));
     }
   }
   std::vector<CertificateRow> rows;
@@ -265,13 +265,13 @@ std::vector<CertificateRow> check_helpers(const Subject& subject) {
   return rows;
 }
 
-CertificateRow without_code(const CompiledHeader& compiled) {
+CertificateRow missing_code_row(const CompiledHeader& compiled) {
   CertificateRow row;
-  row.check = compiled.build == Build::as_users ? "as users compile" : "compiled code vs program";
+  row.check = compiled.build == Build::user_flags ? "as users compile" : "compiled code vs program";
   row.output = row.check;
   const std::string kind = kind_of_code(compiled, "");
   row.subject = kind.empty() ? "all outputs" : fmt::format("all outputs ({})", kind);
-  row.worst = compiled.lacking;
+  row.worst = compiled.failure_reason;
   row.verdict = Verdict::skipped;
   return row;
 }
@@ -279,7 +279,7 @@ CertificateRow without_code(const CompiledHeader& compiled) {
 namespace {
 
 /// The row of code whose interpreter ended without an answer.
-CertificateRow silent_code(const Diagnostic& why) {
+CertificateRow silent_code_row(const Diagnostic& why) {
   CertificateRow row;
   row.check = row.output = "compiled code vs program";
   row.subject = "all outputs";
@@ -295,7 +295,7 @@ template <class Scalar>
 std::vector<CertificateRow> check_compiled(const Subject& subject, const CompiledHeader& compiled,
                                            const std::vector<SampledState<Scalar>>& states) {
   std::vector<CertificateRow> rows;
-  if (compiled.build == Build::as_users || compiled.is_wide) return rows;
+  if (compiled.build == Build::user_flags || compiled.is_wide) return rows;
   std::vector<const Function*> functions;
   for (const Function& function : subject.program.functions) {
     if (!compiled.in_packs || is_returned(function)) functions.push_back(&function);
@@ -305,7 +305,7 @@ std::vector<CertificateRow> check_compiled(const Subject& subject, const Compile
   std::vector<Arguments<Scalar>> arguments;
   for (const SampledState<Scalar>& sample : states) arguments.push_back(sample.values);
   const auto values = compiled.functions->call_all(names, arguments);
-  if (!values) return {silent_code(values.diagnostics.front())};
+  if (!values) return {silent_code_row(values.diagnostics.front())};
   for (std::size_t i = 0; i < functions.size(); ++i) {
     rows.push_back(compiled_row(subject, compiled, *functions[i], states, (*values)[i]));
   }

@@ -27,7 +27,7 @@ template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_helpers(const Subject& subject);
 
 /// The row of a header without functions: skipped, with the reason.
-[[nodiscard]] CertificateRow without_code(const CompiledHeader& compiled);
+[[nodiscard]] CertificateRow missing_code_row(const CompiledHeader& compiled);
 
 /// One row: the declared numbers are the model's.
 [[nodiscard]] CertificateRow check_declared(const std::vector<DeclaredNumber>& numbers);

@@ -28,7 +28,7 @@ constexpr std::size_t draws_per_state = 8;
 constexpr std::size_t nodes_per_instruction = 8;
 
 std::size_t states_checked(const Subject& subject) {
-  const std::size_t nodes = reached(subject.model, equation_roots(subject.model)).size();
+  const std::size_t nodes = reachable_from(subject.model, equation_roots(subject.model)).size();
   const std::size_t work = std::max(work_of_state(subject), nodes / nodes_per_instruction);
   return std::clamp(checked_work / work, least_checked, most_checked);
 }
@@ -37,7 +37,7 @@ std::size_t states_checked(const Subject& subject) {
 std::size_t count_sampled_zeros(const Program& program) {
   std::size_t count = 0;
   for (const Function& function : program.functions) {
-    if (!output_row(function.kind).repeats) count += function.sampled_zeros.size();
+    if (!output_row(function.kind).is_summary) count += function.sampled_zeros.size();
   }
   return count;
 }
@@ -53,7 +53,7 @@ std::optional<ExpressionId> undefined_expression(const Model& model, const Funct
                                                  const std::vector<State>& states) {
   const auto roots = output_row(function.kind).of_user ? output_roots(model, function.user)
                                                        : equation_roots(model);
-  for (const ExpressionId id : reached(model, roots)) {
+  for (const ExpressionId id : reachable_from(model, roots)) {
     const auto is_undefined = [&](const State& state) {
       return !oracle_expression(model, id, state);
     };
@@ -64,9 +64,9 @@ std::optional<ExpressionId> undefined_expression(const Model& model, const Funct
 }
 
 /// The self-check over all states.
-class SelfChecking {
+class SelfChecker {
  public:
-  explicit SelfChecking(const Subject& subject)
+  explicit SelfChecker(const Subject& subject)
       : subject_(subject), without_value_(subject.program.functions.size(), true) {
     result_.sampled_zeros = count_sampled_zeros(subject.program);
   }
@@ -74,7 +74,7 @@ class SelfChecking {
   /// Visits all functions at one state.
   void visit(const SampledState<double>& sample) {
     Visit<double> visit(subject_, sample,
-                        {Comparison::projections, Losing::inside_ranges, loss_.value_or(0)});
+                        {Comparison::projections, LossStates::inside_ranges, loss_.value_or(0)});
     states_.push_back(visit.state());
     bool is_compared = false;
     bool is_outside = false;
@@ -102,7 +102,7 @@ class SelfChecking {
   [[nodiscard]] const SelfCheck& result() const { return result_; }
 
   SelfCheck finish() {
-    if (result_.failure.empty() && lacks_value()) refuse();
+    if (result_.failure.empty() && lacks_value()) report_undefined_output();
     return std::move(result_);
   }
 
@@ -126,11 +126,11 @@ class SelfChecking {
     return regime;
   }
 
-  void refuse() {
+  void report_undefined_output() {
     const auto first = std::ranges::find(without_value_, true);
     const Function& function =
         subject_.program.functions[static_cast<std::size_t>(first - without_value_.begin())];
-    result_.lacks_value = true;
+    result_.has_undefined_output = true;
     result_.failure =
         fmt::format("`{}` has no value at any of {} states", function.name, states_.size());
     const auto undefined = undefined_expression(subject_.model, function, states_);
@@ -184,7 +184,7 @@ class SelfChecking {
 
 SelfCheck self_check(const Model& model, const Scene& scene, const Program& program) {
   const Subject subject{model, scene, program};
-  SelfChecking checking(subject);
+  SelfChecker checking(subject);
   const std::size_t wanted = states_checked(subject);
   StateSequence<double> states(subject, {draws_per_state * wanted, 1, false});
   while (const auto sample = states.next()) {
@@ -197,17 +197,18 @@ SelfCheck self_check(const Model& model, const Scene& scene, const Program& prog
 
 std::string receipt(const SelfCheck& result) {
   std::string text =
-      fmt::format("compared with 60-digit arithmetic at {}", counted(result.states, "state"));
+      fmt::format("compared with 60-digit arithmetic at {}", count_text(result.states, "state"));
   if (result.digits_lost) text += "; " + lost_text(*result.digits_lost);
   if (result.outside > 0) text += fmt::format("; {} outside the domain", result.outside);
   if (result.infinite * 10 > result.inside) {
     text += fmt::format("; not finite in double at {} of {} inside the ranges", result.infinite,
-                        counted(result.inside, "state"));
+                        count_text(result.inside, "state"));
   }
   if (result.sampled_zeros == 0) return text;
   const bool is_one = result.sampled_zeros == 1;
   return text + fmt::format("; {} entr{} on zeros sampled at {} points, not proved",
-                            result.sampled_zeros, is_one ? "y relies" : "ies rely", zero_points);
+                            result.sampled_zeros, is_one ? "y relies" : "ies rely",
+                            zero_sample_count);
 }
 
 }  // namespace elgen

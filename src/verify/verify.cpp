@@ -72,11 +72,11 @@ std::string add_sides(const Subject& subject, const VerifyOptions& options,
                       std::vector<SampledState<Scalar>>& states) {
   Kinks kinks(subject.model);
   for (const auto& state : states) {
-    if (kinks.are_seen()) return {};
+    if (kinks.all_are_seen()) return {};
     kinks.add(exact_state(subject, state.values));
   }
   StateSequence<Scalar> more(subject, {most_draws_for_kinks, options.seed + 1, false});
-  while (!kinks.are_seen()) {
+  while (!kinks.all_are_seen()) {
     auto state = more.next();
     if (!state) break;
     if (kinks.add(exact_state(subject, state->values))) states.push_back(std::move(*state));
@@ -84,7 +84,7 @@ std::string add_sides(const Subject& subject, const VerifyOptions& options,
   return kinks.unseen();
 }
 
-CertificateRow one_sided(const std::string& kinks, std::size_t states) {
+CertificateRow one_sided_kinks_row(const std::string& kinks, std::size_t states) {
   CertificateRow row;
   row.check = "both sides of kinks";
   row.output = row.subject = "forces";
@@ -114,9 +114,9 @@ CertificateRow row_of(const std::string& equilibrium, const char* subject, const
   return row;
 }
 
-std::vector<CertificateRow> claimed_equilibria(const std::vector<JudgedEquilibrium>& claims) {
+std::vector<CertificateRow> claimed_equilibria(const std::vector<EquilibriumVerdict>& claims) {
   std::vector<CertificateRow> rows;
-  for (const JudgedEquilibrium& claim : claims) {
+  for (const EquilibriumVerdict& claim : claims) {
     rows.push_back(row_of(claim.name, "balance", "bias(q, 0) - B u = 0", claim.balance));
     rows.back().where = claim.balance == ClaimStatus::wrong ? claim.witness : "";
     if (!claim.frequencies) continue;
@@ -146,7 +146,7 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
     row.output = row.subject = function.name;
     row.formula = "|x| <= 1e-40 E in 60 digits for every x replaced by 0";
     row.evidence = Evidence::zeros;
-    row.samples = zero_points;
+    row.samples = zero_sample_count;
     row.worst = fmt::format("in entr{} {}", function.sampled_zeros.size() == 1 ? "y" : "ies",
                             numbers(function.sampled_zeros));
     row.tolerance =
@@ -162,7 +162,7 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
 const CompiledModel* users_code(const CompiledHeaders& compiled, bool is_wide, ScalarKind scalar) {
   for (const CompiledHeader& header : compiled) {
     const bool is_sought = !header.in_packs && header.is_wide == is_wide;
-    if (header.build != Build::as_users || !is_sought || header.functions == nullptr) continue;
+    if (header.build != Build::user_flags || !is_sought || header.functions == nullptr) continue;
     return header.functions->has(scalar) ? header.functions.get() : nullptr;
   }
   return nullptr;
@@ -177,7 +177,7 @@ std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHea
   std::vector<CertificateRow> lacking;
   for (const CompiledHeader& header : compiled) {
     if (header.functions == nullptr) {
-      lacking.push_back(without_code(header));
+      lacking.push_back(missing_code_row(header));
       continue;
     }
     const bool has_doubles = header.functions->has(ScalarKind::double_precision);
@@ -212,7 +212,7 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   (void)add_sides(subject, options, floats);
   const auto accuracy = [&](ScalarKind scalar) {
     VisitOptions visit{comparison_for(model, options)};
-    visit.losing = options.extremes ? Losing::everywhere : Losing::inside_ranges;
+    visit.loss_states = options.extremes ? LossStates::everywhere : LossStates::inside_ranges;
     visit.as_users = users_code(compiled, false, scalar);
     visit.wide = users_code(compiled, true, scalar);
     return AccuracyOptions{visit, options.on_step, options.jobs};
@@ -230,7 +230,8 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
     append(rows, check_accuracy(subject, floats, accuracy(ScalarKind::single_precision)));
   append(rows, check_code(subject, compiled, doubles, floats));
   append(rows, sampled_zeros(program));
-  if (!one_sided_kinks.empty()) rows.push_back(one_sided(one_sided_kinks, doubles.size()));
+  if (!one_sided_kinks.empty())
+    rows.push_back(one_sided_kinks_row(one_sided_kinks, doubles.size()));
   append(rows, check_structure(subject, nominal_states(subject, doubles)));
   result.diagnostics = std::move(expected.diagnostics);
   return result;

@@ -13,7 +13,7 @@ namespace {
 using Value = Running<Real>;
 
 const RunningErrorRules<Real> rules{};
-const RunningErrorRules<double> rough{};
+const RunningErrorRules<double> rules_in_double{};
 
 // Operators, so that a test can write a formula of values with errors.
 Value operator-(const Value& x) { return rules.negate(x); }
@@ -25,10 +25,10 @@ Value sqrt(const Value& x) { return rules.square_root(x); }
 Value call(FunctionId function, const Value& x) { return rules.call(function, x, x); }
 
 Value leaf(const char* text) { return running_leaf(test::exact(text), rounding<double>()); }
-Value off(const char* text, const char* error) {
+Value value_with_error(const char* text, const char* error) {
   return {Real(test::exact(text)), Real(test::exact(error))};
 }
-double number(const Real& x) { return ScalarTraits<double>::from_real(x.value()); }
+double number(const Real& x) { return to_double(x.value()); }
 double error(const Value& x) { return number(x.error); }
 
 }  // namespace
@@ -45,44 +45,46 @@ TEST_CASE("leaves: numbers of the scalar are exact, others are rounded") {
 }
 
 TEST_CASE("each operation rounds once, and passes errors on") {
-  CHECK(error(off("3", "2") + off("-1", "1")) == 2 + 1 + 2);
+  CHECK(error(value_with_error("3", "2") + value_with_error("-1", "1")) == 2 + 1 + 2);
   CHECK(error(leaf("3") - leaf("5")) == 2);
-  CHECK(error(off("3", "2") * off("5", "1")) == 2 * 5 + 3 + 15);
-  CHECK(error(off("6", "1") / off("3", "2")) == Approx((1 + 2 * 2) / 3.0 + 2));
-  CHECK(error(sqrt(off("9", "6"))) == Approx(1 + 3));
+  CHECK(error(value_with_error("3", "2") * value_with_error("5", "1")) == 2 * 5 + 3 + 15);
+  CHECK(error(value_with_error("6", "1") / value_with_error("3", "2")) ==
+        Approx((1 + 2 * 2) / 3.0 + 2));
+  CHECK(error(sqrt(value_with_error("9", "6"))) == Approx(1 + 3));
 }
 
 TEST_CASE(
     "a product with a literal power of two is exact, one with a computed power of two rounds") {
-  CHECK(error(off("3", "2") * leaf("4")) == 2 * 4);
+  CHECK(error(value_with_error("3", "2") * leaf("4")) == 2 * 4);
   CHECK(error(leaf("3") * leaf("-1/2")) == 0);
-  CHECK(error(leaf("3") * off("4", "1")) == 3 + 12);
+  CHECK(error(leaf("3") * value_with_error("4", "1")) == 3 + 12);
 }
 
 TEST_CASE("functions multiply errors by their slopes") {
-  const Value x = off("0.5", "3");
+  const Value x = value_with_error("0.5", "3");
   CHECK(error(call(FunctionId::sin, x)) == Approx(std::sin(0.5) + 3 * std::cos(0.5)));
   CHECK(error(call(FunctionId::abs, x)) == 3);
-  CHECK(error(rules.call(FunctionId::max, leaf("1"), off("2", "5"))) == 5);
+  CHECK(error(rules.call(FunctionId::max, leaf("1"), value_with_error("2", "5"))) == 5);
   CHECK(error(rules.call(FunctionId::atan2, leaf("1") + leaf("2"), leaf("4"))) ==
         Approx(std::atan2(3, 4) + 3.0 * 4 / 25));
 }
 
 TEST_CASE("a product of factors with value 0 keeps the product of their errors") {
-  CHECK(error(off("0", "1024") * off("0", "4096")) == Approx(0x1p-53 * 1024 * 4096));
-  CHECK(rough.multiply({0, 1024}, {0, 4096}).error == Approx(0x1p-53 * 1024 * 4096));
+  CHECK(error(value_with_error("0", "1024") * value_with_error("0", "4096")) ==
+        Approx(0x1p-53 * 1024 * 4096));
+  CHECK(rules_in_double.multiply({0, 1024}, {0, 4096}).error == Approx(0x1p-53 * 1024 * 4096));
 }
 
 TEST_CASE("sign is lost if the error exceeds the argument, and sign of an exact 0 is kept") {
-  CHECK_FALSE(call(FunctionId::sign, off("1", "1000")).is_lost);
+  CHECK_FALSE(call(FunctionId::sign, value_with_error("1", "1000")).is_lost);
   CHECK_FALSE(call(FunctionId::sign, leaf("0")).is_lost);
-  CHECK(call(FunctionId::sign, off("1", "10000000000000000")).is_lost);
-  CHECK(rough.call(FunctionId::sign, {0, 1}, {0, 1}).is_lost);
+  CHECK(call(FunctionId::sign, value_with_error("1", "10000000000000000")).is_lost);
+  CHECK(rules_in_double.call(FunctionId::sign, {0, 1}, {0, 1}).is_lost);
 }
 
 TEST_CASE("at a stationary point of a sine the error is of second order") {
   const double a = 3e15;
-  const Value angle = off("0", "3000000000000000");
+  const Value angle = value_with_error("0", "3000000000000000");
   CHECK(error(call(FunctionId::cos, angle)) == Approx(1 + 0.5 * 0x1p-53 * a * a));
 }
 
@@ -101,9 +103,9 @@ TEST_CASE("functions have the values in their rows of the table") {
     INFO(row.name);
     if (row.arity == 1)
       CHECK(interpreter::call<double>(row.id, row.exact_at, 0) == row.exact_value);
-    if (!row.far_values) continue;
-    CHECK(interpreter::call<double>(row.id, -1e6, 0) == row.far_values->left);
-    CHECK(interpreter::call<double>(row.id, 1e6, 0) == row.far_values->right);
+    if (!row.limits_at_infinity) continue;
+    CHECK(interpreter::call<double>(row.id, -1e6, 0) == row.limits_at_infinity->left);
+    CHECK(interpreter::call<double>(row.id, 1e6, 0) == row.limits_at_infinity->right);
   }
 }
 
@@ -135,11 +137,11 @@ TEST_CASE(
   CHECK(sqrt(difference).is_lost);
   CHECK(call(FunctionId::log, difference).is_lost);
   CHECK_FALSE((leaf("1") / leaf("3")).is_lost);
-  CHECK_FALSE(call(FunctionId::tanh, off("0", "3")).is_lost);
+  CHECK_FALSE(call(FunctionId::tanh, value_with_error("0", "3")).is_lost);
 }
 
 TEST_CASE("the error of a square root at 0 is lost") {
-  const Value root = sqrt(off("0", "1"));
+  const Value root = sqrt(value_with_error("0", "1"));
   CHECK(number(root.value) == 0);
   CHECK(root.is_lost);
 }
@@ -156,14 +158,14 @@ TEST_CASE("errors in double agree with errors in 64 digits") {
   };
   const auto [x, x_rough] = both(0.75, 3);
   const auto [y, y_rough] = both(-2.5, 1);
-  CHECK(rough.add(x_rough, y_rough).error == Approx(error(x + y)));
-  CHECK(rough.multiply(x_rough, y_rough).error == Approx(error(x * y)));
-  CHECK(rough.divide(x_rough, y_rough).error == Approx(error(x / y)));
-  CHECK(rough.square_root(x_rough).error == Approx(error(sqrt(x))));
+  CHECK(rules_in_double.add(x_rough, y_rough).error == Approx(error(x + y)));
+  CHECK(rules_in_double.multiply(x_rough, y_rough).error == Approx(error(x * y)));
+  CHECK(rules_in_double.divide(x_rough, y_rough).error == Approx(error(x / y)));
+  CHECK(rules_in_double.square_root(x_rough).error == Approx(error(sqrt(x))));
   for (const FunctionRow& row : function_table()) {
     INFO(row.name);
-    CHECK(rough.call(row.id, x_rough, {2, 1}).error ==
-          Approx(error(rules.call(row.id, x, off("2", "1")))));
+    CHECK(rules_in_double.call(row.id, x_rough, {2, 1}).error ==
+          Approx(error(rules.call(row.id, x, value_with_error("2", "1")))));
   }
-  CHECK(rough.divide(x_rough, {1e-18, 1}).is_lost);
+  CHECK(rules_in_double.divide(x_rough, {1e-18, 1}).is_lost);
 }

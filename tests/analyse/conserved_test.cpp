@@ -18,7 +18,7 @@ using namespace elgen::test;
 
 namespace {
 
-std::string pasted(const FoundSymmetries& found) {
+std::string with_pasted_integrals(const FoundSymmetries& found) {
   const std::string page = found.page();
   const std::size_t end = page.find("[[expect]]");
   INFO(page);
@@ -35,11 +35,11 @@ ExpectationReport expectations_of(const std::string& text) {
 }
 
 /// One line for each model with an integral on its page that is not pasted or not proved.
-std::string unproved(const std::vector<std::string>& models) {
+std::string unproved_integrals(const std::vector<std::string>& models) {
   std::string lines;
   for (const std::string& model : models) {
     const FoundSymmetries found(symmetric_model(model));
-    const ExpectationReport report = expectations_of(pasted(found));
+    const ExpectationReport report = expectations_of(with_pasted_integrals(found));
     if (report.rows.size() != found.all().size()) {
       lines += fmt::format("{}: {} of {}\n", model, report.rows.size(), found.all().size());
     }
@@ -57,7 +57,7 @@ bool all_are_proved(const ExpectationReport& report) {
 }
 
 /// I with the sign of F reversed, for every symmetry that has an F.
-std::vector<std::string> turned_integrals(const FoundSymmetries& found) {
+std::vector<std::string> negated_integrals(const FoundSymmetries& found) {
   std::vector<std::string> result;
   const nlohmann::json page = found.json();
   for (const nlohmann::json& row : page.at("symmetries")) {
@@ -84,42 +84,43 @@ Trajectory run_of(const std::string& text, const Model& model) {
 }  // namespace
 
 TEST_CASE("integrals on the pages of textbook systems are proved after pasting") {
-  CHECK(unproved({"line",
-                  "space",
-                  "falling",
-                  "kepler_plane",
-                  "spring_in_space",
-                  "gravity_in_space",
-                  "magnetic_symmetric_gauge",
-                  "magnetic_landau_gauge",
-                  "foucault_whole_omega",
-                  "foucault_whole_omega_frames",
-                  "travelling_wave",
-                  "travelling_wave_numbers",
-                  "growing_mass",
-                  "accelerated_lift",
-                  "open_central",
-                  "open_space",
-                  "open_distance_in_x_y_z",
-                  "growing_oscillator",
-                  "accelerated_wave",
-                  "turning_trough",
-                  "helix_in_cylinder",
-                  "two_equal_springs",
-                  "two_unequal_masses",
-                  "unequal_at_special_values",
-                  "free_in_polar",
-                  "free_in_plane",
-                  "pushed_by_time",
-                  "gauge_of_time",
-                  "fading_push"}) == "");
+  CHECK(unproved_integrals({"line",
+                            "space",
+                            "falling",
+                            "kepler_plane",
+                            "spring_in_space",
+                            "gravity_in_space",
+                            "magnetic_symmetric_gauge",
+                            "magnetic_landau_gauge",
+                            "foucault_whole_omega",
+                            "foucault_whole_omega_frames",
+                            "travelling_wave",
+                            "travelling_wave_numbers",
+                            "growing_mass",
+                            "accelerated_lift",
+                            "open_central",
+                            "open_space",
+                            "open_distance_in_x_y_z",
+                            "growing_oscillator",
+                            "accelerated_wave",
+                            "turning_trough",
+                            "helix_in_cylinder",
+                            "two_equal_springs",
+                            "two_unequal_masses",
+                            "unequal_at_special_values",
+                            "free_in_polar",
+                            "free_in_plane",
+                            "pushed_by_time",
+                            "gauge_of_time",
+                            "fading_push"}) == "");
 }
 
 TEST_CASE("integrals on the pages of models are proved after pasting") {
-  CHECK(unproved({"atwood", "cart_pole", "central_force_open", "charged_particle",
-                  "foucault_pendulum", "heavy_top", "kepler_cartesian", "kepler_polar",
-                  "particle_on_cone", "pendulum_in_lift", "relativistic_particle", "rotating_hoop",
-                  "triatomic_molecule", "two_body_plane", "two_link_arm", "two_particles"}) == "");
+  CHECK(unproved_integrals({"atwood", "cart_pole", "central_force_open", "charged_particle",
+                            "foucault_pendulum", "heavy_top", "kepler_cartesian", "kepler_polar",
+                            "particle_on_cone", "pendulum_in_lift", "relativistic_particle",
+                            "rotating_hoop", "triatomic_molecule", "two_body_plane", "two_link_arm",
+                            "two_particles"}) == "");
 }
 
 TEST_CASE("the page of a rotating body lists only integrals that the model language can express") {
@@ -129,7 +130,7 @@ TEST_CASE("the page of a rotating body lists only integrals that the model langu
                                       std::pair{"free_body_aaa", 11}}) {
     INFO(model);
     const ExpectationReport report =
-        expectations_of(pasted(FoundSymmetries(symmetric_model(model))));
+        expectations_of(with_pasted_integrals(FoundSymmetries(symmetric_model(model))));
     CHECK(report.rows.size() == static_cast<std::size_t>(listed));
     CHECK(all_are_proved(report));
   }
@@ -140,7 +141,7 @@ TEST_CASE("a page lists no integral that needs special values of the parameters"
   equal.replace(equal.find("0.03,"), 5, "0.02,");
   const FoundSymmetries found(equal);
   CHECK(found.all().size() == 12);
-  const ExpectationReport report = expectations_of(pasted(found));
+  const ExpectationReport report = expectations_of(with_pasted_integrals(found));
   CHECK(report.rows.size() == 8);
   CHECK(report.diagnostics.empty());
   CHECK(all_are_proved(report));
@@ -158,7 +159,7 @@ V = "1/2*E*x^2"
 )toml"));
   CHECK(beam.json().at("conserved") == nlohmann::json::array({"energy_function"}));
   CHECK(mentions(beam.page(), "\n  conserved = [\"energy_function\"]\n"));
-  const ExpectationReport report = expectations_of(pasted(beam));
+  const ExpectationReport report = expectations_of(with_pasted_integrals(beam));
   CHECK(report.rows.size() == 1);
   CHECK(all_are_proved(report));
 }
@@ -169,7 +170,7 @@ TEST_CASE("an integral with the wrong sign of F is refused") {
         "accelerated_lift", "accelerated_wave", "charged_particle", "gauge_of_time",
         "pushed_by_time", "two_body"}) {
     const FoundSymmetries found(symmetric_model(model));
-    const std::vector<std::string> entries = turned_integrals(found);
+    const std::vector<std::string> entries = negated_integrals(found);
     INFO(model << ": " << fmt::format("{}", fmt::join(entries, ", ")));
     REQUIRE_FALSE(entries.empty());
     const ExpectationReport report =
@@ -185,7 +186,7 @@ TEST_CASE("a run conserves every integral to its tolerance") {
         "growing_mass", "magnetic_landau_gauge", "heavy_top", "turning_trough", "fading_push"}) {
     INFO(model);
     const FoundSymmetries found(symmetric_model(model));
-    const Trajectory run = run_of(pasted(found), found.checked().model);
+    const Trajectory run = run_of(with_pasted_integrals(found), found.checked().model);
     CHECK(run.conserved.size() == found.all().size());
     for (const ConservedDrift& kept : run.conserved) {
       INFO(kept.text);
@@ -196,7 +197,7 @@ TEST_CASE("a run conserves every integral to its tolerance") {
 
 TEST_CASE("a run does not conserve an integral without its F or with the wrong sign of F") {
   const FoundSymmetries found(symmetric_model("falling"));
-  std::vector<std::string> entries = turned_integrals(found);
+  std::vector<std::string> entries = negated_integrals(found);
   entries.emplace_back("p(z)");
   const Trajectory run =
       run_of(ending(found.text(), expecting_conserved(entries)), found.checked().model);

@@ -11,13 +11,13 @@ using namespace elgen::test;
 
 namespace {
 
-struct Counted {
+struct ExpectedCount {
   std::string_view system;  ///< name of a model, or V of a point mass of 1 kg
   std::size_t count = 0;
   Completeness completeness = Completeness::proved;
 };
 
-constexpr auto models = std::to_array<Counted>({
+constexpr auto models = std::to_array<ExpectedCount>({
     {"acrobot", 4},          {"arm_with_sensor", 1},
     {"atwood", 0},           {"bead_on_circle", 2},
     {"cart_pole", 2},        {"chain", 32},
@@ -36,12 +36,12 @@ constexpr auto models = std::to_array<Counted>({
 });
 
 /// `kinds`: one letter for each of x, y and z: L is a length in [-2, 2], A an angle.
-struct Potentials {
+struct PotentialRow {
   std::string_view kinds;
-  Counted counted;
+  ExpectedCount counted;
 };
 
-constexpr auto potentials = std::to_array<Potentials>({
+constexpr auto potentials = std::to_array<PotentialRow>({
     {"L", {"x^2", 1}},
     {"L", {"x^4 - x^2", 3}},
     {"L", {"x^3", 1}},
@@ -75,7 +75,7 @@ constexpr auto potentials = std::to_array<Potentials>({
     {"AAA", {"cos(x) + cos(y) + cos(z) + cos(x - y)/4 + cos(y - z)/4", 8}},
 });
 
-std::string model_of(const Potentials& potential) {
+std::string model_of(const PotentialRow& potential) {
   std::string coordinates;
   for (std::size_t i = 0; i < potential.kinds.size(); ++i) {
     coordinates += coordinate(std::string(1, "xyz"[i]), potential.kinds[i] == 'L' ? "[-2, 2]" : "");
@@ -83,9 +83,9 @@ std::string model_of(const Potentials& potential) {
   return potential_model(coordinates, std::string(potential.counted.system));
 }
 
-void expect(const std::string& text, const Counted& counted) {
+void expect(const std::string& text, const ExpectedCount& counted) {
   INFO(counted.system);
-  const Equilibria found = analysed(text).equilibria;
+  const Equilibria found = analyse_model(text).equilibria;
   CHECK(found.points.size() == counted.count);
   CHECK(found.completeness == counted.completeness);
   CHECK(found.limit.empty());
@@ -129,11 +129,11 @@ static_assert(models.size() + potentials.size() + 1 == 60);
 }  // namespace
 
 TEST_CASE("all equilibria of models are found") {
-  for (const Counted& model : models) expect(model_file(std::string(model.system)), model);
+  for (const ExpectedCount& model : models) expect(model_file(std::string(model.system)), model);
 }
 
 TEST_CASE("all equilibria of potentials are found") {
-  for (const Potentials& potential : potentials) expect(model_of(potential), potential.counted);
+  for (const PotentialRow& potential : potentials) expect(model_of(potential), potential.counted);
 }
 
 TEST_CASE("all seven equilibria over three magnets are found and proved") {

@@ -7,7 +7,7 @@ using namespace elgen::test;
 
 namespace {
 
-std::vector<JudgedEquilibrium> judged(const std::string& text) {
+std::vector<EquilibriumVerdict> verdicts_of(const std::string& text) {
   PipelineOptions options;
   options.goals = {Goal::claims};
   Products products = run_pipeline(inputs_of(text), options);
@@ -30,9 +30,9 @@ std::string hanging(const std::string& frequency) {
 TEST_CASE("declared equilibria of models and their frequencies are proved") {
   for (const char* const name : {"simple_pendulum", "rotating_hoop", "cart_pole"}) {
     INFO(name);
-    const std::vector<JudgedEquilibrium> all = judged(model_file(name));
+    const std::vector<EquilibriumVerdict> all = verdicts_of(model_file(name));
     CHECK_FALSE(all.empty());
-    for (const JudgedEquilibrium& one : all) {
+    for (const EquilibriumVerdict& one : all) {
       CHECK(one.balance == ClaimStatus::proved);
       CHECK(one.frequencies.value_or(ClaimStatus::proved) == ClaimStatus::proved);
     }
@@ -40,8 +40,8 @@ TEST_CASE("declared equilibria of models and their frequencies are proved") {
 }
 
 TEST_CASE("wrong frequencies are found, with parameters as a witness") {
-  CHECK(judged(hanging("g/l")).at(0).frequencies == ClaimStatus::proved);
-  const std::vector<JudgedEquilibrium> wrong = judged(hanging("2*g/l"));
+  CHECK(verdicts_of(hanging("g/l")).at(0).frequencies == ClaimStatus::proved);
+  const std::vector<EquilibriumVerdict> wrong = verdicts_of(hanging("2*g/l"));
   CHECK(wrong[0].balance == ClaimStatus::proved);
   CHECK(wrong[0].frequencies == ClaimStatus::wrong);
   CHECK_FALSE(wrong[0].witness.empty());
@@ -76,14 +76,14 @@ name = "hanging"
 at = { a = 0, b = 0 }
 frequencies_squared = ["g/l*(2 - sqrt(2))", "g/l*(2 + sqrt(2))"]
 )toml";
-  CHECK(judged(pendulums).at(0).frequencies == ClaimStatus::proved);
+  CHECK(verdicts_of(pendulums).at(0).frequencies == ClaimStatus::proved);
   const std::string molecule = model_file("triatomic_molecule") + R"toml(
 [[equilibrium]]
 name = "stretched"
 at = { x1 = "-b", x2 = 0, x3 = "b" }
 frequencies_squared = [0, "k/m", "k*(1/m + 2/M)"]
 )toml";
-  const std::vector<JudgedEquilibrium> both = judged(molecule);
+  const std::vector<EquilibriumVerdict> both = verdicts_of(molecule);
   REQUIRE(both.size() == 1);
   CHECK(both[0].balance == ClaimStatus::proved);
   CHECK(both[0].frequencies == ClaimStatus::proved);
@@ -91,7 +91,7 @@ frequencies_squared = [0, "k/m", "k*(1/m + 2/M)"]
 
 TEST_CASE("claims that closed forms do not decide are sampled") {
   const auto well = [](const std::string& square, const std::string& more) {
-    return judged(model_text("well", R"toml(
+    return verdicts_of(model_text("well", R"toml(
 [[coordinate]]
 name = "q"
 [parameters]
@@ -104,18 +104,18 @@ V = "exp(q) - 2*k*q"
 name = "middle"
 at = { q = "log(2*k)" }
 frequencies_squared = [")toml" + square + "\"]\n" +
-                                         more))
+                                              more))
         .at(0);
   };
-  const JudgedEquilibrium right = well("2*k/m", "");
+  const EquilibriumVerdict right = well("2*k/m", "");
   CHECK(right.balance == ClaimStatus::sampled);
   CHECK(right.frequencies == ClaimStatus::sampled);
   CHECK(right.witness.empty());
-  const JudgedEquilibrium wrong = well("3*k/m", "");
+  const EquilibriumVerdict wrong = well("3*k/m", "");
   CHECK(wrong.balance == ClaimStatus::sampled);
   CHECK(wrong.frequencies == ClaimStatus::wrong);
   CHECK_FALSE(wrong.witness.empty());
-  const JudgedEquilibrium never = well("2*k/m", "when = \"k < 0\"\n");
+  const EquilibriumVerdict never = well("2*k/m", "when = \"k < 0\"\n");
   CHECK(never.balance == ClaimStatus::open);
   CHECK(never.frequencies == ClaimStatus::open);
 }

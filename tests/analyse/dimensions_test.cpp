@@ -106,7 +106,7 @@ std::string name_of_row(const Dimension& row) {
 
 /// One line for each row with another number of symmetries or without a proof. panda7 has no closed
 /// forms.
-std::string differing(const std::vector<Dimension>& rows) {
+std::string differing_rows(const std::vector<Dimension>& rows) {
   std::string lines;
   for (const Dimension& row : rows) {
     const FoundSymmetries found(symmetric_model(row.model), row.fixed);
@@ -122,7 +122,7 @@ std::string differing(const std::vector<Dimension>& rows) {
   return lines;
 }
 
-std::vector<std::string> names_in(const std::string& folder) {
+std::vector<std::string> model_names(const std::string& folder) {
   std::set<std::string> names;
   for (const auto& file : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR + folder)) {
     if (file.path().extension() == ".toml") names.insert(file.path().stem().string());
@@ -133,16 +133,16 @@ std::vector<std::string> names_in(const std::string& folder) {
 }  // namespace
 
 TEST_CASE("textbook systems have the expected number of symmetries, all proved") {
-  CHECK(differing(dimensions()) == "");
+  CHECK(differing_rows(dimensions()) == "");
 }
 
 TEST_CASE("models have the expected number of symmetries, all proved if there are closed forms") {
-  CHECK(differing(dimensions_of_models()) == "");
+  CHECK(differing_rows(dimensions_of_models()) == "");
 }
 
 TEST_CASE("closed forms and samples find the same number of symmetries") {
-  std::vector<std::string> names = names_in("/models");
-  const std::vector<std::string> more = names_in("/tests/analyse/symmetries");
+  std::vector<std::string> names = model_names("/models");
+  const std::vector<std::string> more = model_names("/tests/analyse/symmetries");
   names.insert(names.end(), more.begin(), more.end());
   std::string lines;
   std::size_t exact = 0;

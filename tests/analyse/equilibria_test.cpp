@@ -14,13 +14,13 @@ using namespace elgen::test;
 
 namespace {
 
-std::string page(const std::string& model, const AnalysisWords& words = {}) {
-  const Analysed found = analysed(model_file(model), words);
+std::string page(const std::string& model, const AnalysisOptions& words = {}) {
+  const Analysed found = analyse_model(model_file(model), words);
   return screen_page(equilibria_page(found.checked, found.equilibria), {100, Alphabet::unicode});
 }
 
 double value(const RestPoint& point, std::size_t coordinate) {
-  return ScalarTraits<double>::from_real(point.state.q[coordinate]);
+  return to_double(point.state.q[coordinate]);
 }
 
 }  // namespace
@@ -68,7 +68,8 @@ TEST_CASE("the bead stays at the bottom of a slow hoop and of a hoop at the crit
   exact for all values of the parameters; stability computed at the parameters' values; θ modulo 2 π
   the list is complete at the parameters' values (proved)
 )");
-  const Analysed critical = analysed(model_file("rotating_hoop"), {.fixed = {"Omega=7", "g=9.8"}});
+  const Analysed critical =
+      analyse_model(model_file("rotating_hoop"), {.fixed = {"Omega=7", "g=9.8"}});
   REQUIRE(critical.equilibria.points.size() == 2);
   CHECK(critical.equilibria.completeness == Completeness::proved);
   const StabilityVerdict& bottom = critical.equilibria.points[0].stability;
@@ -79,7 +80,7 @@ TEST_CASE("the bead stays at the bottom of a slow hoop and of a hoop at the crit
 }
 
 TEST_CASE("the leading term of V has brackets around the displacement and the coefficient") {
-  const Analysed well = analysed(R"(format = 1
+  const Analysed well = analyse_model(R"(format = 1
 [model]
 name = "well"
 [[coordinate]]
@@ -128,7 +129,7 @@ T = "1/2*m*(dot(x)^2 + dot(z)^2)"
 V = "m*g*z"
 )toml";
   const auto shown = [](const std::string& model) {
-    const Analysed found = analysed(model);
+    const Analysed found = analyse_model(model);
     CHECK(found.equilibria.points.empty());
     return text_of(equilibria_page(found.checked, found.equilibria));
   };
@@ -159,21 +160,21 @@ TEST_CASE("coordinates that balance at exact angles have closed forms") {
 }
 
 TEST_CASE("a two-link arm has four equilibria, a pendulum two") {
-  const Analysed still = analysed(model_file("two_link_arm"));
+  const Analysed still = analyse_model(model_file("two_link_arm"));
   CHECK(still.equilibria.points.size() == 4);
   CHECK(still.equilibria.completeness == Completeness::proved);
-  const Analysed held = analysed(model_file("simple_pendulum"));
+  const Analysed held = analyse_model(model_file("simple_pendulum"));
   CHECK(held.equilibria.points.size() == 2);
 }
 
 TEST_CASE("a coordinate that occurs in no equation may have any value") {
-  const Analysed cart = analysed(model_file("cart_pole"));
+  const Analysed cart = analyse_model(model_file("cart_pole"));
   REQUIRE(cart.equilibria.points.size() == 2);
   CHECK(cart.equilibria.points[0].coordinates[0].is_any);
   CHECK(cart.equilibria.points[0].stability.kind == Stability::unstable);
   // x may drift at any constant speed, so the linear part does not decide stability.
   CHECK(cart.equilibria.points[1].stability.kind == Stability::open);
-  CHECK(analysed(model_file("cart_pole"), {.laws = {"u=1"}}).equilibria.points.empty());
+  CHECK(analyse_model(model_file("cart_pole"), {.laws = {"u=1"}}).equilibria.points.empty());
 }
 
 TEST_CASE("equilibria at a singular M or outside the range of an angle are not listed") {
@@ -198,7 +199,7 @@ name = "load"
 at = ["l*sin(alpha)*cos(beta)", "-l*sin(beta)", "-l*cos(alpha)*cos(beta)"]
 mass = "m"
 )toml";
-  const Analysed found = analysed(sphere);
+  const Analysed found = analyse_model(sphere);
   REQUIRE(found.equilibria.points.size() == 2);
   CHECK(value(found.equilibria.points[0], 1) == 0);
   CHECK(value(found.equilibria.points[1], 1) == 0);
@@ -213,21 +214,21 @@ mass = "m"
   const std::string polar =
       "format = 1\n[model]\nname = \"polar\"\n" + coordinate("r", "[-1, 1]") +
       "[[coordinate]]\nname = \"phi\"\n[energy]\nT = \"1/2*r^2*dot(phi)^2\"\nV = \"r^2\"\n";
-  const Analysed middle = analysed(polar);
+  const Analysed middle = analyse_model(polar);
   CHECK(middle.equilibria.points.empty());
   CHECK(text_of(equilibria_page(middle.checked, middle.equilibria))
             .find("no equilibrium with a regular M for r in [-1, 1] at the parameters' values "
                   "(proved)\n"
                   "  the chart is singular at r = 0\n") != std::string::npos);
-  const Analysed half = analysed(potential_model(coordinate("x", "[2, 4]"), "cos(x)"));
+  const Analysed half = analyse_model(potential_model(coordinate("x", "[2, 4]"), "cos(x)"));
   REQUIRE(half.equilibria.points.size() == 1);
   CHECK(half.equilibria.points[0].stability.kind == Stability::minimum);
 }
 
 TEST_CASE("springs on a line have one equilibrium for every position of the first mass") {
   const Analysed molecule =
-      analysed(potential_model(coordinate("x1") + coordinate("x2") + coordinate("x3"),
-                               "1/2*(x2 - x1 - 1)^2 + 1/2*(x3 - x2 - 1)^2"));
+      analyse_model(potential_model(coordinate("x1") + coordinate("x2") + coordinate("x3"),
+                                    "1/2*(x2 - x1 - 1)^2 + 1/2*(x3 - x2 - 1)^2"));
   REQUIRE(molecule.equilibria.points.size() == 1);
   const RestPoint& point = molecule.equilibria.points[0];
   CHECK(point.coordinates[0].is_any);
@@ -243,7 +244,7 @@ TEST_CASE("a coordinate that cancels only at the values of the parameters is any
         std::array{coordinate("x"), std::string("(0.1*a - b)*sin(x)"),
                    std::string("a = 3\nb = 0.3\n")}}) {
     const Analysed found =
-        analysed(potential_model(coordinates, potential) + "[parameters]\n" + parameters);
+        analyse_model(potential_model(coordinates, potential) + "[parameters]\n" + parameters);
     REQUIRE(found.equilibria.points.size() == 1);
     CHECK(found.equilibria.points[0].coordinates[0].is_any);
     CHECK_FALSE(found.equilibria.points[0].is_exact);
@@ -258,17 +259,17 @@ TEST_CASE("an equilibrium is exact if the equations are 0 for all values of the 
   const std::string spring =
       potential_model(coordinate("x", "[-3, 3]"), "1/2*k*(sqrt(x^2 + h^2) - c)^2") +
       "[parameters]\nk = 5\nh = { value = 1, assume = \"positive\" }\nc = 0.8\n";
-  const Analysed found = analysed(spring);
+  const Analysed found = analyse_model(spring);
   REQUIRE(found.equilibria.points.size() == 1);
   CHECK(found.equilibria.points[0].is_exact);
   CHECK(text_of(equilibria_page(found.checked, found.equilibria))
             .find("exact for all values of the parameters; stability computed at the parameters' "
                   "values") != std::string::npos);
   // x = 0 is exact in both cases; at c > h there are also x = +-sqrt(c^2 - h^2).
-  CHECK(analysed(spring, {.fixed = {"c=1.5"}}).equilibria.points.size() == 3);
+  CHECK(analyse_model(spring, {.fixed = {"c=1.5"}}).equilibria.points.size() == 3);
   // x = 0 is an equilibrium only if a = b.
-  const Analysed special = analysed(potential_model(coordinate("x"), "1/2*x^2 + (a - b)*x") +
-                                    "[parameters]\na = 1\nb = 1\n");
+  const Analysed special = analyse_model(potential_model(coordinate("x"), "1/2*x^2 + (a - b)*x") +
+                                         "[parameters]\na = 1\nb = 1\n");
   REQUIRE(special.equilibria.points.size() == 1);
   CHECK(special.equilibria.points[0].is_exact);
   CHECK(special.equilibria.points[0].coordinates[0].form);
@@ -276,7 +277,7 @@ TEST_CASE("an equilibrium is exact if the equations are 0 for all values of the 
 
 TEST_CASE("a null direction of two coupled coordinates leaves stability and completeness open") {
   const std::string both = coordinate("x", "[-1, 1]") + coordinate("y", "[-1, 1]");
-  const Analysed found = analysed(potential_model(both, "(y - x^2)^2 - x^6"));
+  const Analysed found = analyse_model(potential_model(both, "(y - x^2)^2 - x^6"));
   REQUIRE(found.equilibria.points.size() == 1);
   CHECK(value(found.equilibria.points[0], 0) == 0);
   CHECK(found.equilibria.points[0].stability.kind == Stability::open);
@@ -284,22 +285,22 @@ TEST_CASE("a null direction of two coupled coordinates leaves stability and comp
 }
 
 TEST_CASE("double roots are exact at simple numbers, and undecided elsewhere") {
-  const Analysed exact = analysed(potential_model(coordinate("x", "[-1, 1]"), "x^4"));
+  const Analysed exact = analyse_model(potential_model(coordinate("x", "[-1, 1]"), "x^4"));
   REQUIRE(exact.equilibria.points.size() == 1);
   CHECK(exact.equilibria.completeness == Completeness::proved);
   CHECK(exact.equilibria.points[0].stability.kind == Stability::degenerate_minimum);
   CHECK(exact.equilibria.points[0].stability.leading->order == 4);
-  const Analysed inflection = analysed(potential_model(coordinate("x", "[-1, 1]"), "x^3"));
+  const Analysed inflection = analyse_model(potential_model(coordinate("x", "[-1, 1]"), "x^3"));
   REQUIRE(inflection.equilibria.points.size() == 1);
   CHECK(inflection.equilibria.points[0].stability.kind == Stability::open);
   // V' = (x - 0.3)^2 (x^2 + 1) has a double zero at 0.3, which is not among the simple numbers.
-  const Analysed open = analysed(potential_model(
+  const Analysed open = analyse_model(potential_model(
       coordinate("x", "[-1, 1]"), "1/5*x^5 - 0.15*x^4 + 1.09/3*x^3 - 0.3*x^2 + 0.09*x"));
   CHECK(open.equilibria.completeness == Completeness::undecided);
   REQUIRE(open.equilibria.undecided.size() == 1);
   const Interval& sides = open.equilibria.undecided[0].at(0);
-  CHECK(ScalarTraits<double>::from_real(sides.low) == Approx(0.3).margin(1e-5));
-  CHECK(ScalarTraits<double>::from_real(sides.high) == Approx(0.3).margin(1e-5));
+  CHECK(to_double(sides.low) == Approx(0.3).margin(1e-5));
+  CHECK(to_double(sides.high) == Approx(0.3).margin(1e-5));
 }
 
 TEST_CASE("a line of equilibria that cannot be listed is reported as undecided near a box") {
@@ -328,8 +329,8 @@ on = "l"
 )toml";
   const std::string both = coordinate("x", "[-1, 1]") + coordinate("y", "[-1, 1]");
   for (const Analysed& found :
-       {analysed(load, {.laws = {"F=-196.2"}, .boxes = 5000}),
-        analysed(potential_model(both, "(x - y)^4 + (x - y)^2"), {.boxes = 5000})}) {
+       {analyse_model(load, {.laws = {"F=-196.2"}, .boxes = 5000}),
+        analyse_model(potential_model(both, "(x - y)^4 + (x - y)^2"), {.boxes = 5000})}) {
     CHECK(found.equilibria.completeness != Completeness::proved);
     REQUIRE(found.equilibria.undecided.size() == 1);
     const std::string text = text_of(equilibria_page(found.checked, found.equilibria));
@@ -337,16 +338,16 @@ on = "l"
     CHECK(text.find("undecided near ") != std::string::npos);
     CHECK(text.find("no equilibrium was found") == std::string::npos);
   }
-  const Analysed held = analysed(load, {.laws = {"F=-196.2"}, .boxes = 5000});
+  const Analysed held = analyse_model(load, {.laws = {"F=-196.2"}, .boxes = 5000});
   const UndecidedBox& box = held.equilibria.undecided.front();
-  CHECK(ScalarTraits<double>::from_real(box.at(0).low) == Approx(0.5));
-  CHECK(ScalarTraits<double>::from_real(box.at(0).high) == Approx(5));
-  CHECK(std::abs(ScalarTraits<double>::from_real(box.at(1).low)) < 0.1);
-  CHECK(std::abs(ScalarTraits<double>::from_real(box.at(1).high)) < 0.1);
+  CHECK(to_double(box.at(0).low) == Approx(0.5));
+  CHECK(to_double(box.at(0).high) == Approx(5));
+  CHECK(std::abs(to_double(box.at(1).low)) < 0.1);
+  CHECK(std::abs(to_double(box.at(1).high)) < 0.1);
 }
 
 TEST_CASE("no completeness is claimed if the limit of boxes ends the search") {
-  const Analysed found = analysed(model_file("two_link_arm"), {.boxes = 5});
+  const Analysed found = analyse_model(model_file("two_link_arm"), {.boxes = 5});
   CHECK(found.equilibria.completeness == Completeness::searched);
   CHECK(found.equilibria.boxes == 5);
   CHECK(text_of(equilibria_page(found.checked, found.equilibria))
@@ -378,7 +379,7 @@ TEST_CASE("equilibria need a range, and no time or kinks in the equations") {
 
 TEST_CASE("at every equilibrium the bias of the oracle is 0 to 50 digits") {
   for (const char* const name : {"two_link_arm", "elastic_pendulum", "rotating_hoop", "chain"}) {
-    const Analysed found = analysed(model_file(name));
+    const Analysed found = analyse_model(model_file(name));
     INFO(name);
     CHECK_FALSE(found.equilibria.points.empty());
     for (const RestPoint& point : found.equilibria.points) {
@@ -386,7 +387,7 @@ TEST_CASE("at every equilibrium the bias of the oracle is 0 to 50 digits") {
           oracle_values(found.checked.model, {.kind = OutputKind::bias}, point.state);
       REQUIRE(bias);
       for (const cln::cl_R& entry : *bias) {
-        CHECK(std::abs(ScalarTraits<double>::from_real(entry)) < 1e-50);
+        CHECK(std::abs(to_double(entry)) < 1e-50);
       }
     }
   }

@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 TEST_CASE("a free coordinate with a singular start value hides no equilibria") {
   // A particle in polar coordinates without a force: every position is an equilibrium.
-  const Analysed free = analysed(R"toml(format = 1
+  const Analysed free = analyse_model(R"toml(format = 1
 [model]
 name = "polar"
 [[coordinate]]
@@ -34,7 +34,7 @@ T = "m*(dot(a)^2 + dot(b)^2*a^2)/2"
 TEST_CASE("exact equilibria stay equilibria at other values of the parameters") {
   int moved = 0;
   for (const char* const name : {"double_pendulum", "rotating_hoop", "elastic_pendulum", "chain"}) {
-    const Analysed found = analysed(model_file(name));
+    const Analysed found = analyse_model(model_file(name));
     INFO(name);
     for (const RestPoint& point : found.equilibria.points) {
       CHECK(point.is_exact);
@@ -55,7 +55,7 @@ TEST_CASE("exact equilibria stay equilibria at other values of the parameters") 
             oracle_values(found.checked.model, {.kind = OutputKind::bias}, state);
         REQUIRE(bias);
         for (const cln::cl_R& entry : *bias) {
-          CHECK(std::abs(ScalarTraits<double>::from_real(entry)) < 1e-40);
+          CHECK(std::abs(to_double(entry)) < 1e-40);
         }
       }
     }

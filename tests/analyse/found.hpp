@@ -15,14 +15,14 @@ struct Analysed {
 };
 
 /// Options of a scene as on the command line, such as "Omega=7".
-struct AnalysisWords {
+struct AnalysisOptions {
   std::vector<std::string> fixed = {};
   std::vector<std::string> laws = {};
   std::vector<std::string> sizes = {};
   std::uint64_t boxes = Limits{}.boxes;
 };
 
-inline Products analysed_products(const std::string& text, const AnalysisWords& words = {}) {
+inline Products analysed_products(const std::string& text, const AnalysisOptions& words = {}) {
   PipelineOptions options;
   options.goals = {Goal::equilibria};
   options.limits.boxes = words.boxes;
@@ -38,7 +38,7 @@ inline Products analysed_products(const std::string& text, const AnalysisWords& 
   return run_pipeline(inputs_of(text), options);
 }
 
-inline Analysed analysed(const std::string& text, const AnalysisWords& words = {}) {
+inline Analysed analyse_model(const std::string& text, const AnalysisOptions& words = {}) {
   Products products = analysed_products(text, words);
   INFO(format(products.diagnostics));
   REQUIRE(products.equilibria);

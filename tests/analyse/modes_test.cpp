@@ -41,7 +41,7 @@ std::string page(const Motions& found) {
 std::vector<double> squares(const LinearMotions& motions) {
   std::vector<double> result;
   for (const NormalMode& mode : motions.modes) {
-    result.push_back(ScalarTraits<double>::from_real(mode.omega_squared));
+    result.push_back(to_double(mode.omega_squared));
   }
   return result;
 }
@@ -284,7 +284,7 @@ TEST_CASE("A and B agree with the linearization of the program") {
   both.insert(both.end(), upright.modes.motions[0].b.begin(), upright.modes.motions[0].b.end());
   REQUIRE(exact->size() == both.size());
   for (std::size_t i = 0; i < both.size(); ++i) {
-    CHECK(both[i] == Approx(ScalarTraits<double>::from_real((*exact)[i])).margin(1e-13));
+    CHECK(both[i] == Approx(to_double((*exact)[i])).margin(1e-13));
   }
 }
 

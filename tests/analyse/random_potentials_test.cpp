@@ -20,10 +20,10 @@ namespace {
 
 using Place = std::array<double, 2>;
 
-/// V as text, and its gradient derived by hand; `turns[i]`: coordinate i is an angle.
+/// V as text, and its gradient derived by hand; `is_angle[i]`: coordinate i is an angle.
 struct Potential {
   std::size_t size = 1;
-  std::array<bool, 2> turns{};
+  std::array<bool, 2> is_angle{};
   std::string text = "0";
   std::vector<std::function<Place(const Place&)>> gradients = {};
 
@@ -72,10 +72,10 @@ double coefficient(Random& random) {
   return static_cast<double>(static_cast<int>(random.next() % 41) - 20) / 8;
 }
 
-Potential drawn(Random& random) {
+Potential random_potential(Random& random) {
   Potential v;
   const std::uint64_t kind = random.next() % 4;
-  v.turns = {kind != 1, kind == 2};
+  v.is_angle = {kind != 1, kind == 2};
   v.size = kind < 2 ? 1 : 2;
   if (kind == 1) {
     for (int n = 1; n <= 4; ++n) add_power(v, coefficient(random), n, 0);
@@ -100,8 +100,8 @@ Potential drawn(Random& random) {
 
 std::string model_of(const Potential& v) {
   const std::string range = fmt::format("[-{0}, {0}]", longest);
-  std::string coordinates = coordinate("x", v.turns[0] ? "" : range);
-  if (v.size == 2) coordinates += coordinate("y", v.turns[1] ? "" : range);
+  std::string coordinates = coordinate("x", v.is_angle[0] ? "" : range);
+  if (v.size == 2) coordinates += coordinate("y", v.is_angle[1] ? "" : range);
   std::string text = v.text;
   if (v.size == 1) {
     for (std::size_t at; (at = text.find(" + 0*y")) != std::string::npos;) text.erase(at, 6);
@@ -111,8 +111,8 @@ std::string model_of(const Potential& v) {
 
 /// The number of sign changes of V' on a fine grid.
 std::size_t dense_count_of_one(const Potential& v) {
-  const double low = v.turns[0] ? -std::numbers::pi + 0.1234 : -longest;
-  const double high = v.turns[0] ? low + 2 * std::numbers::pi : longest;
+  const double low = v.is_angle[0] ? -std::numbers::pi + 0.1234 : -longest;
+  const double high = v.is_angle[0] ? low + 2 * std::numbers::pi : longest;
   constexpr int steps = 40'000;
   std::size_t count = 0;
   double before = v.gradient({low, 0})[0];
@@ -124,7 +124,7 @@ std::size_t dense_count_of_one(const Potential& v) {
   return count;
 }
 
-double reduced(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+double reduce_angle(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 /// The solutions of Newton's method with numeric slopes from a grid of starts; solutions closer
 /// than 1e-6 are equal.
@@ -134,7 +134,7 @@ std::vector<Place> dense_solutions_of_two(const Potential& v) {
   for (int i = 0; i < steps * steps; ++i) {
     Place at{-std::numbers::pi + 2 * std::numbers::pi * (i % steps + 0.5) / steps,
              -longest + 2 * longest * (i / steps + 0.5) / steps};
-    if (v.turns[1]) at[1] *= std::numbers::pi / longest;
+    if (v.is_angle[1]) at[1] *= std::numbers::pi / longest;
     for (int n = 0; n < 60; ++n) {
       constexpr double h = 1e-6;
       const Place f = v.gradient(at);
@@ -153,13 +153,13 @@ std::vector<Place> dense_solutions_of_two(const Potential& v) {
     }
     const Place rest = v.gradient(at);
     if (!(std::abs(rest[0]) + std::abs(rest[1]) < 1e-9)) continue;
-    at[0] = reduced(at[0]);
-    if (v.turns[1]) at[1] = reduced(at[1]);
-    if (!v.turns[1] && std::abs(at[1]) > longest) continue;
+    at[0] = reduce_angle(at[0]);
+    if (v.is_angle[1]) at[1] = reduce_angle(at[1]);
+    if (!v.is_angle[1] && std::abs(at[1]) > longest) continue;
     const bool is_known = std::ranges::any_of(found, [&](const Place& known) {
       const double dy = at[1] - known[1];
-      return std::abs(reduced(at[0] - known[0])) < 1e-6 &&
-             std::abs(v.turns[1] ? reduced(dy) : dy) < 1e-6;
+      return std::abs(reduce_angle(at[0] - known[0])) < 1e-6 &&
+             std::abs(v.is_angle[1] ? reduce_angle(dy) : dy) < 1e-6;
     });
     if (!is_known) found.push_back(at);
   }
@@ -176,10 +176,10 @@ TEST_CASE("a dense search finds as many equilibria of random potentials as are c
   Random random(2026);
   std::size_t proved = 0;
   for (int i = 0; i < 190; ++i) {
-    const Potential v = drawn(random);
+    const Potential v = random_potential(random);
     const std::string model = model_of(v);
     INFO(model);
-    const Analysed found = analysed(model);
+    const Analysed found = analyse_model(model);
     if (found.equilibria.completeness != Completeness::proved) continue;
     const bool is_family = std::ranges::any_of(found.equilibria.points, [](const RestPoint& point) {
       return std::ranges::any_of(point.coordinates, &CoordinateAtRest::is_any);
@@ -202,7 +202,7 @@ TEST_CASE("double and nearly double zeros are counted correctly or reported as u
         "({0})*(({1})^2 - ({2}))*x",
         d, c, gap);
     INFO(potential);
-    const Analysed found = analysed(potential_model(coordinate("x", "[-2, 2]"), potential));
+    const Analysed found = analyse_model(potential_model(coordinate("x", "[-2, 2]"), potential));
     const bool is_proved = found.equilibria.completeness == Completeness::proved;
     const std::size_t count = found.equilibria.points.size();
     if (gap == 0) CHECK((!is_proved || count == 2));

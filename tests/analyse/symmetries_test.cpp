@@ -18,21 +18,21 @@ namespace {
 using Kind = SymmetryKind;
 
 /// One symmetry: the integral I + F in names of the model, F, and dI/dt.
-struct Kept {
+struct ExpectedSymmetry {
   Kind kind;
   const char* integral;
   const char* total = "0";
   const char* rate = "0";
 };
 
-void check_all(const std::string& model, const std::vector<Kept>& expected,
+void check_all(const std::string& model, const std::vector<ExpectedSymmetry>& expected,
                const std::vector<std::string>& fixed = {}) {
   FoundSymmetries found(symmetric_model(model), fixed);
   INFO(model << "\n" << found.page());
   CHECK(found.all().size() == expected.size());
   for (const auto& [kind, integral, total, rate] : expected) {
     INFO(integral);
-    const Symmetry& symmetry = found.with(integral);
+    const Symmetry& symmetry = found.symmetry_with(integral);
     CHECK(symmetry.kind == kind);
     CHECK(found.equals(symmetry.total, total));
     CHECK(found.equals(symmetry.rate, rate));
@@ -45,7 +45,7 @@ void check_closed(const std::string& model, const std::string& integral,
                   const std::string& closed) {
   FoundSymmetries found(symmetric_model(model));
   INFO(model << ": " << integral);
-  CHECK(found.equals(found.with(integral).closed, closed));
+  CHECK(found.equals(found.symmetry_with(integral).closed, closed));
 }
 
 /// A page without its formulas: rows end after the generator, and the list of integrals after its
@@ -159,7 +159,7 @@ TEST_CASE("rotations in space turn all points together: x to y, y to z, z to x")
   for (const char* const integral :
        {"x1*p(y1) - y1*p(x1) + x2*p(y2) - y2*p(x2)", "y1*p(z1) - z1*p(y1) + y2*p(z2) - z2*p(y2)",
         "z1*p(x1) - x1*p(z1) + z2*p(x2) - x2*p(z2)"}) {
-    CHECK(two.with(integral).kind == Kind::rotation);
+    CHECK(two.symmetry_with(integral).kind == Kind::rotation);
   }
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("the page of a damped system does not claim that energy is conserved")
   CHECK(damped.json().at("conserved").empty());
   CHECK_FALSE(mentions(damped.page(), "[[expect]]"));
   FoundSymmetries driven(model_file("furuta_pendulum"));
-  CHECK(driven.equals(driven.with("p(theta1)").rate, "tau - b1*dot(theta1)"));
+  CHECK(driven.equals(driven.symmetry_with("p(theta1)").rate, "tau - b1*dot(theta1)"));
 }
 
 TEST_CASE("with moving constraints E is not T + V, and the page says so") {
@@ -216,8 +216,8 @@ L = "m*dot(x)^2/2 + a*sqrt(x)*dot(x)"
 )toml"));
   INFO(found.page());
   CHECK(found.all().size() == 3);
-  CHECK_FALSE(found.with("p(x)").total);
-  CHECK_FALSE(found.with("t*p(x)").total);
+  CHECK_FALSE(found.symmetry_with("p(x)").total);
+  CHECK_FALSE(found.symmetry_with("t*p(x)").total);
   CHECK(count(found.page(), " - F, F has no closed form\n") == 2);
   CHECK(mentions(found.page(), "  conserved: dL = dF/dt is proved; these are all of this form"));
   CHECK(mentions(found.page(), "  conserved = [\"E\"]\n"));

@@ -66,15 +66,15 @@ class FoundSymmetries {
   }
 
   bool equals(const std::optional<Fraction>& x, const std::string& formula) {
-    return x && proved_equal(found_.forms, *x, form(formula));
+    return x && is_proved_equal(found_.forms, *x, form(formula));
   }
 
   /// The symmetry with this integral I + F.
-  const Symmetry& with(const std::string& integral) {
+  const Symmetry& symmetry_with(const std::string& integral) {
     const Fraction wanted = form(integral);
     const Symmetry* result = nullptr;
     for (const Symmetry& symmetry : found_.all) {
-      if (proved_equal(found_.forms, symmetry.by_names, wanted)) result = &symmetry;
+      if (is_proved_equal(found_.forms, symmetry.by_names, wanted)) result = &symmetry;
     }
     INFO(integral << "\n" << page());
     REQUIRE(result != nullptr);

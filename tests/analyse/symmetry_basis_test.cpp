@@ -43,7 +43,7 @@ Unknowns turn(const GeneratorClass& all, std::size_t i, std::size_t k) {
   return {{all.a(k, i), 1}, {all.a(i, k), -1}};
 }
 
-Unknowns both(Unknowns first, const Unknowns& second) {
+Unknowns concatenate(Unknowns first, const Unknowns& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
@@ -51,7 +51,7 @@ Unknowns both(Unknowns first, const Unknowns& second) {
 bool are_equal(ClosedForms& forms, const Generator& x, const Generator& y) {
   REQUIRE(x.size() == y.size());
   for (std::size_t u = 0; u < x.size(); ++u) {
-    if (!proved_equal(forms, x[u], y[u])) return false;
+    if (!is_proved_equal(forms, x[u], y[u])) return false;
   }
   return true;
 }
@@ -88,7 +88,7 @@ TEST_CASE("the kind of a generator follows from its motion") {
   CHECK(kind({{all.world_turn(0, 2), 1}, {all.body_turn(0, 0), 1}}) == SymmetryKind::turn);
   CHECK(kind({{all.a(0, 1), 1}, {all.a(1, 0), 1}}) == SymmetryKind::other);
   CHECK(kind({{all.a(0, 0), 1}}) == SymmetryKind::other);
-  CHECK(kind(both(turn(all, 0, 1), {{all.time(), 1}})) == SymmetryKind::other);
+  CHECK(kind(concatenate(turn(all, 0, 1), {{all.time(), 1}})) == SymmetryKind::other);
   CHECK(kind({{all.b(0), 1}, {all.c(0), 1}}) == SymmetryKind::other);
   CHECK(kind({{all.b(0), 1}, {all.time(), 1}}) == SymmetryKind::other);
 }
@@ -101,7 +101,7 @@ TEST_CASE("two independent rotations become the common rotation and one of them"
   std::vector<Generator> basis{first, second};
   prefer_common_rotations(forms, all, basis);
   REQUIRE(basis.size() == 2);
-  CHECK(are_equal(forms, basis[0], generator(all, both(turn(all, 0, 1), turn(all, 2, 3)))));
+  CHECK(are_equal(forms, basis[0], generator(all, concatenate(turn(all, 0, 1), turn(all, 2, 3)))));
   CHECK(are_equal(forms, basis[1], second));
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("a common rotation that is no symmetry is not preferred") {
   CHECK(are_equal(forms, basis[0], elliptic));
   CHECK(kind_of(forms, all, basis[0]) == SymmetryKind::other);
   // The rotation in the plane is a symmetry only together with time.
-  std::vector<Generator> mixed{generator(all, both(turn(all, 0, 1), {{all.time(), 2}}))};
+  std::vector<Generator> mixed{generator(all, concatenate(turn(all, 0, 1), {{all.time(), 2}}))};
   const Generator before = mixed[0];
   prefer_common_rotations(forms, all, mixed);
   CHECK(are_equal(forms, mixed[0], before));

@@ -45,7 +45,7 @@ conserved = [")toml" + formula + "\"]\n"))
     return total_integral(forms_, model_, {}, open_terms(forms_, model_, {}), form);
   }
 
-  bool equal(const Fraction& x, const Fraction& y) { return proved_equal(forms_, x, y); }
+  bool equal(const Fraction& x, const Fraction& y) { return is_proved_equal(forms_, x, y); }
 
  private:
   Model model_ = {};

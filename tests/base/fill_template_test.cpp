@@ -68,6 +68,6 @@ TEST_CASE("an unknown template is embedded as empty text, and looking it up thro
 }
 
 TEST_CASE("a template is found by name in the folder and language of another") {
-  CHECK(template_beside("cpp/header.hpp.mustache", "kinked") == "cpp/kinked.hpp.mustache");
-  CHECK(template_beside("c99/header.h.mustache", "function") == "c99/function.h.mustache");
+  CHECK(partial_path("cpp/header.hpp.mustache", "kinked") == "cpp/kinked.hpp.mustache");
+  CHECK(partial_path("c99/header.h.mustache", "function") == "c99/function.h.mustache");
 }

@@ -171,8 +171,8 @@ TEST_CASE("paths are printed as given, and the command line is no file") {
   const SourcePointer file = make_source("./a/b.toml", "x");
   const SourcePointer words = make_source("command line", "elgen x");
   CHECK(path_of({file.get(), 0, 1}) == "a/b.toml");
-  CHECK(points_into_file({file.get(), 0, 1}));
-  CHECK_FALSE(points_into_file({words.get(), 0, 1}));
-  CHECK_FALSE(points_into_file({}));
+  CHECK(is_in_file({file.get(), 0, 1}));
+  CHECK_FALSE(is_in_file({words.get(), 0, 1}));
+  CHECK_FALSE(is_in_file({}));
   CHECK(path_of({}) == "elgen");
 }

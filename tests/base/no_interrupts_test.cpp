@@ -31,13 +31,13 @@ TEST_CASE("an interrupt waits until the end of the scope") {
     arrived = 0;
     {
       const elgen::NoInterrupts scope;
-      CHECK_FALSE(elgen::interrupt_waits());
+      CHECK_FALSE(elgen::has_pending_interrupt());
       std::raise(signal);
-      CHECK(elgen::interrupt_waits());
+      CHECK(elgen::has_pending_interrupt());
       CHECK(arrived == 0);
     }
     CHECK(arrived == 1);
-    CHECK_FALSE(elgen::interrupt_waits());
+    CHECK_FALSE(elgen::has_pending_interrupt());
   }
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("a signal that the process ignores interrupts nothing") {
   const Disposition ignored(SIGHUP, SIG_IGN);
   const elgen::NoInterrupts scope;
   std::raise(SIGHUP);
-  CHECK_FALSE(elgen::interrupt_waits());
+  CHECK_FALSE(elgen::has_pending_interrupt());
   const sigset_t ending = elgen::ending_signals();
   CHECK(sigismember(&ending, SIGHUP) == 0);
   CHECK(sigismember(&ending, SIGINT) == 1);

@@ -119,13 +119,13 @@ TEST_CASE(
     "velocities") {
   for (const OutputKind kind : {OutputKind::hamiltonian, OutputKind::velocities_of_momenta,
                                 OutputKind::hamilton_equations}) {
-    CHECK(is_named_only(output_row(kind)));
+    CHECK(is_only_by_name(output_row(kind)));
     CHECK(divides_by_mass(output_row(kind)));
     CHECK_FALSE(is_repeated(kind, output_row(kind).takes));
   }
   CHECK(is_repeated(OutputKind::user_value, Opcode::velocity));
   CHECK_FALSE(is_repeated(OutputKind::user_value, Opcode::velocity | Opcode::input));
-  CHECK_FALSE(is_named_only(output_row(OutputKind::momentum)));
+  CHECK_FALSE(is_only_by_name(output_row(OutputKind::momentum)));
   CHECK_FALSE(divides_by_mass(output_row(OutputKind::momentum)));
 }
 

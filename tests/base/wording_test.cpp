@@ -81,8 +81,8 @@ TEST_CASE("a span is quoted by the text that it covers") {
 }
 
 TEST_CASE("nouns are counted") {
-  CHECK(counted(1, "component") == "1 component");
-  CHECK(counted(0, "component") == "0 components");
+  CHECK(count_text(1, "component") == "1 component");
+  CHECK(count_text(0, "component") == "0 components");
 }
 
 TEST_CASE("a suggestion is a question or empty") {

@@ -50,13 +50,13 @@ template <class Scalar>
 
 /// Sine and cosine of a joint angle.
 template <class Scalar>
-struct Turn {
+struct JointRotation {
   Scalar s, c;
 };
 
 /// Rz(q)^T Rx(Sign * 90 degrees)^T: from the axes of the parent to the axes of the link.
 template <int Sign, class Scalar>
-[[gnu::always_inline]] inline Vector<Scalar> outward(const Turn<Scalar>& q,
+[[gnu::always_inline]] inline Vector<Scalar> outward(const JointRotation<Scalar>& q,
                                                      const Vector<Scalar>& a) {
   if constexpr (Sign > 0) {
     return {q.c * a.x + q.s * a.z, q.c * a.z - q.s * a.x, -a.y};
@@ -67,7 +67,7 @@ template <int Sign, class Scalar>
 
 /// Rx(Sign * 90 degrees) Rz(q): from the axes of the link to the axes of its parent.
 template <int Sign, class Scalar>
-[[gnu::always_inline]] inline Vector<Scalar> inward(const Turn<Scalar>& q,
+[[gnu::always_inline]] inline Vector<Scalar> inward(const JointRotation<Scalar>& q,
                                                     const Vector<Scalar>& a) {
   if constexpr (Sign > 0) {
     return {q.c * a.x - q.s * a.y, -a.z, q.s * a.x + q.c * a.y};
@@ -95,9 +95,9 @@ template <class Scalar>
 
 /// The rotation of a link whose joint has rate v and acceleration a.
 template <int Sign, class Scalar>
-[[gnu::always_inline]] inline Rotation<Scalar> turned(const Turn<Scalar>& q,
-                                                      const Rotation<Scalar>& parent,
-                                                      const Scalar& v, const Scalar& a) {
+[[gnu::always_inline]] inline Rotation<Scalar> rotation_of_link(const JointRotation<Scalar>& q,
+                                                                const Rotation<Scalar>& parent,
+                                                                const Scalar& v, const Scalar& a) {
   const Vector<Scalar> w = outward<Sign>(q, parent.w);
   const Vector<Scalar> dw = outward<Sign>(q, parent.dw);
   return rotation<Scalar>({w.x, w.y, w.z + v}, {dw.x + w.y * v, dw.y - w.x * v, dw.z + a});
@@ -154,8 +154,8 @@ using Joints = std::array<Scalar, 7>;
 /// Links 2 to 7. Link 1 only rotates about the vertical.
 template <class Scalar>
 [[gnu::always_inline]] inline std::array<Motion<Scalar>, 6> motions(
-    const Panda<Scalar>& p, const std::array<Turn<Scalar>, 7>& turn, const Joints<Scalar>& v,
-    const Joints<Scalar>& a) {
+    const Panda<Scalar>& p, const std::array<JointRotation<Scalar>, 7>& turn,
+    const Joints<Scalar>& v, const Joints<Scalar>& a) {
   const auto& [s2, c2] = turn[1];
   const Scalar w2x = -s2 * v[0], w2y = -c2 * v[0];
   const Motion<Scalar> link2{
@@ -164,24 +164,28 @@ template <class Scalar>
 
   const auto& [r2, at2] = link2;
   const Vector<Scalar> end2{at2.x - p.d3 * r2.uxy, at2.y - p.d3 * r2.uyy, -p.d3 * r2.uzy};
-  const Motion<Scalar> link3{turned<1>(turn[2], r2, v[2], a[2]), outward<1>(turn[2], end2)};
+  const Motion<Scalar> link3{rotation_of_link<1>(turn[2], r2, v[2], a[2]),
+                             outward<1>(turn[2], end2)};
 
   const auto& [r3, at3] = link3;
   const Vector<Scalar> end3{at3.x + p.a4 * r3.uxx, at3.y + p.a4 * r3.uyx, at3.z + p.a4 * r3.uzx};
-  const Motion<Scalar> link4{turned<1>(turn[3], r3, v[3], a[3]), outward<1>(turn[3], end3)};
+  const Motion<Scalar> link4{rotation_of_link<1>(turn[3], r3, v[3], a[3]),
+                             outward<1>(turn[3], end3)};
 
   const auto& [r4, at4] = link4;
   const Vector<Scalar> end4{at4.x + p.a5 * r4.uxx + p.d5 * r4.uxy,
                             at4.y + p.a5 * r4.uyx + p.d5 * r4.uyy,
                             at4.z + p.a5 * r4.uzx + p.d5 * r4.uzy};
-  const Motion<Scalar> link5{turned<-1>(turn[4], r4, v[4], a[4]), outward<-1>(turn[4], end4)};
+  const Motion<Scalar> link5{rotation_of_link<-1>(turn[4], r4, v[4], a[4]),
+                             outward<-1>(turn[4], end4)};
 
-  const Motion<Scalar> link6{turned<1>(turn[5], link5.rotation, v[5], a[5]),
+  const Motion<Scalar> link6{rotation_of_link<1>(turn[5], link5.rotation, v[5], a[5]),
                              outward<1>(turn[5], link5.origin)};
 
   const auto& [r6, at6] = link6;
   const Vector<Scalar> end6{at6.x + p.a7 * r6.uxx, at6.y + p.a7 * r6.uyx, at6.z + p.a7 * r6.uzx};
-  const Motion<Scalar> link7{turned<1>(turn[6], r6, v[6], a[6]), outward<1>(turn[6], end6)};
+  const Motion<Scalar> link7{rotation_of_link<1>(turn[6], r6, v[6], a[6]),
+                             outward<1>(turn[6], end6)};
   return {link2, link3, link4, link5, link6, link7};
 }
 
@@ -195,7 +199,8 @@ template <class Scalar>
 
 /// A load expressed in the axes of the parent.
 template <int Sign, class Scalar>
-[[gnu::always_inline]] inline Load<Scalar> inward(const Turn<Scalar>& q, const Load<Scalar>& load) {
+[[gnu::always_inline]] inline Load<Scalar> inward(const JointRotation<Scalar>& q,
+                                                  const Load<Scalar>& load) {
   return {inward<Sign>(q, load.force), inward<Sign>(q, load.moment)};
 }
 
@@ -236,7 +241,7 @@ std::array<Scalar, 7> inverse_dynamics(const Panda<Scalar>& p, const std::array<
   using namespace panda_detail;
   using std::cos;
   using std::sin;
-  std::array<Turn<Scalar>, 7> turn{};
+  std::array<JointRotation<Scalar>, 7> turn{};
   for (std::size_t i = 1; i < 7; ++i) turn[i] = {sin(q[i]), cos(q[i])};
   const auto [on2, on3, on4, on5, on6, on7] = motions(p, turn, v, a);
 

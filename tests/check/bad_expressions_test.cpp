@@ -25,7 +25,7 @@ struct Row {
 
 /// Expands `\xHH` to a byte, and `\<N*text>` to N copies of the text with # replaced by the copy's
 /// number.
-std::string expanded(const std::string& input) {
+std::string expand_escapes(const std::string& input) {
   std::string result;
   for (std::size_t i = 0; i < input.size();) {
     if (input.compare(i, 2, "\\x") == 0) {
@@ -130,7 +130,7 @@ TEST_CASE("hostile expressions are answered as in the table") {
   REQUIRE(rows.size() == 144);
   for (const Row& row : rows) {
     INFO(row.input);
-    const SourcePointer source = make_source("force", expanded(row.input));
+    const SourcePointer source = make_source("force", expand_escapes(row.input));
     const std::clock_t begin = std::clock();
     const auto expression = parse_expression(source, {});
     CHECK(expression.value.has_value() == (row.stage == "check"));

@@ -42,7 +42,7 @@ double seconds_for(const std::string& model, int n) {
 }
 
 /// Offsets of the bytes inside strings; bytes outside are a matter of the TOML parser.
-std::vector<std::size_t> inside_strings(const std::string& text) {
+std::vector<std::size_t> offsets_in_strings(const std::string& text) {
   std::vector<std::size_t> offsets;
   bool inside = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -111,7 +111,7 @@ TEST_CASE("a chain of a thousand links is checked in linear time") {
 
 TEST_CASE("edited models never crash, and errors always have a position") {
   const std::string original = file_text("models/cart_pole.toml");
-  const std::vector<std::size_t> offsets = inside_strings(original);
+  const std::vector<std::size_t> offsets = offsets_in_strings(original);
   CHECK(rc::check("one byte of a string replaced", [&] {
     std::string text = original;
     text[*rc::gen::elementOf(offsets)] = *rc::gen::elementOf(std::string("abxgm0129+-*/^()[]=., "));
@@ -148,7 +148,7 @@ TEST_CASE("a chain of definitions may be as long as the limit allows") {
   for (int i = 1; i < 19'000; ++i) {
     text += "d" + std::to_string(i) + " = \"d" + std::to_string(i - 1) + "\"\n";
   }
-  Wanted wanted;
+  CheckOptions wanted;
   CHECK(messages(text, wanted).empty());
 }
 
@@ -183,10 +183,10 @@ TEST_CASE("suggestions end after a hundred errors") {
   const SourcePointer source = make_source("m.toml", std::string(200, 'a'));
   Report report;
   for (std::uint32_t i = 0; i < 100; ++i) {
-    CHECK(report.wants_suggestion());
+    CHECK(report.needs_suggestion());
     report.add(Code::E201, {source.get(), i, i + 1}, "a");
   }
-  CHECK_FALSE(report.wants_suggestion());
+  CHECK_FALSE(report.needs_suggestion());
 }
 
 }  // namespace elgen::test

@@ -30,7 +30,7 @@ std::string line_of(const Diagnostic& diagnostic) {
 
 }  // namespace
 
-Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted) {
+Result<CheckedModel> run_check(const std::string& model, const CheckOptions& wanted) {
   const auto syntax = parse_model(make_source("model.toml", model), wanted.limits);
   INFO(format(syntax.diagnostics));
   REQUIRE(syntax);
@@ -58,7 +58,7 @@ Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted) {
   return result;
 }
 
-std::string messages(const std::string& model, const Wanted& wanted) {
+std::string messages(const std::string& model, const CheckOptions& wanted) {
   const Result<CheckedModel> result = run_check(model, wanted);
   CHECK(result.value.has_value() != has_errors(result.diagnostics));
   std::string text;
@@ -68,7 +68,7 @@ std::string messages(const std::string& model, const Wanted& wanted) {
   return text;
 }
 
-CheckedModel checked(const std::string& model, const Wanted& wanted) {
+CheckedModel checked(const std::string& model, const CheckOptions& wanted) {
   Result<CheckedModel> result = run_check(model, wanted);
   INFO(format(result.diagnostics));
   REQUIRE(result);
@@ -102,11 +102,12 @@ std::string block_scene_messages(const std::string& more) {
   return messages(block(), {.scene = scene_of_block(more)});
 }
 
-std::string potential_messages(const std::string& potential, const Wanted& wanted) {
+std::string potential_messages(const std::string& potential, const CheckOptions& wanted) {
   return messages(block("V = \"" + potential + "\"\n"), wanted);
 }
 
-std::string dumped(const std::string& model, const std::string& word, const Wanted& wanted) {
+std::string dump_lines(const std::string& model, const std::string& word,
+                       const CheckOptions& wanted) {
   std::istringstream lines(dump(checked(model, wanted).model));
   std::string text;
   for (std::string line; std::getline(lines, line);) {

@@ -11,7 +11,7 @@
 namespace elgen::test {
 
 /// Options of a run, as on the command line; `scene` is the text of a scene file.
-struct Wanted {
+struct CheckOptions {
   std::string scene = {};
   std::vector<std::string> outputs = {};
   std::vector<std::string> fixed = {};
@@ -25,13 +25,14 @@ struct Wanted {
 [[nodiscard]] std::string scene_of_block(const std::string& more);
 
 /// Parses and checks; fails the test on syntax errors.
-[[nodiscard]] Result<CheckedModel> run_check(const std::string& model, const Wanted& wanted = {});
+[[nodiscard]] Result<CheckedModel> run_check(const std::string& model,
+                                             const CheckOptions& wanted = {});
 
 /// One line per diagnostic: "E201 12:6 unknown name `z` | did you mean `x`? (coordinate, line 5)".
-[[nodiscard]] std::string messages(const std::string& model, const Wanted& wanted = {});
+[[nodiscard]] std::string messages(const std::string& model, const CheckOptions& wanted = {});
 
 /// The model and scene of texts without errors.
-[[nodiscard]] CheckedModel checked(const std::string& model, const Wanted& wanted = {});
+[[nodiscard]] CheckedModel checked(const std::string& model, const CheckOptions& wanted = {});
 
 /// A model of a mass m on a spring k at x, eleven lines; `more` starts on line 12, inside [energy].
 [[nodiscard]] std::string block(const std::string& more = {});
@@ -42,11 +43,11 @@ struct Wanted {
 
 /// The messages about `block` with this potential V.
 [[nodiscard]] std::string potential_messages(const std::string& potential,
-                                             const Wanted& wanted = {});
+                                             const CheckOptions& wanted = {});
 
 /// The lines of dump(Model) that start with `word`.
-[[nodiscard]] std::string dumped(const std::string& model, const std::string& word,
-                                 const Wanted& wanted = {});
+[[nodiscard]] std::string dump_lines(const std::string& model, const std::string& word,
+                                     const CheckOptions& wanted = {});
 
 /// Pairs of an input and the expected answer.
 using Rows = std::vector<std::pair<std::string, std::string>>;

@@ -147,7 +147,7 @@ TEST_CASE("expressions in one arena are evaluated one after another") {
   arena[1].number = 3;
   arena.push_back(sum);
   Constants constants;
-  for (std::size_t i = 0; i < arena.size(); ++i) CHECK_FALSE(constants.append(arena));
+  for (std::size_t i = 0; i < arena.size(); ++i) CHECK_FALSE(constants.evaluate_next(arena));
   REQUIRE(constants.size() == 3);
   for (ExpressionId id = 0; id < 3; ++id) REQUIRE(constants[id].has_value());
   CHECK(*constants[0] == arena[0].number);

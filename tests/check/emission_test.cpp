@@ -11,11 +11,13 @@ namespace {
 
 const std::string batch = "[emit]\nbatch = true\n";
 
-Wanted outputs(const std::string& lines) {
+CheckOptions outputs(const std::string& lines) {
   return {.scene = scene_of_block("[outputs]\n" + lines + "\n")};
 }
 
-std::string said_of(const std::string& lines) { return messages(block(""), outputs(lines)); }
+std::string outputs_messages(const std::string& lines) {
+  return messages(block(""), outputs(lines));
+}
 
 std::vector<std::string> paths(const Emission& emission) {
   Scene scene;
@@ -158,12 +160,12 @@ TEST_CASE("a step needs a method") {
       checked(block(""), outputs("step = { method = \"verlet\" }\nmass_matrix = true")).scene;
   REQUIRE(scene.outputs.size() == 2);
   CHECK(scene.outputs[1].kind == OutputKind::step);
-  CHECK(scene.outputs[1].step == step_by(StepMethod::verlet));
+  CHECK(scene.outputs[1].step == default_step(StepMethod::verlet));
   CHECK_FALSE(scene.outputs[0].step);
   CHECK(scene.outputs[1].name == "step");
   const Scene renamed =
       checked(block(""), outputs("step = { method = \"rk4\", rename = \"advance\" }")).scene;
-  CHECK(renamed.outputs[0].step == step_by(StepMethod::rk4));
+  CHECK(renamed.outputs[0].step == default_step(StepMethod::rk4));
   CHECK(renamed.outputs[0].name == "advance");
 }
 
@@ -178,13 +180,13 @@ TEST_CASE("an implicit method has its default number of iterations, or the numbe
 }
 
 TEST_CASE("iterations out of range or for an explicit method are E626") {
-  CHECK(said_of("step = { method = \"midpoint\", iterations = 0 }") ==
+  CHECK(outputs_messages("step = { method = \"midpoint\", iterations = 0 }") ==
         "E626 5:44 `iterations` `0` is not one of 1 to 20\n");
-  CHECK(said_of("step = { method = \"midpoint\", iterations = 21 }") ==
+  CHECK(outputs_messages("step = { method = \"midpoint\", iterations = 21 }") ==
         "E626 5:44 `iterations` `21` is not one of 1 to 20\n");
-  CHECK(said_of("step = { method = \"verlet\", iterations = 2 }") ==
+  CHECK(outputs_messages("step = { method = \"verlet\", iterations = 2 }") ==
         "E626 5:29 `verlet` is explicit, so it has no iterations\n");
-  CHECK_THAT(said_of("bias = { iterations = 2 }"),
+  CHECK_THAT(outputs_messages("bias = { iterations = 2 }"),
              Catch::StartsWith("E103 5:10 `bias` has no `iterations`"));
 }
 
@@ -200,15 +202,16 @@ TEST_CASE("a step has the order of its method, or a higher order by composition"
 }
 
 TEST_CASE("orders that a method cannot have are E647") {
-  CHECK(said_of("step = { method = \"verlet\", order = 3 }") ==
+  CHECK(outputs_messages("step = { method = \"verlet\", order = 3 }") ==
         "E647 5:37 `verlet` has no order `3` | it has 2, 4, 8\n");
-  CHECK(said_of("step = { method = \"midpoint\", order = 6 }") ==
+  CHECK(outputs_messages("step = { method = \"midpoint\", order = 6 }") ==
         "E647 5:39 `midpoint` has no order `6` | it has 2, 4, 8\n");
-  CHECK(said_of("step = { method = \"verlet\", order = -8 }") ==
+  CHECK(outputs_messages("step = { method = \"verlet\", order = -8 }") ==
         "E647 5:37 `verlet` has no order `-8` | it has 2, 4, 8\n");
-  CHECK(said_of("step = { method = \"rk4\", order = 8 }") ==
+  CHECK(outputs_messages("step = { method = \"rk4\", order = 8 }") ==
         "E647 5:34 `rk4` has no order `8` | it has 4\n");
-  CHECK_THAT(said_of("bias = { order = 4 }"), Catch::StartsWith("E103 5:10 `bias` has no `order`"));
+  CHECK_THAT(outputs_messages("bias = { order = 4 }"),
+             Catch::StartsWith("E103 5:10 `bias` has no `order`"));
 }
 
 TEST_CASE("a step of a model with constraints may project, other outputs may not") {
@@ -220,14 +223,14 @@ TEST_CASE("a step of a model with constraints may project, other outputs may not
   CHECK_FALSE(projects(""));
   CHECK_FALSE(projects(", projected = false"));
   CHECK(projects(", projected = true"));
-  CHECK(said_of("step = { method = \"rk4\", projected = true }") ==
+  CHECK(outputs_messages("step = { method = \"rk4\", projected = true }") ==
         "E539 5:26 `projected` needs a `[[constraint]]`, but the model has none\n");
-  CHECK(said_of("step = { method = \"rk4\", projected = false }").empty());
-  CHECK(said_of("step_derivatives = { method = \"rk4\", projected = true }") ==
+  CHECK(outputs_messages("step = { method = \"rk4\", projected = false }").empty());
+  CHECK(outputs_messages("step_derivatives = { method = \"rk4\", projected = true }") ==
         "E103 5:38 `step_derivatives` has no `projected`: `step` has one\n");
-  CHECK_THAT(said_of("step_derivatives = { projected = true }"),
+  CHECK_THAT(outputs_messages("step_derivatives = { projected = true }"),
              Catch::Contains("E103 5:22 `step_derivatives` has no `projected`: `step` has one\n"));
-  CHECK_THAT(said_of("bias = { projected = true }"),
+  CHECK_THAT(outputs_messages("bias = { projected = true }"),
              Catch::StartsWith("E103 5:10 `bias` has no `projected`"));
 }
 
@@ -239,19 +242,19 @@ TEST_CASE("a model without a scene has no step") {
 
 TEST_CASE("a step without a method is E105, a method for another output E103") {
   const std::string missing = "E105 5:1 `step` needs a `method`: give it in a scene";
-  CHECK_THAT(said_of("step = true"), Catch::StartsWith(missing));
-  CHECK_THAT(said_of("step = { rename = \"advance\" }"), Catch::StartsWith(missing));
-  CHECK(said_of("step = false\nbias = true").empty());
+  CHECK_THAT(outputs_messages("step = true"), Catch::StartsWith(missing));
+  CHECK_THAT(outputs_messages("step = { rename = \"advance\" }"), Catch::StartsWith(missing));
+  CHECK(outputs_messages("step = false\nbias = true").empty());
   CHECK_THAT(messages(block(""), {.outputs = {"step"}}),
              Catch::Contains("E105") && Catch::Contains("a scene"));
-  CHECK_THAT(said_of("bias = { method = \"rk4\" }"),
+  CHECK_THAT(outputs_messages("bias = { method = \"rk4\" }"),
              Catch::StartsWith("E103 5:10 `bias` has no `method`"));
 }
 
 TEST_CASE("an unknown method is E620, with the list of methods") {
-  CHECK(said_of("step = { method = \"rk5\" }") ==
+  CHECK(outputs_messages("step = { method = \"rk5\" }") ==
         "E620 5:20 `step` has no method `rk5` | did you mean `rk4`?\n");
-  CHECK(said_of("step = { method = \"dopri5\" }") ==
+  CHECK(outputs_messages("step = { method = \"dopri5\" }") ==
         "E620 5:20 `step` has no method `dopri5` | one of rk4, verlet, midpoint, which are "
         "straight-line code\n");
 }

@@ -105,8 +105,8 @@ TEST_CASE("a prescribed function of time may occur in a potential") {
       "V = \"1/2*k*(x - h)^2\"\n[[prescribed]]\nname = \"h\"\nvalue = \"A*sin(w*t)\"\n"
       "[parameters.A]\nvalue = 1\nunit = \"m\"\n[parameters.w]\nvalue = 1\nunit = \"rad/s\"\n");
   CHECK(messages(model).empty());
-  CHECK(dumped(model, "prescribed") == "prescribed h = A*sin(w*t)\n");
-  CHECK(dumped(model, "time") == "time yes\n");
+  CHECK(dump_lines(model, "prescribed") == "prescribed h = A*sin(w*t)\n");
+  CHECK(dump_lines(model, "time") == "time yes\n");
 }
 
 TEST_CASE("an angle wraps, also if all units of the model are 1") {
@@ -205,16 +205,17 @@ TEST_CASE("a point joins points, frames and the origin only") {
 }
 
 TEST_CASE("forces act on a coordinate or at a point, with an optional reaction at another point") {
-  CHECK(dumped(with_points + "[[force]]\nname = \"damper\"\non = \"x\"\nvalue = \"u - b*dot(x)\"\n"
-                             "[[force]]\nat = \"p\"\nfrom = \"r\"\nvalue = [\"u\", \"0\"]\n",
-               "force") == "force damper on x = [u - b*dot(x)]\nforce  at p from r = [u, 0, 0]\n");
+  CHECK(dump_lines(
+            with_points + "[[force]]\nname = \"damper\"\non = \"x\"\nvalue = \"u - b*dot(x)\"\n"
+                          "[[force]]\nat = \"p\"\nfrom = \"r\"\nvalue = [\"u\", \"0\"]\n",
+            "force") == "force damper on x = [u - b*dot(x)]\nforce  at p from r = [u, 0, 0]\n");
 }
 
 TEST_CASE("outputs are a scalar or a list, optionally with Jacobians") {
-  CHECK(dumped(with_points +
-                   "[[output]]\nname = \"tip\"\nvalue = [\"x(p)\", \"y(p)\"]\njacobian = true\n"
-                   "[[output]]\nname = \"length\"\nvalue = \"x\"\n",
-               "output") == "output tip = [x(p), y(p)], jacobian\noutput length = [x]\n");
+  CHECK(dump_lines(with_points +
+                       "[[output]]\nname = \"tip\"\nvalue = [\"x(p)\", \"y(p)\"]\njacobian = true\n"
+                       "[[output]]\nname = \"length\"\nvalue = \"x\"\n",
+                   "output") == "output tip = [x(p), y(p)], jacobian\noutput length = [x]\n");
 }
 
 TEST_CASE("refused forces and outputs") {
@@ -281,7 +282,7 @@ TEST_CASE("texts for the header are kept") {
 
 TEST_CASE("definitions may be in any order") {
   const std::string model = block("V = \"a*x\"\n[define]\na = \"b/2\"\nb = \"k*x\"\n");
-  CHECK(dumped(model, "definition") == "definition a = b/2\ndefinition b = k*x\n");
+  CHECK(dump_lines(model, "definition") == "definition a = b/2\ndefinition b = k*x\n");
   CHECK(messages(model).empty());
 }
 

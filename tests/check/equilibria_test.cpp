@@ -31,10 +31,12 @@ name = "rest"
 )toml" + more;
 }
 
-std::string equilibrium_of(const std::string& more) { return dumped(sliding(more), "equilibrium"); }
+std::string equilibrium_of(const std::string& more) {
+  return dump_lines(sliding(more), "equilibrium");
+}
 
-Wanted about_rest(const std::string& more = {}) {
-  Wanted wanted;
+CheckOptions about_rest(const std::string& more = {}) {
+  CheckOptions wanted;
   wanted.scene =
       "format = 1\nmodel = \"sliding.toml\"\nname = \"near\"\n[approximate]\norder = 1\n"
       "about = \"rest\"\n" +
@@ -93,15 +95,15 @@ TEST_CASE("refused equilibria") {
 TEST_CASE("a scene expands about an equilibrium by its name") {
   const std::string tilted =
       sliding("at = { angle = \"acos(g/R)\" }\ninputs = { u = 1 }\nwhen = \"R > g\"\n");
-  CHECK(dumped(tilted, "approximate", about_rest()) ==
+  CHECK(dump_lines(tilted, "approximate", about_rest()) ==
         "approximate order 1 about angle = acos(g/R), u = 1 where R - g > 0 with angle small\n");
 }
 
 TEST_CASE(
     "locked coordinates keep the value of the lock, and equilibria belong to the whole model") {
   const std::string still = sliding("at = { x = 0, angle = 0 }\n");
-  const Wanted wanted = about_rest("[lock]\nx = { value = 1 }\n");
-  CHECK(dumped(still, "approximate", wanted) ==
+  const CheckOptions wanted = about_rest("[lock]\nx = { value = 1 }\n");
+  CHECK(dump_lines(still, "approximate", wanted) ==
         "approximate order 1 about angle = 0 with angle small\n");
   CHECK(checked(still, wanted).model.equilibria.empty());
 }

@@ -18,7 +18,7 @@ TEST_CASE("repetitions make one entry per combination") {
       "[[point]]\nname = \"p[0]\"\nat = [\"0\", \"0\"]\n"
       "[[point]]\nfor = [\"i in 1..n\", \"j in i..n\"]\nname = \"p[10*i + j]\"\n"
       "at = [\"i*x\", \"j*x\"]\n");
-  CHECK(dumped(grid, "point") ==
+  CHECK(dump_lines(grid, "point") ==
         "point p[0] at [0, 0]\n"
         "point p[11] at [1*x, 1*x]\n"
         "point p[12] at [1*x, 2*x]\n"
@@ -64,7 +64,7 @@ TEST_CASE("the numbers of entries have limits, tested at the limit and beyond") 
   const std::string points = model_with_entries(
       "[define]\none = \"1\"\n[[point]]\nfor = \"i in 1..n\"\nname = \"p[i]\"\nat = [\"x\", "
       "\"0\"]\n");
-  Wanted wanted;
+  CheckOptions wanted;
   wanted.limits.definitions = 3;
   CHECK(messages(points, wanted).empty());
   wanted.limits.definitions = 2;

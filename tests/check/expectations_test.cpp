@@ -65,20 +65,21 @@ std::string unit(const Model& model, const char* output, std::uint32_t row, std:
 }  // namespace
 
 TEST_CASE("closed forms are columns, matrices, or single entries by index") {
-  CHECK(dumped(sprung_masses +
-                   "gravity = [\"k*x[1]\", \"0\"]\nmass_matrix = [[\"m[1]\", 0], [0, \"m[2]\"]]\n",
-               "expect") ==
+  CHECK(dump_lines(
+            sprung_masses +
+                "gravity = [\"k*x[1]\", \"0\"]\nmass_matrix = [[\"m[1]\", 0], [0, \"m[2]\"]]\n",
+            "expect") ==
         "expect gravity 2 1 = [k*x[1], 0]\nexpect mass_matrix 2 2 = [m[1], 0, 0, m[2]]\n");
-  CHECK(dumped(sprung_masses +
-                   "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
-                   "\"delta(i, j)*m[i]\" }\nmomentum_entry = { for = \"i in 1..n\", value = "
-                   "\"m[i]*dot(x[i])\" }\n",
-               "expect") ==
+  CHECK(dump_lines(sprung_masses +
+                       "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
+                       "\"delta(i, j)*m[i]\" }\nmomentum_entry = { for = \"i in 1..n\", value = "
+                       "\"m[i]*dot(x[i])\" }\n",
+                   "expect") ==
         "expect mass_matrix 2 2 = [1*m[1], 0*m[1], 0*m[2], 1*m[2]]\n"
         "expect momentum 2 1 = [m[1]*dot(x[1]), m[2]*dot(x[2])]\n");
-  CHECK(dumped(sprung_masses +
-                   "potential_energy = \"1/2*k*x[1]^2\"\nconserved = [\"dot(x[2])\", \"k\"]\n",
-               "expect") ==
+  CHECK(dump_lines(sprung_masses +
+                       "potential_energy = \"1/2*k*x[1]^2\"\nconserved = [\"dot(x[2])\", \"k\"]\n",
+                   "expect") ==
         "expect potential_energy 1 1 = [1/2*k*x[1]^2]\nexpect conserved 2 1 = [dot(x[2]), k]\n");
 }
 
@@ -200,9 +201,9 @@ TEST_CASE("large closed forms are kept only for verification") {
                             "mass_matrix_entry = { for = [\"i in 1..n\", \"j in 1..n\"], value = "
                             "\"delta(i, j)*m[i]\" }\ngravity_entry = { for = \"i in 1..n\", value "
                             "= \"delta(i, 1)*k*x[i]\" }\n";
-  Wanted wanted;
+  CheckOptions wanted;
   wanted.sizes = {"n=64"};
-  CHECK(dumped(model, "expect mass", wanted).empty());
+  CHECK(dump_lines(model, "expect mass", wanted).empty());
   CHECK(checked(model, wanted).model.expectations.size() == 1);
   wanted.purpose = purpose::verify;
   const Model large = checked(model, wanted).model;

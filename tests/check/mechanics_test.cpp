@@ -12,7 +12,7 @@ namespace elgen::test {
 namespace {
 
 /// A model of two coordinates x and y without any energy.
-std::string bare(const std::string& entries) {
+std::string model_without_energy(const std::string& entries) {
   return "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
          "[[coordinate]]\nname = \"y\"\nunit = \"m\"\n[parameters]\n"
          "m = { value = 1, unit = \"kg\" }\nc = { value = 1, unit = \"m/s\" }\n" +
@@ -21,7 +21,7 @@ std::string bare(const std::string& entries) {
 
 /// The names of x, y and z with moving inertia, such as "xz". An armature keeps the model valid
 /// during the check and is then removed.
-std::string moving(const std::string& entries) {
+std::string moving_names(const std::string& entries) {
   Model model = checked(
                     "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
                     "armature = 1\n[[coordinate]]\nname = \"y\"\narmature = 1\n"
@@ -51,17 +51,18 @@ TEST_CASE("degrees of energies in the rates") {
       {"T = \"m*dot(x)^2 + m*dot(y)^2\"\nV = \"m*dot(x)^2\"\n",
        "E503 15:6 `m*dot(x)^2` is of degree 2 in the rates, not at most linear\n"},
   };
-  check_rows(rows,
-             [&](const std::string& energies) { return messages(bare("[energy]\n" + energies)); });
+  check_rows(rows, [&](const std::string& energies) {
+    return messages(model_without_energy("[energy]\n" + energies));
+  });
 }
 
 TEST_CASE("a spin is linear in the rates") {
   const auto turning = [](const std::string& spin) {
     return messages(
-        bare("J = { value = 1, unit = \"kg*m^2\" }\n[energy]\n"
-             "T = \"m*dot(x)^2 + m*dot(y)^2\"\n[[body]]\nname = \"b\"\n"
-             "inertia = \"J\"\nspin = \"" +
-             spin + "\"\n"));
+        model_without_energy("J = { value = 1, unit = \"kg*m^2\" }\n[energy]\n"
+                             "T = \"m*dot(x)^2 + m*dot(y)^2\"\n[[body]]\nname = \"b\"\n"
+                             "inertia = \"J\"\nspin = \"" +
+                             spin + "\"\n"));
   };
   CHECK(turning("dot(x)/y + c/x").empty());
   CHECK(turning("dot(x)^2/(c*y)") ==
@@ -73,12 +74,13 @@ TEST_CASE("a spin is linear in the rates") {
 }
 
 TEST_CASE("a Lagrangian L may have any degree in the rates, and the model records it") {
-  const std::string quadratic = bare("[energy]\nL = \"m*dot(x)^2 + m*dot(y)^2\"\n");
+  const std::string quadratic = model_without_energy("[energy]\nL = \"m*dot(x)^2 + m*dot(y)^2\"\n");
   CHECK(messages(quadratic).empty());
-  CHECK(dumped(quadratic, "quadratic") == "quadratic yes\n");
-  const std::string other = bare("[energy]\nL = \"-m*c^2*sqrt(1 - (dot(x)^2 + dot(y)^2)/c^2)\"\n");
+  CHECK(dump_lines(quadratic, "quadratic") == "quadratic yes\n");
+  const std::string other =
+      model_without_energy("[energy]\nL = \"-m*c^2*sqrt(1 - (dot(x)^2 + dot(y)^2)/c^2)\"\n");
   CHECK(messages(other).empty());
-  CHECK(dumped(other, "quadratic") == "quadratic no\n");
+  CHECK(dump_lines(other, "quadratic") == "quadratic no\n");
 }
 
 TEST_CASE("a Lagrangian is given once, as L or by energies") {
@@ -93,7 +95,8 @@ TEST_CASE("a Lagrangian is given once, as L or by energies") {
        "\"y\"]\nmass = \"m\"\n",
        "E515 14:1 `L` is given besides the mass of an entry\n"},
   };
-  check_rows(rows, [&](const std::string& entries) { return messages(bare(entries)); });
+  check_rows(rows,
+             [&](const std::string& entries) { return messages(model_without_energy(entries)); });
 }
 
 TEST_CASE("an input acts by its `on` or through a force, not both") {
@@ -116,11 +119,13 @@ TEST_CASE("an input acts by its `on` or through a force, not both") {
            "value = [\"u\", \"0\"]\n",
        "E112 24:11 `u" + twice},
   };
-  check_rows(rows, [&](const std::string& entries) { return messages(bare(energy + entries)); });
+  check_rows(rows, [&](const std::string& entries) {
+    return messages(model_without_energy(energy + entries));
+  });
 }
 
 TEST_CASE("a coordinate whose rate is in no energy is an error") {
-  CHECK(messages(bare("[energy]\nT = \"m*dot(x)^2 + y*m*c*dot(x)/(1*x)\"\n")) ==
+  CHECK(messages(model_without_energy("[energy]\nT = \"m*dot(x)^2 + y*m*c*dot(x)/(1*x)\"\n")) ==
         "E513 8:9 the rate of `y` is in no energy, so nothing determines its motion\n");
 }
 
@@ -128,28 +133,34 @@ TEST_CASE("drift is non-zero if T or V is not homogeneous in the rates") {
   const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
   const std::string body = "J = { value = 1, unit = \"kg*m^2\" }\n" + energy +
                            "[[body]]\nname = \"b\"\ninertia = \"J\"\nspin = ";
-  CHECK(dumped(bare(energy), "drift") == "drift no\n");
-  CHECK(dumped(bare(body + "\"dot(x)/x + 0*c/x\"\n"), "drift") == "drift no\n");
-  CHECK(dumped(bare(body + "\"dot(x)/x + c/x\"\n"), "drift") == "drift yes\n");
-  CHECK(dumped(bare(energy + "V = \"m*c^2*x/y\"\n"), "drift") == "drift no\n");
-  CHECK(dumped(bare(energy + "V = \"m*c*dot(x)\"\n"), "drift") == "drift yes\n");
-  CHECK(dumped(bare("[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2 + m*c*dot(x)\"\n"), "drift") ==
+  CHECK(dump_lines(model_without_energy(energy), "drift") == "drift no\n");
+  CHECK(dump_lines(model_without_energy(body + "\"dot(x)/x + 0*c/x\"\n"), "drift") == "drift no\n");
+  CHECK(dump_lines(model_without_energy(body + "\"dot(x)/x + c/x\"\n"), "drift") == "drift yes\n");
+  CHECK(dump_lines(model_without_energy(energy + "V = \"m*c^2*x/y\"\n"), "drift") == "drift no\n");
+  CHECK(dump_lines(model_without_energy(energy + "V = \"m*c*dot(x)\"\n"), "drift") ==
         "drift yes\n");
-  CHECK(dumped(bare("[energy]\nL = \"m*dot(x)^2 + m*dot(y)^2\"\n"), "drift") == "drift yes\n");
+  CHECK(dump_lines(model_without_energy("[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2 + m*c*dot(x)\"\n"),
+                   "drift") == "drift yes\n");
+  CHECK(dump_lines(model_without_energy("[energy]\nL = \"m*dot(x)^2 + m*dot(y)^2\"\n"), "drift") ==
+        "drift yes\n");
 }
 
 TEST_CASE("a model uses time if time occurs in an equation of motion") {
   const std::string energy = "[energy]\nT = \"m*dot(x)^2 + m*dot(y)^2\"\n";
   const std::string moving_point = "[[point]]\nname = \"p\"\nat = [\"x + c*t\", \"y\"]\n";
-  CHECK(dumped(bare(energy + moving_point), "time") == "time no\n");
-  CHECK(dumped(bare(energy + moving_point + "mass = \"m\"\n"), "time") == "time yes\n");
-  CHECK(
-      dumped(bare(energy + moving_point + "[[force]]\nat = \"p\"\nvalue = [\"m*c^2/x\", \"0\"]\n"),
-             "time") == "time yes\n");
-  CHECK(dumped(bare(energy + moving_point + "[[output]]\nname = \"o\"\nvalue = \"x(p)\"\n"),
-               "time") == "time yes\n");
-  CHECK(dumped(bare(energy + "V = \"m*c^2*cos(c*t/x)\"\n"), "time") == "time yes\n");
-  CHECK(dumped(bare(energy + "[gravity]\nvector = [\"0\", \"c/t\"]\n"), "time") == "time yes\n");
+  CHECK(dump_lines(model_without_energy(energy + moving_point), "time") == "time no\n");
+  CHECK(dump_lines(model_without_energy(energy + moving_point + "mass = \"m\"\n"), "time") ==
+        "time yes\n");
+  CHECK(dump_lines(model_without_energy(energy + moving_point +
+                                        "[[force]]\nat = \"p\"\nvalue = [\"m*c^2/x\", \"0\"]\n"),
+                   "time") == "time yes\n");
+  CHECK(dump_lines(model_without_energy(energy + moving_point +
+                                        "[[output]]\nname = \"o\"\nvalue = \"x(p)\"\n"),
+                   "time") == "time yes\n");
+  CHECK(dump_lines(model_without_energy(energy + "V = \"m*c^2*cos(c*t/x)\"\n"), "time") ==
+        "time yes\n");
+  CHECK(dump_lines(model_without_energy(energy + "[gravity]\nvector = [\"0\", \"c/t\"]\n"),
+                   "time") == "time yes\n");
 }
 
 TEST_CASE("a model uses time if time rotates a frame on which a torque acts") {
@@ -162,10 +173,13 @@ TEST_CASE("a model uses time if time rotates a frame on which a torque acts") {
   const auto torque = [](const std::string& keys) {
     return "[[force]]\nvalue = [\"m*c^2\", \"0\", \"0\"]\n" + keys;
   };
-  CHECK(dumped(bare(frames), "time") == "time no\n");
-  CHECK(dumped(bare(frames + torque("frame = \"A\"\n")), "time") == "time no\n");
-  CHECK(dumped(bare(frames + torque("frame = \"B\"\n")), "time") == "time yes\n");
-  CHECK(dumped(bare(frames + torque("frame = \"A\"\nfrom = \"B\"\n")), "time") == "time yes\n");
+  CHECK(dump_lines(model_without_energy(frames), "time") == "time no\n");
+  CHECK(dump_lines(model_without_energy(frames + torque("frame = \"A\"\n")), "time") ==
+        "time no\n");
+  CHECK(dump_lines(model_without_energy(frames + torque("frame = \"B\"\n")), "time") ==
+        "time yes\n");
+  CHECK(dump_lines(model_without_energy(frames + torque("frame = \"A\"\nfrom = \"B\"\n")),
+                   "time") == "time yes\n");
 }
 
 TEST_CASE("rates are found through definitions, points and derivatives") {
@@ -190,7 +204,7 @@ TEST_CASE("rates are found through definitions, points and derivatives") {
   for (const auto& [entries, names] : rows) {
     INFO(entries);
     if (entries.find("L = ") == std::string::npos) {
-      CHECK(moving(entries) == names);
+      CHECK(moving_names(entries) == names);
     }
   }
 }

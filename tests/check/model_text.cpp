@@ -102,13 +102,13 @@ class ModelDump {
     return frame ? model_.frames[*frame].name : "world";
   }
 
-  [[nodiscard]] std::string step_text(const FrameStep& step) const {
+  [[nodiscard]] std::string step_text(const ElementaryTransform& step) const {
     switch (step.kind) {
-      case FrameStepKind::translation:
+      case TransformKind::translation:
         return ", moved by " + list(step.vector);
-      case FrameStepKind::turn:
+      case TransformKind::turn:
         return ", turned by " + expression(step.angle) + " about " + list(step.vector);
-      case FrameStepKind::quaternion:
+      case TransformKind::quaternion:
         break;
     }
     return step.rotation ? ", turned by " + model_.rotations[*step.rotation].name
@@ -118,7 +118,7 @@ class ModelDump {
   void dump_frames() {
     for (const Frame& frame : model_.frames) {
       std::string text = "frame " + frame.name + " on " + frame_name(frame.parent);
-      for (const FrameStep& step : frame.steps) text += step_text(step);
+      for (const ElementaryTransform& step : frame.transforms) text += step_text(step);
       line(text);
     }
   }
@@ -168,7 +168,7 @@ class ModelDump {
   /// Prints the changes of the scene to the model: locks and expansion.
   void dump_scene() {
     for (const Lock& lock : model_.variant.locks) {
-      line("lock " + lock_text(whole_of(model_), lock) + (lock.reaction ? ", reaction" : ""));
+      line("lock " + lock_text(whole_model(model_), lock) + (lock.reaction ? ", reaction" : ""));
     }
     if (model_.approximation) dump_approximation(*model_.approximation);
   }

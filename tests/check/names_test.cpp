@@ -64,20 +64,20 @@ TEST_CASE("a name is checked against both rules") {
 }
 
 TEST_CASE("a free alternative is suggested for a reserved name") {
-  const auto instead = [](const std::string& name, const std::string& text = "") {
+  const auto suggested_name = [](const std::string& name, const std::string& text = "") {
     const SourcePointer source = make_source("m.toml", text);
-    return name_instead(name, {source.get(), 0, 0});
+    return free_name_hint(name, {source.get(), 0, 0});
   };
-  CHECK(name_instead("I", {}) == "`J` is free");
-  CHECK(instead("delta") == "`delta_1` is free");
-  CHECK(instead("delta", "delta_1 = 2\ndelta_20 = 3\n") == "`delta_2` is free");
-  CHECK(instead("I", "J = 2\n") == "`I_1` is free");
-  CHECK(instead("I", "k = { unit = \"J\" }\nIJ = 3\n") == "`J` is free");
-  CHECK(instead("M_E") == "`m_e` is free");
-  CHECK(instead("a__b") == "`a_b` is free");
-  CHECK(instead("M__", "m = 1\n") == "`m_1` is free");
+  CHECK(free_name_hint("I", {}) == "`J` is free");
+  CHECK(suggested_name("delta") == "`delta_1` is free");
+  CHECK(suggested_name("delta", "delta_1 = 2\ndelta_20 = 3\n") == "`delta_2` is free");
+  CHECK(suggested_name("I", "J = 2\n") == "`I_1` is free");
+  CHECK(suggested_name("I", "k = { unit = \"J\" }\nIJ = 3\n") == "`J` is free");
+  CHECK(suggested_name("M_E") == "`m_e` is free");
+  CHECK(suggested_name("a__b") == "`a_b` is free");
+  CHECK(suggested_name("M__", "m = 1\n") == "`m_1` is free");
   for (const char* name : {"t", "pi", "int", "INT_MAX", "EIGEN_PI", "x__", "linux", "signgam"}) {
-    const std::string offered = instead(name);
+    const std::string offered = suggested_name(name);
     INFO(offered);
     CHECK(reserved_reason(offered.substr(1, offered.find('`', 1) - 1)).empty());
   }

@@ -65,14 +65,14 @@ value = "U"
 }
 
 /// The messages about a sample, without the note on missing units.
-std::string said(const std::string& arguments, const std::string& sample) {
+std::string sample_messages(const std::string& arguments, const std::string& sample) {
   const std::string all = messages(sampled(arguments, sample));
   return all.starts_with("E520") ? "" : all;
 }
 
 /// The message about a sample at this position that depends on a leaf outside the arguments of U.
-std::string reads(const std::string& sample, const std::string& leaf,
-                  const std::string& place = "14:11") {
+std::string unlisted_leaf_message(const std::string& sample, const std::string& leaf,
+                                  const std::string& place = "14:11") {
   return "E319 " + place + " `" + sample + "` depends on `" + leaf +
          "`, but no argument of `U` does | `of` lists every argument of the function\n";
 }
@@ -126,34 +126,35 @@ TEST_CASE("a scene or a sample closes an open function") {
 }
 
 TEST_CASE("an expression of a function may use the leaves of its arguments") {
-  CHECK(said("'x'", "k*x^2 + sin(x)") == "");
-  CHECK(said("'x', 'y'", "far*x(P)") == "");
-  CHECK(said("'sqrt(x^2 + y^2)'", "k*x(P) + far") == "");
-  CHECK(said("'q[1]', 'q[2]'", "sum(i, 1, 2, q[i]^2)") == "");
-  CHECK(said("'dot(x)'", "k*dot(x)^2 + dot(x(P))") == "");
-  CHECK(said("'dot(x)', 'dot(y)'", "v2(P)") == "");
-  CHECK(said("'dot(far)'", "y*dot(y)") == "");
-  CHECK(said("'x', 't'", "x*s") == "");
+  CHECK(sample_messages("'x'", "k*x^2 + sin(x)") == "");
+  CHECK(sample_messages("'x', 'y'", "far*x(P)") == "");
+  CHECK(sample_messages("'sqrt(x^2 + y^2)'", "k*x(P) + far") == "");
+  CHECK(sample_messages("'q[1]', 'q[2]'", "sum(i, 1, 2, q[i]^2)") == "");
+  CHECK(sample_messages("'dot(x)'", "k*dot(x)^2 + dot(x(P))") == "");
+  CHECK(sample_messages("'dot(x)', 'dot(y)'", "v2(P)") == "");
+  CHECK(sample_messages("'dot(far)'", "y*dot(y)") == "");
+  CHECK(sample_messages("'x', 't'", "x*s") == "");
 }
 
 TEST_CASE("an error names each leaf outside the arguments of the function") {
-  const auto of_x = [](const std::string& sample) { return said("'x'", sample); };
-  CHECK(of_x("1/2*k*(x^2 + y^2)") == reads("1/2*k*(x^2 + y^2)", "y"));
-  CHECK(of_x("x*far") == reads("x*far", "y"));
-  CHECK(of_x("x + y(P)") == reads("x + y(P)", "y"));
-  CHECK(of_x("x*cos(t)") == reads("x*cos(t)", "t"));
-  CHECK(of_x("x*s") == reads("x*s", "t"));
-  CHECK(of_x("x*dot(x)") == reads("x*dot(x)", "dot(x)"));
-  CHECK(of_x("v2(P)") == reads("v2(P)", "dot(x)") + reads("v2(P)", "dot(y)"));
-  CHECK(said("'dot(x)'", "x*dot(x)") == reads("x*dot(x)", "x"));
-  CHECK(said("'q[1]'", "q[1]*q[2]") == reads("q[1]*q[2]", "q[2]"));
+  const auto of_x = [](const std::string& sample) { return sample_messages("'x'", sample); };
+  CHECK(of_x("1/2*k*(x^2 + y^2)") == unlisted_leaf_message("1/2*k*(x^2 + y^2)", "y"));
+  CHECK(of_x("x*far") == unlisted_leaf_message("x*far", "y"));
+  CHECK(of_x("x + y(P)") == unlisted_leaf_message("x + y(P)", "y"));
+  CHECK(of_x("x*cos(t)") == unlisted_leaf_message("x*cos(t)", "t"));
+  CHECK(of_x("x*s") == unlisted_leaf_message("x*s", "t"));
+  CHECK(of_x("x*dot(x)") == unlisted_leaf_message("x*dot(x)", "dot(x)"));
+  CHECK(of_x("v2(P)") ==
+        unlisted_leaf_message("v2(P)", "dot(x)") + unlisted_leaf_message("v2(P)", "dot(y)"));
+  CHECK(sample_messages("'dot(x)'", "x*dot(x)") == unlisted_leaf_message("x*dot(x)", "x"));
+  CHECK(sample_messages("'q[1]'", "q[1]*q[2]") == unlisted_leaf_message("q[1]*q[2]", "q[2]"));
 }
 
 TEST_CASE("an expression in a scene may only use the arguments of the function, too") {
-  Wanted wanted;
+  CheckOptions wanted;
   wanted.scene =
       "format = 1\nmodel = \"model.toml\"\nname = \"wide\"\n[functions]\nU = \"k*x*y\"\n";
-  CHECK(messages(sampled("'x'", "x"), wanted) == reads("k*x*y", "y", "5:6"));
+  CHECK(messages(sampled("'x'", "x"), wanted) == unlisted_leaf_message("k*x*y", "y", "5:6"));
 }
 
 TEST_CASE("derivatives of a function with a refused name are not reported as unknown") {

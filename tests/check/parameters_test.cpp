@@ -13,15 +13,15 @@ std::string model_with_parameters(const std::string& parameters) {
 }
 
 TEST_CASE("values are exact, and an array has one number for all elements or a list") {
-  CHECK(dumped(model_with_parameters("a = { value = 0.1, unit = \"kg\" }\n"), "parameter") ==
+  CHECK(dump_lines(model_with_parameters("a = { value = 0.1, unit = \"kg\" }\n"), "parameter") ==
         "parameter a = 1/10 [kg]\n");
-  CHECK(dumped(model_with_parameters("a = { value = \"1/3\", size = \"n-1\", unit = \"1\" }\n"),
-               "parameter") == "parameter a[1] = 1/3 [1]\nparameter a[2] = 1/3 [1]\n");
-  CHECK(dumped(model_with_parameters(
-                   "a = { value = [1, \"2/3\", 3e0], size = \"n\", unit = \"m\" }\n"),
-               "parameter") ==
+  CHECK(dump_lines(model_with_parameters("a = { value = \"1/3\", size = \"n-1\", unit = \"1\" }\n"),
+                   "parameter") == "parameter a[1] = 1/3 [1]\nparameter a[2] = 1/3 [1]\n");
+  CHECK(dump_lines(model_with_parameters(
+                       "a = { value = [1, \"2/3\", 3e0], size = \"n\", unit = \"m\" }\n"),
+                   "parameter") ==
         "parameter a[1] = 1 [m]\nparameter a[2] = 2/3 [m]\nparameter a[3] = 3 [m]\n");
-  CHECK(dumped(model_with_parameters("a = 5\n"), "parameter") == "parameter a = 5\n");
+  CHECK(dump_lines(model_with_parameters("a = 5\n"), "parameter") == "parameter a = 5\n");
 }
 
 TEST_CASE("declarations keep their keys") {

@@ -32,31 +32,34 @@ TEST_CASE("maximum errors that are impossible or not measured are E640") {
 }
 
 TEST_CASE("ranges of constants and empty ranges are E630") {
-  const auto said = [](const std::string& ranges) {
+  const auto range_messages = [](const std::string& ranges) {
     return block_scene_messages("[numeric]\nranges = { " + ranges + " }\n");
   };
-  CHECK_THAT(said("m = [1, 2]"),
+  CHECK_THAT(range_messages("m = [1, 2]"),
              Catch::Contains("E630") &&
                  Catch::Contains("`m` is no coordinate, rate, acceleration or input"));
-  CHECK_THAT(said("x = [1, 0]"),
+  CHECK_THAT(range_messages("x = [1, 0]"),
              Catch::Contains("E630") && Catch::Contains("the range `[1, 0]` is empty"));
 }
 
 TEST_CASE("ranges of options follow the ranges of the scene and have the same syntax") {
-  Wanted wanted{.scene = scene_of_block("[numeric]\nranges = { x = [0, 1] }\n")};
+  CheckOptions wanted{.scene = scene_of_block("[numeric]\nranges = { x = [0, 1] }\n")};
   wanted.ranges = {"x=-pi..2", "dot(x)=0..0"};
   const std::vector<NamedRange> ranges = checked(block(), wanted).scene.numerics.ranges;
   REQUIRE(ranges.size() == 3);
   CHECK(ranges[1].low == -3.141592653589793);
   CHECK(ranges[1].high == 2);
   CHECK(ranges[2].name == "dot(x)");
-  const auto said = [](const std::string& range) { return messages(block(), {.ranges = {range}}); };
-  CHECK(said("x=1..-1") == "E630 1:3 the range `1..-1` is empty\n");
-  CHECK(said("x=a..1").starts_with("E201 1:3 "));
-  CHECK(said("x=m..1") == "E319 1:3 `m` is not a constant number\n");
-  CHECK(said("x") == "E606 1:1 `x` has no value\n");
-  CHECK(said("x=1") == "E606 1:3 `1` is no range | write NAME=LOW..HIGH\n");
-  CHECK(said("m=0..1").starts_with("E630 1:1 `m` is no coordinate, rate, acceleration or input"));
+  const auto range_messages = [](const std::string& range) {
+    return messages(block(), {.ranges = {range}});
+  };
+  CHECK(range_messages("x=1..-1") == "E630 1:3 the range `1..-1` is empty\n");
+  CHECK(range_messages("x=a..1").starts_with("E201 1:3 "));
+  CHECK(range_messages("x=m..1") == "E319 1:3 `m` is not a constant number\n");
+  CHECK(range_messages("x") == "E606 1:1 `x` has no value\n");
+  CHECK(range_messages("x=1") == "E606 1:3 `1` is no range | write NAME=LOW..HIGH\n");
+  CHECK(range_messages("m=0..1").starts_with(
+      "E630 1:1 `m` is no coordinate, rate, acceleration or input"));
 }
 
 TEST_CASE("verification of an expansion uses the scene without the expansion") {

@@ -17,7 +17,7 @@ std::vector<double> pose_of(const std::string& keys) {
 
 /// The rotation by `angle` about the unit vector n, by Rodrigues' formula: 1 + sin K + (1 - cos) K
 /// K with K = S(n).
-Rotation3 about(const Triple& n, double angle) {
+Rotation3 rotation_about(const Triple& n, double angle) {
   const Rotation3 k{0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0};
   const Rotation3 square = k * k;
   Rotation3 result{1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -67,10 +67,10 @@ TEST_CASE("successive rotations are about the rotated axes", "[frames]") {
 
 TEST_CASE("axes may be three constants of any length", "[frames]") {
   CHECK(close(pose_of("rotate = [[[\"1\", \"2\", \"2\"], \"q\"]]\n"),
-              as_pose(about({1.0 / 3, 2.0 / 3, 2.0 / 3}, q), {0, 0, 0})));
+              as_pose(rotation_about({1.0 / 3, 2.0 / 3, 2.0 / 3}, q), {0, 0, 0})));
   const double h = std::sqrt(0.5);
   CHECK(close(pose_of("rotate = [[[\"0\", \"-1\", \"1\"], \"q\"], [[1, 0, 0], \"q\"]]\n"),
-              as_pose(about({0, -h, h}, q) * about_x(q), {0, 0, 0})));
+              as_pose(rotation_about({0, -h, h}, q) * about_x(q), {0, 0, 0})));
   CHECK(close(pose_of("rotate = [[[\"0\", \"0\", \"-2\"], \"q\"]]\n"),
               as_pose(about_z(-q), {0, 0, 0})));
 }
@@ -79,7 +79,7 @@ TEST_CASE("a constant axis has exactly length one", "[frames]") {
   const Model model = checked(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\nrotate = "
                                           "[[[\"2\", \"3\", \"6\"], \"q\"]]\n"))
                           .model;
-  const Vector3& axis = model.frames[0].steps[0].vector;
+  const Vector3& axis = model.frames[0].transforms[0].vector;
   CHECK(to_string(model, axis[0]) == "2/7");
   CHECK(to_string(model, axis[1]) == "3/7");
   CHECK(to_string(model, axis[2]) == "6/7");
@@ -91,11 +91,11 @@ TEST_CASE("irrational components of an axis keep their form", "[frames]") {
                                ", \"q\"]]\n"));
   };
   const Model model = frame("[\"cos(1)\", \"0\", \"2*sqrt(3)\"]").model;
-  const Vector3& axis = model.frames[0].steps[0].vector;
+  const Vector3& axis = model.frames[0].transforms[0].vector;
   CHECK(to_string(model, axis[0]) == "cos(1)*(cos(1)*cos(1) + 2*sqrt(3)*(2*sqrt(3)))^(-1/2)");
   CHECK(to_string(model, axis[1]) == "0");
   CHECK(close(pose_of("rotate = [[[\"cos(1)\", \"-sin(1)\", \"0\"], \"q\"]]\n"),
-              as_pose(about({std::cos(1.0), -std::sin(1.0), 0}, q), {0, 0, 0})));
+              as_pose(rotation_about({std::cos(1.0), -std::sin(1.0), 0}, q), {0, 0, 0})));
 }
 
 TEST_CASE("rpy are rotations about the fixed axes x, y, z in this order", "[frames]") {
@@ -123,9 +123,10 @@ TEST_CASE("quaternions may have any length except 0, the scalar first", "[frames
               as_pose(about_z(std::acos(0.0)), {0, 0, 0})));
   // The quaternion (w, e) rotates by 2 atan(|e|/w) about e.
   const double length = std::sqrt(q * q + 4 + 0.01);
-  CHECK(close(pose_of("quaternion = [\"3\", \"q\", \"2\", \"0.1\"]\n"),
-              as_pose(about({q / length, 2 / length, 0.1 / length}, 2 * std::atan(length / 3)),
-                      {0, 0, 0})));
+  CHECK(close(
+      pose_of("quaternion = [\"3\", \"q\", \"2\", \"0.1\"]\n"),
+      as_pose(rotation_about({q / length, 2 / length, 0.1 / length}, 2 * std::atan(length / 3)),
+              {0, 0, 0})));
 }
 
 TEST_CASE("frames may precede their parents, and may have the names of bodies", "[frames]") {

@@ -49,7 +49,7 @@ double number_of(const std::string& value) {
 }  // namespace
 
 TEST_CASE("x, y and z take points, origins of frames, and bodies in frames", "[frames]") {
-  CHECK(dumped(force("J*x(arm)*x(slide)*y(load)/s^3*wz(arm)^2"), "force") ==
+  CHECK(dump_lines(force("J*x(arm)*x(slide)*y(load)/s^3*wz(arm)^2"), "force") ==
         "force  on q = [J*x(arm)*x(slide)*y(load)/s^3*wz(arm)^2]\n");
   CHECK(number_of("c*x(slide)/l*1") == Approx(s * std::cos(q) / l));
   const Triple com = about_z(q) * (Triple{s, 0, l} + about_x(2 * q) * Triple{0, l, 0});
@@ -69,7 +69,7 @@ TEST_CASE("components of angular velocities are in the axes of the world or of a
   CHECK(number_of("c*wy(slide, load)") == Approx(own[1]));
   CHECK(number_of("c*wz(slide, arm)") == Approx((about_x(2 * q) * own)[2]));
   CHECK(number_of("c*wz(world)") == 0);
-  CHECK(dumped(force("J*wx(slide)*wy(slide, slide)"), "force") ==
+  CHECK(dump_lines(force("J*wx(slide)*wy(slide, slide)"), "force") ==
         "force  on q = [J*wx(slide)*wy(slide, slide)]\n");
 }
 
@@ -88,8 +88,8 @@ TEST_CASE("axis is the rotation matrix from the axes of a frame to the axes of t
   CHECK(number_of("c*axis(slide, 2, 3)") == Approx(turn[5]));
   CHECK(number_of("sum(i, 1, 3, c*axis(load, i, 1)^2)") == Approx(1));
   CHECK(number_of("c*axis(world, 1, 2) + c*axis(world, 3, 3)") == 1);
-  CHECK(dumped(slide("[[point]]\nname = \"P\"\nat = [\"l*axis(arm, 1, 1)\", \"0\", \"0\"]\n"),
-               "point") == "point P at [l*axis(arm, 1, 1), 0, 0]\n");
+  CHECK(dump_lines(slide("[[point]]\nname = \"P\"\nat = [\"l*axis(arm, 1, 1)\", \"0\", \"0\"]\n"),
+                   "point") == "point P at [l*axis(arm, 1, 1), 0, 0]\n");
 }
 
 TEST_CASE("motion of frames has units, and a model may declare a name such as wx", "[frames]") {

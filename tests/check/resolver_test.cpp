@@ -9,8 +9,8 @@ namespace elgen::test {
 
 namespace {
 
-std::string block_potential(const std::string& text, const Wanted& wanted = {}) {
-  return dumped(block("V = \"" + text + "\"\n"), "energy V", wanted);
+std::string block_potential(const std::string& text, const CheckOptions& wanted = {}) {
+  return dump_lines(block("V = \"" + text + "\"\n"), "energy V", wanted);
 }
 
 const std::string pushed_masses = R"toml(format = 1
@@ -63,7 +63,7 @@ at = ["y", "x"]
 )";
 
 std::string points_potential(const std::string& text) {
-  return dumped(two_points + "V = \"" + text + "\"\n", "energy V");
+  return dump_lines(two_points + "V = \"" + text + "\"\n", "energy V");
 }
 
 std::string points_error(const std::string& text) {
@@ -128,23 +128,24 @@ TEST_CASE("the same error in two terms is reported at both positions") {
 }
 
 TEST_CASE("indices are resolved while repetitions are expanded") {
-  CHECK(dumped(pushed_masses, "energy T") ==
+  CHECK(dump_lines(pushed_masses, "energy T") ==
         "energy T = 1/2*m[1]*dot(x[1])^2 + 1/2*m[2]*dot(x[2])^2 + 1/2*m[3]*dot(x[3])^2\n");
-  CHECK(dumped(pushed_masses + "V = \"k*x[n-1]*x[max(1, n-2)]\"\n", "energy V") ==
+  CHECK(dump_lines(pushed_masses + "V = \"k*x[n-1]*x[max(1, n-2)]\"\n", "energy V") ==
         "energy V = k*x[2]*x[1]\n");
-  CHECK(dumped(pushed_masses, "input") == "input u [N], on x[3]\n");
+  CHECK(dump_lines(pushed_masses, "input") == "input u [N], on x[3]\n");
 }
 
 TEST_CASE("sizes and running indices are numbers inside expressions") {
-  CHECK(dumped(pushed_masses + "V = \"n*k*sum(i, 1, 2, i*x[i]^2)\"\n", "energy V") ==
+  CHECK(dump_lines(pushed_masses + "V = \"n*k*sum(i, 1, 2, i*x[i]^2)\"\n", "energy V") ==
         "energy V = 3*k*(1*x[1]^2 + 2*x[2]^2)\n");
 }
 
 TEST_CASE("pi and time are predefined") {
-  CHECK(dumped(pushed_masses + "V = \"k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\"\n", "energy V") ==
+  CHECK(dump_lines(pushed_masses + "V = \"k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\"\n", "energy V") ==
         "energy V = k*x[1]^2*cos(pi*t*sqrt(k/m[1]))\n");
-  CHECK(dumped(pushed_masses + "V = \"k*x[1]^2*cos(t*sqrt(k/m[1]))\"\n", "time") == "time yes\n");
-  CHECK(dumped(pushed_masses, "time") == "time no\n");
+  CHECK(dump_lines(pushed_masses + "V = \"k*x[1]^2*cos(t*sqrt(k/m[1]))\"\n", "time") ==
+        "time yes\n");
+  CHECK(dump_lines(pushed_masses, "time") == "time no\n");
 }
 
 TEST_CASE("each kind of unknown or misused name has its own message") {
@@ -193,12 +194,12 @@ TEST_CASE("functions of points become functions of their components") {
   CHECK(points_potential("c*y(Q[1])^2") == "energy V = c*y(Q[1])^2\n");
   CHECK(points_potential("c*dist2(P, Q[1])") ==
         "energy V = c*((x(Q[1]) - x(P))^2 + (y(Q[1]) - y(P))^2)\n");
-  CHECK(dumped(two_points + "T = \"m*v2(P)\"\n", "energy T") ==
+  CHECK(dump_lines(two_points + "T = \"m*v2(P)\"\n", "energy T") ==
         "energy T = m*(dot(x(P))^2 + dot(y(P))^2)\n");
 }
 
 TEST_CASE("dot of a coordinate is its rate, of anything else a total derivative") {
-  CHECK(dumped(two_points + "T = \"m*dot(x)^2 + m*dot(x*y)*0\"\n", "energy T") ==
+  CHECK(dump_lines(two_points + "T = \"m*dot(x)^2 + m*dot(x*y)*0\"\n", "energy T") ==
         "energy T = m*dot(x)^2 + m*dot(x*y)*0\n");
   const Model model = checked(two_points + "T = \"m*dot(x)*dot(x + y)\"\n").model;
   const Expression& product = model.expressions[*model.energies.T];

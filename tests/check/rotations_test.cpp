@@ -44,7 +44,7 @@ TEST_CASE("angular velocities are used like rates and take torques") {
   const Model model = checked(flying_top("", forces)).model;
   CHECK(model.inputs[0].on == 1U);
   CHECK(model.forces[0].on == 2U);
-  CHECK(dumped(flying_top("", forces), "force") == "force  on e[3] = [-J*dot(e[3])]\n");
+  CHECK(dump_lines(flying_top("", forces), "force") == "force  on e[3] = [-J*dot(e[3])]\n");
 }
 
 TEST_CASE("a rotation cannot be used as a number") {
@@ -110,7 +110,7 @@ TEST_CASE("a rotation is used by exactly one frame") {
 }
 
 TEST_CASE("a symplectic step of a rotation is refused before the derivation") {
-  const auto said = [](const std::string& method, const std::string& more = {}) {
+  const auto step_messages = [](const std::string& method, const std::string& more = {}) {
     const std::string sliding = "[[coordinate]]\nname = \"x\"\n[energy]\nT = \"J*dot(x)^2\"\n";
     return messages(
         flying_top("", sliding),
@@ -118,10 +118,12 @@ TEST_CASE("a symplectic step of a rotation is refused before the derivation") {
   };
   const std::string hint = " is not for this system: `e` is a rotation | `rk4` takes any model\n";
   const std::string midpoint = "step = { method = \"midpoint\" }\n";
-  CHECK(said(midpoint).find("E622 5:1 `midpoint`" + hint) == 0);
-  CHECK(said("step_derivatives = { method = \"verlet\" }\n").find("E622 5:1 `verlet`" + hint) == 0);
-  for (const std::string& right : {said("step = { method = \"rk4\" }\n"),
-                                   said(midpoint, "[lock]\ne = { value = [1, 0, 0, 0] }\n")}) {
+  CHECK(step_messages(midpoint).find("E622 5:1 `midpoint`" + hint) == 0);
+  CHECK(step_messages("step_derivatives = { method = \"verlet\" }\n")
+            .find("E622 5:1 `verlet`" + hint) == 0);
+  for (const std::string& right :
+       {step_messages("step = { method = \"rk4\" }\n"),
+        step_messages(midpoint, "[lock]\ne = { value = [1, 0, 0, 0] }\n")}) {
     CHECK(right.find("E622") == std::string::npos);
   }
 }

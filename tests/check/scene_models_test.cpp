@@ -41,7 +41,7 @@ value = "-7*dot(a)"
 momentum = ["0", "0", "0"]
 )toml");
 
-const CheckedModel& held() {
+const CheckedModel& locked_model() {
   static const CheckedModel model =
       checked_scene(arm, "[lock]\na = { value = \"3*t^2\", reaction = true }\n");
   return model;
@@ -73,7 +73,7 @@ rotation = "attitude"
 T = "1/2*m*(dot(x)^2 + dot(q[1])^2 + dot(q[2])^2 + l^2*(dot(attitude[1])^2 + dot(attitude[2])^2 + dot(attitude[3])^2))"
 )toml";
 
-Wanted locking(const std::string& lines) {
+CheckOptions locking(const std::string& lines) {
   return {.scene = "format = 1\nmodel = \"body.toml\"\nname = \"held\"\n[lock]\n" + lines};
 }
 
@@ -104,21 +104,21 @@ unit = "N"
 on = "x"
 )toml";
 
-Wanted near(const std::string& lines) {
-  Wanted wanted;
+CheckOptions expansion_options(const std::string& lines) {
+  CheckOptions wanted;
   wanted.scene =
       "format = 1\nmodel = \"two.toml\"\nname = \"near\"\n[approximate]\n" + lines + "\n";
   return wanted;
 }
 
-std::string said(const std::string& lines) {
-  std::string text = messages(two_angles, near(lines));
+std::string approximation_messages(const std::string& lines) {
+  std::string text = messages(two_angles, expansion_options(lines));
   if (!text.empty()) text.pop_back();  // the final line end
   return text;
 }
 
 std::string approximation(const std::string& lines) {
-  return dumped(two_angles, "approximate", near(lines));
+  return dump_lines(two_angles, "approximate", expansion_options(lines));
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ TEST_CASE("an output of the scene keeps the inputs that it uses", "[lock]") {
       arm + "[[output]]\nname = \"o\"\njacobian = true\nvalue = \"dot(b) + u\"\n";
   const auto inputs = [](const std::string& model, const std::string& outputs,
                          const std::vector<std::string>& options = {}) {
-    Wanted wanted;
+    CheckOptions wanted;
     wanted.scene = "format = 1\nmodel = \"arm.toml\"\nname = \"held\"\n" + outputs +
                    "[lock]\na = { value = \"0.3\", reaction = true }\n";
     wanted.outputs = options;
@@ -149,19 +149,19 @@ TEST_CASE("an output of the scene keeps the inputs that it uses", "[lock]") {
 }
 
 TEST_CASE("a locked coordinate is removed from coordinates and velocities", "[lock]") {
-  const Model& model = held().model;
+  const Model& model = locked_model().model;
   REQUIRE(model.coordinates.size() == 2);
   CHECK(model.coordinates[0].name == "b");
   CHECK(model.coordinates[1].velocity == 1);
   CHECK(model.velocities[1].coordinate == 1);
-  CHECK(whole_of(model).coordinates.size() == 3);
+  CHECK(whole_model(model).coordinates.size() == 3);
   CHECK(model.uses_time);
   CHECK(model.expectations.empty());
   CHECK(held_velocities(model) == std::vector<std::uint32_t>{0});
 }
 
 TEST_CASE("inputs and forces on a locked coordinate are removed with it", "[lock]") {
-  const Model& model = held().model;
+  const Model& model = locked_model().model;
   REQUIRE(model.inputs.size() == 1);  // without the input of the lock
   CHECK(model.inputs[0].on == 1U);
   REQUIRE(model.forces.size() == 1);
@@ -216,7 +216,7 @@ TEST_CASE("locks are in the order of the coordinates", "[lock]") {
 
 TEST_CASE("a quaternion is normalised", "[lock]") {
   const CheckedModel held = checked(body, locking("attitude = { value = [0, 3, 0, -4] }\n"));
-  const Model& model = whole_of(held.model);
+  const Model& model = whole_model(held.model);
   const Lock& lock = model.variant.locks.front();
   CHECK(model.expressions[lock.values[1]].number == cln::cl_RA(3) / 5);
   CHECK(model.expressions[lock.values[3]].number == -cln::cl_RA(4) / 5);
@@ -266,28 +266,31 @@ TEST_CASE("an expansion point names arrays, elements, coordinates and inputs") {
 }
 
 TEST_CASE("inputs are small if all coordinates are") {
-  CHECK(checked(two_angles, near("order = 1\nabout = { q = 0, x = 0 }"))
+  CHECK(checked(two_angles, expansion_options("order = 1\nabout = { q = 0, x = 0 }"))
             .model.approximation->small_inputs);
-  CHECK_FALSE(
-      checked(two_angles, near("order = 1\nabout = { q = 0 }")).model.approximation->small_inputs);
+  CHECK_FALSE(checked(two_angles, expansion_options("order = 1\nabout = { q = 0 }"))
+                  .model.approximation->small_inputs);
 }
 
 TEST_CASE("orders are 1 to 5") {
-  CHECK(said("order = 0\nabout = { x = 0 }") == "E614 5:9 order `0` is not one of 1 to 5");
-  CHECK(said("order = 6\nabout = { x = 0 }") == "E614 5:9 order `6` is not one of 1 to 5");
+  CHECK(approximation_messages("order = 0\nabout = { x = 0 }") ==
+        "E614 5:9 order `0` is not one of 1 to 5");
+  CHECK(approximation_messages("order = 6\nabout = { x = 0 }") ==
+        "E614 5:9 order `6` is not one of 1 to 5");
 }
 
 TEST_CASE("only coordinates with a value in `about` are small") {
-  CHECK(said("order = 1\nabout = { y = 0 }") == "E614 6:11 `y` is no coordinate or input");
-  CHECK(said("order = 1\nabout = { x = 0 }\nsmall = [\"q[1]\"]") ==
+  CHECK(approximation_messages("order = 1\nabout = { y = 0 }") ==
+        "E614 6:11 `y` is no coordinate or input");
+  CHECK(approximation_messages("order = 1\nabout = { x = 0 }\nsmall = [\"q[1]\"]") ==
         "E614 7:11 `q[1]` is small, but `about` gives no value for it | add its value to `about`");
-  CHECK(said("order = 1\nabout = { F = 0 }") ==
+  CHECK(approximation_messages("order = 1\nabout = { F = 0 }") ==
         "E614 6:1 no coordinate is small | `about` gives the small coordinates");
 }
 
 TEST_CASE("values use parameters only, and have the unit of their coordinate or input") {
-  CHECK(said("order = 1\nabout = { x = \"t\" }").substr(0, 9) == "E319 6:16");
-  CHECK(said("order = 1\nabout = { x = \"m\" }").substr(0, 9) == "E403 6:16");
+  CHECK(approximation_messages("order = 1\nabout = { x = \"t\" }").substr(0, 9) == "E319 6:16");
+  CHECK(approximation_messages("order = 1\nabout = { x = \"m\" }").substr(0, 9) == "E403 6:16");
 }
 
 }  // namespace elgen::test

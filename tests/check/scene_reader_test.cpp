@@ -10,7 +10,7 @@ namespace {
 
 const std::string arrays = block("[parameters.l]\nvalue = [1, 2]\nsize = 2\nunit = \"m\"\n");
 
-Scene arrays_scene(const std::string& more, Wanted wanted = {}) {
+Scene arrays_scene(const std::string& more, CheckOptions wanted = {}) {
   wanted.scene = scene_of_block(more);
   return checked(arrays, wanted).scene;
 }
@@ -75,7 +75,7 @@ TEST_CASE("outputs may be renamed, but not to a used name") {
 }
 
 TEST_CASE("forward dynamics gives pivots unless the model or the scene disables them") {
-  const auto without = [](const std::string& model, const Wanted& wanted) {
+  const auto without = [](const std::string& model, const CheckOptions& wanted) {
     const Scene scene = checked(model, wanted).scene;
     return find_request(scene, "forward_dynamics")->without_pivots;
   };
@@ -168,7 +168,7 @@ TEST_CASE("dynamics needs other outputs without a and u") {
 
 TEST_CASE("the stamp of a scene covers its file and the options, without blanks") {
   const std::string sized = arrays + "[sizes]\nn = 2\n";
-  Wanted wanted;
+  CheckOptions wanted;
   wanted.outputs = {"bias, drift"};
   wanted.fixed = {"k = pi / 4"};
   wanted.sizes = {"n=4"};
@@ -181,7 +181,7 @@ TEST_CASE("the stamp of a scene covers its file and the options, without blanks"
 }
 
 TEST_CASE("the stamp of a model covers its file, independent of the scene") {
-  Wanted wanted;
+  CheckOptions wanted;
   wanted.fixed = {"k"};
   wanted.scene = scene_of_block("[lock]\nx = { value = 0 }\n");
   const std::string two = arrays + "[[coordinate]]\nname = \"y\"\nunit = \"m\"\narmature = \"m\"\n";

@@ -22,7 +22,7 @@ T = "sum(i, 1, n, dot(x[i])^2)"
 
 const std::string scene_head = "format = 1\nmodel = \"a.toml\"\nname = \"s\"\n";
 
-std::size_t coordinates(const Wanted& wanted) {
+std::size_t coordinates(const CheckOptions& wanted) {
   return checked(free_masses, wanted).model.coordinates.size();
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("sizes are integers so small that sums and products of two do not over
 }
 
 TEST_CASE("a scene overrides sizes, an option overrides both") {
-  Wanted wanted;
+  CheckOptions wanted;
   CHECK(coordinates(wanted) == 2);
   wanted.scene = scene_head + "[sizes]\nn = 3\n";
   CHECK(coordinates(wanted) == 3);
@@ -78,7 +78,7 @@ TEST_CASE("uses of a size with a reserved name are not reported") {
 }
 
 TEST_CASE("unknown sizes are reported at their position") {
-  Wanted wanted;
+  CheckOptions wanted;
   wanted.scene = scene_head + "[sizes]\nm = 3\n";
   CHECK(messages(free_masses, wanted) == "E605 5:1 unknown size `m`\n");
   wanted.scene.clear();

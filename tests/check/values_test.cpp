@@ -31,8 +31,8 @@ ValueSyntax vector_of(std::size_t count) {
 }
 
 /// A model with the coordinate x, and a builder of nodes over it.
-struct Sheet {
-  Sheet() {
+struct Fixture {
+  Fixture() {
     Coordinate coordinate;
     coordinate.name = coordinate.identifier = "x";
     append_coordinate(context.model, coordinate);
@@ -40,7 +40,7 @@ struct Sheet {
     one = nodes.number(1);
     pi = static_cast<ExpressionId>(context.model.expressions.size());
     context.model.expressions.push_back({.kind = ExpressionKind::pi});
-    (void)context.constants.append(context.model.expressions);
+    (void)context.constants.evaluate_next(context.model.expressions);
   }
 
   [[nodiscard]] std::string text(ExpressionId id) const { return to_string(context.model, id); }
@@ -107,15 +107,15 @@ TEST_CASE("keys of tables are found by name") {
   table.entries.push_back({"doc", {}, value_syntax("x")});
   CHECK(table.find("doc") != nullptr);
   CHECK(table.find("unit") == nullptr);
-  CHECK(text_of(table, "doc") == "x");
-  CHECK(text_of(table, "unit").empty());
+  CHECK(text_value(table, "doc") == "x");
+  CHECK(text_value(table, "unit").empty());
   EntrySyntax entry;
   entry.keys = table.entries;
-  CHECK(text_of(entry, "doc") == "x");
+  CHECK(text_value(entry, "doc") == "x");
 }
 
 TEST_CASE("zeros and ones are folded", "[frames]") {
-  Sheet s;
+  Fixture s;
   NodeBuilder& nodes = s.nodes;
   CHECK(nodes.number(0) == no_expression);
   CHECK(nodes.is_one(s.one));
@@ -132,7 +132,7 @@ TEST_CASE("zeros and ones are folded", "[frames]") {
 }
 
 TEST_CASE("signs are moved out of products", "[frames]") {
-  Sheet s;
+  Fixture s;
   const ExpressionId minus_one = s.nodes.number(-1);
   CHECK(s.text(s.nodes.multiply({minus_one, s.x})) == "-x");
   CHECK(s.nodes.multiply({minus_one, s.x, minus_one}) == s.x);
@@ -140,7 +140,7 @@ TEST_CASE("signs are moved out of products", "[frames]") {
 }
 
 TEST_CASE("rational constants are folded, others stay as written", "[frames]") {
-  Sheet s;
+  Fixture s;
   const ExpressionId three = s.nodes.number(3);
   const ExpressionId half = s.nodes.number(cln::cl_RA(1) / 2);
   CHECK(s.text(s.nodes.add({three, half})) == "7/2");
@@ -151,7 +151,7 @@ TEST_CASE("rational constants are folded, others stay as written", "[frames]") {
 }
 
 TEST_CASE("sines and cosines of quarter turns are exact", "[frames]") {
-  Sheet s;
+  Fixture s;
   for (int k = -4; k <= 4; ++k) {
     const ExpressionId quarters = s.nodes.number(cln::cl_RA(k) / 2);
     const ExpressionId angle = s.nodes.multiply({quarters, s.pi});
@@ -166,13 +166,13 @@ TEST_CASE("sines and cosines of quarter turns are exact", "[frames]") {
 }
 
 TEST_CASE("constants have no rate", "[frames]") {
-  Sheet s;
+  Fixture s;
   CHECK(s.nodes.rate(s.pi) == no_expression);
   CHECK(s.text(s.nodes.rate(s.x)) == "dot(x)");
 }
 
 TEST_CASE("vectors and matrices", "[frames]") {
-  Sheet s;
+  Fixture s;
   NodeBuilder& nodes = s.nodes;
   const Matrix3 quarter{no_expression, nodes.number(-1), no_expression,  // x -> y -> -x
                         s.one,         no_expression,    no_expression,

@@ -21,8 +21,8 @@ Arguments<double> somewhere(const Model& model) {
   return at;
 }
 
-Chosen with_form(const std::string& text, Form form) {
-  Chosen result{checked_model(text), {}, {}, {}};
+ChosenForms with_form(const std::string& text, Form form) {
+  ChosenForms result{checked_model(text), {}, {}, {}};
   for (OutputRequest& output : result.checked.scene.outputs) output.form = form;
   const auto lagrangian = formulate(result.checked.model);
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
@@ -36,7 +36,7 @@ Chosen with_form(const std::string& text, Form form) {
 }
 
 /// The errors of the recursive form, as the reference for the chosen form.
-TextErrors errors_of(const Chosen& c, std::size_t function) {
+TextErrors errors_of(const ChosenForms& c, std::size_t function) {
   const Function& text = c.recursive.functions[function];
   const Domain domain = domain_of({c.checked.model, c.checked.scene, c.recursive.leaves});
   return {c.recursive, text, comparison_points(c.recursive, text, domain)};
@@ -47,7 +47,7 @@ TextErrors errors_of(const Chosen& c, std::size_t function) {
 TEST_CASE("the preference speed chooses the cheaper form, on a tie the closed form") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
-    const Chosen c = chosen(text, {}, Preference::speed);
+    const ChosenForms c = chosen(text, {}, Preference::speed);
     REQUIRE(c.choice.costs.size() == c.choice.program.functions.size());
     for (std::size_t i = 0; i < c.choice.costs.size(); ++i) {
       const FormCosts& costs = c.choice.costs[i];
@@ -68,7 +68,7 @@ TEST_CASE("the preference speed chooses the cheaper form, on a tie the closed fo
 TEST_CASE("a chosen form is neither inaccurate nor loses more digits than the tolerated loss") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
-    const Chosen c = chosen(text);
+    const ChosenForms c = chosen(text);
     for (std::size_t i = 0; i < c.choice.program.functions.size(); ++i) {
       const Function& own = c.choice.program.functions[i];
       const TextErrors errors = errors_of(c, i);
@@ -82,8 +82,8 @@ TEST_CASE("a chosen form is neither inaccurate nor loses more digits than the to
 TEST_CASE("balanced forms cost at most a quarter more, unless the cheaper form is inaccurate") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
-    const Chosen fast = chosen(text, {}, Preference::speed);
-    const Chosen c = chosen(text);
+    const ChosenForms fast = chosen(text, {}, Preference::speed);
+    const ChosenForms c = chosen(text);
     for (std::size_t i = 0; i < c.choice.program.functions.size(); ++i) {
       const Function& own = c.choice.program.functions[i];
       const Function& cheapest = fast.choice.program.functions[i];
@@ -98,8 +98,8 @@ TEST_CASE("balanced forms cost at most a quarter more, unless the cheaper form i
 
 TEST_CASE("both forms compute the same function") {
   for (const std::string& text : {cart_pole_text(), everything_text()}) {
-    const Chosen closed = with_form(text, Form::closed);
-    const Chosen recursive = with_form(text, Form::recursive);
+    const ChosenForms closed = with_form(text, Form::closed);
+    const ChosenForms recursive = with_form(text, Form::recursive);
     const auto at = somewhere(closed.checked.model);
     for (std::size_t i = 0; i < closed.choice.program.functions.size(); ++i) {
       const Function& one = closed.choice.program.functions[i];
@@ -118,7 +118,7 @@ TEST_CASE("both forms compute the same function") {
 }
 
 TEST_CASE("sines of angle sums are calls or products, whichever costs less") {
-  const Chosen c = chosen(model_text("arm", R"toml(
+  const ChosenForms c = chosen(model_text("arm", R"toml(
 [[coordinate]]
 name = "q1"
 [[coordinate]]
@@ -146,10 +146,10 @@ vector = ["0", "-9.81"]
 }
 
 TEST_CASE("the form of an entry does not depend on the other outputs") {
-  const Chosen all = chosen(cart_pole_text());
+  const ChosenForms all = chosen(cart_pole_text());
   SceneOptions options;
   options.outputs = {make_source("command line", "mass_matrix,gravity")};
-  const Chosen some = chosen(cart_pole_text(), options);
+  const ChosenForms some = chosen(cart_pole_text(), options);
   CHECK(readable(all, "mass_matrix") == readable(some, "mass_matrix"));
   CHECK(readable(all, "gravity") == readable(some, "gravity"));
 }
@@ -175,7 +175,7 @@ name = "powers"
 value = [)toml" + powers + "]\n");
   SceneOptions options;
   options.outputs = {make_source("command line", "mass_matrix,powers,dynamics")};
-  const Chosen c = chosen(text, options);
+  const ChosenForms c = chosen(text, options);
   for (const FormCosts& costs : c.choice.costs) {
     INFO(costs.function);
     CHECK((costs.chosen == Form::closed) == (costs.function == "mass_matrix"));

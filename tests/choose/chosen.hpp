@@ -9,32 +9,33 @@
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/page.hpp"
-#include "pipeline/byways.hpp"
+#include "pipeline/combined_stages.hpp"
 #include "support/models.hpp"
 
 namespace elgen::test {
 
-struct Chosen {
+struct ChosenForms {
   CheckedModel checked;
   ClosedForms forms;
   Choice choice;
   Program recursive = {};  ///< the program before the choice; all forms are derived from it
 };
 
-inline Chosen chosen(const std::string& text, const SceneOptions& options = {},
-                     Preference prefer = Preference::balanced) {
-  Chosen result{checked_model(text, options), {}, {}, {}};
+inline ChosenForms chosen(const std::string& text, const SceneOptions& options = {},
+                          Preference prefer = Preference::balanced) {
+  ChosenForms result{checked_model(text, options), {}, {}, {}};
   result.checked.scene.numerics.prefer = prefer;
   const Result<WholeLagrangian> lagrangian = formulate(result.checked.model);
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
-  result.recursive = composed(cancel(*lower(*equations, result.checked.scene.outputs, {})));
+  result.recursive = compose_outputs(cancel(*lower(*equations, result.checked.scene.outputs, {})));
   result.forms = present(result.recursive);
-  result.choice = *chosen(*lagrangian, result.recursive, result.forms, result.checked, Limits{});
+  result.choice =
+      *choose_forms(*lagrangian, result.recursive, result.forms, result.checked, Limits{});
   return result;
 }
 
 /// The entries of one function as text.
-inline std::vector<std::string> readable(const Chosen& chosen, const std::string& name) {
+inline std::vector<std::string> readable(const ChosenForms& chosen, const std::string& name) {
   const Program& program = chosen.choice.program;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     if (program.functions[i].name == name) return texts_of(equations(program, i).entries.at(0));

@@ -147,7 +147,7 @@ inline double sum_of(const std::string& text, const std::map<std::string, double
 }
 
 /// A point near `place`: the step is relative if the place is not 0; near infinity it is 1/step.
-inline double beside(double place, double step) {
+inline double displaced(double place, double step) {
   if (std::isinf(place)) return 1 / step;
   return place == 0 ? step : place * (1 + step);
 }
@@ -157,7 +157,7 @@ class StatesNear {
  public:
   StatesNear(const Model& model, const std::string& line) : model_(model) {
     for (const Parameter& parameter : model.parameters) {
-      known_[parameter.name] = ScalarTraits<double>::from_real(parameter.value);
+      known_[parameter.name] = to_double(parameter.value);
     }
     known_["pi"] = 3.141592653589793;
     known_["halfpi"] = 1.5707963267948966;
@@ -182,7 +182,7 @@ class StatesNear {
       std::map<std::string, double> values = known_;
       for (std::size_t i = 0; i < approached_.size(); ++i) {
         const double place = sum_of(approached_[i].place, values);
-        values[approached_[i].coordinate] = beside(place, distance * shares.at(i)[turn]);
+        values[approached_[i].coordinate] = displaced(place, distance * shares.at(i)[turn]);
       }
       add_inside(values, states);
     }
@@ -200,8 +200,8 @@ class StatesNear {
     std::vector<double> q;
     for (const Coordinate& coordinate : model_.coordinates) {
       const double x = values.at(coordinate.name);
-      if (x < ScalarTraits<double>::from_real(coordinate.range->low)) return;
-      if (x > ScalarTraits<double>::from_real(coordinate.range->high)) return;
+      if (x < to_double(coordinate.range->low)) return;
+      if (x > to_double(coordinate.range->high)) return;
       q.push_back(x);
     }
     states.push_back(q);

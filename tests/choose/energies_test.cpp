@@ -26,10 +26,10 @@ using namespace elgen::test;
 namespace {
 
 /// An error up to this multiple of another form's error counts as equally accurate.
-constexpr double little_worse = 64;
+constexpr double max_error_ratio = 64;
 /// In u; a larger error of a stable form would disqualify it as a reference.
-constexpr double most_of_stable = 32;
-constexpr std::size_t least_near_stable = 88;
+constexpr double max_stable_error = 32;
+constexpr std::size_t min_near_stable = 88;
 
 /// x to a multiple of 1/2, computed by multiplications and a square root.
 double power_in_double(double x, const cln::cl_RA& exponent) {
@@ -41,15 +41,15 @@ double power_in_double(double x, const cln::cl_RA& exponent) {
 }
 
 /// Evaluates expressions of the model in double, in the order of the user's text.
-class AsWritten {
+class TextEvaluator {
  public:
-  AsWritten(const Model& model, const Arguments<double>& at) : model_(model), at_(at) {}
+  TextEvaluator(const Model& model, const Arguments<double>& at) : model_(model), at_(at) {}
 
   [[nodiscard]] double operator()(ExpressionId id) const {
     const Expression& e = model_.expressions[id];
     switch (e.kind) {
       case ExpressionKind::number:
-        return ScalarTraits<double>::from_real(e.number);
+        return to_double(e.number);
       case ExpressionKind::leaf:
         return leaf_of(at_, e.leaf, e.index);
       case ExpressionKind::negate:
@@ -89,7 +89,7 @@ class AsWritten {
 double error_in_u(double x, const cln::cl_R& exact) {
   if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
   const cln::cl_R error = cln::abs(exact_value(x) - exact) / cln::abs(exact);
-  return std::ldexp(ScalarTraits<double>::from_real(error), 53);
+  return std::ldexp(to_double(error), 53);
 }
 
 /// Errors of one entry in u; no `stable` if no stable form is known.
@@ -99,7 +99,7 @@ struct EntryErrors {
   double emitted = 0;
 };
 
-void take_worse(std::vector<EntryErrors>& worst, const std::vector<EntryErrors>& others) {
+void update_maxima(std::vector<EntryErrors>& worst, const std::vector<EntryErrors>& others) {
   worst.resize(others.size());
   for (std::size_t i = 0; i < others.size(); ++i) {
     if (others[i].stable) {
@@ -111,7 +111,7 @@ void take_worse(std::vector<EntryErrors>& worst, const std::vector<EntryErrors>&
 }
 
 /// The ratio of two errors, the denominator at least 1; 0 if `other` is infinite.
-double times_worse(double error, double other) {
+double error_ratio(double error, double other) {
   return std::isinf(other) ? 0 : error / std::max(other, 1.0);
 }
 
@@ -143,11 +143,11 @@ std::vector<ExpressionId> stable_forms(const Model& model) {
 }
 
 /// The errors of gravity and V. Also checks that stable forms equal these functions to 25 digits.
-std::vector<EntryErrors> errors_at(const Chosen& chosen, const std::vector<double>& q) {
+std::vector<EntryErrors> errors_at(const ChosenForms& chosen, const std::vector<double>& q) {
   const Model& model = chosen.checked.model;
   const State state = state_in_double(chosen.checked, q);
   const auto arguments = arguments_at<double>(state);
-  const AsWritten as_written(model, arguments);
+  const TextEvaluator text_value(model, arguments);
   const std::vector<cln::cl_R> exact = exact_entries(chosen.checked, state);
   const std::vector<double> text = entries_at(chosen.recursive, arguments);
   const std::vector<double> emitted = entries_at(chosen.choice.program, arguments);
@@ -158,7 +158,7 @@ std::vector<EntryErrors> errors_at(const Chosen& chosen, const std::vector<doubl
   for (std::size_t i = 0; i < exact.size(); ++i) {
     errors.push_back({{}, error_in_u(text[i], exact[i]), error_in_u(emitted[i], exact[i])});
     if (i >= stable.size()) continue;
-    errors[i].stable = error_in_u(as_written(stable[i]), exact[i]);
+    errors[i].stable = error_in_u(text_value(stable[i]), exact[i]);
     const std::optional<cln::cl_R> same = oracle_expression(model, stable[i], state);
     REQUIRE(same);
     CHECK((cln::abs(*same - exact[i]) <= cln::abs(exact[i]) * power_of_ten(-25)));
@@ -171,24 +171,26 @@ struct EnergyErrors {
   /// The maximum ratio of the emitted program's error to the other's. Each error is the maximum
   /// over the states at one distance from one place, since a single state may have a small error by
   /// chance.
-  double than_text = 0;
-  double than_stable = 0;
+  double ratio_to_text = 0;
+  double ratio_to_stable = 0;
 };
 
 EnergyErrors errors_of(const TypedEnergy& energy) {
-  const Chosen c = chosen_energy(energy);
+  const ChosenForms c = chosen_energy(energy);
   EnergyErrors result;
   for (const std::string& line : energy.near) {
     const StatesNear states(c.checked.model, line);
     for (const double distance : {1e-1, 1e-2, 1e-4, 1e-8}) {
       std::vector<EntryErrors> worst;
-      for (const std::vector<double>& q : states.at(distance)) take_worse(worst, errors_at(c, q));
+      for (const std::vector<double>& q : states.at(distance))
+        update_maxima(worst, errors_at(c, q));
       REQUIRE_FALSE(worst.empty());
-      take_worse(result.entries, worst);
+      update_maxima(result.entries, worst);
       for (const EntryErrors& e : worst) {
-        result.than_text = std::max(result.than_text, times_worse(e.emitted, e.text));
+        result.ratio_to_text = std::max(result.ratio_to_text, error_ratio(e.emitted, e.text));
         if (!e.stable) continue;
-        result.than_stable = std::max(result.than_stable, times_worse(e.emitted, *e.stable));
+        result.ratio_to_stable =
+            std::max(result.ratio_to_stable, error_ratio(e.emitted, *e.stable));
       }
     }
   }
@@ -207,7 +209,7 @@ std::string table_rows(const TypedEnergy& energy, const EnergyErrors& errors) {
     const EntryErrors& e = errors.entries[i];
     const std::string entry =
         i + 1 < errors.entries.size() ? fmt::format("gravity[{}]", i + 1) : "V";
-    const bool is_near = times_worse(e.emitted, e.stable.value_or(e.emitted)) <= little_worse;
+    const bool is_near = error_ratio(e.emitted, e.stable.value_or(e.emitted)) <= max_error_ratio;
     rows += fmt::format("{:<30} {:<10} {:>8} {:>8} {:>8} {}\n", energy.name, entry,
                         figure(e.stable), figure(e.text), figure(e.emitted), is_near ? "" : "*");
   }
@@ -225,14 +227,14 @@ TEST_CASE("energies keep the digits of their texts, and most keep the digits of 
   for (const TypedEnergy& energy : energies) {
     INFO(energy.name);
     const EnergyErrors errors = errors_of(energy);
-    for (const EntryErrors& e : errors.entries) CHECK(e.stable.value_or(0) <= most_of_stable);
-    CHECK(errors.than_text <= little_worse);
-    if (errors.than_stable <= little_worse) ++near_stable;
+    for (const EntryErrors& e : errors.entries) CHECK(e.stable.value_or(0) <= max_stable_error);
+    CHECK(errors.ratio_to_text <= max_error_ratio);
+    if (errors.ratio_to_stable <= max_error_ratio) ++near_stable;
     table += table_rows(energy, errors);
   }
-  CHECK(near_stable >= least_near_stable);
+  CHECK(near_stable >= min_near_stable);
   if (std::getenv("ELGEN_ENERGIES") != nullptr) {
-    std::cout << table << near_stable << " energies within " << little_worse
+    std::cout << table << near_stable << " energies within " << max_error_ratio
               << " times the error of the stable form\n";
   }
 }

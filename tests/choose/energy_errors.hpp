@@ -17,7 +17,7 @@
 namespace elgen::test {
 
 /// Gravity and V, without the stable forms.
-inline Chosen chosen_energy(const TypedEnergy& energy) {
+inline ChosenForms chosen_energy(const TypedEnergy& energy) {
   SceneOptions options;
   options.outputs = {make_source("command line", "gravity,potential_energy")};
   return chosen(model_of(energy), options);
@@ -26,16 +26,16 @@ inline Chosen chosen_energy(const TypedEnergy& energy) {
 /// Rounds parameters to double, so that equal parameters stay equal and no value is rounded again.
 inline State state_in_double(const CheckedModel& checked, const std::vector<double>& q) {
   State state = nominal_state(checked.model, checked.scene);
-  for (cln::cl_R& p : state.parameters) p = exact_value(ScalarTraits<double>::from_real(p));
+  for (cln::cl_R& p : state.parameters) p = exact_value(to_double(p));
   for (std::size_t i = 0; i < q.size(); ++i) state.q[i] = exact_value(q[i]);
   return state;
 }
 
 /// Distinct states inside the ranges: zeros of typed sums and the origin, states near these and
 /// near the places of the file, at distances down to 1e-150, and random states.
-class StatesInside {
+class SampleStates {
  public:
-  StatesInside(const TypedEnergy& energy, const Chosen& c)
+  SampleStates(const TypedEnergy& energy, const ChosenForms& c)
       : domain_(domain_of({c.checked.model, c.checked.scene, c.recursive.leaves})) {
     SumZeros zeros = sum_zeros(c.recursive, domain_);
     zeros.emplace_back(c.checked.model.coordinates.size());
@@ -45,7 +45,7 @@ class StatesInside {
         for (const auto& q : StatesNear(c.checked.model, line).at(distance)) add(q);
       }
       for (const std::vector<double>& zero : zeros) {
-        for (const double step : {distance, -distance}) add_beside(zero, step);
+        for (const double step : {distance, -distance}) add_displaced(zero, step);
       }
     }
     for (const Arguments<double>& state : domain_.states) add(state.q);
@@ -68,11 +68,11 @@ class StatesInside {
   }
 
   /// Adds states with one coordinate displaced, and one with all coordinates displaced.
-  void add_beside(const std::vector<double>& zero, double step) {
+  void add_displaced(const std::vector<double>& zero, double step) {
     std::vector<double> moved = zero;
     for (std::size_t i = 0; i < zero.size(); ++i) {
       std::vector<double> alone = zero;
-      alone[i] = moved[i] = beside(zero[i], step);
+      alone[i] = moved[i] = displaced(zero[i], step);
       add(alone);
     }
     add(moved);

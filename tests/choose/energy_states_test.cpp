@@ -22,8 +22,8 @@ namespace {
 
 /// The bound on |x - x*|/u of an emitted entry, as a multiple of E + R. E is the running error of
 /// the text, R is |x*| + K (accuracy/conditioning.hpp).
-constexpr double most_errors = 16;
-constexpr std::size_t least_states = 10'000;
+constexpr double max_multiple = 16;
+constexpr std::size_t min_states = 10'000;
 
 /// The entry with the largest multiple over all states.
 struct WorstEntry {
@@ -33,8 +33,8 @@ struct WorstEntry {
 
 /// The error as a multiple of `bound`, after subtracting one denormal for each operation; none if
 /// the text has no bound.
-std::optional<double> multiple_of(double x, const cln::cl_R& exact, const Real& bound,
-                                  std::size_t operations) {
+std::optional<double> error_multiple(double x, const cln::cl_R& exact, const Real& bound,
+                                     std::size_t operations) {
   const Rounding<Real>& of_double = rounding<double, Real>();
   if (!bound.is_defined()) return std::nullopt;
   if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
@@ -44,12 +44,12 @@ std::optional<double> multiple_of(double x, const cln::cl_R& exact, const Real& 
   if (error <= denormals) return 0;
   const Real multiple = (error - denormals) / bound;
   if (!multiple.is_defined()) return std::numeric_limits<double>::infinity();
-  return ScalarTraits<double>::from_real(multiple.value());
+  return to_double(multiple.value());
 }
 
 /// Updates `worst`; false if the text of the function has no value, in double or exactly, or no
 /// bound.
-bool judge(const Chosen& c, std::size_t index, const State& state, WorstEntry& worst) {
+bool update_worst(const ChosenForms& c, std::size_t index, const State& state, WorstEntry& worst) {
   const Function& text = c.recursive.functions.at(index);
   const Subject subject{c.checked.model, c.checked.scene, c.choice.program};
   const auto values = [&] {
@@ -73,7 +73,7 @@ bool judge(const Chosen& c, std::size_t index, const State& state, WorstEntry& w
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const cln::cl_R& x = (*exact)[i];
     const Real bound = running[entries[i]].error + abs(Real(x)) + conditioning.of(entries[i]);
-    const auto multiple = multiple_of(emitted[i], x, bound, text.instructions.size());
+    const auto multiple = error_multiple(emitted[i], x, bound, text.instructions.size());
     if (!std::isfinite(typed[i]) || !multiple) continue;
     is_judged = true;
     if (*multiple <= worst.multiple) continue;
@@ -90,16 +90,16 @@ TEST_CASE(
     "the error of an emitted energy or force is at most 16 times the error of its text plus u R") {
   std::size_t states = 0;
   for (const TypedEnergy& energy : typed_energies()) {
-    const Chosen c = chosen_energy(energy);
+    const ChosenForms c = chosen_energy(energy);
     WorstEntry worst;
-    for (const std::vector<double>& q : StatesInside(energy, c).all) {
+    for (const std::vector<double>& q : SampleStates(energy, c).all) {
       const State state = state_in_double(c.checked, q);
-      const bool has_force = judge(c, 0, state, worst);
-      const bool has_energy = judge(c, 1, state, worst);
+      const bool has_force = update_worst(c, 0, state, worst);
+      const bool has_energy = update_worst(c, 1, state, worst);
       states += has_force || has_energy ? 1 : 0;
     }
     INFO(energy.name << ": " << worst.words);
-    CHECK(worst.multiple <= most_errors);
+    CHECK(worst.multiple <= max_multiple);
   }
-  CHECK(states >= least_states);
+  CHECK(states >= min_states);
 }

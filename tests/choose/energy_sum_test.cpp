@@ -54,7 +54,7 @@ V = "x^2 + b*x*dot(y)"
 
 TEST_CASE(
     "near its lowest point a pendulum at rest has a total energy equal to its potential energy") {
-  const Chosen model = chosen(pendulum);
+  const ChosenForms model = chosen(pendulum);
   const Program& program = model.choice.program;
   Arguments<double> at =
       domain_of({model.checked.model, {}, model.recursive.leaves}).states.front();
@@ -71,7 +71,7 @@ TEST_CASE(
     "energies with terms linear in the rates are not summed, whatever the value of the terms") {
   for (const char* b : {"3", "0", "1e-8"}) {
     INFO(b);
-    const Chosen model = chosen(magnet(b));
+    const ChosenForms model = chosen(magnet(b));
     for (std::size_t i = 0; i < model.recursive.functions.size(); ++i) {
       INFO(model.recursive.functions[i].name);
       CHECK_FALSE(energy_sum(model.recursive, model.choice.program, i));
@@ -86,7 +86,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a sum needs both energies") {
-  const Chosen model = chosen(pendulum);
+  const ChosenForms model = chosen(pendulum);
   Program without = model.choice.program;
   std::erase_if(without.functions,
                 [](const Function& f) { return f.kind == OutputKind::kinetic_energy; });

@@ -39,24 +39,24 @@ TEST_CASE("a rewriting that keeps digits is chosen if the entry loses more than 
   e.entries = read_entries(e.program, e.forms, 0, e.points, &text);
   CHECK(e.entries[0]->loss > 1e15);
   CHECK(e.entries[1]->loss <= 1);
-  CHECK_FALSE(with_kept(e.entries, 1e20));
-  auto others = with_kept(e.entries, tolerated_loss);
+  CHECK_FALSE(replace_lossy_entries(e.entries, 1e20));
+  auto others = replace_lossy_entries(e.entries, tolerated_loss);
   REQUIRE(others);
   CHECK((*others)[0]->is_rewritten);
   CHECK_FALSE((*others)[1]->is_rewritten);
   CHECK(rewritten_entries(*others, 2) == std::vector<std::uint32_t>{0});
   CHECK(rewritten_entries(*others, 0).empty());
-  read_as_precisely(*others, e.points);
+  show_computed_forms(*others, e.points);
   CHECK(texts_of((*others)[0]->readable).at(0) == "1 - cos(a)");
   CHECK(texts_of((*others)[0]->compact).at(0) == "2*sin(1/2*a)^2");
 }
 
 TEST_CASE("entries lowered together share subexpressions, entries lowered one by one do not") {
   Entries e({"(a + b)*c", "(a + b)*d"});
-  const Function together = lowered_together(e.entries, e.shape, e.program, {}).function;
+  const Function together = lower_jointly(e.entries, e.shape, e.program, {}).function;
   CHECK(together.form == Form::closed);
   CHECK(count_operations(together).add == 1);
-  const Function one_by_one = lowered_one_by_one(e.entries, e.shape, e.program);
+  const Function one_by_one = lower_separately(e.entries, e.shape, e.program);
   CHECK(count_operations(one_by_one).add == 2);
   REQUIRE(one_by_one.fields.size() == 1);
   CHECK(one_by_one.fields[0].entries.size() == 2);
@@ -66,7 +66,7 @@ TEST_CASE("a rewritten entry is emitted even if it costs more") {
   Entries e({"(a + b)*c", "(a + b)*d"});
   e.entries[0]->is_rewritten = true;
   e.entries[0]->compact.values = {e.entries[0]->compact.graph.leaf(Opcode::coordinate, 4)};
-  const Function function = lowered_together(e.entries, e.shape, e.program, {}).function;
+  const Function function = lower_jointly(e.entries, e.shape, e.program, {}).function;
   e.program.functions = {function};
   CHECK(text_of(equations(e.program, 0).entries.at(0).at(0)) == "e");
 }

@@ -19,20 +19,20 @@ using namespace elgen::test;
 namespace {
 
 /// Two coordinates x and y with T = 1/2 (v_x^2 + v_y^2).
-Chosen plane_with(const std::string& potential, const std::string& parameters = {}) {
+ChosenForms plane_with(const std::string& potential, const std::string& parameters = {}) {
   return chosen(model_text(
       "plane", "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n" + parameters +
                    "[energy]\nT = \"1/2*(dot(x)^2 + dot(y)^2)\"\nV = \"" + potential + "\"\n"));
 }
 
-Chosen line_with(const std::string& potential, const std::string& rest = {}) {
+ChosenForms line_with(const std::string& potential, const std::string& rest = {}) {
   return chosen(model_text("line", "[[coordinate]]\nname = \"x\"\n" + rest +
                                        "[energy]\nT = \"1/2*dot(x)^2\"\nV = \"" + potential +
                                        "\"\n"));
 }
 
 /// A state at rest; parameters have their declared values.
-Arguments<double> resting(const Chosen& c, const std::vector<double>& q) {
+Arguments<double> state_at_rest(const ChosenForms& c, const std::vector<double>& q) {
   Arguments<double> point =
       domain_of({c.checked.model, c.checked.scene, c.recursive.leaves}).states.front();
   point.q = q;
@@ -40,7 +40,7 @@ Arguments<double> resting(const Chosen& c, const std::vector<double>& q) {
   return point;
 }
 
-std::size_t number_of(const Chosen& c, const std::string& name) {
+std::size_t number_of(const ChosenForms& c, const std::string& name) {
   const auto named = [&name](const Function& f) { return f.name == name; };
   const auto& functions = c.recursive.functions;
   return static_cast<std::size_t>(std::ranges::find_if(functions, named) - functions.begin());
@@ -54,11 +54,11 @@ std::vector<Running<Real>> entries_at(const Program& program, const Function& fu
 
 /// The bound at other states than the points that the choice compares; at those points the bound is
 /// 64.
-constexpr int little_worse_elsewhere = 512;
+constexpr int max_ratio_elsewhere = 512;
 
 /// True if no entry loses more than this multiple of the text's loss.
-bool keeps_text(const Chosen& c, const std::string& name, const std::vector<double>& q) {
-  const Arguments<double> point = resting(c, q);
+bool keeps_text(const ChosenForms& c, const std::string& name, const std::vector<double>& q) {
+  const Arguments<double> point = state_at_rest(c, q);
   const std::size_t i = number_of(c, name);
   const auto text = entries_at(c.recursive, c.recursive.functions[i], point);
   const auto code = entries_at(c.choice.program, c.choice.program.functions[i], point);
@@ -66,20 +66,20 @@ bool keeps_text(const Chosen& c, const std::string& name, const std::vector<doub
     if (!text[k].error.is_defined()) continue;
     if (!code[k].error.is_defined()) return false;
     const Real allowed =
-        max(text[k].error, abs(text[k].value)) * Real(cln::cl_I(little_worse_elsewhere));
+        max(text[k].error, abs(text[k].value)) * Real(cln::cl_I(max_ratio_elsewhere));
     if (code[k].error.value() > allowed.value()) return false;
   }
   return true;
 }
 
 /// The largest relative error of an entry, in u; infinite if an entry is undefined.
-double digits_lost(const Chosen& c, const std::string& name, const std::vector<double>& q) {
+double digits_lost(const ChosenForms& c, const std::string& name, const std::vector<double>& q) {
   const Function& function = c.choice.program.functions[number_of(c, name)];
   double worst = 0;
-  for (const Running<Real>& entry : entries_at(c.choice.program, function, resting(c, q))) {
+  for (const Running<Real>& entry : entries_at(c.choice.program, function, state_at_rest(c, q))) {
     const Real lost = entry.error / abs(entry.value);
     if (!lost.is_defined()) return std::numeric_limits<double>::infinity();
-    worst = std::max(worst, ScalarTraits<double>::from_real(lost.value()));
+    worst = std::max(worst, to_double(lost.value()));
   }
   return worst;
 }
@@ -92,7 +92,7 @@ TEST_CASE("a distance keeps the digits of the text near the point where both dif
                                             "k*sqrt((x - b)^2 + (y - c)^2)",
                                             "k*((x - b)^2 + (y - c)^2)^(3/2)"};
   for (const std::string& potential : potentials) {
-    const Chosen anchor = plane_with(potential, parameters);
+    const ChosenForms anchor = plane_with(potential, parameters);
     for (const double away : {1e-5, 1e-8}) {
       for (const char* name : {"potential_energy", "gravity", "inverse_dynamics"}) {
         INFO(potential << ' ' << name << ' ' << away);
@@ -100,24 +100,24 @@ TEST_CASE("a distance keeps the digits of the text near the point where both dif
       }
     }
   }
-  const Chosen product = plane_with("k*(1/(a - x) - 1/a)*sqrt(x^2 + (y - c)^2)", parameters);
+  const ChosenForms product = plane_with("k*(1/(a - x) - 1/a)*sqrt(x^2 + (y - c)^2)", parameters);
   CHECK(keeps_text(product, "potential_energy", {1e-8, 0.3 + 1e-8}));
   CHECK(keeps_text(product, "gravity", {1e-8, 0.3 + 1e-8}));
 }
 
 TEST_CASE("inverse dynamics at rest has the digits of the potential's gradient") {
-  const Chosen spring = line_with("1/2*k*(sqrt(l^2 + x^2) - l)^2",
-                                  "range = [-1, 1]\n[parameters]\nk = 40\nl = 0.7\n");
+  const ChosenForms spring = line_with("1/2*k*(sqrt(l^2 + x^2) - l)^2",
+                                       "range = [-1, 1]\n[parameters]\nk = 40\nl = 0.7\n");
   CHECK(digits_lost(spring, "inverse_dynamics", {1e-8}) < 64);
-  const Chosen well = line_with("3*((x - 1)*(x + 1))^2");
+  const ChosenForms well = line_with("3*((x - 1)*(x + 1))^2");
   CHECK(digits_lost(well, "inverse_dynamics", {1 + 9e-9}) < 64);
   CHECK(digits_lost(well, "inverse_dynamics", {9e-9 - 1}) < 64);
-  const Chosen gas = line_with("3*log(1 - exp(-x))", "range = [1e-6, 20]\n");
+  const ChosenForms gas = line_with("3*log(1 - exp(-x))", "range = [1e-6, 20]\n");
   CHECK(digits_lost(gas, "inverse_dynamics", {18}) < 64);
 }
 
 TEST_CASE("comparison points of functions with rates include states at rest") {
-  const Chosen model = plane_with("(x - 1)^2*(y - 0.3)^2");
+  const ChosenForms model = plane_with("(x - 1)^2*(y - 0.3)^2");
   const auto points = [&model](const std::string& name) {
     const Program& program = model.recursive;
     const Domain domain = domain_of({model.checked.model, model.checked.scene, program.leaves});
@@ -131,24 +131,24 @@ TEST_CASE("comparison points of functions with rates include states at rest") {
 }
 
 TEST_CASE("the force of two equal sides is accurate at small angles between them") {
-  const Chosen sides = line_with("40*sqrt(9/4 + 9/4 - 2*3/2*3/2*cos(x))");
+  const ChosenForms sides = line_with("40*sqrt(9/4 + 9/4 - 2*3/2*3/2*cos(x))");
   CHECK(digits_lost(sides, "gravity", {1e-8}) < 64);
 }
 
 TEST_CASE("without a range exponentials and logarithms keep their digits at large arguments") {
   const std::string parameters = "[parameters]\na = 1.5\nb = 1.25\n";
   const std::string well = "2*(1 - exp(-a*(x - b)))^2";
-  const Chosen morse = line_with(well, parameters);
+  const ChosenForms morse = line_with(well, parameters);
   // The exponent is rounded twice and is at most 28.
   for (const double x : {10.0, 15.0, 20.0}) CHECK(digits_lost(morse, "gravity", {x}) < 128);
-  const Chosen vortex = line_with("12*log(b/x)", "[parameters]\nb = 0.45\n");
+  const ChosenForms vortex = line_with("12*log(b/x)", "[parameters]\nb = 0.45\n");
   CHECK(digits_lost(vortex, "potential_energy", {4e3}) < 64);
-  const Chosen ranged = line_with(well, "range = [0.8, 2]\n" + parameters);
+  const ChosenForms ranged = line_with(well, "range = [0.8, 2]\n" + parameters);
   CHECK(digits_lost(ranged, "gravity", {1.25 + 1e-8}) < 64);
 }
 
 TEST_CASE("an exponential keeps its digits beyond the range of its coordinate", "[!shouldfail]") {
-  const Chosen morse =
+  const ChosenForms morse =
       line_with("2*(1 - exp(-a*(x - b)))^2", "range = [0.8, 2]\n[parameters]\na = 1.5\nb = 1.25\n");
   CHECK(digits_lost(morse, "gravity", {10}) < 64);
 }

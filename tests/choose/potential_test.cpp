@@ -16,8 +16,8 @@ using namespace elgen::test;
 namespace {
 
 /// Unit masses on lines x, y and z, one for each range in the list.
-Chosen masses_with(const std::string& potential, const std::vector<std::string>& ranges,
-                   const std::string& parameters = {}) {
+ChosenForms masses_with(const std::string& potential, const std::vector<std::string>& ranges,
+                        const std::string& parameters = {}) {
   std::string text;
   std::string T;
   for (std::size_t i = 0; i < ranges.size(); ++i) {
@@ -29,7 +29,8 @@ Chosen masses_with(const std::string& potential, const std::vector<std::string>&
       "masses", text + parameters + "[energy]\nT = \"" + T + "\"\nV = \"" + potential + "\"\n"));
 }
 
-std::vector<double> values_at_rest(const Chosen& c, OutputKind kind, const std::vector<double>& q) {
+std::vector<double> values_at_rest(const ChosenForms& c, OutputKind kind,
+                                   const std::vector<double>& q) {
   Arguments<double> point =
       domain_of({c.checked.model, c.checked.scene, c.recursive.leaves}).states.front();
   point.q = q;
@@ -38,7 +39,7 @@ std::vector<double> values_at_rest(const Chosen& c, OutputKind kind, const std::
   return evaluate(program, *find_function(program, kind), point);
 }
 
-std::size_t cost_of(const Chosen& c, OutputKind kind) {
+std::size_t cost_of(const ChosenForms& c, OutputKind kind) {
   return cost(count_operations(*find_function(c.choice.program, kind)));
 }
 
@@ -60,7 +61,7 @@ TEST_CASE("with a rewritten V inverse and forward dynamics at rest equal gravity
       {"k*sqrt((x - 3/4)^2 + (y - l)^2)", {"[-3, 4]", "[-3, 4]"}, {0.75 + 1e-8, 0.7 + 1e-8}}};
   for (const auto& [potential, ranges, q] : rows) {
     INFO(potential);
-    const Chosen c = masses_with(potential, ranges, parameters);
+    const ChosenForms c = masses_with(potential, ranges, parameters);
     const std::vector<double> gravity = values_at_rest(c, OutputKind::gravity, q);
     CHECK(values_at_rest(c, OutputKind::inverse_dynamics, q) == gravity);
     CHECK(values_at_rest(c, OutputKind::bias, q) == gravity);
@@ -73,8 +74,8 @@ TEST_CASE("with a rewritten V inverse and forward dynamics at rest equal gravity
 }
 
 TEST_CASE("with a rewritten V every function has the values of its text") {
-  const Chosen c = masses_with("k*sqrt((x - 3/4)^2 + (y - l)^2)", {"[-3, 4]", "[-3, 4]"},
-                               "[parameters]\nk = 3\nl = 0.7\n");
+  const ChosenForms c = masses_with("k*sqrt((x - 3/4)^2 + (y - l)^2)", {"[-3, 4]", "[-3, 4]"},
+                                    "[parameters]\nk = 3\nl = 0.7\n");
   const Domain domain = domain_of({c.checked.model, c.checked.scene, c.recursive.leaves});
   const Choice without = *choose(c.recursive, c.forms, domain, c.checked.scene);
   std::size_t derivatives = 0;
@@ -101,7 +102,7 @@ TEST_CASE("a sum of squares stays whole for any anchor") {
     const std::string x = std::to_string(anchor[0]);
     const std::string y = std::to_string(anchor[1]);
     INFO(x << ' ' << y);
-    const Chosen c =
+    const ChosenForms c =
         masses_with("40*sqrt((x - (" + x + "))^2 + (y - " + y + ")^2)", {"[-3, 4]", "[-3, 4]"});
     const double away = 0x1p-30;
     const auto V = values_at_rest(c, OutputKind::potential_energy,
@@ -111,8 +112,9 @@ TEST_CASE("a sum of squares stays whole for any anchor") {
 }
 
 TEST_CASE("a sum is multiplied out if it loses digits as a whole") {
-  const Chosen c = masses_with("k*((l + x)^2 - l^2)", {"[-1, 1]"},
-                               "[parameters]\nk = 3\nl = { value = 0.7, assume = \"positive\" }\n");
+  const ChosenForms c =
+      masses_with("k*((l + x)^2 - l^2)", {"[-1, 1]"},
+                  "[parameters]\nk = 3\nl = { value = 0.7, assume = \"positive\" }\n");
   const double x = 1e-9;
   const double V = values_at_rest(c, OutputKind::potential_energy, {x}).front();
   CHECK(V == Approx(3 * x * (1.4 + x)).epsilon(1e-14));
@@ -135,7 +137,7 @@ mass = "m"
 [energy]
 V = "k*(sqrt(l^2 + z^2) - l) - 9.81*m*z"
 )toml";
-  const Chosen c = chosen(model_text("preload", text));
+  const ChosenForms c = chosen(model_text("preload", text));
   const double z = 1e-9;
   const double force = values_at_rest(c, OutputKind::gravity, {z}).front();
   CHECK(force == Approx(40 * z / std::sqrt(0.49 + z * z)).epsilon(1e-13));
@@ -153,7 +155,7 @@ unit = "rad"
 T = "1/2*((cos(x) + cos(y))^2 + (sin(x) + sin(y))^2)*dot(x)^2 + 1/2*dot(y)^2"
 V = "3*sqrt((x - 1)^2 + (y - 3/4)^2)"
 )toml";
-  const Chosen c = chosen(model_text("circles", text));
+  const ChosenForms c = chosen(model_text("circles", text));
   // The bound is the cost of 2 + 2 cos(x - y).
   CHECK(cost_of(c, OutputKind::mass_matrix) <= 26 + 4);
 }

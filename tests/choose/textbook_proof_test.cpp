@@ -141,7 +141,7 @@ void prove(const CheckedModel& checked) {
       INFO(program->functions[one].name << " " << i);
       REQUIRE(left.entries[i]);
       REQUIRE(right.entries[i]);
-      CHECK(proved_equal(forms, *left.entries[i], *right.entries[i]));
+      CHECK(is_proved_equal(forms, *left.entries[i], *right.entries[i]));
     }
   }
 }

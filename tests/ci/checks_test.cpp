@@ -9,7 +9,7 @@ namespace elgen::test {
 namespace {
 
 /// Sources .ci/checks.sh and runs these lines of bash.
-Outcome sourced(const std::string& lines) {
+Outcome run_sourced(const std::string& lines) {
   const Workspace workspace;
   workspace.write("script", ". " ELGEN_SOURCE_DIR "/.ci/checks.sh\n" + lines);
   return workspace.run("bash -uo pipefail script");
@@ -34,24 +34,24 @@ END
 }  // namespace
 
 TEST_CASE("checks and tests are counted, and failures are listed before the counts") {
-  const Outcome outcome =
-      sourced(tests + "check right true\ncheck wrong false\ncount_tests three_tests\nconclude\n");
+  const Outcome outcome = run_sourced(
+      tests + "check right true\ncheck wrong false\ncount_tests three_tests\nconclude\n");
   INFO(outcome.output + outcome.errors);
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.output, "\nfailed: wrong\nfailed: python (Failed)\n3 passed, 2 failed\n"));
-  const Outcome right = sourced("check right true\nconclude\n");
+  const Outcome right = run_sourced("check right true\nconclude\n");
   CHECK(right.status == 0);
   CHECK(mentions(right.output, "\n1 passed, 0 failed\n"));
 }
 
 TEST_CASE("a test command that runs no tests fails") {
-  const Outcome outcome = sourced("count_tests true\nconclude\n");
+  const Outcome outcome = run_sourced("count_tests true\nconclude\n");
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.output, "\nfailed: tests\n0 passed, 1 failed\n"));
 }
 
 TEST_CASE("a check prints its wall time, its processor time and the remaining time") {
-  const Outcome outcome = sourced(
+  const Outcome outcome = run_sourced(
       "check busy sh -c 'ulimit -t 2; while :; do :; done'\ncheck idle sleep "
       "1\nallowed_seconds=60\n"
       "check quick true\nconclude\n");
@@ -68,9 +68,9 @@ TEST_CASE("a check prints its wall time, its processor time and the remaining ti
 }
 
 TEST_CASE("the ten longest checks and tests are listed before the failures") {
-  const Outcome outcome =
-      sourced(tests + "for i in {1..12}; do check \"check $i\" true; done\ncheck long sleep 3\n" +
-              "count_tests three_tests\nconclude\n");
+  const Outcome outcome = run_sourced(
+      tests + "for i in {1..12}; do check \"check $i\" true; done\ncheck long sleep 3\n" +
+      "count_tests three_tests\nconclude\n");
   INFO(outcome.output);
   const std::size_t start = outcome.output.find("\nlongest checks ");
   REQUIRE(start != std::string::npos);

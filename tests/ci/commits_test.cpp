@@ -55,7 +55,7 @@ class Project : public Workspace {
   }
 
   /// The errors and warnings about empty commits with these messages, without hashes.
-  [[nodiscard]] std::string told_of(const std::vector<std::string>& messages) const {
+  [[nodiscard]] std::string findings_on(const std::vector<std::string>& messages) const {
     git("checkout -q --detach base");
     for (const std::string& message : messages) commit(message);
     return without_hashes(outcome(commits + " base").output);
@@ -72,7 +72,7 @@ class Project : public Workspace {
 
 TEST_CASE("a subject names up to two rooms and the change") {
   // The last subject has 72 characters, but more than 72 bytes.
-  CHECK(Project().told_of(
+  CHECK(Project().findings_on(
             {"check: refuse names", "names, base: refuse names", "check/names: let go of names",
              "tests: refuse names", "tests/cli: refuse names", "cli: refuse names", "models: add b",
              "README: say how", "readme: say how", "ci: refuse commits", "all: re-read rooms",
@@ -101,15 +101,16 @@ TEST_CASE("any other subject is an error") {
     subjects.push_back(subject);
     expected += "error: HASH \"" + subject + "\": " + what;
   }
-  CHECK(Project().told_of(subjects) == expected + "commits: 11, not upstream: 11, errors: 11\n");
+  CHECK(Project().findings_on(subjects) ==
+        expected + "commits: 11, not upstream: 11, errors: 11\n");
 }
 
 TEST_CASE("a vague word in a subject is a warning") {
   const std::string name = "warning: HASH \"check: refuse each once, in its own room\": ";
-  CHECK(
-      Project().told_of({"check: refuse each once, in its own room", "check: refuse owned ones"}) ==
-      name + "`own` is vague in a subject\n" + name +
-          "`once` is vague in a subject\ncommits: 2, not upstream: 2, errors: 0\n");
+  CHECK(Project().findings_on(
+            {"check: refuse each once, in its own room", "check: refuse owned ones"}) ==
+        name + "`own` is vague in a subject\n" + name +
+            "`once` is vague in a subject\ncommits: 2, not upstream: 2, errors: 0\n");
 }
 
 TEST_CASE("more than 100 changed lines of source need a body with the reason") {

@@ -8,7 +8,7 @@ namespace elgen::test {
 namespace {
 
 /// The completions of bash after these words, in one line.
-std::string offered(const std::string& words) {
+std::string bash_completions(const std::string& words) {
   const std::string script =
       "eval \"$(elgen completions bash)\"; COMP_WORDS=(elgen " + words +
       "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _elgen; echo \"${COMPREPLY[*]}\"";
@@ -66,12 +66,12 @@ TEST_CASE("the manual has a section for every command in --help") {
 }
 
 TEST_CASE("bash completes commands, options and their words") {
-  CHECK(offered("ge") == "generate\n");
-  CHECK(offered("show --wh") == "--what\n");
-  CHECK(offered("show --as m") == "mathml markdown\n");
-  CHECK(offered("show --color a") == "auto always\n");
-  CHECK(offered("schema s") == "scene\n");
-  CHECK(offered("-V") == "-V\n");
+  CHECK(bash_completions("ge") == "generate\n");
+  CHECK(bash_completions("show --wh") == "--what\n");
+  CHECK(bash_completions("show --as m") == "mathml markdown\n");
+  CHECK(bash_completions("show --color a") == "auto always\n");
+  CHECK(bash_completions("schema s") == "scene\n");
+  CHECK(bash_completions("-V") == "-V\n");
 }
 
 TEST_CASE("bash completes file names for inputs") {

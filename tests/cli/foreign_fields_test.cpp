@@ -55,21 +55,21 @@ const std::string forward = "--function forward_dynamics";
 TEST_CASE("code of a constrained model is compared at states on the constraints") {
   const Foreign folder;
   folder.write("rod.toml", rod());
-  const auto judged = [&](const std::string& length, const std::string& answer) {
-    return folder.judge(on_the_rod(length, answer), forward, "rod.toml");
+  const auto compared = [&](const std::string& length, const std::string& answer) {
+    return folder.compare_command(on_the_rod(length, answer), forward, "rod.toml");
   };
-  const Outcome right = judged("p['l'] ** 2", accelerations);
+  const Outcome right = compared("p['l'] ** 2", accelerations);
   INFO(right.output << right.errors);
   CHECK(right.status == 0);
   CHECK(mentions(right.output, "agrees at 60 states to "));
   CHECK(mentions(right.output, " in acceleration\n"));
   CHECK(mentions(right.output, "1e-09 of the largest entry, at states on the constraints\n"));
-  CHECK(judged("x * x + y * y", accelerations).status == 0);
-  const Outcome sign = judged("p['l'] ** 2", "[-k * x, p['g'] - k * y]");
+  CHECK(compared("x * x + y * y", accelerations).status == 0);
+  const Outcome sign = compared("p['l'] ** 2", "[-k * x, p['g'] - k * y]");
   INFO(sign.output);
   CHECK(sign.status == 1);
   CHECK(mentions(sign.output, "found      wrong even at rest\n"));
-  const Outcome length = judged("p['l']", accelerations);
+  const Outcome length = compared("p['l']", accelerations);
   INFO(length.output);
   CHECK(length.status == 1);
   CHECK(mentions(length.output, "only where parameters are varied"));
@@ -81,49 +81,49 @@ TEST_CASE("multipliers are compared, also with the gains of `stabilise`") {
   folder.write("stable.toml", rod("stabilise = { omega = 10, zeta = 1 }\n"));
   for (const char* const model : {"rod.toml", "stable.toml"}) {
     INFO(model);
-    const auto judged = [&](const std::string& answer, const std::string& function) {
-      return folder.judge(on_the_rod("p['l'] ** 2", answer), function, model);
+    const auto compared = [&](const std::string& answer, const std::string& function) {
+      return folder.compare_command(on_the_rod("p['l'] ** 2", answer), function, model);
     };
-    const Outcome right = judged(with_multiplier, forward);
+    const Outcome right = compared(with_multiplier, forward);
     INFO(right.output << right.errors);
     CHECK(right.status == 0);
     CHECK(mentions(right.output, " in acceleration, multipliers\n"));
-    const Outcome wrong = judged(replaced(with_multiplier, "k / 2", "k"), forward);
+    const Outcome wrong = compared(replaced(with_multiplier, "k / 2", "k"), forward);
     CHECK(wrong.status == 1);
     CHECK(mentions(wrong.output, "forward_dynamics.multipliers is "));
     const std::string alone = "[-p['m'] * k / 2]";
-    CHECK(judged(alone, forward + ".multipliers").status == 0);
-    CHECK(judged(alone, forward).status == 0);
+    CHECK(compared(alone, forward + ".multipliers").status == 0);
+    CHECK(compared(alone, forward).status == 0);
   }
 }
 
 TEST_CASE("constraint residuals are compared off the constraints") {
   const Foreign folder;
   folder.write("rod.toml", rod());
-  const auto judged = [&](const std::string& rate) {
-    return folder.judge(on_the_rod("1", "[x * x + y * y - p['l'] ** 2, " + rate + "]"),
-                        "--function constraint_residual", "rod.toml");
+  const auto compared = [&](const std::string& rate) {
+    return folder.compare_command(on_the_rod("1", "[x * x + y * y - p['l'] ** 2, " + rate + "]"),
+                                  "--function constraint_residual", "rod.toml");
   };
-  const Outcome right = judged("2 * (x * vx + y * vy)");
+  const Outcome right = compared("2 * (x * vx + y * vy)");
   INFO(right.output << right.errors);
   CHECK(right.status == 0);
   CHECK_FALSE(mentions(right.output, "on the constraints"));
-  CHECK(judged("x * vx + y * vy").status == 1);
+  CHECK(compared("x * vx + y * vy").status == 1);
 }
 
 TEST_CASE("code that is right off the constraints holds, although all digits cancel on them") {
   const Foreign folder;
   folder.write("rod.toml", rod() + "[[output]]\nname = \"stretch\"\nvalue = \"x^2 + y^2 - l^2\"\n");
-  const auto judged = [&](const std::string& answer) {
+  const auto compared = [&](const std::string& answer) {
     const std::string text =
         "import json, sys\nfor line in sys.stdin:\n  call = json.loads(line)\n"
         "  p, (x, y) = call['p'], call['q']\n  print(json.dumps([";
-    return folder.judge(text + answer + "]))\n", "--function stretch", "rod.toml");
+    return folder.compare_command(text + answer + "]))\n", "--function stretch", "rod.toml");
   };
-  const Outcome right = judged("x * x + y * y - p['l'] ** 2");
+  const Outcome right = compared("x * x + y * y - p['l'] ** 2");
   INFO(right.output << right.errors);
   CHECK(right.status == 0);
-  CHECK(judged("x * x - y * y - p['l'] ** 2").status == 1);
+  CHECK(compared("x * x - y * y - p['l'] ** 2").status == 1);
 }
 
 TEST_CASE("states that cannot be projected onto the constraints are counted") {
@@ -132,7 +132,7 @@ TEST_CASE("states that cannot be projected onto the constraints are counted") {
                replaced(replaced(rod(), "l = { value = 1,", R"(d = { value = 1, unit = "m" }
 l = { value = 1.05,)"),
                         "x^2 + y^2 = l^2", "x^2 + d^2 = l^2"));
-  const Outcome outcome = folder.judge(
+  const Outcome outcome = folder.compare_command(
       "import json, sys\nfor line in sys.stdin:\n"
       "  print([0, -json.loads(line)['p']['g']])\n",
       forward, "wall.toml");
@@ -165,8 +165,8 @@ name = "tau"
 unit = "N*m"
 on = "theta"
 )toml");
-  const auto judged = [&](const std::string& answer, const std::string& function) {
-    return folder.judge(
+  const auto compared = [&](const std::string& answer, const std::string& function) {
+    return folder.compare_command(
         "import json, math, sys\nfor line in sys.stdin:\n  call = json.loads(line)\n"
         "  p, q = call['p'], call['q']\n  m, l = p['m'], p['l']\n"
         "  a = -p['g'] / l * math.cos(q[0])\n  print(json.dumps(" +
@@ -176,37 +176,38 @@ on = "theta"
   const std::string right = "[0, 1 / (m * l * l)]";
   const std::string wrong = "[0, 1 / (m * l)]";
   const std::string a_alone = "[[0, 1], [a, 0]]";
-  CHECK(judged(a_alone, "linearization").status == 0);
-  CHECK(judged(a_alone, "linearization.A").status == 0);
-  CHECK(judged(right, "linearization.B=my_B").status == 0);
-  const Outcome both = judged("[0, 1, a, 0] + " + right, "linearization");
+  CHECK(compared(a_alone, "linearization").status == 0);
+  CHECK(compared(a_alone, "linearization.A").status == 0);
+  CHECK(compared(right, "linearization.B=my_B").status == 0);
+  const Outcome both = compared("[0, 1, a, 0] + " + right, "linearization");
   INFO(both.output << both.errors);
   CHECK(both.status == 0);
   CHECK(mentions(both.output, " in A, B\n"));
-  for (const Outcome& outcome : {judged(wrong, "linearization"), judged(wrong, "linearization.B"),
-                                 judged("[0, 1, a, 0] + " + wrong, "linearization")}) {
+  for (const Outcome& outcome :
+       {compared(wrong, "linearization"), compared(wrong, "linearization.B"),
+        compared("[0, 1, a, 0] + " + wrong, "linearization")}) {
     INFO(outcome.output << outcome.errors);
     CHECK(outcome.status == 1);
     CHECK(mentions(outcome.output, "linearization.B[dot(theta)] is "));
   }
-  const Outcome count = judged("[1, 2, 3]", "linearization");
+  const Outcome count = compared("[1, 2, 3]", "linearization");
   CHECK(mentions(count.output, "gives 3 numbers for 2 x 2 entries\n"));
   CHECK(mentions(count.output, "found      its fields are A (4), B (2)\n"));
-  CHECK(mentions(judged(right, "linearization.C").errors,
+  CHECK(mentions(compared(right, "linearization.C").errors,
                  "error[E601]: `linearization` has no field `C`"));
-  CHECK(mentions(judged(right, "gravity.B").errors, "error[E601]: `gravity` has no field `B`"));
+  CHECK(mentions(compared(right, "gravity.B").errors, "error[E601]: `gravity` has no field `B`"));
 }
 
 TEST_CASE("code that returns 0 is right if terms cancel to 0") {
   const Foreign folder;
-  const auto judged = [&](const std::string& answer) {
-    return folder.judge("import sys\nfor line in sys.stdin:\n  print(" + answer + ")\n",
-                        "--function drift", models + "/heavy_top.toml");
+  const auto compared = [&](const std::string& answer) {
+    return folder.compare_command("import sys\nfor line in sys.stdin:\n  print(" + answer + ")\n",
+                                  "--function drift", models + "/heavy_top.toml");
   };
-  const Outcome zeros = judged("[0, 0, 0]");
+  const Outcome zeros = compared("[0, 0, 0]");
   INFO(zeros.output << zeros.errors);
   CHECK(zeros.status == 0);
-  const Outcome other = judged("[0, 0.001, 0]");
+  const Outcome other = compared("[0, 0.001, 0]");
   CHECK(other.status == 1);
   CHECK(mentions(other.output, "drift[theta] is 0.001, the oracle says 0\n"));
 }
@@ -263,19 +264,20 @@ for line in sys.stdin:
     else:
         print(json.dumps([y.real for y in advanced(x, t, h, u, p)]))
 )py";
-  const auto judged = [&](const std::string& text, const std::string& function,
-                          const std::string& input = "rk4.scene.toml") {
-    return folder.judge(text, "--function " + function, input);
+  const auto compared = [&](const std::string& text, const std::string& function,
+                            const std::string& input = "rk4.scene.toml") {
+    return folder.compare_command(text, "--function " + function, input);
   };
   for (const char* const function : {"step", "advance", "step_derivatives"}) {
-    const Outcome outcome = judged(step, function);
+    const Outcome outcome = compared(step, function);
     INFO(function << outcome.output << outcome.errors);
     CHECK(outcome.status == 0);
   }
-  const Outcome wrong = judged(replaced(step, "moved(k3, h), t + h)", "moved(k3, h), t)"), "step");
+  const Outcome wrong =
+      compared(replaced(step, "moved(k3, h), t + h)", "moved(k3, h), t)"), "step");
   CHECK(wrong.status == 1);
   CHECK(mentions(wrong.errors, "error[E717]"));
-  CHECK(mentions(judged(step, "step", "forced.toml").errors, "error[E105]"));
+  CHECK(mentions(compared(step, "step", "forced.toml").errors, "error[E105]"));
   const Outcome evaluated = folder.run("elgen evaluate rk4.scene.toml --what step --state h=0.01");
   INFO(evaluated.output << evaluated.errors);
   CHECK(evaluated.status == 0);
@@ -293,7 +295,7 @@ TEST_CASE("without inputs a command gets an empty list and a library an unused p
                "format = 1\n[model]\nname = \"mass\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"
                "[parameters]\nm = { value = 2, unit = \"kg\" }\nk = { value = 3, unit = \"N/m\" }\n"
                "[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"1/2*k*x^2\"\n");
-  const Outcome as_command = folder.judge(
+  const Outcome as_command = folder.compare_command(
       "import json, sys\nfor line in sys.stdin:\n  c = json.loads(line)\n"
       "  assert c['u'] == []\n  print([-c['p']['k'] / c['p']['m'] * c['q'][0]])\n",
       forward, "mass.toml");

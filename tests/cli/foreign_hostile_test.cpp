@@ -9,15 +9,15 @@ namespace elgen::test {
 TEST_CASE("a crash or a hang ends only the foreign code") {
   const Foreign folder;
   const std::string end = "  result[0] = a;\n";
-  const Outcome crash =
-      folder.judge_changed(end, end + "  static int calls;\n  if (++calls == 4) raise(SIGSEGV);\n");
+  const Outcome crash = folder.compare_changed(
+      end, end + "  static int calls;\n  if (++calls == 4) raise(SIGSEGV);\n");
   INFO(crash.output << crash.errors);
   CHECK(crash.status == 1);
   CHECK(mentions(crash.output, "was ended by signal 11 (Segmentation fault), after 3 answers\n"));
   CHECK(mentions(crash.errors,
                  "`my_fd as forward_dynamics` was ended by signal 11 (Segmentation fault)"));
   const Outcome hang =
-      folder.judge_changed(end, end + "  for (;;) sleep(1);\n", "--limit seconds=3");
+      folder.compare_changed(end, end + "  for (;;) sleep(1);\n", "--limit seconds=3");
   INFO(hang.output << hang.errors);
   CHECK(hang.status == 1);
   CHECK(mentions(hang.output, "has not ended within 3 s, after 0 answers\n"));
@@ -38,7 +38,7 @@ TEST_CASE("a library that stops itself or ignores its alarm is ended within the 
         "signal(SIGALRM, SIG_IGN); for (;;) sleep(1000);", "for (;;) write(1, q, 8);"}) {
     INFO(hang);
     const Outcome outcome =
-        folder.judge_changed(end, end + "  " + hang + "\n", "--limit seconds=2");
+        folder.compare_changed(end, end + "  " + hang + "\n", "--limit seconds=2");
     INFO(outcome.output << outcome.errors);
     CHECK(outcome.status == 1);
     CHECK(mentions(outcome.output, "has not ended within 2 s, after 0 answers\n"));
@@ -49,16 +49,16 @@ TEST_CASE("a library that writes outside its result is reported") {
   const Foreign folder;
   const std::string end = "  result[0] = a;\n";
   const std::string before = "writes before its result, after 0 answers";
-  const auto judged = [&](const std::string& text) {
-    const Outcome outcome = folder.judge_changed(end, end + text);
+  const auto compared = [&](const std::string& text) {
+    const Outcome outcome = folder.compare_changed(end, end + text);
     INFO(text << outcome.output);
     CHECK(outcome.status == 1);
     return outcome.errors;
   };
-  CHECK(mentions(judged("  result[-1] = 7;\n"), before));
-  CHECK(mentions(judged("  for (int i = 1; i < 2000; ++i) result[-i] = 7;\n"), before));
-  CHECK(mentions(judged("  for (long i = 1; i < 100000000; ++i) result[-i] = 7;\n"), before));
-  CHECK(mentions(judged("  static int calls;\n  if (++calls == 3) result[-1] = 7;\n"),
+  CHECK(mentions(compared("  result[-1] = 7;\n"), before));
+  CHECK(mentions(compared("  for (int i = 1; i < 2000; ++i) result[-i] = 7;\n"), before));
+  CHECK(mentions(compared("  for (long i = 1; i < 100000000; ++i) result[-i] = 7;\n"), before));
+  CHECK(mentions(compared("  static int calls;\n  if (++calls == 3) result[-1] = 7;\n"),
                  "writes before its result, after 2 answers"));
 }
 
@@ -66,12 +66,12 @@ TEST_CASE("output of a library is indented, and shown only if the library fails"
   const Foreign folder;
   const std::string end = "  result[0] = a;\n";
   const std::string words = R"(write(1, "[1, 2]\n::error::x\n", 18);)";
-  const Outcome right = folder.judge_changed(end, end + words);
+  const Outcome right = folder.compare_changed(end, end + words);
   INFO(right.output << right.errors);
   CHECK(right.status == 0);
   CHECK(right.errors.empty());
   CHECK_FALSE(mentions(right.output, "error"));
-  const Outcome wrong = folder.judge_changed(end, end + words + " raise(SIGSEGV);");
+  const Outcome wrong = folder.compare_changed(end, end + words + " raise(SIGSEGV);");
   INFO(wrong.output << wrong.errors);
   CHECK(wrong.status == 1);
   const std::string indented = "its words:\n    [1, 2]\n    ::error::x\n";
@@ -82,14 +82,14 @@ TEST_CASE("output of a library is indented, and shown only if the library fails"
 TEST_CASE("a command that fails or writes after its last answer is reported") {
   const Foreign folder;
   const std::string as = "--function forward_dynamics --samples 10";
-  const Outcome exits = folder.judge(script + "sys.exit(3)\n", as);
+  const Outcome exits = folder.compare_command(script + "sys.exit(3)\n", as);
   INFO(exits.output << exits.errors);
   CHECK(exits.status == 1);
   CHECK(mentions(exits.errors, "`forward_dynamics` exits 3, after 14 answers"));
-  const Outcome writes = folder.judge(script + "print([1, 2])\nprint('done')\n", as);
+  const Outcome writes = folder.compare_command(script + "print([1, 2])\nprint('done')\n", as);
   CHECK(writes.status == 1);
   CHECK(mentions(writes.errors, "writes `[1, 2]` beyond its last answer, after 14 answers"));
-  CHECK(folder.judge(script + "print()\n", as).status == 0);
+  CHECK(folder.compare_command(script + "print()\n", as).status == 0);
 }
 
 TEST_CASE("numbers too large for double are infinite, not 0") {
@@ -108,45 +108,48 @@ m = { value = 2, unit = "kg" }
 [energy]
 T = "1/2*m*(dot(x)^2 + dot(y)^2)"
 )toml");
-  const auto judged = [&](const std::string& matrix) {
-    return folder.judge(
+  const auto compared = [&](const std::string& matrix) {
+    return folder.compare_command(
         "import json, sys\nfor line in sys.stdin:\n"
         "  m = json.loads(line)['p']['m']\n  print('" +
             matrix + "' % (m, m))\n",
         "--function mass_matrix", "masses.toml");
   };
-  const Outcome large = judged("[%r, 1e310, -1e310, %r]");
+  const Outcome large = compared("[%r, 1e310, -1e310, %r]");
   INFO(large.output << large.errors);
   CHECK(large.status == 1);
   CHECK(mentions(large.output, "mass_matrix[x, y] is inf, the oracle says 0"));
-  CHECK(judged("[%r, 1e-400, -1e-400, %r]").status == 0);
+  CHECK(compared("[%r, 1e-400, -1e-400, %r]").status == 0);
 }
 
 TEST_CASE("a wrong count of numbers, NaN and invalid numbers are reported") {
   const Foreign folder;
   const std::string end = "  result[0] = a;\n";
-  CHECK(mentions(folder.judge_changed(end, end + "  result[2] = a;\n").output,
+  CHECK(mentions(folder.compare_changed(end, end + "  result[2] = a;\n").output,
                  "gives 3 numbers for 2 x 1 entries\n"));
-  CHECK(mentions(folder.judge_changed("  result[1] =", "  const real lost =").output,
+  CHECK(mentions(folder.compare_changed("  result[1] =", "  const real lost =").output,
                  "gives 1 number for 2 x 1 entries\n"));
   const std::string as = "--function forward_dynamics";
-  CHECK(mentions(folder.judge("print([1, 2, 3])\n", as).output,
+  CHECK(mentions(folder.compare_command("print([1, 2, 3])\n", as).output,
                  "gives 3 numbers for 2 x 1 entries\n"));
-  const Outcome in_c = folder.judge_changed("(g * s - c * a) / l", "NAN");
+  const Outcome in_c = folder.compare_changed("(g * s - c * a) / l", "NAN");
   INFO(in_c.output);
   CHECK(in_c.status == 1);
   CHECK(mentions(in_c.output, "forward_dynamics.acceleration[theta] is nan, the oracle says "));
   CHECK(mentions(in_c.output, "found      wrong even at rest\n"));
-  CHECK(mentions(folder.judge(replaced(script, "return [a, ", "return [math.nan, "), as).output,
-                 "forward_dynamics.acceleration[x] is nan, the oracle says "));
-  CHECK(mentions(folder.judge("print('ready')\n", as).output,
+  CHECK(mentions(
+      folder.compare_command(replaced(script, "return [a, ", "return [math.nan, "), as).output,
+      "forward_dynamics.acceleration[x] is nan, the oracle says "));
+  CHECK(mentions(folder.compare_command("print('ready')\n", as).output,
                  "answers `ready`, which is no list of numbers, after 0 answers\n"));
-  CHECK(mentions(folder.judge("print([1, 2])\n", as).output, "ends early, after 1 answer\n"));
+  CHECK(mentions(folder.compare_command("print([1, 2])\n", as).output,
+                 "ends early, after 1 answer\n"));
 }
 
 TEST_CASE("the output of a failing command is shown") {
   const Foreign folder;
-  const Outcome outcome = folder.judge("raise ValueError('no such pole')\n", "--function bias");
+  const Outcome outcome =
+      folder.compare_command("raise ValueError('no such pole')\n", "--function bias");
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.errors,
                  "error[E717]: `bias` exits 1, after 0 answers; its words:\n"

@@ -13,14 +13,14 @@ const std::string another = "under another convention: ";
 
 TEST_CASE("correct foreign code agrees to the last digits") {
   const Foreign folder;
-  const Outcome in_c = folder.judge_c(cart);
+  const Outcome in_c = folder.compare_c(cart);
   INFO(in_c.output << in_c.errors);
   CHECK(in_c.status == 0);
   CHECK(mentions(in_c.output, "holds    my_fd as forward_dynamics  agrees at 60 states to "));
   CHECK(mentions(in_c.output, "tolerance  1e-09 of the largest entry\n"));
   CHECK(in_c.errors.empty());
-  const Outcome in_python =
-      folder.judge(script, "--function forward_dynamics --function mass_matrix --samples 20");
+  const Outcome in_python = folder.compare_command(
+      script, "--function forward_dynamics --function mass_matrix --samples 20");
   INFO(in_python.output << in_python.errors);
   CHECK(in_python.status == 0);
   CHECK(mentions(in_python.output, "mass_matrix       agrees at 20 states to "));
@@ -29,7 +29,7 @@ TEST_CASE("correct foreign code agrees to the last digits") {
 
 TEST_CASE("a wrong sign is located by the situation in which it matters") {
   const Foreign folder;
-  const Outcome outcome = folder.judge_changed("+ m * l * w", "- m * l * w");
+  const Outcome outcome = folder.compare_changed("+ m * l * w", "- m * l * w");
   INFO(outcome.output << outcome.errors);
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.output, "FAILS    my_fd as forward_dynamics  forward_dynamics."));
@@ -43,17 +43,17 @@ TEST_CASE("a wrong sign is located by the situation in which it matters") {
 TEST_CASE("half a turn and a reversed direction of an angle are recognised") {
   const Foreign folder;
   const Outcome half_turn =
-      folder.judge_changed("theta = q[1]", "theta = q[1] + 3.14159265358979324");
+      folder.compare_changed("theta = q[1]", "theta = q[1] + 3.14159265358979324");
   INFO(half_turn.output);
   CHECK(half_turn.status == 1);
   CHECK(mentions(half_turn.output, "found      wrong even at rest\n"));
   CHECK(mentions(half_turn.output, another + "its `theta` is `theta + pi`\n"));
   // The angle is measured in the opposite direction: a' = -a, w' = -w.
-  const Outcome mirrored = folder.judge_c(replaced(replaced(cart, "theta = q[1]", "theta = -q[1]"),
-                                                   "(g * s - c * a)", "-(g * s - c * a)"));
+  const Outcome mirrored = folder.compare_c(replaced(
+      replaced(cart, "theta = q[1]", "theta = -q[1]"), "(g * s - c * a)", "-(g * s - c * a)"));
   INFO(mirrored.output);
   CHECK(mentions(mirrored.output, another + "its `theta` is `-theta`\n"));
-  const Outcome both = folder.judge_c(
+  const Outcome both = folder.compare_c(
       replaced(replaced(replaced(cart, "theta = q[1]", "theta = 3.14159265358979324 - q[1]"),
                         "(g * s - c * a)", "-(g * s - c * a)"),
                "result[0] = a", "result[0] = -a"));
@@ -64,7 +64,7 @@ TEST_CASE("half a turn and a reversed direction of an angle are recognised") {
 
 TEST_CASE("a reversed input matters only with inputs") {
   const Foreign folder;
-  const Outcome outcome = folder.judge_changed("force = u[0]", "force = -u[0]");
+  const Outcome outcome = folder.compare_changed("force = u[0]", "force = -u[0]");
   INFO(outcome.output);
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.output, "found      wrong only with inputs; agrees without them\n"));
@@ -91,15 +91,16 @@ T = "1/2*m*l^2*(2*dot(a)^2 + 2*cos(a - b)*dot(a)*dot(b) + dot(b)^2)"
   const std::string head =
       "import json, math, sys\nfor line in sys.stdin:\n  call = json.loads(line)\n"
       "  q, i = call['q'], call['p']['m'] * call['p']['l'] ** 2\n";
-  const auto judged = [&](const std::string& matrix) {
-    return folder.judge(head + matrix, "--function mass_matrix", "links.toml").output;
+  const auto compared = [&](const std::string& matrix) {
+    return folder.compare_command(head + matrix, "--function mass_matrix", "links.toml").output;
   };
-  CHECK(mentions(judged("  c = i * math.cos(q[1])\n"
-                        "  print([[3 * i + 2 * c, i + c], [i + c, i]])\n"),
+  CHECK(mentions(compared("  c = i * math.cos(q[1])\n"
+                          "  print([[3 * i + 2 * c, i + c], [i + c, i]])\n"),
                  another + "each of its angles is relative to the previous angle\n"));
-  CHECK(mentions(judged("  c = i * math.cos(q[0] - q[1])\n  print([[i, c], [c, 2 * i]])\n"),
+  CHECK(mentions(compared("  c = i * math.cos(q[0] - q[1])\n  print([[i, c], [c, 2 * i]])\n"),
                  another + "its order of coordinates is `b`, `a`\n"));
-  const std::string wrong = judged("  c = i * math.cos(q[0] - q[1])\n  print([i, c, 2 * c, i])\n");
+  const std::string wrong =
+      compared("  c = i * math.cos(q[0] - q[1])\n  print([i, c, 2 * c, i])\n");
   CHECK(mentions(wrong, "mass_matrix[a, a] is "));
   CHECK_FALSE(mentions(wrong, another));
 }
@@ -120,7 +121,7 @@ g = { value = 9.81, unit = "m/s^2" }
 T = "1/6*m*l^2*dot(theta)^2"
 V = "-1/2*m*g*l*cos(theta)"
 )toml");
-  const Outcome outcome = folder.judge(
+  const Outcome outcome = folder.compare_command(
       "import json, math, sys\nfor line in sys.stdin:\n  call = json.loads(line)\n"
       "  p = call['p']\n  print([-p['g'] / p['l'] * math.sin(call['q'][0])])\n",
       "--function forward_dynamics", "rod.toml");
@@ -132,7 +133,7 @@ V = "-1/2*m*g*l*cos(theta)"
 
 TEST_CASE("a parameter replaced by a number is named") {
   const Foreign folder;
-  const Outcome outcome = folder.judge_changed("g = p[3]", "g = 9.81");
+  const Outcome outcome = folder.compare_changed("g = p[3]", "g = 9.81");
   INFO(outcome.output);
   CHECK(outcome.status == 1);
   CHECK(mentions(
@@ -143,7 +144,7 @@ TEST_CASE("a parameter replaced by a number is named") {
 
 TEST_CASE("single precision agrees to the digits of float, and passes with a tolerance") {
   const Foreign folder;
-  const Outcome outcome = folder.judge_changed("typedef double real", "typedef float real");
+  const Outcome outcome = folder.compare_changed("typedef double real", "typedef float real");
   INFO(outcome.output);
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.output, ", the precision of float\n"));
@@ -159,15 +160,15 @@ TEST_CASE("code that cannot be called exits with 4") {
   folder.write("text.so", "no library\n");
   folder.write("mine.c", cart);
   folder.prepare("cc -fPIC -shared mine.c -o mine.so -lm");
-  const auto judged = [&](const std::string& code) {
+  const auto compared = [&](const std::string& code) {
     const Outcome outcome = folder.run("elgen verify --function gravity=my_g --foreign " + code +
                                        " " + models + "/cart_pole.toml");
     CHECK(outcome.status == 4);
     return outcome.errors;
   };
-  CHECK(judged("./mine.so") == "elgen: error[E716]: `./mine.so` has no function `my_g`\n");
-  CHECK(mentions(judged("text.so"), "error[E716]: `text.so` cannot be loaded: "));
-  CHECK(mentions(judged("./none.so"),
+  CHECK(compared("./mine.so") == "elgen: error[E716]: `./mine.so` has no function `my_g`\n");
+  CHECK(mentions(compared("text.so"), "error[E716]: `text.so` cannot be loaded: "));
+  CHECK(mentions(compared("./none.so"),
                  "`./none.so` is neither a file nor a command that could be run"));
 }
 
@@ -197,7 +198,7 @@ TEST_CASE("incomplete options for foreign code are refused") {
 TEST_CASE("certificates of foreign code are JSON, and annotations name the model") {
   const Foreign folder;
   const Outcome outcome =
-      folder.judge_changed("force = u[0]", "force = -u[0]", "--format json -o c.json");
+      folder.compare_changed("force = u[0]", "force = -u[0]", "--format json -o c.json");
   const auto json = nlohmann::json::parse(outcome.output);
   CHECK(json.at("fails") == 1);
   const auto& row = json.at("checks").at(0);
@@ -206,7 +207,7 @@ TEST_CASE("certificates of foreign code are JSON, and annotations name the model
   CHECK(nlohmann::json::parse(outcome.errors).at("code") == "E717");
   CHECK(folder.read("c.json") == outcome.output);
   const Outcome annotated =
-      folder.judge_changed("force = u[0]", "force = -u[0]", "-q --format github");
+      folder.compare_changed("force = u[0]", "force = -u[0]", "-q --format github");
   CHECK(mentions(annotated.errors, "::error file="));
   CHECK(mentions(annotated.errors, "cart_pole.toml,line="));
 }
@@ -253,13 +254,15 @@ for line in sys.stdin:
 )py";
   const std::string cart_pole = "--function forward_dynamics=cart_pole";
   const std::string pendulum = "--function forward_dynamics=pendulum";
-  CHECK(mentions(folder.judge(gym, cart_pole, "cart.toml").output, "1 check holds, 0 fail"));
-  const Outcome point_mass = folder.judge(gym, cart_pole);
+  CHECK(mentions(folder.compare_command(gym, cart_pole, "cart.toml").output,
+                 "1 check holds, 0 fail"));
+  const Outcome point_mass = folder.compare_command(gym, cart_pole);
   CHECK(point_mass.status == 1);
   CHECK(mentions(point_mass.output, "found      wrong even at rest\n"));
   CHECK_FALSE(mentions(point_mass.output, another));
-  CHECK(mentions(folder.judge(gym, pendulum, "upright.toml").output, "1 check holds, 0 fail"));
-  CHECK(mentions(folder.judge(gym, pendulum, "hanging.toml").output,
+  CHECK(mentions(folder.compare_command(gym, pendulum, "upright.toml").output,
+                 "1 check holds, 0 fail"));
+  CHECK(mentions(folder.compare_command(gym, pendulum, "hanging.toml").output,
                  another + "its `theta` is `theta + pi`\n"));
 }
 

@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-const std::string turn = "sed -i 's/\\[\"0\", \"-g\"\\]/[\"0\", \"g\"]/' cart_pole.toml";
+const std::string reverse_gravity = "sed -i 's/\\[\"0\", \"-g\"\\]/[\"0\", \"g\"]/' cart_pole.toml";
 
 /// A model and a scene with their generated files.
 class ModelAndScene : public Workspace {
@@ -26,7 +26,7 @@ class ModelAndScene : public Workspace {
 }  // namespace
 
 TEST_CASE("stale files are listed with commands that repair them and compare the equations") {
-  const Outcome outcome = Project().check_after(turn);
+  const Outcome outcome = Project().check_after(reverse_gravity);
   CHECK(outcome.status == 1);
   CHECK(outcome.output ==
         "stale        generated/cart_pole/cart_pole.equations.json\n"
@@ -41,12 +41,12 @@ TEST_CASE("stale files are listed with commands that repair them and compare the
 }
 
 TEST_CASE("option -v shows the lines that differ") {
-  CHECK(mentions(Project().check_after(turn, " -v").output, "\n  @@"));
+  CHECK(mentions(Project().check_after(reverse_gravity, " -v").output, "\n  @@"));
 }
 
 TEST_CASE("standard input has no revision to compare with") {
   const Project project;
-  project.prepare(turn);
+  project.prepare(reverse_gravity);
   const Outcome outcome = project.run("elgen generate --check - < cart_pole.toml");
   CHECK(outcome.status == 1);
   CHECK_FALSE(mentions(outcome.errors, "elgen diff"));
@@ -76,7 +76,7 @@ TEST_CASE("with --format json files are reported as diagnostics") {
 TEST_CASE("a note about a model is printed once for all of its scenes") {
   const Project project;
   project.prepare("mkdir scenes && cp " + std::string(ELGEN_SOURCE_DIR) +
-                  "/models/scenes/balance.scene.toml scenes && " + turn);
+                  "/models/scenes/balance.scene.toml scenes && " + reverse_gravity);
   const Outcome outcome = project.run("elgen generate cart_pole.toml scenes/balance.scene.toml");
   CHECK(outcome.status == 0);
   CHECK(count(outcome.errors, "note[E512]") == 1);

@@ -19,7 +19,7 @@ std::string turning(const std::string& parent, const std::string& child) {
 }
 
 /// The messages of an import of a robot. a is the world; a and d have masses, b and c have none.
-std::string said(const std::string& options) {
+std::string import_messages(const std::string& options) {
   const Workspace workspace;
   workspace.write("r.urdf",
                   "<robot name=\"r\"><link name=\"a\">" + mass +
@@ -125,7 +125,7 @@ TEST_CASE("a file beyond the limit is not read") {
 }
 
 TEST_CASE("notes of one kind are counted and printed once") {
-  const std::string text = said("");
+  const std::string text = import_messages("");
   CHECK(mentions(text,
                  "elgen: note[E815]: `<gazebo>` in `<robot>` is not imported, 2 times, from "
                  "line 2 on\n"));
@@ -141,11 +141,11 @@ TEST_CASE(
     "with -v or machine-readable formats every note has its position, with -q there are no notes") {
   for (const std::string place : {"r.urdf:2:2: note[E815]", "r.urdf:3:2: note[E815]",
                                   "r.urdf:4:13: note[E816]", "r.urdf:5:13: note[E816]"}) {
-    CHECK(mentions(said("-v"), place));
+    CHECK(mentions(import_messages("-v"), place));
   }
-  CHECK(mentions(said("--format github"), "file=r.urdf,line=3"));
-  CHECK_FALSE(mentions(said("-q"), "note["));
-  CHECK(mentions(said("-q"), "warning[E817]"));
+  CHECK(mentions(import_messages("--format github"), "file=r.urdf,line=3"));
+  CHECK_FALSE(mentions(import_messages("-q"), "note["));
+  CHECK(mentions(import_messages("-q"), "warning[E817]"));
 }
 
 }  // namespace elgen::test

@@ -8,14 +8,14 @@
 namespace elgen::test {
 namespace {
 
-const std::string verified =
+const std::string verify_command =
     " elgen verify --samples 2 --language python " ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
 
 /// Verifies with a shell script in place of `python`.
-Outcome verified_by(const std::string& python) {
+Outcome verify_with_python(const std::string& python) {
   const Workspace workspace;
   write_text(workspace.path() / "mine", "#!/bin/sh\n" + python + "\n");
-  return workspace.run("chmod +x mine; export PYTHON=$PWD/mine;" + verified);
+  return workspace.run("chmod +x mine; export PYTHON=$PWD/mine;" + verify_command);
 }
 
 }  // namespace
@@ -37,14 +37,14 @@ TEST_CASE("python: ten models agree with the program bit by bit") {
 }
 
 TEST_CASE("an interpreter that is missing, too old or fails to start is a skipped row") {
-  const Outcome missing = run("export PYTHON=/nowhere/python3;" + verified);
+  const Outcome missing = run("export PYTHON=/nowhere/python3;" + verify_command);
   CHECK(missing.status == 0);
   CHECK(mentions(missing.output, "`/nowhere/python3` could not be run"));
   CHECK(mentions(missing.output, "1 skipped"));
-  const Outcome older = verified_by("echo 'elgen: ! python 2.7 is older than 3.8'");
+  const Outcome older = verify_with_python("echo 'elgen: ! python 2.7 is older than 3.8'");
   CHECK(older.status == 0);
   CHECK(mentions(older.output, "python 2.7 is older than 3.8"));
-  const Outcome dead = verified_by("echo 'no such site' >&2; exit 3");
+  const Outcome dead = verify_with_python("echo 'no such site' >&2; exit 3");
   CHECK(dead.status == 0);
   CHECK(mentions(dead.output, "mine` exits 3:"));
   CHECK(mentions(dead.output, "no such site"));
@@ -52,10 +52,10 @@ TEST_CASE("an interpreter that is missing, too old or fails to start is a skippe
 
 TEST_CASE("an interpreter may print other lines, but not end before its last answer") {
   if (!is_installed("python3", "python3 --version")) return;
-  const Outcome talking = verified_by("echo hello; exec python3 -W error \"$@\"");
+  const Outcome talking = verify_with_python("echo hello; exec python3 -W error \"$@\"");
   CHECK(talking.status == 0);
   CHECK(mentions(talking.output, " 0 fail, 0 skipped"));
-  const Outcome ending = verified_by(
+  const Outcome ending = verify_with_python(
       "python3 \"$@\" > answers; head -n 5 answers; [ $(wc -l < answers) -lt 6 ] || exit 9");
   CHECK(ending.status == 1);
   CHECK(mentions(ending.output, "mine` exits 9, after 3 answers"));
@@ -65,7 +65,7 @@ TEST_CASE("an interpreter may be isolated, and a model may have the name of the 
   if (!is_installed("python3", "python3 --version")) return;
   for (const std::string python : {"export PYTHON='python3 -I';", "export PYTHONSAFEPATH=1;"}) {
     INFO(python);
-    const Outcome isolated = run(python + verified);
+    const Outcome isolated = run(python + verify_command);
     INFO(isolated.output + isolated.errors);
     CHECK(isolated.status == 0);
     CHECK(mentions(isolated.output, " 0 fail, 0 skipped"));

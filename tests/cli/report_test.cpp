@@ -15,7 +15,7 @@ namespace elgen::test {
 namespace {
 
 /// Three commands with errors, one without messages, and one ended by the time limit.
-constexpr std::array ends{
+constexpr std::array end_rows{
     std::pair{"elgen generate $broken/near_miss_name.toml $broken/unknown_unit.toml", 2},
     std::pair{"elgen generate -o /dev/null/out $models/simple_pendulum.toml", 4},
     std::pair{"elgen shwo", 2},
@@ -34,13 +34,13 @@ std::vector<nlohmann::json> messages_of(const std::string& errors) {
 }
 
 /// The bytes that a terminal receives.
-std::string on_terminal(const std::string& command) {
+std::string run_on_terminal(const std::string& command) {
   const Workspace workspace;
   return workspace.run("script -q -e -c \"" + command + "\" /dev/null").output;
 }
 
 /// The output of `show` on a terminal of 60 columns.
-std::string shown_on_terminal(const std::string& environment) {
+std::string show_on_terminal(const std::string& environment) {
   const std::string command = "stty cols 60; " + environment + " " + std::string(ELGEN_BINARY) +
                               " show " + models + "/cart_pole.toml --what mass_matrix";
   return run("script -qc '" + command + "' /dev/null").output;
@@ -109,7 +109,7 @@ TEST_CASE("every line of stderr is a message, and all inputs are reported") {
   const Workspace workspace;
   const std::string names = "models=" + models + " broken=" + broken + "; ";
   std::vector<std::vector<nlohmann::json>> said;
-  for (const auto& [command, status] : ends) {
+  for (const auto& [command, status] : end_rows) {
     INFO(command);
     const Outcome outcome = workspace.run(names + command + " --format json");
     CHECK(outcome.status == status);
@@ -190,14 +190,14 @@ TEST_CASE("with --format json there are no other messages, and options for peopl
 
 TEST_CASE("a long job names its input and stage on a terminal and clears the line") {
   const std::string seen =
-      on_terminal("elgen generate -q --size n=20 -o out " + models + "/chain.toml");
+      run_on_terminal("elgen generate -q --size n=20 -o out " + models + "/chain.toml");
   CHECK(mentions(seen, clear_line + models + "/chain.toml: "));
   REQUIRE(seen.size() >= clear_line.size());
   CHECK(seen.substr(seen.size() - clear_line.size()) == clear_line);
 }
 
 TEST_CASE("a short job shows no progress") {
-  CHECK(on_terminal("elgen generate -q " + models + "/simple_pendulum.toml").empty());
+  CHECK(run_on_terminal("elgen generate -q " + models + "/simple_pendulum.toml").empty());
 }
 
 TEST_CASE("a pipe is shown no progress") {
@@ -214,10 +214,10 @@ TEST_CASE("the progress line is erased before other output") {
 }
 
 TEST_CASE("a UTF-8 terminal gets Unicode, others get plain text") {
-  CHECK(shown_on_terminal("LC_ALL=C.UTF-8 TERM=xterm").find("⎣ m l cos θ") != std::string::npos);
+  CHECK(show_on_terminal("LC_ALL=C.UTF-8 TERM=xterm").find("⎣ m l cos θ") != std::string::npos);
   for (const char* const other : {"LC_ALL=C TERM=xterm", "LC_ALL=C.UTF-8 TERM=dumb"}) {
     INFO(other);
-    CHECK(shown_on_terminal(other).find("mass_matrix[1,2] = m*l*cos(theta)") != std::string::npos);
+    CHECK(show_on_terminal(other).find("mass_matrix[1,2] = m*l*cos(theta)") != std::string::npos);
   }
 }
 

@@ -11,9 +11,9 @@
 namespace elgen::test {
 namespace {
 
-/// `judge SCHEMA FILE...` validates TOML files. Prints the errors and exits with 1 if there are
-/// any.
-constexpr const char* judge = R"(import json, sys, tomllib
+/// `validator_script SCHEMA FILE...` validates TOML files. Prints the errors and exits with 1 if
+/// there are any.
+constexpr const char* validator_script = R"(import json, sys, tomllib
 import jsonschema
 schema = json.load(open(sys.argv[1]))
 jsonschema.Draft7Validator.check_schema(schema)
@@ -27,7 +27,7 @@ sys.exit(wrong)
 )";
 
 /// The first Python with jsonschema and tomllib; empty if none.
-std::string judging_python() {
+std::string python_with_jsonschema() {
   const Workspace workspace;
   for (const std::string python : {"python3", "/usr/bin/python3"}) {
     const std::string question = python + " -c 'import jsonschema, tomllib'";
@@ -44,10 +44,10 @@ std::string schema_of(const std::string& name) {
 }
 
 /// A workspace with the validator and a schema.
-class Judged : public Workspace {
+class SchemaValidation : public Workspace {
  public:
-  explicit Judged(const std::string& schema) : python_(judging_python()) {
-    write("judge.py", judge);
+  explicit SchemaValidation(const std::string& schema) : python_(python_with_jsonschema()) {
+    write("judge.py", validator_script);
     write("schema.json", schema);
   }
 
@@ -77,13 +77,13 @@ class Judged : public Workspace {
 }  // namespace
 
 TEST_CASE("all models and scenes satisfy their schemas") {
-  Judged(schema_of("model"))
+  SchemaValidation(schema_of("model"))
       .accepts(models + "/*.toml " ELGEN_SOURCE_DIR "/tests/urdf/golden/*.toml");
-  Judged(schema_of("scene")).accepts(models + "/scenes/*.toml");
+  SchemaValidation(schema_of("scene")).accepts(models + "/scenes/*.toml");
 }
 
 TEST_CASE("the schema of models refuses an unknown key, a missing key and a wrong word") {
-  const Judged workspace(schema_of("model"));
+  const SchemaValidation workspace(schema_of("model"));
   const std::string cart = read_text(models + "/cart_pole.toml");
   const auto edited = [&](const std::string& part, const std::string& other) {
     std::string text = cart;

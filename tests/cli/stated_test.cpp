@@ -9,8 +9,8 @@ namespace elgen::test {
 namespace {
 
 /// Verifies a model with these keys instead of its [[expect]] entries.
-Outcome verified(const std::string& model, const std::string& keys,
-                 const std::string& options = "-q") {
+Outcome verify_with(const std::string& model, const std::string& keys,
+                    const std::string& options = "-q") {
   const Workspace workspace;
   workspace.write("expect.toml", "[[expect]]\n" + keys);
   workspace.prepare("sed '/^\\[\\[expect\\]\\]/,$d' " + models + "/" + model +
@@ -62,7 +62,7 @@ const std::vector<StudentEquations> students{
 
 TEST_CASE("verify: equations of students are right in any form, or wrong with an explanation") {
   for (const StudentEquations& student : students) {
-    const Outcome judged = verified(student.model, student.keys);
+    const Outcome judged = verify_with(student.model, student.keys);
     INFO(student.keys << judged.output << judged.errors);
     CHECK(judged.status == (student.words.empty() ? 0 : 1));
     CHECK(mentions(judged.errors, "[E510]") == !student.words.empty());
@@ -72,10 +72,10 @@ TEST_CASE("verify: equations of students are right in any form, or wrong with an
 
 TEST_CASE("verify: an equation solved for an acceleration is compared with the accelerations") {
   const Outcome judged =
-      verified("cart_pole",
-               "equations = [\"dot(dot(x)) = (u + m*sin(theta)*(l*dot(theta)^2 + g*cos(theta)))"
-               "/(M + m*sin(theta)^2)\", " +
-                   pole_row + "]\n");
+      verify_with("cart_pole",
+                  "equations = [\"dot(dot(x)) = (u + m*sin(theta)*(l*dot(theta)^2 + g*cos(theta)))"
+                  "/(M + m*sin(theta)^2)\", " +
+                      pole_row + "]\n");
   INFO(judged.errors);
   CHECK(judged.status == 1);
   CHECK(mentions(judged.errors, "compared with the accelerations of the motion: the term "));
@@ -105,27 +105,27 @@ V = "-m1*g*l1 - m2*g*(l2 - l1) + M*g*(l1 + l2)"
 equations = ["(m1 - m2 - M)*g = (m1 + m2 + M)*dot(dot(l1)) + (M - m2)*dot(dot(l2))",
              "dot(dot(l2)) = )toml";
 
-Outcome verified_masses(const std::string& acceleration) {
+Outcome verify_masses(const std::string& acceleration) {
   const Workspace workspace;
   workspace.write("model.toml", three_masses + acceleration + "\"]\n");
   return workspace.run("elgen verify --quick -q model.toml");
 }
 
 TEST_CASE("verify: numerators and denominators of stated accelerations are compared separately") {
-  CHECK(verified_masses("2*m1*(m2 - M)*g/(m1*M + m1*m2 + 4*M*m2)").status == 0);
-  const Outcome below = verified_masses("2*m1*(m2 - M)*g/(m1*M + m1*m2 + 2*M*m2)");
+  CHECK(verify_masses("2*m1*(m2 - M)*g/(m1*M + m1*m2 + 4*M*m2)").status == 0);
+  const Outcome below = verify_masses("2*m1*(m2 - M)*g/(m1*M + m1*m2 + 2*M*m2)");
   INFO(below.errors);
   CHECK(below.status == 1);
   CHECK(mentions(below.errors,
                  "compared with the accelerations of the motion: in the denominator "
                  "the term 4*"));
   CHECK(mentions(below.errors, "has 1/2 of its factor"));
-  const Outcome above = verified_masses("2*m1*(m2 + M)*g/(m1*M + m1*m2 + 4*M*m2)");
+  const Outcome above = verify_masses("2*m1*(m2 + M)*g/(m1*M + m1*m2 + 4*M*m2)");
   INFO(above.errors);
   CHECK(mentions(above.errors, "has the opposite sign"));
   CHECK_FALSE(mentions(above.errors, "denominator"));
   // Numerator and denominator both differ: no term is named.
-  const Outcome both = verified_masses("m1*(3*m2 - M)*g/(m1*M + m1*m2 + 2*M*m2)");
+  const Outcome both = verify_masses("m1*(3*m2 - M)*g/(m1*M + m1*m2 + 2*M*m2)");
   INFO(both.errors);
   CHECK(both.status == 1);
   CHECK_FALSE(mentions(both.errors, "the term"));
@@ -133,7 +133,7 @@ TEST_CASE("verify: numerators and denominators of stated accelerations are compa
 
 TEST_CASE("verify: a square of an equation determines no acceleration") {
   const auto judged = [](const std::string& equation) {
-    return verified("simple_pendulum", "equations = \"" + equation + "\"\n");
+    return verify_with("simple_pendulum", "equations = \"" + equation + "\"\n");
   };
   const Outcome square = judged("dot(dot(theta))^2 = (g/l*sin(theta))^2");
   INFO(square.errors);
@@ -149,11 +149,12 @@ TEST_CASE("verify: a square of an equation determines no acceleration") {
   for (const std::string& equation :
        {row + "^2 = (g*sin(theta))^2", row + "^4 = (g*sin(theta))^4"}) {
     INFO(equation);
-    CHECK(verified("cart_pole", "equations = [" + cart_row + ", \"" + equation + "\"]\n").status ==
-          2);
+    CHECK(
+        verify_with("cart_pole", "equations = [" + cart_row + ", \"" + equation + "\"]\n").status ==
+        2);
   }
   const std::string cubed = "\"" + row + "^3 = (g*sin(theta))^3\"";
-  CHECK(verified("cart_pole", "equations = [" + cart_row + ", " + cubed + "]\n").status == 0);
+  CHECK(verify_with("cart_pole", "equations = [" + cart_row + ", " + cubed + "]\n").status == 0);
   const Outcome other_sign = judged("dot(dot(theta)) = g/l*sin(theta)");
   INFO(other_sign.errors);
   CHECK(other_sign.status == 1);
@@ -164,9 +165,9 @@ TEST_CASE("verify: a square of an equation determines no acceleration") {
 TEST_CASE("verify: an equation that holds only for the values of the file is reported") {
   const std::string told = "it holds for the parameter values of the file";
   const auto ball = [](const std::string& share) {
-    return verified("rolling_ball", "equations = [\"dot(dot(x)) = " + share +
-                                        "*g*sin(alpha)\", \"dot(dot(y)) = 0\", "
-                                        "\"dot(wz(ball)) = 0\"]\n");
+    return verify_with("rolling_ball", "equations = [\"dot(dot(x)) = " + share +
+                                           "*g*sin(alpha)\", \"dot(dot(y)) = 0\", "
+                                           "\"dot(wz(ball)) = 0\"]\n");
   };
   const Outcome homogeneous = ball("5/7");
   INFO(homogeneous.errors);
@@ -180,7 +181,7 @@ TEST_CASE("verify: the term that keeps a sum from being conserved is named") {
   const std::string kinetic = "1/2*m*R^2*dot(theta)^2 ";
   const std::string rest = "1/2*m*R^2*sin(theta)^2*Omega^2 - m*g*R*(cos(theta) - 1)";
   const auto judged = [](const std::string& sum) {
-    return verified("rotating_hoop", "conserved = [\"" + sum + "\"]\n");
+    return verify_with("rotating_hoop", "conserved = [\"" + sum + "\"]\n");
   };
   CHECK(judged(kinetic + "- " + rest).status == 0);
   const Outcome sign = judged(kinetic + "+ " + rest);
@@ -193,12 +194,12 @@ TEST_CASE("verify: the term that keeps a sum from being conserved is named") {
 
 TEST_CASE("verify: equations with a closed form are proved") {
   const Outcome proved =
-      verified("simple_pendulum", "equations = \"l*dot(dot(theta)) = -g*sin(theta)\"\n", "");
+      verify_with("simple_pendulum", "equations = \"l*dot(dot(theta)) = -g*sin(theta)\"\n", "");
   INFO(proved.output);
   CHECK(mentions(proved.output, "[[expect]] equations"));
   CHECK(mentions(proved.output, "some proved"));
   const Outcome sampled =
-      verified("simple_pendulum", "equations = \"dot(l*dot(theta)) = -g*sin(theta)\"\n", "");
+      verify_with("simple_pendulum", "equations = \"dot(l*dot(theta)) = -g*sin(theta)\"\n", "");
   INFO(sampled.output);
   CHECK(sampled.status == 0);
   CHECK_FALSE(mentions(sampled.output, "some proved"));
@@ -206,7 +207,7 @@ TEST_CASE("verify: equations with a closed form are proved") {
 
 TEST_CASE("verify: equations that do not determine the accelerations are refused") {
   const Outcome judged =
-      verified("cart_pole", "equations = [" + pole_row + ", " + pole_row + "]\n");
+      verify_with("cart_pole", "equations = [" + pole_row + ", " + pole_row + "]\n");
   INFO(judged.errors);
   CHECK(judged.status == 2);
   CHECK(mentions(judged.errors, "[E540]: d(left - right)/da has rank 1 of 2, so"));
@@ -215,8 +216,8 @@ TEST_CASE("verify: equations that do not determine the accelerations are refused
 TEST_CASE(
     "verify: equations of a constrained model hold on the constraints and are counted with them") {
   const std::string tangent = "x*dot(dot(y)) - y*dot(dot(x)) = ";
-  CHECK(verified("pendulum_xy", "equations = \"" + tangent + "-g*x\"\n").status == 0);
-  const Outcome wrong = verified("pendulum_xy", "equations = \"" + tangent + "g*x\"\n");
+  CHECK(verify_with("pendulum_xy", "equations = \"" + tangent + "-g*x\"\n").status == 0);
+  const Outcome wrong = verify_with("pendulum_xy", "equations = \"" + tangent + "g*x\"\n");
   INFO(wrong.errors);
   CHECK(wrong.status == 1);
   CHECK(mentions(wrong.errors, "[E510]: left - right is "));
@@ -224,11 +225,11 @@ TEST_CASE(
 
 TEST_CASE("verify: numbers at a state may differ by a fraction of the largest entry") {
   const std::string at = "at = { theta = \"pi/2\", \"dot(theta)\" = 2, m = 1, l = 0.5 }\n";
-  CHECK(verified("simple_pendulum", at + "gravity = [4.905]\nmass_matrix = [[0.25]]\n"
-                                         "hamiltonian = 0.5\n")
+  CHECK(verify_with("simple_pendulum", at + "gravity = [4.905]\nmass_matrix = [[0.25]]\n"
+                                            "hamiltonian = 0.5\n")
             .status == 0);
-  CHECK(verified("simple_pendulum", at + "within = 1e-2\ngravity = [4.9]\n").status == 0);
-  const Outcome wrong = verified("simple_pendulum", at + "gravity = [4.9]\n");
+  CHECK(verify_with("simple_pendulum", at + "within = 1e-2\ngravity = [4.9]\n").status == 0);
+  const Outcome wrong = verify_with("simple_pendulum", at + "gravity = [4.9]\n");
   INFO(wrong.errors);
   CHECK(wrong.status == 1);
   CHECK(mentions(wrong.errors,
@@ -237,7 +238,7 @@ TEST_CASE("verify: numbers at a state may differ by a fraction of the largest en
 }
 
 /// A potential that equals 1 everywhere, written with terms in x^2, with this expectation at x.
-Outcome verified_at(const std::string& x, const std::string& keys) {
+Outcome verify_at(const std::string& x, const std::string& keys) {
   const Workspace workspace;
   workspace.write("model.toml", R"toml(format = 1
 [model]
@@ -256,10 +257,10 @@ at = { x = )toml" + x + " }\n" + keys);
 }
 
 TEST_CASE("verify: numbers at a state are computed with more digits if terms cancel") {
-  CHECK(verified_at("1e100", "potential_energy = \"1\"\ngravity = [0]\n").status == 0);
-  CHECK(verified_at("1e100", "potential_energy = \"0\"\n").status == 1);
-  CHECK(verified_at("1", "potential_energy = \"1\"\n").status == 0);
-  const Outcome untold = verified_at("\"1e400\"", "gravity = [0]\n");
+  CHECK(verify_at("1e100", "potential_energy = \"1\"\ngravity = [0]\n").status == 0);
+  CHECK(verify_at("1e100", "potential_energy = \"0\"\n").status == 1);
+  CHECK(verify_at("1", "potential_energy = \"1\"\n").status == 0);
+  const Outcome untold = verify_at("\"1e400\"", "gravity = [0]\n");
   INFO(untold.output);
   CHECK(mentions(untold.output, "skipped"));
   CHECK(mentions(untold.output, "1 undecided by the oracle"));
@@ -267,26 +268,26 @@ TEST_CASE("verify: numbers at a state are computed with more digits if terms can
 
 TEST_CASE("verify: a function that vanishes at pi is exactly 0 there") {
   const auto upright = [](const std::string& gravity) {
-    return verified("simple_pendulum",
-                    "at = { theta = \"pi\" }\ngravity = [\"" + gravity + "\"]\n");
+    return verify_with("simple_pendulum",
+                       "at = { theta = \"pi\" }\ngravity = [\"" + gravity + "\"]\n");
   };
   CHECK(upright("0").status == 0);
   CHECK(upright("1e-90").status == 1);
 }
 
 TEST_CASE("verify: a state may set inputs, momenta, parameters and components of rotations") {
-  CHECK(verified("cart_pole",
-                 "at = { u = 1, theta = 0, M = 2, m = 1, l = 1 }\n"
-                 "forward_dynamics = [\"1/2\", -0.5]\n")
+  CHECK(verify_with("cart_pole",
+                    "at = { u = 1, theta = 0, M = 2, m = 1, l = 1 }\n"
+                    "forward_dynamics = [\"1/2\", -0.5]\n")
             .status == 0);
-  CHECK(verified("simple_pendulum",
-                 "at = { theta = \"pi/2\", \"p(theta)\" = 2, m = 1, l = 0.5 }\n"
-                 "hamiltonian = 8\n")
+  CHECK(verify_with("simple_pendulum",
+                    "at = { theta = \"pi/2\", \"p(theta)\" = 2, m = 1, l = 0.5 }\n"
+                    "hamiltonian = 8\n")
             .status == 0);
-  CHECK(verified("quadrotor",
-                 "at = { attitude_w = 3, attitude_x = 4, \"thrust[1]\" = 1, \"thrust[2]\" = 1, "
-                 "\"thrust[3]\" = 1, \"thrust[4]\" = 1, m = 1, c = 0 }\n"
-                 "forward_dynamics = [0, -3.84, -10.93, 0, 0, 0]\n")
+  CHECK(verify_with("quadrotor",
+                    "at = { attitude_w = 3, attitude_x = 4, \"thrust[1]\" = 1, \"thrust[2]\" = 1, "
+                    "\"thrust[3]\" = 1, \"thrust[4]\" = 1, m = 1, c = 0 }\n"
+                    "forward_dynamics = [0, -3.84, -10.93, 0, 0, 0]\n")
             .status == 0);
 }
 

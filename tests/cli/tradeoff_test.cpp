@@ -25,9 +25,9 @@ void write_compiler(const Workspace& workspace, const std::string& refused) {
 }
 
 /// A model, a scene, and a compiler that fails.
-class Base : public Workspace {
+class RotorWorkspace : public Workspace {
  public:
-  Base() {
+  RotorWorkspace() {
     write("rotor.toml",
           "format = 1\n[model]\nname = \"rotor\"\n[[coordinate]]\nname = \"q\"\n"
           "unit = \"rad\"\n[parameters]\nJ = { value = 2, unit = \"kg*m^2\" }\n"
@@ -306,19 +306,20 @@ TEST_CASE(
 }
 
 TEST_CASE_METHOD(
-    Base, "the subject is inverse_dynamics, the first output of a scene, or the named output") {
+    RotorWorkspace,
+    "the subject is inverse_dynamics, the first output of a scene, or the named output") {
   CHECK(subject("rotor.toml") == "inverse_dynamics");
   CHECK(subject("two.scene.toml") == "gravity");
   CHECK(subject("--of potential_energy two.scene.toml") == "potential_energy");
 }
 
-TEST_CASE_METHOD(Base, "several outputs and unknown outputs are refused as subject") {
+TEST_CASE_METHOD(RotorWorkspace, "several outputs and unknown outputs are refused as subject") {
   const Outcome outcome = measure("--of gravity,bias rotor.toml");
   CHECK(outcome.status == 2);
   CHECK(mentions(outcome.errors, "`gravity,bias` is not one output"));
 }
 
-TEST_CASE_METHOD(Base,
+TEST_CASE_METHOD(RotorWorkspace,
                  "E644: a pinned value is refused where a key of the scene says another one") {
   struct PinRow {
     std::string keys;

@@ -16,7 +16,7 @@ TEST_CASE("the arm of the example learns its masses and inertias", "[.all]") {
   CHECK(last <= 1e-3);
   CHECK(first > 10 * last);  // initially all parameters are half their true values
   CHECK(number_after(run.output, "within ") <= 2);
-  CHECK(is_shown(run.output));
+  CHECK(is_in_readme(run.output));
 }
 
 }  // namespace elgen::test

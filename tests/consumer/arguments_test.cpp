@@ -8,10 +8,10 @@ namespace elgen::test {
 namespace {
 
 /// A project with one model; `lines` are the end of its CMakeLists.txt.
-class Configured : public Workspace {
+class ConfiguredProject : public Workspace {
  public:
-  explicit Configured(const std::string& lines,
-                      const std::string& find = "find_package(elgen CONFIG REQUIRED)")
+  explicit ConfiguredProject(const std::string& lines,
+                             const std::string& find = "find_package(elgen CONFIG REQUIRED)")
       : Workspace("a project ") {
     prepare("cp '" + models + "/cart_pole.toml' .");
     write("CMakeLists.txt", "cmake_minimum_required(VERSION 3.21)\nproject(wrong NONE)\n" + find +
@@ -39,7 +39,7 @@ std::string on_one_line(const std::string& text) {
   return line;
 }
 
-struct Mistake {
+struct WrongArguments {
   std::string lines;
   std::string message;
 };
@@ -54,9 +54,9 @@ std::string hashes(const Workspace& project) {
 }
 
 /// A project with generated code in its build folder, and committed code in its source folder.
-class Generated : public Configured {
+class ProjectWithCode : public ConfiguredProject {
  public:
-  explicit Generated(const std::string& lines) : Configured(lines) {
+  explicit ProjectWithCode(const std::string& lines) : ConfiguredProject(lines) {
     prepare("mkdir src && cd src && elgen generate -q ../cart_pole.toml");
     write("src/main.cpp", "int main() {}\n");
     REQUIRE(configure().status == 0);
@@ -67,7 +67,7 @@ class Generated : public Configured {
 }  // namespace
 
 TEST_CASE("wrong arguments of elgen_generate are reported") {
-  const Mistake mistakes[] = {
+  const WrongArguments mistakes[] = {
       {"elgen_generate(INPUTS cart_pole.toml)",
        "elgen_generate: TARGET is missing; write elgen_generate(TARGET plant INPUTS "
        "cart_pole.toml"},
@@ -91,7 +91,7 @@ TEST_CASE("wrong arguments of elgen_generate are reported") {
   };
   for (const auto& [lines, message] : mistakes) {
     INFO(lines);
-    const Outcome outcome = Configured(lines).configure();
+    const Outcome outcome = ConfiguredProject(lines).configure();
     CHECK(outcome.status != 0);
     INFO(outcome.errors);
     CHECK(mentions(on_one_line(outcome.errors), message));
@@ -99,7 +99,7 @@ TEST_CASE("wrong arguments of elgen_generate are reported") {
 }
 
 TEST_CASE("no name of a target touches a file of the project or of another target") {
-  const Generated project(
+  const ProjectWithCode project(
       "elgen_generate(TARGET ok INPUTS cart_pole.toml)\nadd_library(other ALIAS ok)\n"
       "if(DEFINED NAME)\n  elgen_generate(TARGET \"${NAME}\" INPUTS cart_pole.toml)\n"
       "  add_custom_target(every ALL)\n  add_dependencies(every \"${NAME}_generate\")\nendif()");
@@ -135,7 +135,7 @@ TEST_CASE("no name of a target touches a file of the project or of another targe
 }
 
 TEST_CASE("only files that elgen wrote for a target are removed") {
-  const Generated project("elgen_generate(TARGET ok INPUTS cart_pole.toml)");
+  const ProjectWithCode project("elgen_generate(TARGET ok INPUTS cart_pole.toml)");
   const std::string folder = "build/CMakeFiles/elgen/ok/";
   project.prepare("cd " + folder +
                   " && printf 'mine' | tee mine.hpp cart_pole/mine.hpp cart_pole/a.stamp && " +
@@ -156,7 +156,7 @@ TEST_CASE("only files that elgen wrote for a target are removed") {
 }
 
 TEST_CASE("no code is written or removed through a symbolic link") {
-  const Generated project("elgen_generate(TARGET ok INPUTS cart_pole.toml)");
+  const ProjectWithCode project("elgen_generate(TARGET ok INPUTS cart_pole.toml)");
   for (const std::string link : {"elgen/ok/cart_pole", "elgen/ok", "elgen"}) {
     const std::string path = "build/CMakeFiles/" + link;
     project.prepare("mv " + path +
@@ -177,7 +177,7 @@ TEST_CASE("no code is written or removed through a symbolic link") {
 }
 
 TEST_CASE("code is generated and updated below a folder with any character that CMake allows") {
-  const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
+  const ConfiguredProject project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
   for (const std::string folder : {"h#sh", "# 1", "a $b (c) 'd", "a$b, 100%", "[ok]*?"}) {
     INFO(folder);
     const std::string quoted = "\"$(cat name)\"";
@@ -202,7 +202,7 @@ TEST_CASE("code is generated and updated below a folder with any character that 
 }
 
 TEST_CASE("at the first configuration CMake shows elgen's error in an input") {
-  const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
+  const ConfiguredProject project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
   project.prepare("sed -i 's/mass = \"m\"/mass = \"mq\"/' cart_pole.toml");
   const Outcome outcome = project.configure();
   CHECK(outcome.status != 0);
@@ -213,7 +213,7 @@ TEST_CASE("at the first configuration CMake shows elgen's error in an input") {
 }
 
 TEST_CASE("an elgen that does not run or lists no sources is reported") {
-  const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
+  const ConfiguredProject project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
   const auto told = [&](const std::string& program) {
     return on_one_line(
         project.configure(finding_elgen() + " -DELGEN_EXECUTABLE=" + program).errors);
@@ -235,7 +235,7 @@ TEST_CASE("an elgen that does not run or lists no sources is reported") {
 
 TEST_CASE("find_package finds this version and no newer one") {
   const auto outcome = [](const std::string& version) {
-    return Configured("", "find_package(elgen " + version + " CONFIG REQUIRED)").configure();
+    return ConfiguredProject("", "find_package(elgen " + version + " CONFIG REQUIRED)").configure();
   };
   CHECK(outcome("0.1").status == 0);
   CHECK(outcome("0.1.0 EXACT").status == 0);
@@ -248,7 +248,7 @@ TEST_CASE("find_package finds this version and no newer one") {
 }
 
 TEST_CASE("another elgen generates again, even if its file is older") {
-  const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
+  const ConfiguredProject project("elgen_generate(TARGET plant INPUTS cart_pole.toml)");
   const auto generates = [&](const std::string& version) {
     project.write_program("mine", "\"$ELGEN\" \"$@\" | sed s/0.1.0/" + version + "/");
     project.prepare("touch -d '3 days ago' mine");
@@ -263,14 +263,14 @@ TEST_CASE("another elgen generates again, even if its file is older") {
 }
 
 TEST_CASE("a package found in a folder is visible in its parent and sibling folders") {
-  const Configured project("elgen_generate(TARGET plant INPUTS cart_pole.toml)",
-                           "add_subdirectory(dependencies)");
+  const ConfiguredProject project("elgen_generate(TARGET plant INPUTS cart_pole.toml)",
+                                  "add_subdirectory(dependencies)");
   project.write("dependencies/CMakeLists.txt", "find_package(elgen CONFIG REQUIRED)\n");
   CHECK(project.configure().status == 0);
 }
 
 TEST_CASE("a library is installed with its plant") {
-  const Configured project(
+  const ConfiguredProject project(
       "elgen_generate(TARGET plant INPUTS cart_pole.toml)\n"
       "add_library(controller STATIC controller.cpp)\n"
       "target_link_libraries(controller PUBLIC plant)\n"
@@ -287,7 +287,7 @@ TEST_CASE("a library is installed with its plant") {
 }
 
 TEST_CASE("CHECK_AGAINST is a test that fails if committed code is stale") {
-  const Configured project(
+  const ConfiguredProject project(
       "enable_testing()\n"
       "elgen_generate(TARGET plant INPUTS cart_pole.toml CHECK_AGAINST generated)");
   project.prepare("elgen generate -q cart_pole.toml && sed -i 's/ NONE/ CXX/' CMakeLists.txt");
@@ -302,7 +302,7 @@ TEST_CASE("CHECK_AGAINST is a test that fails if committed code is stale") {
 }
 
 TEST_CASE("a cross-compiled project runs the elgen of the host", "[.all]") {
-  const Configured project(
+  const ConfiguredProject project(
       "elgen_generate(TARGET plant INPUTS cart_pole.toml)\n"
       "add_executable(user user.cpp)\n"
       "target_link_libraries(user PRIVATE plant)");

@@ -23,8 +23,8 @@ class BareDebian : public Workspace {
   }
 
   /// Runs a command in a folder of the root.
-  [[nodiscard]] Outcome inside(const std::string& command,
-                               const std::string& folder = "work") const {
+  [[nodiscard]] Outcome run_inside(const std::string& command,
+                                   const std::string& folder = "work") const {
     write("root/command", "cd /" + folder + "\n" + command + "\n");
     return run("env -i PATH=/usr/bin:/usr/sbin:/bin HOME=/root chroot root sh /command");
   }
@@ -33,9 +33,9 @@ class BareDebian : public Workspace {
   void install(const std::string& packages) const {
     const auto start = std::chrono::steady_clock::now();
     const long before = megabytes();
-    const Outcome outcome =
-        inside("DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends " +
-               packages);
+    const Outcome outcome = run_inside(
+        "DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends " +
+        packages);
     if (outcome.status != 0) throw std::runtime_error(outcome.errors);
     static_cast<void>(run("rm -f root/var/cache/apt/archives/*.deb"));
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -50,7 +50,7 @@ class BareDebian : public Workspace {
 /// Runs the fences of README.md between two lines, in a folder of the root.
 void replay_in(const BareDebian& debian, const std::string& folder, std::size_t begin,
                std::size_t end) {
-  const auto run = [&](const std::string& command) { return debian.inside(command, folder); };
+  const auto run = [&](const std::string& command) { return debian.run_inside(command, folder); };
   for (const Fence& fence : page("README.md").fences) {
     if (fence.line < begin || fence.line >= end) continue;
     INFO("README.md:" << fence.line);
@@ -76,7 +76,7 @@ TEST_CASE("the first page needs Debian 12, the package and g++, its controller C
     return;
   }
   const BareDebian debian;
-  if (packed(workspace).empty()) return;
+  if (write_package(workspace).empty()) return;
   workspace.prepare("cp elgen.deb '" + debian.path().string() + "/root/work'");
   debian.install("./elgen.deb");
   debian.install("g++");

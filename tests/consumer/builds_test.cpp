@@ -28,7 +28,7 @@ struct Edit {
   const char* title;
   const char* command;
   const char* row;
-  bool settles = true;  ///< the next build does nothing
+  bool is_rebuild_empty = true;  ///< the next build does nothing
 };
 
 /// A project with two callers; each uses the code of one input.
@@ -65,7 +65,7 @@ class Project : public Workspace {
     if (built.status == 0) {
       const std::string again = run("cmake --build build").output;
       CHECK(found(again, "(Building|Linking)") == "-");
-      const std::size_t runs = edit.settles ? 0 : 1;
+      const std::size_t runs = edit.is_rebuild_empty ? 0 : 1;
       CHECK(count(again, "] Generating ") == runs);
       CHECK(count(again, "-- Configuring done") == runs);
     }
@@ -174,7 +174,7 @@ TEST_CASE("every generator builds the examples", "[.all]") {
 
 TEST_CASE("elgen from a package builds like an installed elgen", "[.all]") {
   const Workspace workspace("a package ");
-  if (packed(workspace).empty()) return;
+  if (write_package(workspace).empty()) return;
   workspace.prepare("dpkg-deb -x elgen.deb root");
   for (const std::string file :
        {"bin/elgen", "share/man/man1/elgen.1", "share/bash-completion/completions/elgen",

@@ -22,7 +22,7 @@ class Firmware : public Example {
                                 (installed() / "share/cmake/elgen").string() + "'") {}
 
   /// The output of the target, run by ctest with the emulator of the toolchain file.
-  [[nodiscard]] std::string printed() const {
+  [[nodiscard]] std::string test_output() const {
     const Outcome tested = run("ctest --test-dir build --verbose --timeout 60");
     CHECK(tested.status == 0);
     write("printed", tested.output);
@@ -30,7 +30,8 @@ class Firmware : public Example {
   }
 
   /// The undefined symbols of an object that do not match `allowed`, one per line.
-  [[nodiscard]] std::string needs(const std::string& object, const std::string& allowed) const {
+  [[nodiscard]] std::string undefined_symbols(const std::string& object,
+                                              const std::string& allowed) const {
     const Outcome listed = run("arm-none-eabi-nm -P -u build/CMakeFiles/firmware.dir/" + object);
     CHECK(listed.status == 0);
     write("needed", listed.output);
@@ -43,7 +44,7 @@ class Firmware : public Example {
 TEST_CASE("the firmware balances its pendulum, with the same output in every run", "[.all]") {
   if (!has_cross_compiler()) return;
   const Firmware firmware;
-  const std::string printed = firmware.printed();
+  const std::string printed = firmware.test_output();
   INFO(printed);
   CHECK(number_after(printed, "angle ") < 2000);
   CHECK(number_after(printed, "2000 urad from ") < 2000);
@@ -51,15 +52,16 @@ TEST_CASE("the firmware balances its pendulum, with the same output in every run
   CHECK(instructions > 20);
   CHECK(instructions < 150);
   CHECK(number_after(printed, "simulated pendulum: ") > instructions);
-  CHECK(firmware.printed() == printed);
-  CHECK(is_shown(printed));
+  CHECK(firmware.test_output() == printed);
+  CHECK(is_in_readme(printed));
 }
 
 TEST_CASE("the firmware needs no heap, no doubles, and only sine and cosine from libm", "[.all]") {
   if (!has_cross_compiler()) return;
   const Firmware firmware;
-  CHECK(firmware.needs("controller.c.obj", "sinf|cosf").empty());
-  CHECK(firmware.needs("main.c.obj", "sinf|cosf|memcpy|memset|motor_torque|print|timer").empty());
+  CHECK(firmware.undefined_symbols("controller.c.obj", "sinf|cosf").empty());
+  CHECK(firmware.undefined_symbols("main.c.obj", "sinf|cosf|memcpy|memset|motor_torque|print|timer")
+            .empty());
   const Outcome linked = firmware.run("arm-none-eabi-nm build/firmware");
   CHECK(mentions(linked.output, " T sinf\n"));
   for (const std::string name : {"malloc", "_sbrk", "__aeabi_dadd", "__aeabi_dmul", "printf"}) {

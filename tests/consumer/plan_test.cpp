@@ -19,8 +19,8 @@ class Planner : public Example {
   Planner() : Example("plan") {}
 
   /// The output of the program after an edit of `file` by sed.
-  [[nodiscard]] Outcome edited(const std::string& file, const std::string& edit,
-                               const std::string& arguments = "") const {
+  [[nodiscard]] Outcome run_edited(const std::string& file, const std::string& edit,
+                                   const std::string& arguments = "") const {
     const std::string before = read(file);
     prepare("sed -i '" + edit + "' " + file);
     REQUIRE(read(file) != before);
@@ -47,7 +47,7 @@ TEST_CASE("the plan satisfies its constraints and is closer to a simulation on a
   CHECK(number_after(plan.output, force) < 20);
   CHECK(planner.run("build/plan").output == plan.output);
 
-  const Outcome finer = planner.edited("main.cpp", "s/intervals = 100,/intervals = 200,/");
+  const Outcome finer = planner.run_edited("main.cpp", "s/intervals = 100,/intervals = 200,/");
   CHECK(finer.status == 0);
   // The collocation and rk4 both have order 4.
   const double ratio = number_after(plan.output, distance) / number_after(finer.output, distance);
@@ -57,7 +57,7 @@ TEST_CASE("the plan satisfies its constraints and is closer to a simulation on a
 
 TEST_CASE("the plan respects the limits of the force in the model", "[.all]") {
   if (!ipopt_is_installed()) return;
-  const Outcome plan = Planner().edited("cart_pole.toml", "s/-20, 20/-8, 8/");
+  const Outcome plan = Planner().run_edited("cart_pole.toml", "s/-20, 20/-8, 8/");
   CHECK(plan.status == 0);
   CHECK(number_after(plan.output, miss) < 1e-8);
   CHECK(number_after(plan.output, force) == 8);
@@ -71,7 +71,7 @@ TEST_CASE("Ipopt's derivative checker accepts the plan and finds an inserted err
   CHECK(checked.status == 0);
   CHECK(mentions(checked.output, found));
 
-  const Outcome spoilt = planner.edited("main.cpp", "s/\\* f.B/* 1.001 * f.B/", " --check");
+  const Outcome spoilt = planner.run_edited("main.cpp", "s/\\* f.B/* 1.001 * f.B/", " --check");
   CHECK_FALSE(mentions(spoilt.output, found));
   CHECK(mentions(spoilt.output, "Derivative checker detected "));
 }

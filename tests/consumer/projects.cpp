@@ -10,7 +10,7 @@ double number_after(const std::string& text, const std::string& words) {
   return std::stod(text.substr(at + words.size()));
 }
 
-std::filesystem::path packed(const Workspace& workspace) {
+std::filesystem::path write_package(const Workspace& workspace) {
   if (!is_installed("dpkg-dev or file", "command -v dpkg-shlibdeps && command -v file")) return {};
   workspace.prepare("cpack -G DEB --config '" ELGEN_BUILD_DIR
                     "/CPackConfig.cmake' -B packed && mv packed/*.deb elgen.deb");
@@ -22,7 +22,7 @@ Example::Example(const std::string& name, const std::string& options) : Workspac
           options + " " + finding_elgen() + " && cmake --build build");
 }
 
-bool is_shown(const std::string& output) {
+bool is_in_readme(const std::string& output) {
   return !output.empty() && mentions(read_text(ELGEN_SOURCE_DIR "/examples/README.md"), output);
 }
 

@@ -16,7 +16,7 @@ inline const std::string models = ELGEN_SOURCE_DIR "/models";
 
 /// Writes the Debian package of this build into the workspace and returns its path; empty if
 /// dpkg-dev is not installed.
-[[nodiscard]] std::filesystem::path packed(const Workspace& workspace);
+[[nodiscard]] std::filesystem::path write_package(const Workspace& workspace);
 
 /// A copy of examples/NAME, configured and built in `build`.
 class Example : public Workspace {
@@ -26,6 +26,6 @@ class Example : public Workspace {
 };
 
 /// True if examples/README.md shows this output of an example.
-[[nodiscard]] bool is_shown(const std::string& output);
+[[nodiscard]] bool is_in_readme(const std::string& output);
 
 }  // namespace elgen::test

@@ -16,7 +16,7 @@ TEST_CASE("the arm of the example follows its circle with correct and with wrong
   CHECK(right <= 1e-4);
   CHECK(wrong <= 1e-2);
   CHECK(wrong > 10 * right);  // the controller assumes the lighter link
-  CHECK(is_shown(run.output));
+  CHECK(is_in_readme(run.output));
 }
 
 }  // namespace elgen::test

@@ -153,7 +153,7 @@ Lagrangian limbs_first(const std::string& text) {
 }
 
 /// A state with unit quaternions.
-State unit_state(const CheckedModel& checked, int sample) {
+State normalised_state(const CheckedModel& checked, int sample) {
   State state = some_state(checked, sample);
   for (const Rotation& rotation : checked.model.rotations) {
     for (std::uint32_t i = 0; i < quaternion_size; ++i) {
@@ -187,7 +187,7 @@ TEST_CASE("articulated bodies give the solution and pivots of elimination", "[fr
     REQUIRE(found);
     for (const int sample : {1, 2}) {
       const NumbersAt at(derivation.symbols, derivation.definitions,
-                         unit_state(system.checked, sample));
+                         normalised_state(system.checked, sample));
       CHECK(nearly_equal(at(found->solution.acceleration), at(expected.acceleration)));
       CHECK(nearly_equal(at(found->solution.relative_pivots), at(expected.relative_pivots)));
       CHECK(nearly_equal(at(found->solution.diagonal), at(expected.diagonal)));
@@ -217,7 +217,7 @@ TEST_CASE("the joints of a tree must come after the joints that carry them", "[f
   Derivation derivation(Framed(links_text(2)).lagrangian);
   const auto joints = tree_joints(tree_of(derivation));
   REQUIRE(joints);
-  CHECK(joints->at(0).step < joints->at(1).step);
+  CHECK(joints->at(0).transform < joints->at(1).transform);
   Derivation other(Framed(links_text(2, true)).lagrangian);
   CHECK_FALSE(tree_joints(tree_of(other)));
 }

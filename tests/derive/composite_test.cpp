@@ -11,11 +11,11 @@ using namespace elgen::test;
 
 namespace {
 
-/// Transforms a twist from the axes before a step to the axes after it.
+/// Transforms a twist from the axes before a transform to the axes after it.
 Twist after(Tree& tree, std::size_t step, const Twist& before) {
   Twist result = before;
-  if (tree.step(step).kind == FrameStepKind::translation) {
-    const ExVector3 carried = tree.algebra.cross(before.spin, tree.step(step).vector);
+  if (tree.transform(step).kind == TransformKind::translation) {
+    const ExVector3 carried = tree.algebra.cross(before.spin, tree.transform(step).vector);
     result.velocity = tree.algebra.add(before.velocity, carried);
     return result;
   }
@@ -36,7 +36,7 @@ const Twist second{{GiNaC::numeric(1, 4), GiNaC::numeric(6, 5), GiNaC::numeric(-
                    {GiNaC::numeric(5, 3), GiNaC::numeric(-1, 8), GiNaC::numeric(1, 2)}};
 
 /// The spatial force (A s; s x P).
-SpatialForce applied(VectorAlgebra& algebra, const CompositeRate& rate, const ExVector3& s) {
+SpatialForce force_of_rate(VectorAlgebra& algebra, const CompositeRate& rate, const ExVector3& s) {
   SpatialForce result;
   result.moment = algebra.product(rate.a, s);
   result.force = algebra.cross(s, rate.momentum);
@@ -104,7 +104,7 @@ TEST_CASE("the composite rate of a body along its own twist is w x momentum", "[
     Derivation derivation(system.lagrangian);
     Tree& tree = tree_of(derivation);
     VectorAlgebra& algebra = tree.algebra;
-    const std::vector<Twist> twists = tree_twists(tree, derivation.frozen);
+    const std::vector<Twist> twists = tree_twists(tree, derivation.fixed_time);
     const std::size_t leaf = tree.size() - 1;  // a leaf carries only itself
     const CompositeRate rate = composite_rates(tree, twists)[leaf];
     const CompositeInertia inertia = composite_inertias(tree)[leaf];
@@ -115,7 +115,7 @@ TEST_CASE("the composite rate of a body along its own twist is w x momentum", "[
     const ExVector3 of_velocity = algebra.cross(twists[leaf].velocity, p.force);
     expected.moment = algebra.add(of_spin, of_velocity);
     expected.force = algebra.cross(w, p.force);
-    const Vector derived = listed(applied(algebra, rate, w));
+    const Vector derived = listed(force_of_rate(algebra, rate, w));
     const Vector wanted = listed(expected);
     const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
     CHECK(nearly_equal(at(derived), at(wanted)));
@@ -129,13 +129,13 @@ TEST_CASE("a force per twist transforms to the axes before a step", "[frames]") 
     Derivation derivation(system.lagrangian);
     Tree& tree = tree_of(derivation);
     const std::vector<CompositeRate> rates =
-        composite_rates(tree, tree_twists(tree, derivation.frozen));
+        composite_rates(tree, tree_twists(tree, derivation.fixed_time));
     for (std::size_t k = 0; k < tree.size(); ++k) {
       INFO(name << " step " << k);
       const CompositeRate before = to_parent(tree, k, rates[k]);
-      const SpatialForce after = applied(tree.algebra, rates[k], tree.to_child(k, s));
+      const SpatialForce after = force_of_rate(tree.algebra, rates[k], tree.to_child(k, s));
       const Vector passed = listed(tree.before(k, after));
-      const Vector direct = listed(applied(tree.algebra, before, s));
+      const Vector direct = listed(force_of_rate(tree.algebra, before, s));
       const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
       CHECK(nearly_equal(at(direct), at(passed)));
     }

@@ -137,11 +137,11 @@ stabilise = { omega = 7, zeta = "3/5" }
 struct WrittenMotion {
   explicit WrittenMotion(const std::string& text) : system(text) {
     const ForwardDynamics motion = forward_dynamics(system.derivation);
-    for (const ex& a : motion.acceleration) acceleration.push_back(out(a));
-    for (const ex& lambda : motion.multipliers) multipliers.push_back(out(lambda));
+    for (const ex& a : motion.acceleration) acceleration.push_back(write_out(a));
+    for (const ex& lambda : motion.multipliers) multipliers.push_back(write_out(lambda));
   }
 
-  [[nodiscard]] ex out(const ex& value) const {
+  [[nodiscard]] ex write_out(const ex& value) const {
     return written_out(system.derivation.definitions, value);
   }
 
@@ -191,14 +191,16 @@ TEST_CASE("derivatives agree with derivatives of the written-out accelerations a
     const ex& a = motion.acceleration[i];
     for (std::size_t j = 0; j < 2; ++j) {
       INFO("acceleration " << i << " by " << j);
-      CHECK(motion.system.agree(derived.by_position[2 * i + j], Textbook::by(a, s.q[j])));
-      CHECK(motion.system.agree(derived.by_velocity[2 * i + j], Textbook::by(a, s.v[j])));
+      CHECK(
+          motion.system.agree(derived.by_position[2 * i + j], Textbook::derivative_by(a, s.q[j])));
+      CHECK(
+          motion.system.agree(derived.by_velocity[2 * i + j], Textbook::derivative_by(a, s.v[j])));
     }
-    CHECK(motion.system.agree(derived.by_input[i], Textbook::by(a, s.u[0])));
+    CHECK(motion.system.agree(derived.by_input[i], Textbook::derivative_by(a, s.u[0])));
   }
   // The contribution of d(A^T lambda)/dq = 2 lambda to da_x/dx.
   const ex across = s.q[1] * s.q[1] / (s.q[0] * s.q[0] + s.q[1] * s.q[1]);
   const ex forgotten = 2 * motion.multipliers[0] * across / s.parameters[0];
   CHECK_FALSE(motion.system.agree(derived.by_position[0] - forgotten,
-                                  Textbook::by(motion.acceleration[0], s.q[0])));
+                                  Textbook::derivative_by(motion.acceleration[0], s.q[0])));
 }

@@ -27,13 +27,13 @@ const FieldEquations& field(const Steps& steps, const std::string& output,
 TEST_CASE("the four directions differ in the variables that they move") {
   Derived s(everything_text());
   const GiNaC::ex& x = s.source.masses.front().position[0];
-  const GiNaC::ex whole = s.textbook.rate(s.textbook.out(x));
+  const GiNaC::ex whole = s.textbook.rate(s.textbook.write_out(x));
   GiNaC::ex still = whole;
   for (const GiNaC::ex& v : s.source.symbols.v) still = still.subs(v == 0);
   CHECK(s.agree(s.derivation.motion(x), whole));
-  CHECK(s.agree(s.derivation.coasting(x), whole));
-  CHECK(s.agree(s.derivation.passing(x), still));
-  CHECK(s.agree(s.derivation.frozen(x), whole - still));
+  CHECK(s.agree(s.derivation.zero_acceleration(x), whole));
+  CHECK(s.agree(s.derivation.time_partial(x), still));
+  CHECK(s.agree(s.derivation.fixed_time(x), whole - still));
 }
 
 TEST_CASE(

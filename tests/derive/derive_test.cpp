@@ -48,7 +48,7 @@ TEST_CASE("every output of the default scene has entries of its shape") {
     REQUIRE(equations);
     std::size_t wanted = 0;
     for (const OutputRequest& output : checked.scene.outputs) {
-      if (!output_row(output.kind).repeats) ++wanted;
+      if (!output_row(output.kind).is_summary) ++wanted;
     }
     CHECK(equations->outputs.size() == wanted);
     for (const OutputEquations& output : equations->outputs) {
@@ -159,7 +159,7 @@ TEST_CASE("named intermediates have a kind, frame and axis, independent of other
   const auto told = [&](const std::vector<OutputRequest>& outputs) {
     std::set<std::string> names;
     const auto equations = derived(checked, outputs);
-    for (const auto& [symbol, name] : equations->outputs.back().told) names.insert(name);
+    for (const auto& [symbol, name] : equations->outputs.back().value_names) names.insert(name);
     return names;
   };
   const std::set<std::string> alone = told({bias});

@@ -113,7 +113,7 @@ TEST_CASE("dM/dt - 2 C is skew-symmetric", "[frames]") {
     Vector rates;
     Vector sums;
     for (std::size_t i = 0; i < n * n; ++i) {
-      rates.push_back(derivation.frozen(mass[i]));
+      rates.push_back(derivation.fixed_time(mass[i]));
       sums.push_back(coriolis[i] + coriolis[i % n * n + i / n]);
     }
     const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));

@@ -23,7 +23,7 @@ bool agree(const Derived& s, const ex& derived, const ex& expected) {
 }
 
 /// A system in coordinates x and y with these energies, masses m and a parameter k.
-Derived in_plane(const std::string& energies) {
+Derived plane_system(const std::string& energies) {
   return Derived(model_text("plane",
                             "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n"
                             "[parameters]\nm = 2\nk = 3\n[energy]\n" +
@@ -33,7 +33,7 @@ Derived in_plane(const std::string& energies) {
 }  // namespace
 
 TEST_CASE("Kepler in polar coordinates") {
-  Derived s = in_plane("T = \"1/2*m*(dot(x)^2 + x^2*dot(y)^2)\"\nV = \"-k/x\"\n");
+  Derived s = plane_system("T = \"1/2*m*(dot(x)^2 + x^2*dot(y)^2)\"\nV = \"-k/x\"\n");
   const ex& r = s.source.symbols.q[0];
   const ex& m = s.source.symbols.parameters[0];
   const ex& k = s.source.symbols.parameters[1];
@@ -48,7 +48,7 @@ TEST_CASE("Kepler in polar coordinates") {
 }
 
 TEST_CASE("in a magnetic field p - M v equals b") {
-  Derived s = in_plane("T = \"1/2*m*(dot(x)^2 + dot(y)^2)\"\nV = \"-k*x*dot(y)\"\n");
+  Derived s = plane_system("T = \"1/2*m*(dot(x)^2 + dot(y)^2)\"\nV = \"-k*x*dot(y)\"\n");
   const ex& x = s.source.symbols.q[0];
   const ex& m = s.source.symbols.parameters[0];
   const ex& k = s.source.symbols.parameters[1];

@@ -123,8 +123,8 @@ TEST_CASE("applied forces with and without inputs") {
 TEST_CASE("dissipation is the gradient of D with respect to the rates") {
   Derived s(everything_text());
   const Vector force = dissipation(s.derivation);
-  const GiNaC::ex D = s.textbook.out(s.source.dissipation.front().value);
-  CHECK(s.agree(force[0], Textbook::by(D, s.source.symbols.v[0])));
+  const GiNaC::ex D = s.textbook.write_out(s.source.dissipation.front().value);
+  CHECK(s.agree(force[0], Textbook::derivative_by(D, s.source.symbols.v[0])));
   CHECK(force[1].is_zero());
 }
 
@@ -146,7 +146,8 @@ TEST_CASE("input matrices are the derivatives of forces with respect to inputs")
   REQUIRE(matrix.size() == 4);
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
-      CHECK(s.agree(matrix[i * 2 + j], Textbook::by(s.textbook.force(i), s.source.symbols.u[j])));
+      CHECK(s.agree(matrix[i * 2 + j],
+                    Textbook::derivative_by(s.textbook.force(i), s.source.symbols.u[j])));
     }
   }
 }
@@ -157,9 +158,10 @@ TEST_CASE("Jacobians and second rates of declared outputs") {
   const Vector slopes = jacobian(s.derivation, values);
   const Vector rates = second_rate(s.derivation, values);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const GiNaC::ex value = s.textbook.out(values[k]);
+    const GiNaC::ex value = s.textbook.write_out(values[k]);
     for (std::size_t j = 0; j < s.size(); ++j) {
-      CHECK(s.agree(slopes[k * s.size() + j], Textbook::by(value, s.source.symbols.q[j])));
+      CHECK(
+          s.agree(slopes[k * s.size() + j], Textbook::derivative_by(value, s.source.symbols.q[j])));
     }
     CHECK(s.agree(rates[k], s.textbook.coasting(s.textbook.rate(s.textbook.rate(value)))));
   }

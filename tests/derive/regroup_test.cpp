@@ -78,7 +78,7 @@ inertia = ["J", "2*J", "5/2*J"]
 
 /// The largest error of momentum = M v, tau(a) - tau(0) = M a and p v = 2 T, with quaternions of
 /// length 1.1.
-double off_the_sphere(const std::string& text) {
+double error_off_sphere(const std::string& text) {
   Framed system(text);
   State state = some_state(system.checked, 1);
   for (const Rotation& rotation : system.checked.model.rotations) {
@@ -132,7 +132,7 @@ TEST_CASE("inertia that acts equally on the parent of a rotation moves to the pa
   std::vector<RigidBody> bodies = tree_of(derivation).bodies();
   // The world comes first: a body that does not move only has a weight.
   REQUIRE(bodies.size() == 3);
-  CHECK_FALSE(bodies[0].step.has_value());
+  CHECK_FALSE(bodies[0].transform.has_value());
   CHECK(bodies[0].mass.is_equal(8));
   const RigidBody& first = bodies[1];
   CHECK(first.mass.is_zero());
@@ -169,8 +169,8 @@ TEST_CASE("bodies with symbolic inertias are not regrouped", "[regroup]") {
 }
 
 TEST_CASE("for quaternions of any length T, momentum, forces and M stay consistent", "[frames]") {
-  CHECK(off_the_sphere(flying(hull)) < 1e-40);
-  CHECK(off_the_sphere(flying(hull + R"toml([[frame]]
+  CHECK(error_off_sphere(flying(hull)) < 1e-40);
+  CHECK(error_off_sphere(flying(hull + R"toml([[frame]]
 name = "mount"
 parent = "hull"
 translate = ["c", "0", "b"]
@@ -182,7 +182,7 @@ com = ["0", "c", "0"]
 inertia = ["J", "J", "J"]
 )toml")) < 1e-40);
   // With a joint after the rotation.
-  CHECK(off_the_sphere(flying("[[coordinate]]\nname = \"y\"\n" + hull + R"toml([[frame]]
+  CHECK(error_off_sphere(flying("[[coordinate]]\nname = \"y\"\n" + hull + R"toml([[frame]]
 name = "arm"
 parent = "hull"
 translate = ["c", "0", "b"]

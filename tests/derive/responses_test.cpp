@@ -18,7 +18,7 @@ namespace {
 
 Program program_of(const Framed& system, const std::string& output) {
   const std::vector<OutputRequest> requests{system.request(output)};
-  return composed(*lower(*derive(system.lagrangian, requests, {}), requests, {}));
+  return compose_outputs(*lower(*derive(system.lagrangian, requests, {}), requests, {}));
 }
 
 /// Compares the composed output with directly derived entries.

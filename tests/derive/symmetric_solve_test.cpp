@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-Lagrangian in_order(const std::string& text, bool last_first) {
+Lagrangian derivation_in_order(const std::string& text, bool last_first) {
   Lagrangian lagrangian = Framed(text).lagrangian;
   lagrangian.eliminates_last_first = last_first;
   return lagrangian;
@@ -23,7 +23,7 @@ SymmetricSolve solve_of(Derivation& derivation, const Vector& mass) {
 
 /// The number of definitions that the factorisation and one solution add to M.
 std::size_t cost(const std::string& text, bool last_first) {
-  Derivation derivation(in_order(text, last_first));
+  Derivation derivation(derivation_in_order(text, last_first));
   Vector mass = mass_matrix(derivation);
   for (GiNaC::ex& entry : mass) entry = define(derivation.definitions, entry);
   const std::size_t before = derivation.definitions.list.size();
@@ -60,7 +60,7 @@ TEST_CASE("M x = r holds in both orders of elimination", "[frames]") {
     for (const bool last_first : {false, true}) {
       INFO(name << " " << last_first);
       const Framed system(text);
-      Derivation derivation(in_order(text, last_first));
+      Derivation derivation(derivation_in_order(text, last_first));
       const std::size_t n = derivation.size();
       const Vector mass = mass_matrix(derivation);
       SymmetricSolve solve = solve_of(derivation, mass);
@@ -77,7 +77,7 @@ TEST_CASE("the first relative pivot is 1, the second is its Schur complement ove
           "[frames]") {
   const Framed system(two_turns_text());
   for (const bool last_first : {false, true}) {
-    Derivation derivation(in_order(two_turns_text(), last_first));
+    Derivation derivation(derivation_in_order(two_turns_text(), last_first));
     const Vector mass = mass_matrix(derivation);
     const Vector pivots = solve_of(derivation, mass).relative_pivots();
     const std::size_t first = last_first ? 1 : 0;

@@ -20,24 +20,25 @@ class Textbook {
     lagrangian_ = kinetic_ - potential_ + sum(source_.lagrangian);
   }
 
-  [[nodiscard]] GiNaC::ex out(const GiNaC::ex& value) const {
+  [[nodiscard]] GiNaC::ex write_out(const GiNaC::ex& value) const {
     return written_out(source_.definitions, value);
   }
 
   [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& value) const {
-    GiNaC::ex result = by(value, s_.t);
+    GiNaC::ex result = derivative_by(value, s_.t);
     for (std::size_t i = 0; i < s_.q.size(); ++i) {
-      result += by(value, s_.q[i]) * s_.v[i] + by(value, s_.v[i]) * s_.a[i];
+      result += derivative_by(value, s_.q[i]) * s_.v[i] + derivative_by(value, s_.v[i]) * s_.a[i];
     }
     return result;
   }
 
   /// Generalised force of all declared forces and inputs on coordinate i.
   [[nodiscard]] GiNaC::ex force(std::size_t i) const {
-    GiNaC::ex result = out(source_.forces[i]);
+    GiNaC::ex result = write_out(source_.forces[i]);
     for (const PointForce& applied : source_.point_forces) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        result += out(applied.force[axis]) * by(out(applied.position[axis]), s_.q[i]);
+        result += write_out(applied.force[axis]) *
+                  derivative_by(write_out(applied.position[axis]), s_.q[i]);
       }
     }
     return result;
@@ -60,28 +61,31 @@ class Textbook {
     return value;
   }
 
-  [[nodiscard]] GiNaC::ex momentum(std::size_t i) const { return by(lagrangian_, s_.v[i]); }
+  [[nodiscard]] GiNaC::ex momentum(std::size_t i) const {
+    return derivative_by(lagrangian_, s_.v[i]);
+  }
 
   [[nodiscard]] GiNaC::ex position_gradient(std::size_t i) const {
-    return by(lagrangian_, s_.q[i]);
+    return derivative_by(lagrangian_, s_.q[i]);
   }
 
   [[nodiscard]] GiNaC::ex inverse_dynamics(std::size_t i) const {
-    return rate(momentum(i)) - position_gradient(i) + by(out(sum(source_.dissipation)), s_.v[i]) -
-           applied_force(i);
+    return rate(momentum(i)) - position_gradient(i) +
+           derivative_by(write_out(sum(source_.dissipation)), s_.v[i]) - applied_force(i);
   }
 
   [[nodiscard]] GiNaC::ex bias(std::size_t i) const { return coasting(inverse_dynamics(i)); }
 
   [[nodiscard]] GiNaC::ex mass(std::size_t i, std::size_t j) const {
-    return by(momentum(i), s_.v[j]);
+    return derivative_by(momentum(i), s_.v[j]);
   }
 
   /// C in Christoffel form.
   [[nodiscard]] GiNaC::ex coriolis(std::size_t i, std::size_t j) const {
     GiNaC::ex result = 0;
     for (std::size_t k = 0; k < s_.q.size(); ++k) {
-      result += (by(mass(i, j), s_.q[k]) + by(mass(i, k), s_.q[j]) - by(mass(j, k), s_.q[i])) *
+      result += (derivative_by(mass(i, j), s_.q[k]) + derivative_by(mass(i, k), s_.q[j]) -
+                 derivative_by(mass(j, k), s_.q[i])) *
                 s_.v[k] / 2;
     }
     return result;
@@ -94,12 +98,12 @@ class Textbook {
   }
 
   [[nodiscard]] GiNaC::ex gravity(std::size_t i) const {
-    return by(at_rest(potential0()), s_.q[i]);
+    return derivative_by(at_rest(potential0()), s_.q[i]);
   }
 
   [[nodiscard]] GiNaC::ex drift(std::size_t i) const {
-    return bias(i) - velocity_force(i) - gravity(i) - by(out(sum(source_.dissipation)), s_.v[i]) +
-           applied_force(i);
+    return bias(i) - velocity_force(i) - gravity(i) -
+           derivative_by(write_out(sum(source_.dissipation)), s_.v[i]) + applied_force(i);
   }
 
   [[nodiscard]] GiNaC::ex energy() const {
@@ -112,22 +116,23 @@ class Textbook {
   [[nodiscard]] GiNaC::ex total() const { return kinetic_ + potential_; }
   [[nodiscard]] GiNaC::ex potential0() const { return at_rest(potential_); }
 
-  [[nodiscard]] static GiNaC::ex by(const GiNaC::ex& value, const GiNaC::ex& symbol) {
+  [[nodiscard]] static GiNaC::ex derivative_by(const GiNaC::ex& value, const GiNaC::ex& symbol) {
     return value.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
   }
 
  private:
   [[nodiscard]] GiNaC::ex sum(const EnergyTerms& terms) const {
     GiNaC::ex result = 0;
-    for (const EnergyTerm& term : terms) result += out(term.value);
+    for (const EnergyTerm& term : terms) result += write_out(term.value);
     return result;
   }
 
   void add_mass(const PointMass& mass) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const GiNaC::ex position = out(mass.position[axis]);
-      kinetic_ += out(mass.mass) * GiNaC::pow(rate(position), 2) / 2;
-      if (source_.gravity) potential_ -= out(mass.mass) * out((*source_.gravity)[axis]) * position;
+      const GiNaC::ex position = write_out(mass.position[axis]);
+      kinetic_ += write_out(mass.mass) * GiNaC::pow(rate(position), 2) / 2;
+      if (source_.gravity)
+        potential_ -= write_out(mass.mass) * write_out((*source_.gravity)[axis]) * position;
     }
   }
 

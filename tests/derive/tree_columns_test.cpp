@@ -12,15 +12,15 @@ namespace {
 
 using Pairs = std::multiset<std::pair<std::size_t, std::size_t>>;
 
-Pairs visited(Derivation& derivation) {
+Pairs visited_pairs(Derivation& derivation) {
   Tree& tree = tree_of(derivation);
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
-  TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen});
+  TreeColumns columns(tree, variables, {derivation.fixed_time, derivation.fixed_time});
   Pairs pairs;
   columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
     CHECK(pair.columns.size() == 1);
-    CHECK(pair.is_mutual ==
-          (pair.upper != pair.lower && variables[pair.upper].step == variables[pair.lower].step));
+    CHECK(pair.is_mutual == (pair.upper != pair.lower &&
+                             variables[pair.upper].transform == variables[pair.lower].transform));
     pairs.emplace(pair.upper, pair.lower);
   });
   return pairs;
@@ -32,13 +32,13 @@ TEST_CASE("a variable is paired with itself and its ancestors, never with anothe
           "[frames]") {
   Derivation derivation(Framed(two_arms_text()).lagrangian);
   // Numbers of variables: 0 x, 1 a1, 2 a1 + a2, 3 b1, 4 b2.
-  CHECK(visited(derivation) ==
+  CHECK(visited_pairs(derivation) ==
         Pairs{{0, 0}, {1, 1}, {1, 0}, {2, 2}, {2, 0}, {3, 3}, {3, 0}, {4, 4}, {4, 3}, {4, 0}});
 }
 
 TEST_CASE("variables of one step are paired in both orders", "[frames]") {
   Derivation derivation(Framed(sliders_text()).lagrangian);
-  const Pairs pairs = visited(derivation);
+  const Pairs pairs = visited_pairs(derivation);
   CHECK(pairs.count({0, 1}) == 1);
   CHECK(pairs.count({1, 0}) == 1);
   CHECK(pairs.count({2, 0}) == 1);
@@ -51,13 +51,13 @@ TEST_CASE("the inertia column of a rotation is the composite inertia about its a
   Tree& tree = tree_of(derivation);
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   const std::vector<CompositeInertia> inertias = composite_inertias(tree);
-  TreeColumns columns(tree, variables, {derivation.frozen, derivation.frozen});
+  TreeColumns columns(tree, variables, {derivation.fixed_time, derivation.fixed_time});
   columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
     const TreeVariable& variable = variables[pair.upper];
     if (pair.upper != pair.lower || is_zero(variable.spin)) return;
     const GiNaC::ex entry = columns.along(pair.lower, UnitKind::unit, pair.columns[0]);
     const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
-    CHECK(nearly_equal({at(entry)}, {at(inertias[variable.step].inertia[2])}));
+    CHECK(nearly_equal({at(entry)}, {at(inertias[variable.transform].inertia[2])}));
   });
 }
 
@@ -71,8 +71,8 @@ TEST_CASE("moving angles and components of offsets are variables", "[frames]") {
   CHECK(variables.list[0].velocity[0].is_equal(1));
   CHECK(variables.list[1].velocity[1].is_equal(1));
   CHECK(variables.list[2].spin[1].is_equal(1));
-  CHECK(variables.list[0].step == variables.list[1].step);
-  CHECK(variables.list[0].step < variables.list[2].step);
+  CHECK(variables.list[0].transform == variables.list[1].transform);
+  CHECK(variables.list[0].transform < variables.list[2].transform);
 }
 
 TEST_CASE("a step moved only by time is no variable", "[frames]") {

@@ -45,7 +45,7 @@ TEST_CASE("components in the world agree with the frame's rotation", "[frames]")
     for (std::size_t i = 0; i < model.outputs.size(); ++i) {
       if (!model.outputs[i].frame) continue;
       INFO(name << " " << model.outputs[i].name);
-      const auto step = system.lagrangian.outputs[i].twist->step;
+      const auto step = system.lagrangian.outputs[i].twist->transform;
       Derivation derivation(system.lagrangian);
       Tree& tree = tree_of(derivation);
       const Vector world = listed(tree.turned(some_vector, step, std::nullopt));
@@ -103,7 +103,8 @@ TEST_CASE("quarter turns are permutations without definitions", "[frames]") {
   Tree& tree = tree_of(derivation);
   const std::size_t before = derivation.definitions.list.size();
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    if (tree.step(k).kind != FrameStepKind::turn || !tree.rotation(k).cosine.is_zero()) continue;
+    if (tree.transform(k).kind != TransformKind::turn || !tree.rotation(k).cosine.is_zero())
+      continue;
     const ExVector3 turned = tree.to_parent(k, some_vector);
     CHECK(turned[0].is_equal(some_vector[0]));
     CHECK(turned[1].is_equal(-some_vector[2]));
@@ -118,8 +119,8 @@ TEST_CASE("a force transformed before a translation has a moment about the new o
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    if (tree.step(k).kind != FrameStepKind::translation) continue;
-    const ExVector3& p = tree.step(k).vector;
+    if (tree.transform(k).kind != TransformKind::translation) continue;
+    const ExVector3& p = tree.transform(k).vector;
     const SpatialForce moved = tree.before(k, {{1, 2, 0}, {0, 0, 3}});
     CHECK(moved.force[1].is_equal(2));
     const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));

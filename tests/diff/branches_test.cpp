@@ -82,7 +82,7 @@ std::string with_number(std::string text, const std::string& number) {
   return text;
 }
 
-std::string pushed(const std::string& force) {
+std::string force_model(const std::string& force) {
   return model_text("pushed",
                     "[[coordinate]]\nname = \"x\"\n[parameters]\nk = 3\n[energy]\n"
                     "T = \"1/2*dot(x)^2\"\n[[force]]\non = \"x\"\nvalue = \"" +
@@ -90,7 +90,7 @@ std::string pushed(const std::string& force) {
 }
 
 Impact impact_of(const std::string& before, const std::string& after) {
-  return compared(pushed(before), pushed(after)).impact;
+  return compared(force_model(before), force_model(after)).impact;
 }
 
 }  // namespace
@@ -127,28 +127,28 @@ TEST_CASE("forces that are the same analytic function are equal") {
 TEST_CASE("roots and kinks in another form are undecided, or different if strict") {
   for (const Forms& forms : not_told_apart) {
     INFO(forms.before << ", " << forms.after);
-    const SystemChange change = compared(pushed(forms.before), pushed(forms.after));
+    const SystemChange change = compared(force_model(forms.before), force_model(forms.after));
     CHECK((change.impact == Impact::equal || change.impact == Impact::extended));
-    CHECK_FALSE(change.is_told_apart);
+    CHECK_FALSE(change.is_certain);
     CHECK(count_of(change, EntryVerdict::different) == 0);
     for (const OutputChange& output : change.outputs) {
       for (const EntryChange& entry : output.entries) {
-        const bool is_open = entry.verdict == EntryVerdict::not_told_apart;
-        CHECK(entry.is_told_apart == !is_open);
+        const bool is_open = entry.verdict == EntryVerdict::undecided;
+        CHECK(entry.is_certain == !is_open);
         CHECK_FALSE(entry.witness);
       }
     }
-    const Lowered old = lowered(pushed(forms.before));
-    const Lowered now = lowered(pushed(forms.after));
+    const LoweredVersion old = lowered(force_model(forms.before));
+    const LoweredVersion now = lowered(force_model(forms.after));
     const SystemChange strict = compare(old.version(), now.version(), {.is_strict = true});
     CHECK(strict.impact == Impact::different);
-    CHECK(strict.is_told_apart);
+    CHECK(strict.is_certain);
   }
 }
 
 TEST_CASE("a difference below rounding errors inside the ranges has no witness") {
   const std::string before =
-      edited(pushed("sqrt((x - 2)^2)"), "name = \"x\"", "name = \"x\"\nrange = [-1, 1]");
+      edited(force_model("sqrt((x - 2)^2)"), "name = \"x\"", "name = \"x\"\nrange = [-1, 1]");
   const SystemChange change = compared(before, edited(before, "sqrt((x - 2)^2)", "2 - x"));
   CHECK(change.impact == Impact::different);
   for (const EntryChange& entry : entries_of(change, "applied_force")) {
@@ -159,10 +159,10 @@ TEST_CASE("a difference below rounding errors inside the ranges has no witness")
 
 TEST_CASE("a function that is defined only inside the ranges is compared there") {
   const std::string before =
-      edited(pushed("asin(x - 50)"), "name = \"x\"", "name = \"x\"\nrange = [49.5, 50.5]");
+      edited(force_model("asin(x - 50)"), "name = \"x\"", "name = \"x\"\nrange = [49.5, 50.5]");
   const SystemChange same = compared(before, edited(before, "asin(x - 50)", "pi/2 - acos(x - 50)"));
   CHECK(same.impact == Impact::equal);
-  CHECK_FALSE(same.is_told_apart);
+  CHECK_FALSE(same.is_certain);
   const SystemChange other =
       compared(before, edited(before, "asin(x - 50)", "1.000000000001*asin(x - 50)"));
   CHECK(other.impact == Impact::different);

@@ -16,7 +16,7 @@ struct OneTerm {
   const char* model;
   const char* part;
   const char* other;
-  std::size_t most_changed;  ///< limit of changed lines in the header
+  std::size_t max_changed_lines;  ///< limit of changed lines in the header
 };
 
 const OneTerm one_terms[]{
@@ -64,8 +64,8 @@ TEST_CASE("one term of a model changes only the functions whose entries differ")
   for (const auto& [model, part, other, most] : one_terms) {
     INFO(model);
     const std::string text = model_of(model);
-    const Lowered before = lowered(text, "", Goal::emit);
-    const Lowered after = lowered(edited(text, part, other), "", Goal::emit);
+    const LoweredVersion before = lowered(text, "", Goal::emit);
+    const LoweredVersion after = lowered(edited(text, part, other), "", Goal::emit);
     const Header old = header_of(before.products, model);
     const Header now = header_of(after.products, model);
     std::set<std::string> different{"dynamics"};  // the function that computes all others together

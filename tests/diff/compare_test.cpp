@@ -26,8 +26,9 @@ TEST_CASE("impacts from equal to different") {
 
 TEST_CASE("keys for drawings change no equation, value or stamp") {
   const std::string point = "[[point]]\nname = \"end\"\nat = [\"x\", \"0\"]\n";
-  const Lowered old = lowered(spring() + point);
-  const Lowered now = lowered(spring() + point + "joined_to = \"origin\"\nas = \"spring\"\n");
+  const LoweredVersion old = lowered(spring() + point);
+  const LoweredVersion now =
+      lowered(spring() + point + "joined_to = \"origin\"\nas = \"spring\"\n");
   const SystemChange system = compare(old.version(), now.version());
   CHECK(system.impact == Impact::equal);
   CHECK(system.keys.size() == 2);
@@ -58,8 +59,8 @@ TEST_CASE("the sample of an open function changes values, its arguments more") {
 }
 
 TEST_CASE("a scene compared with the default scene has changed keys") {
-  const Lowered old = lowered(spring());
-  const Lowered now = lowered(spring(), "[outputs]\ngravity = true\n");
+  const LoweredVersion old = lowered(spring());
+  const LoweredVersion now = lowered(spring(), "[outputs]\ngravity = true\n");
   const SystemChange system = compare(old.version(), now.version());
   CHECK(system.impact == Impact::breaks);
   CHECK_FALSE(system.keys.empty());
@@ -81,8 +82,8 @@ TEST_CASE("an assumption that changes entries makes the equations different") {
 
 TEST_CASE("another value of a parameter that a scene fixes is a change of values") {
   const std::string scene = "[outputs]\npotential_energy = true\n[parameters]\nfixed = \"all\"\n";
-  const Lowered old = lowered(spring(), scene);
-  const Lowered now = lowered(edited(spring(), "k = 3", "k = 4"), scene);
+  const LoweredVersion old = lowered(spring(), scene);
+  const LoweredVersion now = lowered(edited(spring(), "k = 3", "k = 4"), scene);
   const SystemChange system = compare(old.version(), now.version());
   CHECK(system.impact == Impact::values);
   CHECK(entries_of(system, "potential_energy").size() == 1);
@@ -91,8 +92,8 @@ TEST_CASE("another value of a parameter that a scene fixes is a change of values
 TEST_CASE("an equal value in another notation is no change") {
   CHECK(impact(spring(), edited(spring(), "k = 3", "k = \"6/2\"")) == Impact::equal);
   const std::string scene = "[outputs]\ngravity = true\n[parameters]\nfixed = { k = ";
-  const Lowered old = lowered(spring(), scene + "3 }\n");
-  const Lowered now = lowered(spring(), scene + "\"6/2\" }\n");
+  const LoweredVersion old = lowered(spring(), scene + "3 }\n");
+  const LoweredVersion now = lowered(spring(), scene + "\"6/2\" }\n");
   CHECK(compare(old.version(), now.version()).impact == Impact::equal);
 }
 

@@ -22,14 +22,14 @@ name = "y"
 T = "dot(x)^2 + dot(x)*dot(y) + 2*dot(y)^2"
 )toml");
 /// The same model with x and y exchanged.
-std::string turned(const std::string& given = plane) {
+std::string exchanged(const std::string& given = plane) {
   std::string text = edited(given, "name = \"x\"", "name = \"z\"");
   text = edited(text, "name = \"y\"", "name = \"x\"");
   return edited(text, "name = \"z\"", "name = \"y\"");
 }
 
-std::vector<MatchedEntry> matched(const Lowered& old, const Lowered& now, OutputKind kind,
-                                  const Renames& renames = {}) {
+std::vector<MatchedEntry> matched(const LoweredVersion& old, const LoweredVersion& now,
+                                  OutputKind kind, const Renames& renames = {}) {
   return matched_entries(old.products.checked->model, *find_function(*old.products.lowered, kind),
                          now.products.checked->model, *find_function(*now.products.lowered, kind),
                          renames);
@@ -59,9 +59,9 @@ std::string plate(const std::vector<std::string>& constraints, bool is_reversed)
 
 /// Every entry of the newer version equals its match.
 void check_values_meet(const std::string& scene, const std::vector<std::string>& constraints) {
-  const Lowered old = lowered(plate(constraints, false), scene);
-  const Lowered now = lowered(plate(constraints, true), scene);
-  const auto values_of = [](const Lowered& version, const OutputRequest& output) {
+  const LoweredVersion old = lowered(plate(constraints, false), scene);
+  const LoweredVersion now = lowered(plate(constraints, true), scene);
+  const auto values_of = [](const LoweredVersion& version, const OutputRequest& output) {
     const CheckedModel& checked = *version.products.checked;
     return oracle_values(checked.model, output, start_state(checked.model, checked.scene)).value();
   };
@@ -91,7 +91,7 @@ const Program newer = elgen::testing::read_program(
 }  // namespace
 
 TEST_CASE("rows and columns of M follow their coordinates") {
-  const auto entries = matched(lowered(plane), lowered(turned()), OutputKind::mass_matrix);
+  const auto entries = matched(lowered(plane), lowered(exchanged()), OutputKind::mass_matrix);
   REQUIRE(entries.size() == 4);
   CHECK(entries[0].place == "mass_matrix[1,1]");
   CHECK(entries[0].before == 3U);
@@ -112,20 +112,21 @@ TEST_CASE("entries of a new coordinate have no match") {
 }
 
 TEST_CASE("renamed coordinates keep their position") {
-  const auto entries =
-      matched(lowered(plane), lowered(turned()), OutputKind::mass_matrix, {{"x", "y"}, {"y", "x"}});
+  const auto entries = matched(lowered(plane), lowered(exchanged()), OutputKind::mass_matrix,
+                               {{"x", "y"}, {"y", "x"}});
   CHECK(entries[0].before == 0U);
 }
 
 TEST_CASE("pivots are compared only if the order of coordinates is the same") {
   CHECK(matched(lowered(plane), lowered(plane), OutputKind::forward_dynamics).size() == 6);
-  CHECK(matched(lowered(plane), lowered(turned()), OutputKind::forward_dynamics).size() == 4);
+  CHECK(matched(lowered(plane), lowered(exchanged()), OutputKind::forward_dynamics).size() == 4);
 }
 
 TEST_CASE("multipliers are compared even if pivots are not") {
   const std::string held = plane + "[[constraint]]\nname = \"line\"\nequation = \"x + 2*y = 1\"\n";
   const auto alike = matched(lowered(held), lowered(held), OutputKind::forward_dynamics);
-  const auto others = matched(lowered(held), lowered(turned(held)), OutputKind::forward_dynamics);
+  const auto others =
+      matched(lowered(held), lowered(exchanged(held)), OutputKind::forward_dynamics);
   // Two accelerations, three pivots, a multiplier, and three entries of the diagonal of M, which no
   // program keeps.
   CHECK(alike.size() == 9);
@@ -135,8 +136,8 @@ TEST_CASE("multipliers are compared even if pivots are not") {
 }
 
 TEST_CASE("rows of A, residuals and multipliers follow their constraints") {
-  const Lowered old = lowered(held_plane(held_rod + held_slot));
-  const Lowered now = lowered(held_plane(held_slot + held_rod));
+  const LoweredVersion old = lowered(held_plane(held_rod + held_slot));
+  const LoweredVersion now = lowered(held_plane(held_slot + held_rod));
   const auto slopes = matched(old, now, OutputKind::constraint_jacobian);
   REQUIRE(slopes.size() == 6);
   CHECK(slopes[0].before == 3U);
@@ -167,7 +168,7 @@ TEST_CASE("entries are matched by the names of rows and columns, in any order of
 }
 
 TEST_CASE("entries of an output that only one version has are unmatched") {
-  const Lowered one = lowered(plane);
+  const LoweredVersion one = lowered(plane);
   const Model& model = one.products.checked->model;
   const Function& gravity = *find_function(*one.products.lowered, OutputKind::gravity);
   const auto entries = matched_entries(model, {}, model, gravity, {});
@@ -179,7 +180,7 @@ TEST_CASE("entries of an output that only one version has are unmatched") {
 TEST_CASE("leaves are matched by name, and equal computations are one instruction") {
   JointProgram joint(older, newer, {});
   CHECK(joint.program().leaves.parameters == std::vector<std::string>{"k", "m"});
-  const JointFunction both = joint.joined(older.functions[0], newer.functions[0]);
+  const JointFunction both = joint.join(older.functions[0], newer.functions[0]);
   CHECK(both.function.instructions.size() == 5);
   CHECK(both.function.instructions[both.after[0]].a == both.before[0]);
 }
@@ -193,17 +194,17 @@ TEST_CASE("a renamed leaf is one leaf") {
   Program other = older;
   other.leaves.parameters = {"mass"};
   JointProgram joint(older, other, {{"m", "mass"}});
-  const JointFunction both = joint.joined(older.functions[0], other.functions[0]);
+  const JointFunction both = joint.join(older.functions[0], other.functions[0]);
   CHECK(both.before == both.after);
   JointProgram apart(older, other, {});
-  const JointFunction two = apart.joined(older.functions[0], other.functions[0]);
+  const JointFunction two = apart.join(older.functions[0], other.functions[0]);
   CHECK(two.before != two.after);
 }
 
 TEST_CASE("parameters of the newer version may be replaced by values") {
   JointProgram joint(older, newer, {});
-  const JointFunction both = joint.joined(older.functions[0], newer.functions[0],
-                                          {.after = {{"k", rational_constant(5)}}});
+  const JointFunction both =
+      joint.join(older.functions[0], newer.functions[0], {.after = {{"k", rational_constant(5)}}});
   const Function function = with_entries(both.function, {both.before[0], both.after[0]});
   Arguments<double> at;
   at.parameters = {100, 2};

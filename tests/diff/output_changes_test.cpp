@@ -9,8 +9,8 @@ using namespace elgen::test;
 namespace {
 
 std::vector<OutputChange> entry_changes(const std::string& before, const std::string& after) {
-  const Lowered old = lowered(before);
-  const Lowered now = lowered(after);
+  const LoweredVersion old = lowered(before);
+  const LoweredVersion now = lowered(after);
   return output_changes(old.version(), now.version());
 }
 
@@ -18,7 +18,7 @@ const OutputChange& output(const std::vector<OutputChange>& all, const std::stri
   return *std::ranges::find(all, name, &OutputChange::name);
 }
 
-EntryChange told(const std::string& before, const std::string& after) {
+EntryChange only_change(const std::string& before, const std::string& after) {
   const SystemChange system = compared(before, after);
   const auto entries = entries_of(system, "potential_energy");
   REQUIRE(entries.size() == 1);
@@ -61,8 +61,8 @@ TEST_CASE("outputs of only one version are listed") {
 }
 
 TEST_CASE("setting a new parameter to a value restores the old entries") {
-  const Lowered old = lowered(spring());
-  const Lowered now = lowered(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"));
+  const LoweredVersion old = lowered(spring());
+  const LoweredVersion now = lowered(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"));
   const auto count = [&](const ParameterValues& values) {
     std::size_t different = 0;
     for (const auto& change : output_changes(old.version(), now.version(), {}, values)) {
@@ -79,8 +79,8 @@ TEST_CASE("setting a new parameter to a value restores the old entries") {
 TEST_CASE("an implicit step, whose error bounds grow at every iteration, is still different") {
   const std::string scene = "[outputs]\nstep = { method = \"midpoint\" }\n";
   const std::string arm = model_of("double_pendulum");
-  const Lowered old = lowered(arm, scene, Goal::choose);
-  const Lowered now = lowered(edited(arm, "\"-g\"", "\"g\""), scene, Goal::choose);
+  const LoweredVersion old = lowered(arm, scene, Goal::choose);
+  const LoweredVersion now = lowered(edited(arm, "\"-g\"", "\"g\""), scene, Goal::choose);
   const auto all = output_changes(old.version(), now.version());
   REQUIRE(all.size() == 1);
   CHECK(all[0].entries.size() == all[0].entry_count);
@@ -99,7 +99,7 @@ TEST_CASE("an entry too long for a line is not printed") {
 }
 
 TEST_CASE("the witness lists the variables of the entry, rounded as printed") {
-  const EntryChange change = told(spring("1/2*k*x^2"), spring("k*x^2"));
+  const EntryChange change = only_change(spring("1/2*k*x^2"), spring("k*x^2"));
   CHECK(change.share == Approx(0.5));
   const std::string& at = change.witness->at;
   REQUIRE(starts_with(at, "x = "));
@@ -110,7 +110,7 @@ TEST_CASE("the witness lists the variables of the entry, rounded as printed") {
 
 TEST_CASE("parameters with value 0 get random values, so that their terms are compared") {
   const std::string before = edited(spring(), "k = 3", "k = 3\nc = 0");
-  const EntryChange change = told(before, edited(before, "1/2*k*x^2", "1/2*k*x^2 + c*x^4"));
+  const EntryChange change = only_change(before, edited(before, "1/2*k*x^2", "1/2*k*x^2 + c*x^4"));
   CHECK(mentions(change.witness->at, "c = "));
   CHECK(change.share > 0);
 }

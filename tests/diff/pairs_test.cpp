@@ -79,7 +79,7 @@ struct RandomSystem {
 };
 
 /// All outputs; for large systems only the basic outputs, since all would take seconds.
-Lowered lowered_system(const RandomSystem& system, const std::string& text) {
+LoweredVersion lowered_system(const RandomSystem& system, const std::string& text) {
   return lowered(text, system.size <= 4 ? "" : R"toml([outputs]
 mass_matrix = true
 bias = true
@@ -99,15 +99,15 @@ TEST_CASE(
   for (std::uint64_t seed = 1; seed <= pair_count; ++seed) {
     RandomSystem system(seed);
     INFO("seed " << seed << ", n = " << system.size);
-    const Lowered before = lowered_system(system, system.text(false));
-    const Lowered equal = lowered_system(system, system.text(true));
+    const LoweredVersion before = lowered_system(system, system.text(false));
+    const LoweredVersion equal = lowered_system(system, system.text(true));
     const SystemChange none = compare(before.version(), equal.version());
     CHECK(none.impact == Impact::equal);
     rewritten += entries_of(none, "potential_energy").size();
 
     Term& term = system.terms[seed % system.terms.size()];
     term.coefficient = fmt::format("({} + {})", term.coefficient, seed % 2 == 0 ? "1e-12" : "1");
-    const Lowered changed = lowered_system(system, system.text(seed % 3 == 0));
+    const LoweredVersion changed = lowered_system(system, system.text(seed % 3 == 0));
     const SystemChange one = compare(before.version(), changed.version());
     CHECK(one.impact == Impact::different);
     const auto entries = entries_of(one, "potential_energy");

@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-DiffReport twice(const SystemChange& system) {
+DiffReport report_of_two(const SystemChange& system) {
   SystemChange other = system;
   other.name = "other";
   return {.systems = {system, other}};
@@ -131,7 +131,7 @@ TEST_CASE("added and removed files are listed and affect the impact") {
 
 TEST_CASE("a cause that two systems share is one line") {
   const SystemChange system = compared(spring(), spring("k*x^2"));
-  const std::string text = to_text(twice(system), false);
+  const std::string text = to_text(report_of_two(system), false);
   CHECK(count(text, "[energy] V: 1/2*k*x^2 -> k*x^2") == 1);
   CHECK(mentions(text, "follows      spring, other: 11 of 25 entries differ"));
   CHECK(mentions(text, "verdict      spring, other: different: the equations differ\n"));
@@ -158,7 +158,7 @@ TEST_CASE("in a report of two systems every line names its system, and each has 
 }
 
 TEST_CASE("systems of the same name are distinguished by their paths") {
-  DiffReport report = twice(compared(spring(), spring("k*x^2")));
+  DiffReport report = report_of_two(compared(spring(), spring("k*x^2")));
   report.systems[1].name = report.systems[0].name;
   report.systems[0].path = "a/spring.toml";
   report.systems[1].path = "b/spring.toml";
@@ -226,7 +226,7 @@ TEST_CASE("operations are listed if all are known") {
 }
 
 TEST_CASE("entries are grouped by system") {
-  const std::string text = to_text(twice(compared(spring(), spring("k*x^2"))), true);
+  const std::string text = to_text(report_of_two(compared(spring(), spring("k*x^2"))), true);
   const std::string first = "             gravity = k*x -> 2*k*x, difference k*x\n";
   CHECK(mentions(text, "\nspring\n" + first));
   CHECK(mentions(text, "\nother\n" + first));

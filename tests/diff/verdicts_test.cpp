@@ -198,8 +198,8 @@ TEST_CASE("edits of scenes have the expected impact") {
     INFO(model << ": " << part << " -> " << other);
     const std::string text = model_of(model);
     const Goal goal = std::string(scene) == stepped ? Goal::choose : Goal::lower;
-    const Lowered old = lowered(text, scene, goal);
-    const Lowered now = lowered(text, edited(scene, part, other), goal);
+    const LoweredVersion old = lowered(text, scene, goal);
+    const LoweredVersion now = lowered(text, edited(scene, part, other), goal);
     CHECK(word(compare(old.version(), now.version()).impact) == word(impact));
   }
 }
@@ -208,8 +208,8 @@ TEST_CASE("a model is compared as specialised by its scene") {
   const std::string before = model_of("two_mass_damper");
   const std::string moved = edited(before, "1/2*kc*(x1 - x2)^2", "1/2*kc*(x1 + x2)^2");
   const auto verdict = [&](const std::string& after, const std::string& scene) {
-    const Lowered old = lowered(before, scene);
-    const Lowered now = lowered(after, scene);
+    const LoweredVersion old = lowered(before, scene);
+    const LoweredVersion now = lowered(after, scene);
     return word(compare(old.version(), now.version()).impact);
   };
   CHECK(verdict(moved, "[parameters]\nfixed = { kc = 0 }\n") == "equal");
@@ -221,9 +221,9 @@ TEST_CASE("a model is compared as specialised by its scene") {
 
 TEST_CASE("a parameter fixed at its own value changes no entry") {
   const std::string outputs = "[outputs]\nmass_matrix = true\nbias = true\n[parameters]\n";
-  const Lowered old = lowered(cart, outputs);
+  const LoweredVersion old = lowered(cart, outputs);
   for (const std::string value : {"0.1", "\"1/10\""}) {
-    const Lowered now = lowered(cart, outputs + "fixed = { m = " + value + " }\n");
+    const LoweredVersion now = lowered(cart, outputs + "fixed = { m = " + value + " }\n");
     for (const bool is_new : {true, false}) {
       const SystemChange found =
           is_new ? compare(old.version(), now.version()) : compare(now.version(), old.version());
@@ -231,19 +231,19 @@ TEST_CASE("a parameter fixed at its own value changes no entry") {
       CHECK(word(found.impact) == "breaks");  // a member of Parameters disappears or appears
     }
   }
-  const Lowered other = lowered(cart, outputs + "fixed = { m = 0.2 }\n");
+  const LoweredVersion other = lowered(cart, outputs + "fixed = { m = 0.2 }\n");
   CHECK(count_of(compare(old.version(), other.version()), EntryVerdict::different) > 0);
 }
 
 TEST_CASE("a parameter that no output uses may be fixed or renamed") {
   const std::string outputs = "[outputs]\ngravity = true\n[parameters]\n";
-  const Lowered old = lowered(spring(), outputs);
+  const LoweredVersion old = lowered(spring(), outputs);
   for (const std::string value : {"2", "7"}) {
-    const Lowered now = lowered(spring(), outputs + "fixed = { m = " + value + " }\n");
+    const LoweredVersion now = lowered(spring(), outputs + "fixed = { m = " + value + " }\n");
     CHECK(word(compare(old.version(), now.version()).impact) == "values");
   }
-  const Lowered named = lowered(edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c"),
-                                outputs + "fixed = { c = 3 }\n");
+  const LoweredVersion named = lowered(edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c"),
+                                       outputs + "fixed = { c = 3 }\n");
   const SystemChange found = compare(old.version(), named.version(), {.renames = {{"k", "c"}}});
   CHECK(count_of(found, EntryVerdict::different) == 0);
   CHECK(count_of(compare(named.version(), old.version(), {.renames = {{"c", "k"}}}),

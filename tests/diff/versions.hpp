@@ -14,7 +14,7 @@
 namespace elgen::test {
 
 /// One version with its sources and products.
-struct Lowered {
+struct LoweredVersion {
   FileSyntax model = {};
   std::optional<FileSyntax> scene = {};
   Products products = {};
@@ -26,8 +26,8 @@ struct Lowered {
 };
 
 /// `scene` is the text after the scene's name.
-inline Lowered lowered(const std::string& text, const std::string& scene = {},
-                       Goal goal = Goal::lower) {
+inline LoweredVersion lowered(const std::string& text, const std::string& scene = {},
+                              Goal goal = Goal::lower) {
   PipelineOptions options;
   options.goals = {goal};
   Inputs inputs{make_source("model.toml", text)};
@@ -37,7 +37,7 @@ inline Lowered lowered(const std::string& text, const std::string& scene = {},
   }
   static std::vector<SourcePointer> alive;  // spans of reports point into the sources
   alive.insert(alive.end(), {inputs.model, inputs.scene});
-  Lowered result{.products = run_pipeline(inputs, options)};
+  LoweredVersion result{.products = run_pipeline(inputs, options)};
   INFO(format(result.products.diagnostics));
   REQUIRE((result.products.lowered || result.products.program));
   result.model = *parse_model(inputs.model, {});
@@ -47,8 +47,8 @@ inline Lowered lowered(const std::string& text, const std::string& scene = {},
 
 inline SystemChange compared(const std::string& before, const std::string& after,
                              const Renames& renames = {}) {
-  const Lowered old = lowered(before);
-  const Lowered now = lowered(after);
+  const LoweredVersion old = lowered(before);
+  const LoweredVersion now = lowered(after);
   return compare(old.version(), now.version(), {.renames = renames});
 }
 

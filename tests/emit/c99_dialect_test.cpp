@@ -5,7 +5,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::in_c;
+using elgen::testing::cart_pole_in_c;
 using elgen::testing::Subject;
 
 namespace {
@@ -20,7 +20,7 @@ DefinitionText text_of(const Subject& subject, std::size_t function) {
 }  // namespace
 
 TEST_CASE("an array is written to result, and unused arguments are marked") {
-  const DefinitionText gravity = text_of(in_c(), 1);
+  const DefinitionText gravity = text_of(cart_pole_in_c(), 1);
   CHECK(gravity.signature ==
         "static inline void cart_pole_gravity(const cart_pole_parameters *p, const double q[2],\n"
         "                                     double result[2])");
@@ -28,19 +28,19 @@ TEST_CASE("an array is written to result, and unused arguments are marked") {
         "  const double sin_theta = cart_pole_sine_of(q[1]);\n"
         "  result[0] = 0.0;\n"
         "  result[1] = -p->g * p->l * p->m * sin_theta;\n");
-  CHECK(text_of(in_c(), 3).body ==
+  CHECK(text_of(cart_pole_in_c(), 3).body ==
         "  (void)p;\n  (void)q;\n  result[0] = 1.0;\n  result[1] = 0.0;\n");
 }
 
 TEST_CASE("a number is returned, a struct is filled") {
-  CHECK(text_of(in_c(), 2).body == "  (void)q;\n  return 0.5 * p->M * (v[0] * v[0]);\n");
-  const DefinitionText forward = text_of(in_c(), 4);
+  CHECK(text_of(cart_pole_in_c(), 2).body == "  (void)q;\n  return 0.5 * p->M * (v[0] * v[0]);\n");
+  const DefinitionText forward = text_of(cart_pole_in_c(), 4);
   CHECK(forward.signature.find("cart_pole_forward_dynamics_result *result)") != std::string::npos);
   CHECK(forward.body.find("  result->acceleration[0] = u[0] / p->M;\n") != std::string::npos);
 }
 
 TEST_CASE("float has its own functions and literals") {
-  const Subject subject = in_c(ScalarKind::single_precision);
+  const Subject subject = cart_pole_in_c(ScalarKind::single_precision);
   CHECK(text_of(subject, 1).body.find("const float sin_theta = cart_pole_sine_of(q[1]);") !=
         std::string::npos);
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
@@ -55,14 +55,14 @@ TEST_CASE("float has its own functions and literals") {
 }
 
 TEST_CASE("sine and cosine of the library are separate calls") {
-  Subject subject = in_c();
+  Subject subject = cart_pole_in_c();
   subject.scene.numerics.has_library_sines = true;
   CHECK(text_of(subject, 1).body.find("const double sin_theta = sin(q[1]);") != std::string::npos);
   CHECK_FALSE(c99_dialect(subject.model, subject.scene, subject.program)->has_pairs());
 }
 
 TEST_CASE("temporaries hide no other names, and shared temporaries of parts are members") {
-  const Subject subject = in_c();
+  const Subject subject = cart_pole_in_c();
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
   CHECK(dialect->shared("sin_theta") == "w->sin_theta");
   CHECK(dialect->call(FunctionId::abs, {{"x"}}).text == "fabs(x)");
@@ -73,9 +73,9 @@ TEST_CASE("temporaries hide no other names, and shared temporaries of parts are 
 }
 
 TEST_CASE("a scalar function in parts returns its number through an array") {
-  const Subject subject = in_c();
+  const Subject subject = cart_pole_in_c();
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
-  CHECK(dialect->calling_body(subject.program.functions[2], 2) ==
+  CHECK(dialect->body_with_calls(subject.program.functions[2], 2) ==
         "  double result[1];\n"
         "  cart_pole_kinetic_energy_workspace w;\n"
         "  cart_pole_kinetic_energy_part_1(p, q, v, &w, result);\n"

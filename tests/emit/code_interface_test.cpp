@@ -10,7 +10,7 @@ using elgen::testing::Subject;
 
 namespace {
 
-Program reading(std::uint32_t leaf) {
+Program program_reading(std::uint32_t leaf) {
   Program program;
   program.leaves.parameters = {"M", "m", "l", "g", "k[1]", "k[2]"};
   Function function;
@@ -35,18 +35,18 @@ TEST_CASE("struct names") {
 TEST_CASE("unused parameters are not emitted, and one used element emits its whole array") {
   Subject subject = cart_pole();
   elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
-  const auto second = emitted_parameters(subject.model, reading(5));
+  const auto second = emitted_parameters(subject.model, program_reading(5));
   REQUIRE(second.size() == 1);
   CHECK(second.front().name == "k");
-  CHECK(emitted_parameter_count(subject.model, reading(5)) == 2);
-  CHECK(emitted_parameters(subject.model, reading(3)).front().name == "g");
+  CHECK(emitted_parameter_count(subject.model, program_reading(5)) == 2);
+  CHECK(emitted_parameters(subject.model, program_reading(3)).front().name == "g");
   CHECK(emitted_parameters(subject.model, Program()).empty());
 }
 
 TEST_CASE("a result with one unnamed field is no struct") {
   const Program program = cart_pole().program;
-  CHECK_FALSE(gives_struct(program.functions[0]));
-  CHECK(gives_struct(program.functions[4]));
+  CHECK_FALSE(returns_struct(program.functions[0]));
+  CHECK(returns_struct(program.functions[4]));
 }
 
 TEST_CASE("an energy is a number, the force of one coordinate an array of one") {
@@ -65,8 +65,9 @@ TEST_CASE("an energy is a number, the force of one coordinate an array of one") 
 TEST_CASE("column-major matrices are emitted transposed, and vectors are unchanged") {
   Function function;
   function.fields = {{"A", 2, 3, {1, 2, 3, 4, 5, 6}}, {"b", 3, 1, {7, 8, 9}}};
-  CHECK(stored(function, Storage::row_major).fields[0].entries == function.fields[0].entries);
-  const Function columns = stored(function, Storage::column_major);
+  CHECK(in_storage_order(function, Storage::row_major).fields[0].entries ==
+        function.fields[0].entries);
+  const Function columns = in_storage_order(function, Storage::column_major);
   CHECK(columns.fields[0].entries == std::vector<std::uint32_t>{1, 4, 2, 5, 3, 6});
   CHECK(columns.fields[0].rows == 3);
   CHECK(columns.fields[1].entries == function.fields[1].entries);
@@ -133,13 +134,13 @@ TEST_CASE("sign, min, max and Stumpff functions are emitted and compare numbers"
 TEST_CASE("forward dynamics gives pivots") {
   Program program;
   program.functions.emplace_back().kind = OutputKind::bias;
-  CHECK_FALSE(gives_pivots(program));
+  CHECK_FALSE(returns_pivots(program));
   Function& dynamics = program.functions.emplace_back();
   dynamics.kind = OutputKind::forward_dynamics;
   dynamics.fields = {{.rows = 2, .entries = {0, 1}}};
-  CHECK_FALSE(gives_pivots(program));
+  CHECK_FALSE(returns_pivots(program));
   dynamics.fields = {{"acceleration", 2, 1, {0, 1}}, {"relative_pivots", 2, 1, {2, 2}}};
-  CHECK(gives_pivots(program));
+  CHECK(returns_pivots(program));
 }
 
 TEST_CASE("pages number the entries of a field") {

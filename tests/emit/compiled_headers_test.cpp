@@ -80,7 +80,7 @@ auto open_values(const h::Parameters<Scalar>&) {
 )";
 
 /// Appends the outputs of equations; steps have no numbers to compare.
-std::string appended(const Json& output, const std::string& result) {
+std::string append_statements(const Json& output, const std::string& result) {
   std::string text;
   if (output.contains("entries")) text = fmt::format("    append(to, {});\n", result);
   if (output.contains("fields")) {
@@ -115,7 +115,7 @@ std::string values_function(const Header& header) {
       "  std::vector<Reference> to;\n  const auto x = arguments<Scalar>();\n";
   for (const auto& [name, output] : header.sidecar["outputs"].items()) {
     text += fmt::format("  {{\n    const auto result = call({}, x);\n{}  }}\n",
-                        lambda(header, name), appended(output, "result"));
+                        lambda(header, name), append_statements(output, "result"));
   }
   return text + "  return to;\n}\n";
 }
@@ -168,7 +168,7 @@ std::vector<Header> all_headers(const fs::path& folder, bool is_exhaustive) {
 
 /// Groups of headers, so that a driver needs at most about a gigabyte to compile. panda7 and ur5
 /// would need four and are skipped; other scalars would show nothing new in them.
-std::vector<std::vector<Header>> grouped(const std::vector<Header>& headers) {
+std::vector<std::vector<Header>> header_groups(const std::vector<Header>& headers) {
   constexpr std::size_t most_text =
       100'000;  // bytes; 20 kB of equations in eight scalar types need 300 MB
   std::vector<std::vector<Header>> groups;
@@ -209,7 +209,7 @@ void check_headers(const std::string& compiler, bool is_exhaustive) {
   REQUIRE(test::shell("command -v " + compiler, folder).status == 0);
   const std::vector<Header> headers = all_headers(folder, is_exhaustive);
   if (is_exhaustive) {
-    for (const auto& group : grouped(headers)) compile_and_run(compiler, folder, group);
+    for (const auto& group : header_groups(headers)) compile_and_run(compiler, folder, group);
   } else {
     compile_and_run(compiler, folder, headers);
   }

@@ -63,13 +63,13 @@ TEST_CASE("a refused function name is reported at its position in the scene, if 
   Function function;
   function.name = "detail";
   Scene scene;
-  CHECK(taken_name(scene, function).span.source == nullptr);
+  CHECK(reserved_name_error(scene, function).span.source == nullptr);
   const SourcePointer source = make_source("a.scene.toml", "detail = true");
   OutputRequest request;
   request.name = "detail";
   request.span = {source.get(), 0, 6};
   scene.outputs.push_back(request);
-  const Diagnostic found = taken_name(scene, function);
+  const Diagnostic found = reserved_name_error(scene, function);
   CHECK(found.code == Code::E701);
   CHECK(found.span.source == source.get());
   CHECK(found.message == "`detail` cannot name a function: the emitted code uses this name");

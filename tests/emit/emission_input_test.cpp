@@ -95,7 +95,7 @@ const std::string json =
 
 TEST_CASE("a stamped text contains its own hash") {
   for (const std::string& text : {header, json}) {
-    const std::string result = stamped(text);
+    const std::string result = with_body_hash(text);
     CHECK(result != text);
     CHECK(result.size() == text.size());
     CHECK(body_hash(result).stated == content_hash(text));
@@ -105,7 +105,7 @@ TEST_CASE("a stamped text contains its own hash") {
 
 TEST_CASE("a hand edit is detected") {
   for (const std::string& text : {header, json}) {
-    std::string edited = stamped(text);
+    std::string edited = with_body_hash(text);
     edited[edited.size() - 3] = '#';
     CHECK(body_hash(edited).stated != body_hash(edited).actual);
   }

@@ -14,7 +14,7 @@
 
 using namespace elgen;
 using elgen::testing::cart_pole;
-using elgen::testing::in_c;
+using elgen::testing::cart_pole_in_c;
 using elgen::testing::Subject;
 
 namespace {
@@ -40,7 +40,7 @@ TEST_CASE("headers and sidecar equal the golden files, in C++ and in C") {
   wide.scene.numerics.inner = InnerScalar::double_double;
   std::map<std::string, std::string> files = emitted(wide).files;
   const std::string in_c99 = "cart_pole/cart_pole.h";
-  files[in_c99] = emitted(in_c()).files.at(in_c99);
+  files[in_c99] = emitted(cart_pole_in_c()).files.at(in_c99);
   for (const auto& [path, text] : files) {
     const std::string name = path.substr(path.find('/') + 1);
     const std::string golden = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/golden/" + name;

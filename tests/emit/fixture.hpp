@@ -172,7 +172,7 @@ inline Subject cart_pole() {
   return subject;
 }
 
-inline Subject in_c(ScalarKind scalar = ScalarKind::double_precision) {
+inline Subject cart_pole_in_c(ScalarKind scalar = ScalarKind::double_precision) {
   Subject subject = cart_pole();
   subject.scene.emission.language = LanguageId::c99;
   subject.scene.numerics.scalars = {scalar};

@@ -28,7 +28,7 @@ class Plain final : public Vocabulary {
 };
 
 /// The formulas of a function of a, b and c (instructions 0, 1, 2).
-std::string executed(const std::string& operations, std::uint32_t last) {
+std::string formula_text(const std::string& operations, std::uint32_t last) {
   const Program program = testing::read_program(
       "parameters a b c\nfunction gravity\n  0 = parameter a\n  1 = parameter b\n"
       "  2 = parameter c\n" +
@@ -59,28 +59,31 @@ TEST_CASE("products keep their order, and named values are written by name") {
 }
 
 TEST_CASE("brackets keep the order of evaluation, and there are no others") {
-  CHECK(executed("  3 = add 0 1\n  4 = add 3 2\n", 4) == "a + b + c");
-  CHECK(executed("  3 = add 1 2\n  4 = add 0 3\n", 4) == "a + (b + c)");
-  CHECK(executed("  3 = subtract 1 2\n  4 = subtract 0 3\n", 4) == "a - (b - c)");
-  CHECK(executed("  3 = subtract 0 1\n  4 = subtract 3 2\n", 4) == "a - b - c");
-  CHECK(executed("  3 = multiply 1 2\n  4 = multiply 0 3\n", 4) == "a * (b * c)");
-  CHECK(executed("  3 = multiply 0 1\n  4 = divide 3 2\n", 4) == "a * b / c");
-  CHECK(executed("  3 = divide 1 2\n  4 = divide 0 3\n", 4) == "a / (b / c)");
-  CHECK(executed("  3 = divide 1 2\n  4 = multiply 0 3\n", 4) == "a * (b / c)");
-  CHECK(executed("  3 = add 0 1\n  4 = multiply 3 2\n", 4) == "(a + b) * c");
-  CHECK(executed("  3 = add 0 1\n  4 = divide 2 3\n", 4) == "c / (a + b)");
-  CHECK(executed("  3 = multiply 0 1\n  4 = add 2 3\n", 4) == "c + a * b");
+  CHECK(formula_text("  3 = add 0 1\n  4 = add 3 2\n", 4) == "a + b + c");
+  CHECK(formula_text("  3 = add 1 2\n  4 = add 0 3\n", 4) == "a + (b + c)");
+  CHECK(formula_text("  3 = subtract 1 2\n  4 = subtract 0 3\n", 4) == "a - (b - c)");
+  CHECK(formula_text("  3 = subtract 0 1\n  4 = subtract 3 2\n", 4) == "a - b - c");
+  CHECK(formula_text("  3 = multiply 1 2\n  4 = multiply 0 3\n", 4) == "a * (b * c)");
+  CHECK(formula_text("  3 = multiply 0 1\n  4 = divide 3 2\n", 4) == "a * b / c");
+  CHECK(formula_text("  3 = divide 1 2\n  4 = divide 0 3\n", 4) == "a / (b / c)");
+  CHECK(formula_text("  3 = divide 1 2\n  4 = multiply 0 3\n", 4) == "a * (b / c)");
+  CHECK(formula_text("  3 = add 0 1\n  4 = multiply 3 2\n", 4) == "(a + b) * c");
+  CHECK(formula_text("  3 = add 0 1\n  4 = divide 2 3\n", 4) == "c / (a + b)");
+  CHECK(formula_text("  3 = multiply 0 1\n  4 = add 2 3\n", 4) == "c + a * b");
 }
 
 TEST_CASE("minus signs") {
-  CHECK(executed("  3 = negate 0\n  4 = multiply 3 1\n  5 = add 4 2\n", 5) == "-a * b + c");
-  CHECK(executed("  3 = multiply 0 1\n  4 = negate 3\n  5 = add 4 2\n", 5) == "-a * b + c");
-  CHECK(executed("  3 = add 0 1\n  4 = negate 3\n  5 = multiply 4 2\n", 5) == "-(a + b) * c");
-  CHECK(executed("  3 = negate 1\n  4 = multiply 0 3\n  5 = multiply 4 2\n", 5) == "a * (-b) * c");
-  CHECK(executed("  3 = multiply 1 2\n  4 = negate 3\n  5 = subtract 0 4\n", 5) == "a - (-b * c)");
+  CHECK(formula_text("  3 = negate 0\n  4 = multiply 3 1\n  5 = add 4 2\n", 5) == "-a * b + c");
+  CHECK(formula_text("  3 = multiply 0 1\n  4 = negate 3\n  5 = add 4 2\n", 5) == "-a * b + c");
+  CHECK(formula_text("  3 = add 0 1\n  4 = negate 3\n  5 = multiply 4 2\n", 5) == "-(a + b) * c");
+  CHECK(formula_text("  3 = negate 1\n  4 = multiply 0 3\n  5 = multiply 4 2\n", 5) ==
+        "a * (-b) * c");
+  CHECK(formula_text("  3 = multiply 1 2\n  4 = negate 3\n  5 = subtract 0 4\n", 5) ==
+        "a - (-b * c)");
 }
 
 TEST_CASE("calls take their arguments without brackets") {
-  CHECK(executed("  3 = add 0 1\n  4 = atan2 3 2\n", 4) == "atan2(a + b, c)");
-  CHECK(executed("  3 = add 0 1\n  4 = square_root 3\n  5 = divide 2 4\n", 5) == "c / sqrt(a + b)");
+  CHECK(formula_text("  3 = add 0 1\n  4 = atan2 3 2\n", 4) == "atan2(a + b, c)");
+  CHECK(formula_text("  3 = add 0 1\n  4 = square_root 3\n  5 = divide 2 4\n", 5) ==
+        "c / sqrt(a + b)");
 }

@@ -43,7 +43,7 @@ TEST_CASE("title, variables and fixed parameters") {
 TEST_CASE("omitted outputs are listed, if there are any") {
   Subject subject = cart_pole();
   const Lines without = introduction(subject.model, subject.scene, subject.program);
-  subject.scene.left_out = {{LeftOutReason::kinked_force, {"linearization"}}};
+  subject.scene.left_out = {{OmissionReason::kinked_force, {"linearization"}}};
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
   REQUIRE(lines.size() == without.size() + 2);
   CHECK(lines[without.size()].empty());
@@ -75,7 +75,7 @@ TEST_CASE("the page ends with the operations of every function") {
 
 TEST_CASE("the page lists omitted outputs") {
   Subject subject = cart_pole();
-  subject.scene.left_out = {{LeftOutReason::too_many_entries, {"linearization"}}};
+  subject.scene.left_out = {{OmissionReason::too_many_entries, {"linearization"}}};
   const std::string page =
       markdown(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
   CHECK(page.find("\n\nLeft out, with more than 4096 entries: linearization. To emit one, name it "

@@ -5,7 +5,7 @@
 
 using namespace elgen;
 using elgen::testing::cart_pole;
-using elgen::testing::in_c;
+using elgen::testing::cart_pole_in_c;
 using elgen::testing::Subject;
 
 namespace {
@@ -73,7 +73,7 @@ TEST_CASE("names declared by the C library cannot be namespaces") {
 }
 
 TEST_CASE("without parameters there is no struct and no argument for them") {
-  Subject subject = in_c();
+  Subject subject = cart_pole_in_c();
   subject.program = elgen::testing::read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
   const std::string text =
@@ -85,11 +85,11 @@ TEST_CASE("without parameters there is no struct and no argument for them") {
 TEST_CASE("names of the header and of other functions' helpers are E701") {
   for (const char* name : {"parameters", "is_regular", "digits_left", "forward_dynamics_result",
                            "gravity_part_2", "gravity_workspace"}) {
-    Subject subject = in_c();
+    Subject subject = cart_pole_in_c();
     subject.program.functions[0].name = name;
     INFO(name);
     CHECK(c99_check_names(subject.model, subject.scene, subject.program).size() == 1);
   }
-  const Subject subject = in_c();
+  const Subject subject = cart_pole_in_c();
   CHECK(c99_check_names(subject.model, subject.scene, subject.program).empty());
 }

@@ -23,7 +23,7 @@ test::Outcome build(const std::string& compiler, const std::string& program,
 }
 
 /// Builds a program with each compiler and runs it.
-void expect_success(const std::string& program, const std::string& flags = "") {
+void build_and_run(const std::string& program, const std::string& flags = "") {
   const std::string compiler = GENERATE("g++", "clang++");
   const test::Workspace workspace;
   const test::Outcome built = build(compiler, program, workspace, flags);
@@ -35,22 +35,22 @@ void expect_success(const std::string& program, const std::string& flags = "") {
 }
 
 /// A command that links a program for 32-bit x86.
-std::string thirty_two_bits(const std::string& compiler) {
+std::string link_command_32_bit(const std::string& compiler) {
   return "echo 'int main() {}' | " + compiler + " -m32 -x c++ -include cmath -o /dev/null -";
 }
 
 }  // namespace
 
 TEST_CASE("in-line sines keep their digits, and library sines their bits") {
-  expect_success("angles.cpp", GENERATE("", "-march=native"));
+  build_and_run("angles.cpp", GENERATE("", "-march=native"));
 }
 
 TEST_CASE("packs pass through functions unmodified, every lane equal to the scalar") {
-  expect_success("packs.cpp", "-Wno-psabi -Wno-ignored-attributes");
+  build_and_run("packs.cpp", "-Wno-psabi -Wno-ignored-attributes");
 }
 
 TEST_CASE("a pack has to declare the type of its elements") {
-  expect_success("unnamed_element.cpp", "-Wno-psabi -DVALUE_TYPE");
+  build_and_run("unnamed_element.cpp", "-Wno-psabi -DVALUE_TYPE");
   const std::string compiler = GENERATE("g++", "clang++");
   const test::Workspace workspace;
   const test::Outcome built = build(compiler, "unnamed_element.cpp", workspace, "-Wno-psabi");
@@ -59,11 +59,11 @@ TEST_CASE("a pack has to declare the type of its elements") {
 }
 
 TEST_CASE("batches agree with the functions of one state") {
-  expect_success("batch.cpp", GENERATE("", "-march=native", "-march=x86-64-v3"));
+  build_and_run("batch.cpp", GENERATE("", "-march=native", "-march=x86-64-v3"));
 }
 
 TEST_CASE("kernels of batches agree with the functions of one state") {
-  expect_success("kernel.cpp");
+  build_and_run("kernel.cpp");
 }
 
 TEST_CASE("fast-math is refused by batches or does not change their angles") {
@@ -113,7 +113,7 @@ TEST_CASE("excess precision is refused by batches") {
   for (const char* const method : {"0", "16"}) {
     CHECK_FALSE(is_refused("-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + std::string(method)));
   }
-  if (!test::is_installed("a library of 32-bit x86", thirty_two_bits(compiler))) return;
+  if (!test::is_installed("a library of 32-bit x86", link_command_32_bit(compiler))) return;
   CHECK(is_refused("-m32 -mno-sse2"));
   CHECK(is_refused("-m32 -msse -mno-sse2"));  // clang++ defines __FLT_EVAL_METHOD__ as 0 here
   CHECK_FALSE(is_refused("-m32 -msse2 -mfpmath=sse"));
@@ -131,7 +131,7 @@ TEST_CASE("batches have the same bits on every machine") {
   const std::string here = bits("g++", "");
   REQUIRE(here.size() == 34);
   CHECK(bits("clang++", "") == here);
-  if (test::is_installed("a library of 32-bit x86", thirty_two_bits("g++"))) {
+  if (test::is_installed("a library of 32-bit x86", link_command_32_bit("g++"))) {
     CHECK(bits("g++ -m32 -msse2 -mfpmath=sse", "") == here);
   }
   struct Machine {

@@ -101,8 +101,8 @@ TEST_CASE("short lists are on one line, and lines end with LF") {
 
 TEST_CASE("omitted outputs are listed, each with its reason") {
   Subject subject = cart_pole();
-  subject.scene.left_out = {{LeftOutReason::too_many_entries, {"mass_matrix", "coriolis_matrix"}},
-                            {LeftOutReason::kinked_force, {"linearization"}}};
+  subject.scene.left_out = {{OmissionReason::too_many_entries, {"mass_matrix", "coriolis_matrix"}},
+                            {OmissionReason::kinked_force, {"linearization"}}};
   const Json left_out = Json::parse(text_of(subject))["left_out"];
   CHECK(left_out.dump() ==
         R"({"mass_matrix":"too many entries","coriolis_matrix":"too many entries",)"

@@ -29,12 +29,12 @@ TEST_CASE("a function that the library lacks has no name, or a name in the modul
   older.functions = " exp expm log ";
   CHECK_FALSE(function_spelling(older, FunctionId::expm1, "expm1", {}).has_value());
   const std::vector<FunctionSpelling> rows{
-      {LanguageId::matlab, FunctionId::expm1, "of_matlab", FunctionHome::library},
-      {LanguageId::javascript, FunctionId::expm1, "less_one", FunctionHome::module}};
+      {LanguageId::matlab, FunctionId::expm1, "of_matlab", FunctionProvider::library},
+      {LanguageId::javascript, FunctionId::expm1, "less_one", FunctionProvider::module}};
   const auto written = function_spelling(older, FunctionId::expm1, "expm1", rows);
   REQUIRE(written);
   CHECK(written->name == "less_one");
-  CHECK(written->home == FunctionHome::module);
+  CHECK(written->provider == FunctionProvider::module);
   // A row takes precedence over the library, whose function of this name may differ.
   CHECK(function_spelling(javascript, FunctionId::expm1, "expm1", rows)->name == "less_one");
 }

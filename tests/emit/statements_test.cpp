@@ -100,8 +100,8 @@ TEST_CASE("a loop follows the statements for its inputs and names its first inst
   const std::vector<Statement> all =
       statements(function, names, Pairing::joint, column_loop(function));
   REQUIRE(all.size() == 1 + 2 + 1 + 2);
-  CHECK(std::get<Given>(all[1]).instruction == 0);
-  CHECK(std::get<Given>(all[2]).instruction == 1);
+  CHECK(std::get<LoopOperand>(all[1]).instruction == 0);
+  CHECK(std::get<LoopOperand>(all[2]).instruction == 1);
   CHECK(operands_of(all[2]).written == Numbers{1});
   CHECK(named_by(all[2]).empty());
   CHECK(std::get<Loop>(all[3]).first == 3);

@@ -113,7 +113,7 @@ Real value_of(std::size_t function, const Real& x, const Real& y) {
 }
 
 /// max(|f|, |x f'|), with f' by a difference quotient.
-Real size_of(const Call& call, const Real& value) {
+Real error_scale(const Call& call, const Real& value) {
   static const Real part(cln::expt(cln::cl_RA(10), -20));
   const Real x = exact(call.x);
   const Real slope =
@@ -140,7 +140,7 @@ std::string name_of_call(std::size_t function) {
 }
 
 /// The calls whose error exceeds 1e-29 max(|f|, |x f'|) plus 2^-1070.
-std::string wrong(const std::vector<Call>& all, const std::vector<Parts>& values) {
+std::string inaccurate_calls(const std::vector<Call>& all, const std::vector<Parts>& values) {
   static const Real tolerance(cln::expt(cln::cl_RA(10), -29));
   static const Real denormal(exact_value(0x1p-1070));
   std::string text;
@@ -150,7 +150,7 @@ std::string wrong(const std::vector<Call>& all, const std::vector<Parts>& values
     const bool is_far = !truth.is_defined() || abs(truth) > Real(exact_value(0x1p1000));
     if (is_far ? true
                : is_finite && abs(exact(values[i]) - truth) <=
-                                  tolerance * size_of(all[i], truth) + denormal) {
+                                  tolerance * error_scale(all[i], truth) + denormal) {
       continue;
     }
     text += name_of_call(all[i].function) + " of " + std::to_string(all[i].x.high) + "\n";
@@ -180,7 +180,7 @@ TEST_CASE("double-double has 29 digits with every compiler and optimisation") {
   CHECK(run.status == 0);  // pairs of sines, and products of the caller
   const std::vector<Parts> values = values_in(run.output);
   REQUIRE(values.size() == all.size());
-  CHECK(wrong(all, values).empty());
+  CHECK(inaccurate_calls(all, values).empty());
 }
 
 TEST_CASE("fast-math and its parts are refused by double-double, without an override") {

@@ -31,7 +31,7 @@ T = "1/2*J*dot(q)^2"
 V = "-k*cos(q)"
 )toml";
 
-const std::set<int> documented{0, 1, 2, 3, 4, 70, 130};
+const std::set<int> documented_codes{0, 1, 2, 3, 4, 70, 130};
 constexpr int killed = 128 + SIGKILL;
 
 /// Only every n-th call of this kind is visited; this is n.
@@ -57,9 +57,9 @@ struct Fault {
 };
 
 /// A command, and the contents of its folder before and after a successful run.
-class Scene {
+class FaultScenario {
  public:
-  Scene(std::string preparation, std::string command)
+  FaultScenario(std::string preparation, std::string command)
       : preparation_(std::move(preparation)), command_(std::move(command)) {
     const Workspace workspace;
     prepare_in(workspace);
@@ -75,7 +75,7 @@ class Scene {
   [[nodiscard]] long calls(const std::string& kind) const { return counts_.at(kind); }
 
   /// Runs the command with the fault and checks the files, the exit code and the message.
-  void visit(const Fault& fault) const {
+  void run_with_fault(const Fault& fault) const {
     const Workspace workspace;
     prepare_in(workspace);
     const std::string text =
@@ -87,7 +87,7 @@ class Scene {
       check_killed(workspace, found);
       return;
     }
-    CHECK(documented.count(outcome.status) == 1);
+    CHECK(documented_codes.count(outcome.status) == 1);
     CHECK((found == before_ || found == after_));
     if (outcome.status == 0) CHECK(found == after_);
     if (outcome.status != 0 && outcome.status != 130) CHECK(mentions(outcome.errors, "error[E"));
@@ -123,52 +123,55 @@ class Scene {
 };
 
 /// Replaces files of an older model and writes some files for the first time.
-Scene generation() {
-  return Scene(
+FaultScenario generation() {
+  return FaultScenario(
       "sed 's/-k/-2*k/' rotor.toml > old.toml && elgen generate -q old.toml && rm old.toml"
       " && rm generated/rotor/rotor.md",
       "elgen generate -q --depfile made/rotor.d rotor.toml");
 }
 
-Scene import() {
-  return Scene("cp " ELGEN_SOURCE_DIR
-               "/tests/urdf/robots/gripper.urdf . && echo old > gripper.toml",
-               "elgen import -q --force gripper.urdf -o gripper.toml");
+FaultScenario import() {
+  return FaultScenario("cp " ELGEN_SOURCE_DIR
+                       "/tests/urdf/robots/gripper.urdf . && echo old > gripper.toml",
+                       "elgen import -q --force gripper.urdf -o gripper.toml");
 }
 
-void visit_all(const Scene& scene, const std::string& kind, int action, long usual) {
+void run_with_all_faults(const FaultScenario& scene, const std::string& kind, int action,
+                         long usual) {
   for (long number = 1; number <= scene.calls(kind); number += stride(kind, usual)) {
-    scene.visit({kind, number, action});
+    scene.run_with_fault({kind, number, action});
   }
 }
 
 }  // namespace
 
 TEST_CASE("if a system call fails, files are all unchanged or all new") {
-  for (const Scene& scene : {generation(), import()}) {
-    visit_all(scene, "open", EMFILE, 3);
-    visit_all(scene, "write", ENOSPC, 1);
-    visit_all(scene, "rename", EIO, 1);
-    visit_all(scene, "mkdir", EDQUOT, 1);
+  for (const FaultScenario& scene : {generation(), import()}) {
+    run_with_all_faults(scene, "open", EMFILE, 3);
+    run_with_all_faults(scene, "write", ENOSPC, 1);
+    run_with_all_faults(scene, "rename", EIO, 1);
+    run_with_all_faults(scene, "mkdir", EDQUOT, 1);
   }
 }
 
 TEST_CASE("one failed allocation leads to an orderly exit") {
-  visit_all(generation(), "memory", ENOMEM, 4999);
-  visit_all(import(), "memory", ENOMEM, 4999);
+  run_with_all_faults(generation(), "memory", ENOMEM, 4999);
+  run_with_all_faults(import(), "memory", ENOMEM, 4999);
 }
 
 TEST_CASE("after a signal at any call, files are all unchanged or all new") {
-  const Scene scene = generation();
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) visit_all(scene, "any", -signal, 4);
+  const FaultScenario scene = generation();
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL})
+    run_with_all_faults(scene, "any", -signal, 4);
 }
 
 TEST_CASE("if the compiler or its folder cannot be started or created, no files remain") {
-  const Scene scene("true", "TMPDIR=$PWD/tmp elgen verify -q --samples 2 rotor.toml -o c.txt");
-  visit_all(scene, "mkdir", ENOSPC, 1);
-  visit_all(scene, "spawn", EAGAIN, 1);
-  visit_all(scene, "write", ENOSPC, 2);
-  visit_all(scene, "any", -SIGTERM, 5);
+  const FaultScenario scene("true",
+                            "TMPDIR=$PWD/tmp elgen verify -q --samples 2 rotor.toml -o c.txt");
+  run_with_all_faults(scene, "mkdir", ENOSPC, 1);
+  run_with_all_faults(scene, "spawn", EAGAIN, 1);
+  run_with_all_faults(scene, "write", ENOSPC, 2);
+  run_with_all_faults(scene, "any", -SIGTERM, 5);
 }
 
 }  // namespace elgen::test

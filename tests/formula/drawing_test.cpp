@@ -81,9 +81,9 @@ TEST_CASE("combining accents take no column") {
 
 TEST_CASE("blocks are aligned on one baseline") {
   const Block half = stacked({{"1"}, 0}, {{"2"}, 0}, "-");
-  const Block drawn = beside(half, {{" m"}, 0});
+  const Block drawn = join_blocks(half, {{" m"}, 0});
   CHECK(text_of(drawn, "") == "1\n- m\n2\n");
-  CHECK(text_of(beside({{"m "}, 0}, half), "  ") == "    1\n  m -\n    2\n");
+  CHECK(text_of(join_blocks({{"m "}, 0}, half), "  ") == "    1\n  m -\n    2\n");
 }
 
 TEST_CASE("a fraction is as wide as its wider part") {

@@ -30,12 +30,12 @@ std::string latex_of(const Formula& formula) { return latex(glyphs_of(formula));
 Formula number(const char* text) { return number_formula(cln::cl_RA(text)); }
 
 /// An operation around x; y is its other operand.
-struct Place {
+struct Nesting {
   const char* name;
-  Formula (*around)(const Formula& x, const Formula& y);
+  Formula (*build)(const Formula& x, const Formula& y);
 };
 
-const std::vector<Place> places{
+const std::vector<Nesting> nestings{
     {"x + y",
      [](const Formula& x, const Formula& y) {
        return sum_of({x, y});
@@ -78,7 +78,7 @@ const std::vector<Place> places{
 /// Every operation applied to a and b, and numbers.
 Formulas operations_and_numbers() {
   Formulas all{a, two, number("2/3"), number("-2"), number("-2/3"), digits_formula("2.5e-03")};
-  for (const Place& place : places) all.push_back(place.around(a, b));
+  for (const Nesting& place : nestings) all.push_back(place.build(a, b));
   return all;
 }
 
@@ -114,12 +114,12 @@ TEST_CASE("brackets are printed only if precedence requires them, in the model l
   const FormulaText x{"a"};
   const FormulaText y{"b"};
   const FormulaText z{"c"};
-  CHECK(sum({{x}, {sum({{y}, {z, true}})}}).text == "a + (b - c)");
-  CHECK(sum({{sum({{x}, {y}})}, {z}}).text == "a + b + c");
-  CHECK(product(n, {sum({{x}, {y}}), power(z, {"2"})}).text == "(a + b)*c^2");
-  CHECK(quotient(n, x, product(n, {y, z})).text == "a/(b*c)");
-  CHECK(negated(sum({{x}, {y}})).text == "-(a + b)");
-  CHECK(called("sqrt", {sum({{x}, {y}})}).text == "sqrt(a + b)");
+  CHECK(sum_text({{x}, {sum_text({{y}, {z, true}})}}).text == "a + (b - c)");
+  CHECK(sum_text({{sum_text({{x}, {y}})}, {z}}).text == "a + b + c");
+  CHECK(product_text(n, {sum_text({{x}, {y}}), power(z, {"2"})}).text == "(a + b)*c^2");
+  CHECK(quotient(n, x, product_text(n, {y, z})).text == "a/(b*c)");
+  CHECK(negated(sum_text({{x}, {y}})).text == "-(a + b)");
+  CHECK(called("sqrt", {sum_text({{x}, {y}})}).text == "sqrt(a + b)");
   CHECK(power(called("sin", {x}), {"2"}).text == "sin(a)^2");
 }
 
@@ -146,7 +146,7 @@ TEST_CASE("in LaTeX functions come last, so that no factor is read as part of an
   CHECK(latex_of(product_of({two, sine, sine})) == "2 \\sin a \\sin a");
   CHECK(latex_of(product_of({sine, negative(b)})) == "-b \\sin a");
   CHECK(text_of(product_of({sine, b})) == "sin(a)*b");
-  CHECK(product(code_spelling, {called("sin", {{"a"}}), {"b"}}).text == "sin(a) * b");
+  CHECK(product_text(code_spelling, {called("sin", {{"a"}}), {"b"}}).text == "sin(a) * b");
 }
 
 TEST_CASE("log1p, expm1, hypot and Stumpff functions are printed in mathematical notation") {
@@ -169,10 +169,10 @@ TEST_CASE("only a leading sign has no brackets") {
   const Spelling& n = code_spelling;
   const FormulaText x{"a"};
   const FormulaText y{"b"};
-  CHECK(product(n, {negated(x), y}).text == "-a * b");
-  CHECK(negated(product(n, {x, y})).text == "-a * b");
-  CHECK(product(n, {x, negated(y)}).text == "a * (-b)");
-  CHECK(sum({{{"c"}}, {negated(product(n, {x, y})), true}}).text == "c - (-a * b)");
+  CHECK(product_text(n, {negated(x), y}).text == "-a * b");
+  CHECK(negated(product_text(n, {x, y})).text == "-a * b");
+  CHECK(product_text(n, {x, negated(y)}).text == "a * (-b)");
+  CHECK(sum_text({{{"c"}}, {negated(product_text(n, {x, y})), true}}).text == "c - (-a * b)");
   CHECK(negated(negated(x)).text == "-(-a)");
 }
 
@@ -201,11 +201,11 @@ TEST_CASE("relations, lists, words and signs") {
       {enumeration({a, b, c}), "a, b and c", "a, b \\text{ and } c"},
       {row_of({a, prose("; then"), b}), "a; then b", "a \\text{; then } b"},
       {row_of({prose("at"), {}, a, prose("")}), "at a", "\\text{at } a"},
-      {either_sign(sum_of({a, b})), "+-(a + b)", "\\pm (a + b)"},
+      {plus_minus(sum_of({a, b})), "+-(a + b)", "\\pm (a + b)"},
       {bars(sum_of({a, b})), "|a + b|", "\\left| a + b \\right|"},
       {product_of({group(negative(a)), b}), "(-a)*b", "(-a) b"},
       {digits_formula("-1.5e-07"), "-1.5e-07", "-1.5 \\cdot 10^{-7}"},
-      {typed_formula("\\ddot{<q>}_{1}"), "ddot(q1)", "\\ddot{\\mathbf{q}}_{1}"},
+      {latex_formula("\\ddot{<q>}_{1}"), "ddot(q1)", "\\ddot{\\mathbf{q}}_{1}"},
       {power_of(symbol_formula("V", read_latex("V(r)"), true), two), "V^2", "(V(r))^{2}"},
       {power_of(symbol_formula("x", read_latex("x^{*}")), two), "x^2", "{x^{*}}^{2}"},
       {product_of({symbol_formula("m", read_latex("\\mathrm{mass}")), a, power_of(two, a)}),
@@ -239,8 +239,8 @@ TEST_CASE("lines are parsed as people read them") {
 TEST_CASE("a nested operation has the value of the tree in text, LaTeX and ASCII") {
   Texts wrong;
   for (const Formula& inner : operations_and_numbers()) {
-    for (const Place& outer : places) {
-      const Formula formula = outer.around(inner, c);
+    for (const Nesting& outer : nestings) {
+      const Formula formula = outer.build(inner, c);
       for (const std::string& notation : wrong_notations(formula)) wrong.push_back(notation);
       CHECK(latex(read_latex(latex_of(formula))) == latex_of(formula));
     }
@@ -251,10 +251,10 @@ TEST_CASE("a nested operation has the value of the tree in text, LaTeX and ASCII
 TEST_CASE("a doubly nested operation has the value of the tree, too") {
   Texts wrong;
   for (const Formula& inner : operations_and_numbers()) {
-    for (const Place& middle : places) {
-      const Formula both = middle.around(inner, c);
-      for (const Place& outer : places) {
-        const Formula formula = outer.around(both, a);
+    for (const Nesting& middle : nestings) {
+      const Formula both = middle.build(inner, c);
+      for (const Nesting& outer : nestings) {
+        const Formula formula = outer.build(both, a);
         for (const std::string& notation : wrong_notations(formula)) wrong.push_back(notation);
       }
     }

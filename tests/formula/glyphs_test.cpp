@@ -16,7 +16,7 @@ using Texts = std::vector<std::string>;
 
 Texts lines_of(const std::string& text, double widest) {
   Texts lines;
-  for (const Glyphs& line : broken_lines(read_latex(text), widest)) lines.push_back(latex(line));
+  for (const Glyphs& line : break_lines(read_latex(text), widest)) lines.push_back(latex(line));
   return lines;
 }
 
@@ -46,7 +46,7 @@ Texts latex_of_tables() {
   Texts all;
   for (const OutputRow& row : output_table()) {
     for (const Notation& notation :
-         {row.symbol, row.equation, row.turning_equation, row.constrained_equation}) {
+         {row.symbol, row.equation, row.rotation_equation, row.constrained_equation}) {
       all.emplace_back(notation.latex);
     }
     for (const FieldRow& field : row.fields) all.emplace_back(field.latex);

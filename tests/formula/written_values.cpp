@@ -66,7 +66,7 @@ class LineReader {
  public:
   explicit LineReader(std::string_view line) : rest_(line) {}
 
-  Value whole() {
+  Value parse_all() {
     const Value value = sum();
     skip_blanks();
     if (!rest_.empty()) fail("text is left", rest_);
@@ -75,11 +75,11 @@ class LineReader {
 
  private:
   Value sum() {
-    Value total = takes("-") ? -product() : product();
+    Value total = accept("-") ? -product() : product();
     for (;;) {
-      if (takes("+")) {
+      if (accept("+")) {
         total += product();
-      } else if (takes("-")) {
+      } else if (accept("-")) {
         total -= product();
       } else {
         return total;
@@ -90,10 +90,10 @@ class LineReader {
   Value product() {
     Value total = factor();
     for (;;) {
-      if (takes("\\cdot") || takes("*")) {
+      if (accept("\\cdot") || accept("*")) {
         total *= factor();
-      } else if (takes("/")) {
-        total /= takes("-") ? -factor() : factor();
+      } else if (accept("/")) {
+        total /= accept("-") ? -factor() : factor();
       } else if (begins_factor()) {
         total *= factor();
       } else {
@@ -103,8 +103,8 @@ class LineReader {
   }
 
   Value factor() {
-    if (!takes("\\sin") && !takes("sin")) return power();
-    const Value exponent = rest_.starts_with('^') ? raised() : 1;
+    if (!accept("\\sin") && !accept("sin")) return power();
+    const Value exponent = rest_.starts_with('^') ? exponent_value() : 1;
     if (rest_.starts_with('(') || rest_.starts_with("\\left(")) {
       return power_of(std::sin(primary()), exponent);
     }
@@ -115,28 +115,28 @@ class LineReader {
 
   Value power() {
     const Value base = primary();
-    return rest_.starts_with('^') ? power_of(base, raised()) : base;
+    return rest_.starts_with('^') ? power_of(base, exponent_value()) : base;
   }
 
   /// An exponent: {…}, (…), or one character.
-  Value raised() {
+  Value exponent_value() {
     rest_.remove_prefix(1);
     if (rest_.starts_with('{') || rest_.starts_with('(')) return primary();
     if (rest_.empty()) fail("no exponent", rest_);
-    const Value value = LineReader(rest_.substr(0, 1)).whole();
+    const Value value = LineReader(rest_.substr(0, 1)).parse_all();
     rest_.remove_prefix(1);
     return value;
   }
 
   Value primary() {
-    if (takes("\\left(")) return until("\\right)");
-    if (takes("(")) return until(")");
-    if (takes("{")) return until("}");
-    if (takes("\\sqrt{")) return root_of(until("}"));
-    if (takes("sqrt(")) return root_of(until(")"));
-    if (takes("\\frac{")) {
+    if (accept("\\left(")) return until("\\right)");
+    if (accept("(")) return until(")");
+    if (accept("{")) return until("}");
+    if (accept("\\sqrt{")) return root_of(until("}"));
+    if (accept("sqrt(")) return root_of(until(")"));
+    if (accept("\\frac{")) {
       const Value above = until("}");
-      if (!takes("{")) fail("no denominator", rest_);
+      if (!accept("{")) fail("no denominator", rest_);
       return above / until("}");
     }
     skip_blanks();
@@ -150,7 +150,7 @@ class LineReader {
 
   Value until(std::string_view end) {
     const Value value = sum();
-    if (!takes(end)) fail("no " + std::string(end), rest_);
+    if (!accept(end)) fail("no " + std::string(end), rest_);
     return value;
   }
 
@@ -168,7 +168,7 @@ class LineReader {
     return rest_.starts_with(word);
   }
 
-  bool takes(std::string_view word) {
+  bool accept(std::string_view word) {
     const bool is_there = is_next(word);
     if (is_there) rest_.remove_prefix(word.size());
     return is_there;
@@ -223,6 +223,6 @@ Value value_of_text(const std::string& text) {
   return value_of_syntax(*syntax);
 }
 
-Value value_of_line(std::string_view line) { return LineReader(line).whole(); }
+Value value_of_line(std::string_view line) { return LineReader(line).parse_all(); }
 
 }  // namespace elgen::testing

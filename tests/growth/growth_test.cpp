@@ -22,7 +22,7 @@ using namespace elgen::test;
 namespace {
 
 /// Closed forms have n^2 terms. They are kept up to 30 links; above, `present` exceeds its budget.
-double excess_of(const std::string& stage, int links) {
+double extra_exponent(const std::string& stage, int links) {
   const bool is_closed = stage == "present" || stage == "choose" || stage == "typeset";
   return is_closed && links <= 30 ? 1 : 0;
 }
@@ -60,7 +60,7 @@ Inputs chain() {
   return {make_source("chain.toml", read_text(path)), nullptr};
 }
 
-PipelineOptions of_chain(int links, const std::string& output) {
+PipelineOptions chain_options(int links, const std::string& output) {
   PipelineOptions options;
   options.scene.sizes = {option("n=" + std::to_string(links))};
   options.scene.outputs = {option(output)};
@@ -68,7 +68,7 @@ PipelineOptions of_chain(int links, const std::string& output) {
 }
 
 Counts counts_of_chain(int links) {
-  PipelineOptions options = of_chain(links, "inverse_dynamics");
+  PipelineOptions options = chain_options(links, "inverse_dynamics");
   options.goals = {Goal::emit};
   // A self-check visits as many states as its time limit allows, so it is counted on its own, at
   // two states.
@@ -134,7 +134,7 @@ TEST_CASE("operations of a stage grow no faster than the chain") {
       INFO(stage << ", " << few->first << " and " << many->first << " links: " << before.bytes
                  << " and " << count.bytes << " bytes, " << before.blocks << " and " << count.blocks
                  << " blocks");
-      const double excess = excess_of(stage, many->first);
+      const double excess = extra_exponent(stage, many->first);
       check_growth(before.bytes, count.bytes, std::pow(growth, 1.2 + excess));
       check_growth(before.blocks, count.blocks, std::pow(growth, 1.1 + excess));
     }
@@ -152,7 +152,7 @@ TEST_CASE("pages of nested sums do not double with every sum") {
     check_growth(few.blocks, many.blocks, most);
   };
   const auto of_links = [](int links) {
-    return count_of_pages(chain(), of_chain(links, "forward_dynamics"));
+    return count_of_pages(chain(), chain_options(links, "forward_dynamics"));
   };
   check(of_links(10), of_links(20));
   check(of_links(25), of_links(50));

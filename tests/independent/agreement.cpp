@@ -14,7 +14,7 @@ constexpr int state_count = 200;
 
 /// Uniform random numbers. The distributions of <random> differ between standard libraries; these
 /// do not.
-class Numbers {
+class RandomNumbers {
  public:
   [[nodiscard]] double between(double low, double high) {
     return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
@@ -37,7 +37,7 @@ void normalise(std::vector<double>& numbers) {
   for (double& x : numbers) x /= std::sqrt(sum);
 }
 
-std::vector<double> base_pose(Numbers& random) {
+std::vector<double> base_pose(RandomNumbers& random) {
   std::vector<double> pose = random.within(1.0, 3);
   std::vector<double> quaternion = random.within(1.0, 4);
   normalise(quaternion);
@@ -79,7 +79,7 @@ Differences differences(const Oracle& oracle, const Oracle& reference,
 
 std::vector<State> random_states(std::size_t joints, bool floating) {
   const double pi = std::acos(-1.0);
-  Numbers random;
+  RandomNumbers random;
   std::vector<State> states;
   for (int i = 0; i < state_count; ++i) {
     State state;

@@ -9,10 +9,10 @@ namespace elgen::test {
 
 /// Two programs in double differ by a few rounding errors of the largest entry: KDL and MuJoCo by
 /// 3e-15. A wrong term differs by 1e-3 or more.
-inline constexpr double agreed = 1e-12;
+inline constexpr double agreement_tolerance = 1e-12;
 
 /// MuJoCo's URDF reader diagonalises inertias to 7 digits.
-inline constexpr double agreed_of_urdf = 1e-6;
+inline constexpr double urdf_agreement_tolerance = 1e-6;
 
 /// max |values_i - reference_i| / max |reference_i|.
 [[nodiscard]] double relative_difference(const std::vector<double>& values,

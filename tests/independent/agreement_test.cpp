@@ -47,7 +47,8 @@ bool is_urdf() { return description.extension() == ".urdf"; }
 
 TEST_CASE("the emitted functions agree with the independent program") {
   check_agreement(emitted_dynamics, ELGEN_ORACLE(description, floating),
-                  random_states(joints, floating), is_urdf() ? agreed_of_urdf : agreed);
+                  random_states(joints, floating),
+                  is_urdf() ? urdf_agreement_tolerance : agreement_tolerance);
 }
 
 TEST_CASE("the emitted functions give the reference values") {

@@ -21,7 +21,7 @@ TEST_CASE("KDL and MuJoCo agree") {
   for (const std::filesystem::path& path : robots) {
     INFO(path.stem());
     check_agreement(mujoco_oracle(path, false), kdl_oracle(path, false),
-                    random_states(read_robot(path).links.size(), false), agreed);
+                    random_states(read_robot(path).links.size(), false), agreement_tolerance);
   }
 }
 

@@ -158,7 +158,7 @@ TEST_CASE("all energies and forces are roots", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     INFO(name);
     const Model model = checked_model(text).model;
-    const auto all = reached(model, equation_roots(model));
+    const auto all = reachable_from(model, equation_roots(model));
     for (const Body& body : model.bodies) {
       if (!body.mass) continue;
       ++masses;

@@ -23,7 +23,7 @@ ModelBuilder spring(const std::string& potential) {
 
 std::string unused_findings(const Model& model) { return text_of(inspect_unused({model, {}})); }
 
-Diagnostics left_out_notes(const std::vector<LeftOut>& left_out) {
+Diagnostics left_out_notes(const std::vector<OmittedOutputs>& left_out) {
   Scene scene;
   scene.left_out = left_out;
   return inspect_left_out({Model{}, scene});
@@ -82,8 +82,8 @@ TEST_CASE("no notes if no outputs are left out") { CHECK(left_out_notes({}).empt
 TEST_CASE("one note per reason names the outputs and how to get them") {
   const SourcePointer source = make_source("a.toml", "name = \"a\" abs(x)");
   const Diagnostics notes = left_out_notes(
-      {{LeftOutReason::too_many_entries, {"mass_matrix", "tip"}, {source.get(), 7, 10}},
-       {LeftOutReason::kinked_force, {"linearization"}, {source.get(), 11, 17}}});
+      {{OmissionReason::too_many_entries, {"mass_matrix", "tip"}, {source.get(), 7, 10}},
+       {OmissionReason::kinked_force, {"linearization"}, {source.get(), 11, 17}}});
   CHECK(text_of(notes) ==
         "E619: not emitted because of more than 4096 entries: `mass_matrix`, `tip`\n"
         "E619: not emitted because a force with a kink has no derivatives: `linearization`");

@@ -8,7 +8,7 @@ namespace elgen::test {
 namespace {
 
 /// Empty if M is to blame, because another message reports M.
-std::string said_of(OutputKind kind, const std::optional<std::size_t>& row) {
+std::string message_of(OutputKind kind, const std::optional<std::size_t>& row) {
   LeafNames names;
   names.multipliers = {"loop", "rod"};
   const OutputRequest request{.kind = kind, .name = "x"};
@@ -22,19 +22,19 @@ TEST_CASE("a row of A without a pivot is a redundant constraint, unless the outp
   const std::string of_rod =
       "E537 `x` has no value: the constraint `rod` follows from earlier constraints, whatever the "
       "state is";
-  CHECK(said_of(OutputKind::forward_dynamics, 1) == of_rod);
-  CHECK(said_of(OutputKind::constrained_inverse_dynamics, 1) == of_rod);
-  CHECK(said_of(OutputKind::completed, 1) ==
+  CHECK(message_of(OutputKind::forward_dynamics, 1) == of_rod);
+  CHECK(message_of(OutputKind::constrained_inverse_dynamics, 1) == of_rod);
+  CHECK(message_of(OutputKind::completed, 1) ==
         "E603 `x` has no value: the independent velocities do not determine the others");
-  CHECK(said_of(OutputKind::user_operational, 1) ==
+  CHECK(message_of(OutputKind::user_operational, 1) ==
         "E603 `x` has no value: row 2 of the Jacobian follows from earlier rows, whatever the "
         "state is");
 }
 
 TEST_CASE("a singular matrix without a known row is M, unless the output is solved for inputs") {
-  CHECK(said_of(OutputKind::forward_dynamics, {}).empty());
-  CHECK(said_of(OutputKind::user_operational, {}).empty());
-  CHECK(said_of(OutputKind::constrained_inverse_dynamics, {}) ==
+  CHECK(message_of(OutputKind::forward_dynamics, {}).empty());
+  CHECK(message_of(OutputKind::user_operational, {}).empty());
+  CHECK(message_of(OutputKind::constrained_inverse_dynamics, {}) ==
         "E603 `x` has no value: under the constraints some input moves nothing, or only what other "
         "inputs move");
 }

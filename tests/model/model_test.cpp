@@ -73,25 +73,25 @@ TEST_CASE("leaves have the names that the model gives them") {
 }
 
 TEST_CASE("leaf kinds of few functions have names only if a function takes them") {
-  const LeafNames untaken = leaf_names(checked(file_text("models/chain.toml")).model);
+  const LeafNames unused = leaf_names(checked(file_text("models/chain.toml")).model);
   const auto has_names = [](const LeafNames& leaves, Opcode kind) {
     return leaf_count(leaves, kind) > 0 && !leaf_of(leaves, kind, 0).empty();
   };
   for (const LeafRow& row : leaf_table()) {
     INFO(row.symbol);
-    LeafNames leaves = untaken;
-    name_taken(row.id, leaves);
-    if (row.passed != Passed::if_taken) {
-      CHECK(has_names(leaves, row.id) == has_names(untaken, row.id));
+    LeafNames leaves = unused;
+    name_optional_leaves(row.id, leaves);
+    if (row.passed != Passed::if_used) {
+      CHECK(has_names(leaves, row.id) == has_names(unused, row.id));
       continue;
     }
     // Kinds with one leaf per velocity get the names of the velocities.
     CHECK((row.of == LeafOwner::velocities || row.of == LeafOwner::system));
-    CHECK_FALSE(has_names(untaken, row.id));
+    CHECK_FALSE(has_names(unused, row.id));
     CHECK(has_names(leaves, row.id));
   }
-  LeafNames leaves = untaken;
-  name_taken(Opcode::momentum | Opcode::step, leaves);
+  LeafNames leaves = unused;
+  name_optional_leaves(Opcode::momentum | Opcode::step, leaves);
   CHECK(leaf_text(leaves, Opcode::momentum, 4) == "p(q[5])");
   CHECK(leaves.reference.empty());
   CHECK(leaves.h == "h");
@@ -187,7 +187,8 @@ TEST_CASE("operands precede their users, each once, even through definitions") {
           "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[define]\n"
           "a = \"2*x\"\nunused = \"3*x\"\n[energy]\nT = \"dot(x)^2\"\nV = \"sin(a) + a\"\n")
           .model;
-  CHECK(texts(model, reached(model, {*model.energies.V})) == "2, x, 2*x, a, sin(a), a, sin(a) + a");
+  CHECK(texts(model, reachable_from(model, {*model.energies.V})) ==
+        "2, x, 2*x, a, sin(a), a, sin(a) + a");
   CHECK(texts(model, references(model, *model.energies.V)) == "sin(a), a");
 }
 
@@ -200,7 +201,7 @@ TEST_CASE("references through points, frames and prescribed functions are follow
           "[[point]]\nname = \"P\"\nframe = \"F\"\nat = [\"x\", \"0\", \"0\"]\nmass = \"m\"\n"
           "[[output]]\nname = \"o\"\nvalue = \"x(P)\"\n")
           .model;
-  const auto all = reached(model, {model.outputs.front().values.front()});
+  const auto all = reachable_from(model, {model.outputs.front().values.front()});
   const auto has = [&](Opcode kind) {
     return std::any_of(all.begin(), all.end(),
                        [&](ExpressionId id) { return is_leaf(model.expressions[id], kind); });
@@ -212,7 +213,7 @@ TEST_CASE("references through points, frames and prescribed functions are follow
 TEST_CASE("every expression comes once, after its references") {
   const Model model = checked(file_text("models/chain.toml")).model;
   CHECK(find_cycle(model).empty());
-  const std::vector<ExpressionId> order = in_order(model);
+  const std::vector<ExpressionId> order = topological_order(model);
   REQUIRE(order.size() == model.expressions.size());
   std::vector<bool> is_known(order.size(), false);
   for (const ExpressionId id : order) {
@@ -240,8 +241,8 @@ TEST_CASE("a cycle consists of references, link by link") {
 
 TEST_CASE("an expression reached twice is listed once") {
   const Model model = checked(file_text("models/chain.toml")).model;
-  auto all = reached(model, {*model.expectations.front().entries.begin(),
-                             *model.expectations.front().entries.begin()});
+  auto all = reachable_from(model, {*model.expectations.front().entries.begin(),
+                                    *model.expectations.front().entries.begin()});
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
 }

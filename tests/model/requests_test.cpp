@@ -33,7 +33,7 @@ std::vector<std::string> names_in_full(const std::string& model) {
 /// One line per reason, such as "too many entries: mass_matrix, linearization".
 std::string left_out(const CheckedModel& checked) {
   std::string lines;
-  for (const LeftOut& reason : checked.scene.left_out) {
+  for (const OmittedOutputs& reason : checked.scene.left_out) {
     std::string names;
     for (const std::string& output : reason.outputs) names += (names.empty() ? "" : ", ") + output;
     lines += std::string(name_of(reason.reason)) + ": " + names + "\n";
@@ -76,7 +76,7 @@ TEST_CASE("outputs of a Lagrangian that is not quadratic, or not split into T an
                            "kinetic_energy", "potential_energy", "total_energy"}) {
     CHECK_FALSE(has(some, name));
   }
-  Wanted wanted;
+  CheckOptions wanted;
   wanted.outputs = {"gravity"};
   CHECK(messages(relativistic, wanted) ==
         "E505 1:1 `gravity` needs a Lagrangian at most quadratic in the rates\n");
@@ -162,7 +162,7 @@ TEST_CASE("kinks prevent derivatives only in forces that act on moving coordinat
   const std::string two =
       unused + "[[coordinate]]\nname = \"y\"\nunit = \"m\"\narmature = \"m\"\n" + force;
   CHECK_FALSE(has(names_in_full(two), "linearization"));
-  Wanted wanted;
+  CheckOptions wanted;
   wanted.scene =
       "format = 1\nmodel = \"block.toml\"\nname = \"held\"\n"
       "[lock]\nx = { value = 0 }\n[outputs]\nlinearization = true\n";
@@ -196,7 +196,7 @@ TEST_CASE("a scene or an option that names a large output gets it") {
   REQUIRE(by_scene.scene.outputs.size() == 1);
   CHECK(by_scene.scene.outputs.front().rows == 130);
   CHECK(by_scene.scene.left_out.empty());
-  Wanted option;
+  CheckOptions option;
   option.outputs = {"mass_matrix"};
   const CheckedModel by_option = checked(masses(65), option);
   CHECK(by_option.scene.outputs.front().rows == 65);

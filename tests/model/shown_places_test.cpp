@@ -64,7 +64,7 @@ TEST_CASE("lines remain if a coordinate is locked") {
   const std::string text = block(
       "[[coordinate]]\nname = \"y\"\nunit = \"m\"\n[[point]]\nname = \"a\"\n"
       "at = [\"x\", \"y\"]\nmass = \"m\"\njoined_to = \"origin\"\n");
-  Wanted wanted;
+  CheckOptions wanted;
   wanted.scene = scene_of_block("[lock]\nx = { value = 1 }\n");
   CHECK(lines_of(checked(text, wanted).model) == "a origin\n");
 }

@@ -13,9 +13,7 @@ using test::real;
 namespace {
 
 /// |x - y| as a double.
-double apart(const Real& x, const Real& y) {
-  return ScalarTraits<double>::from_real(abs(x - y).value());
-}
+double apart(const Real& x, const Real& y) { return to_double(abs(x - y).value()); }
 
 }  // namespace
 
@@ -46,7 +44,7 @@ TEST_CASE("dual numbers of double have slopes, and kinked functions have slope 0
     }
     const Real exact =
         interpreter::call<Dual<Real>>(row.id, {real("2/5"), Real(1)}, {real("5/4"), Real()}).slope;
-    CHECK(dual.slope == Approx(ScalarTraits<double>::from_real(exact.value())));
+    CHECK(dual.slope == Approx(to_double(exact.value())));
   }
   CHECK(sqrt(Dual<double>{4, 1}).slope == 0.25);
 }
@@ -75,7 +73,7 @@ TEST_CASE("nested duals give second derivatives") {
 TEST_CASE("dual arguments combine a point and a direction") {
   const Arguments<Real> point{.q = {real("1")}, .v = {real("2")}, .t = real("3")};
   const Arguments<Real> direction{.q = {real("4")}, .v = {real("5")}, .t = real("6")};
-  const Arguments<Dual<Real>> moved = moving(point, direction);
+  const Arguments<Dual<Real>> moved = dual_leaves(point, direction);
   CHECK(apart(moved.q[0].slope, real("4")) == 0);
   CHECK(apart(moved.v[0].value, real("2")) == 0);
   CHECK(apart(moved.t.slope, real("6")) == 0);

@@ -30,7 +30,7 @@ bool holds(const Enclosure& enclosure, const Real& value) {
 Real real_of(double x) { return Real(exact_value(x)); }
 
 /// Widths range from one ulp to many turns.
-Enclosure drawn(Random& random) {
+Enclosure random_enclosure(Random& random) {
   const double first = random.uniform(-4, 4) * (random.next() % 8 == 0 ? 40 : 1);
   const double width = std::abs(random.log_uniform(-54, 3));
   return {std::min(first, first + width), std::max(first, first + width)};
@@ -53,10 +53,10 @@ TEST_CASE("enclosures of functions contain all values on their box") {
     INFO(row.name);
     int defined = 0;
     for (int i = 0; i < boxes; ++i) {
-      const Enclosure x = drawn(random);
+      const Enclosure x = random_enclosure(random);
       const bool is_stumpff = row.id == FunctionId::stumpff;
       const Enclosure y =
-          is_stumpff ? enclosure_of((1 + i % 5) * (i % 2 == 0 ? 1 : -1)) : drawn(random);
+          is_stumpff ? enclosure_of((1 + i % 5) * (i % 2 == 0 ? 1 : -1)) : random_enclosure(random);
       const Enclosure all = interpreter::call(row.id, x, y);
       for (int k = 0; k < points_in_box; ++k) {
         const double at_x = inside(x, random);
@@ -78,8 +78,8 @@ TEST_CASE("enclosures of functions contain all values on their box") {
 TEST_CASE("enclosures of sums, products, quotients and roots contain all values") {
   Random random(11);
   for (int i = 0; i < boxes; ++i) {
-    const Enclosure x = drawn(random);
-    const Enclosure y = drawn(random);
+    const Enclosure x = random_enclosure(random);
+    const Enclosure y = random_enclosure(random);
     for (int k = 0; k < points_in_box; ++k) {
       const Real at_x = real_of(inside(x, random));
       const Real at_y = real_of(inside(y, random));
@@ -144,7 +144,7 @@ TEST_CASE("enclosures report undefined values and jumps") {
   CHECK(sign(Enclosure{1, 2}).defined == Definedness::everywhere);
   const Enclosure undefined = sqrt(Enclosure{-2, -1});
   CHECK((undefined + Enclosure{1, 2}).defined == Definedness::nowhere);
-  CHECK_FALSE(may_be(undefined * undefined, 0));
+  CHECK_FALSE(may_contain(undefined * undefined, 0));
 }
 
 TEST_CASE("slopes of enclosures contain all slopes on their box") {

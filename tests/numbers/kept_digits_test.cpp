@@ -21,7 +21,7 @@ namespace {
 /// |x - y|/|y| as a double; |x| if y is 0.
 double relative(const Real& x, const Real& y) {
   const Real scale = cln::zerop(y.value()) ? Real(1) : abs(y);
-  return ScalarTraits<double>::from_real((abs(x - y) / scale).value());
+  return to_double((abs(x - y) / scale).value());
 }
 
 template <class Scalar>

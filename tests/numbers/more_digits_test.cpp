@@ -19,7 +19,7 @@ TEST_CASE("a computation that loses too many digits is repeated with more digits
     counts.clear();
     return with_enough_digits([&] {
       counts.push_back(MoreDigits::count());
-      for (const unsigned digits : losses) MoreDigits::lose(digits);
+      for (const unsigned digits : losses) MoreDigits::report_lost(digits);
       return counts.size();
     });
   };
@@ -34,7 +34,7 @@ TEST_CASE("a repeated computation may lose a few more digits") {
   int computations = 0;
   const auto compute = [&] {
     ++computations;
-    MoreDigits::lose(computations == 1 ? 100 : 105);
+    MoreDigits::report_lost(computations == 1 ? 100 : 105);
     return computations;
   };
   CHECK(with_enough_digits(compute) == 2);

@@ -132,7 +132,7 @@ TEST_CASE("literals of double are read back as the nearest double") {
     const auto denominator = *rc::gen::inRange<long>(1, 1000000000);
     const auto exponent = *rc::gen::inRange<long>(-250, 250);
     const cl_RA value = cl_RA(numerator) / denominator * ten_to(exponent);
-    const double nearest = ScalarTraits<double>::from_real(value);
+    const double nearest = to_double(value);
     RC_ASSERT(std::strtod(shortest_literal(value, ScalarKind::double_precision).c_str(), nullptr) ==
               nearest);
     RC_ASSERT(std::strtod(literal_text(rounded_decimal(value, 30)).c_str(), nullptr) == nearest);

@@ -14,7 +14,7 @@ using cln::cl_RA;
 using Values = std::vector<cl_R>;
 
 /// A point with mass 2 and coordinates x and y. Each equation is a constraint `= 0` on positions.
-Model held_point(const std::vector<std::string>& equations) {
+Model constrained_point(const std::vector<std::string>& equations) {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").parameter("l", "1").T("x_d^2 + y_d^2");
   for (const std::string& equation : equations) {
@@ -43,7 +43,7 @@ const char* const rod = "x^2 + y^2 - l^2";
 }  // namespace
 
 TEST_CASE("a state that meets the constraints is unchanged") {
-  const Model model = held_point({rod});
+  const Model model = constrained_point({rod});
   const State state = state_at(model, {cl_RA(3) / 5, cl_RA(-4) / 5}, {4, 3});
   const auto assembled = oracle_assembled(model, state);
   REQUIRE(assembled);
@@ -52,7 +52,7 @@ TEST_CASE("a state that meets the constraints is unchanged") {
 }
 
 TEST_CASE("a point with equal masses is projected along the rod's normal") {
-  const Model model = held_point({rod});
+  const Model model = constrained_point({rod});
   const auto assembled = oracle_assembled(model, state_at(model, {3, 4}, {1, 2}));
   REQUIRE(assembled);
   check_agree(assembled->q, {cl_RA(3) / 5, cl_RA(4) / 5});
@@ -60,7 +60,7 @@ TEST_CASE("a point with equal masses is projected along the rod's normal") {
 }
 
 TEST_CASE("fixed coordinates and rates stay, the others follow or there is no pose") {
-  const Model model = held_point({rod});
+  const Model model = constrained_point({rod});
   const State state = state_at(model, {cl_RA(3) / 5, -1}, {4, 1});
   const auto at = oracle_assembly(model, state, {{true, false}, {false, true}});
   REQUIRE(at);
@@ -74,7 +74,7 @@ TEST_CASE("fixed coordinates and rates stay, the others follow or there is no po
 }
 
 TEST_CASE("the first step equals the output `projected`") {
-  const Model model = held_point({"x^2 + y - l"});
+  const Model model = constrained_point({"x^2 + y - l"});
   const State state = state_at(model, {0, 3}, {1, 1});
   const auto assembled = oracle_assembled(model, state);
   REQUIRE(assembled);
@@ -85,22 +85,22 @@ TEST_CASE("the first step equals the output `projected`") {
 
 TEST_CASE("a step that increases the residual or leaves the domain is shortened") {
   // A full Newton step for atan from x = 3 diverges; a full step for log makes x negative.
-  const Model bent = held_point({"atan(x)"});
+  const Model bent = constrained_point({"atan(x)"});
   const auto origin = oracle_assembled(bent, state_at(bent, {3, 5}, {0, 0}));
   REQUIRE(origin);
   check_agree(origin->q, {0, 5});
-  const Model logarithm = held_point({"log(x) - 1"});
+  const Model logarithm = constrained_point({"log(x) - 1"});
   const auto base = oracle_assembled(logarithm, state_at(logarithm, {9, 0}, {0, 0}));
   REQUIRE(base);
   check_agree(base->q, {cln::exp1(cln::float_format(90)), 0});
 }
 
 TEST_CASE("consistent redundant equations are met, contradictory equations are not") {
-  const Model twice = held_point({rod, "3*l^2 - 3*x^2 - 3*y^2"});
+  const Model twice = constrained_point({rod, "3*l^2 - 3*x^2 - 3*y^2"});
   const auto assembled = oracle_assembled(twice, state_at(twice, {3, 4}, {0, 0}));
   REQUIRE(assembled);
   check_agree(assembled->q, {cl_RA(3) / 5, cl_RA(4) / 5});
-  const Model never = held_point({"x - l", "x - 3*l"});
+  const Model never = constrained_point({"x - l", "x - 3*l"});
   const auto ended = oracle_assembly(never, state_at(never, {1, 0}, {0, 0}));
   REQUIRE(ended);
   CHECK_FALSE(ended->has_pose);
@@ -108,7 +108,7 @@ TEST_CASE("consistent redundant equations are met, contradictory equations are n
 }
 
 TEST_CASE("a pose may have no consistent rates") {
-  const Model torn = held_point({"x - l*t", "x - 2*l*t"});
+  const Model torn = constrained_point({"x - l*t", "x - 2*l*t"});
   const auto ended = oracle_assembly(torn, state_at(torn, {0, 0}, {0, 0}));
   REQUIRE(ended);
   CHECK(ended->has_pose);
@@ -116,12 +116,12 @@ TEST_CASE("a pose may have no consistent rates") {
 }
 
 TEST_CASE("a constraint gradient of 0 at the start gives no direction") {
-  const Model model = held_point({rod});
+  const Model model = constrained_point({rod});
   CHECK_FALSE(oracle_assembled(model, state_at(model, {0, 0}, {0, 0})));
 }
 
 TEST_CASE("a constraint without a value at the start fails") {
-  const Model model = held_point({"sqrt(x) - l"});
+  const Model model = constrained_point({"sqrt(x) - l"});
   CHECK_FALSE(oracle_assembly(model, state_at(model, {-1, 0}, {0, 0})));
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("quaternions keep length 1") {
 }
 
 TEST_CASE("without constraints any state is assembled") {
-  const Model model = held_point({});
+  const Model model = constrained_point({});
   const auto assembled = oracle_assembled(model, state_at(model, {3, 4}, {1, 2}));
   REQUIRE(assembled);
   CHECK(assembled->q == Values{3, 4});

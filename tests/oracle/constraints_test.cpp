@@ -124,7 +124,7 @@ State later(const Model& model, const State& state, const cl_R& h) {
 }
 
 /// The state with a set to the acceleration of forward dynamics.
-State moving(const Model& model, State state) {
+State with_acceleration(const Model& model, State state) {
   state.a = part(entries(model, OutputKind::forward_dynamics, state), 0, state.v.size());
   return state;
 }
@@ -209,7 +209,7 @@ TEST_CASE("r = df/dt, A = dr/dv, and dr/dt = A a + gamma") {
 
 TEST_CASE("a motion satisfies the equations of motion and the stabilised constraints") {
   for (const Model& model : systems_with_constraints()) {
-    const State state = moving(model, random_pose(model, 8));
+    const State state = with_acceleration(model, random_pose(model, 8));
     const std::size_t n = state.v.size();
     const std::size_t m = model.constraints.size();
     const Numbers all = entries(model, OutputKind::forward_dynamics, state);
@@ -291,7 +291,7 @@ TEST_CASE("a projection keeps quaternion lengths and unconstrained coordinates")
 
 TEST_CASE("inverse dynamics returns the inputs and multipliers of a motion, without a residual") {
   for (const Model& model : {on_rod().model, on_moving_rod().model}) {
-    const State state = moving(model, random_pose(model, 13));
+    const State state = with_acceleration(model, random_pose(model, 13));
     const std::size_t n = state.v.size();
     const std::size_t m = model.constraints.size();
     const Numbers forward = entries(model, OutputKind::forward_dynamics, state);

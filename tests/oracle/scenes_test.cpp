@@ -159,7 +159,7 @@ TEST_CASE("small quantities go to the expansion point with s, others stay") {
   const State state = some_state(checked);
   const auto point = oracle::expansion_point(checked.model, state);
   REQUIRE(point.has_value());
-  const oracle::Motion motion = oracle::towards(*point, oracle::motion_of(state), 2);
+  const oracle::Motion motion = oracle::scaled_towards(*point, oracle::motion_of(state), 2);
   CHECK(motion.q[0].real() == 1);
   CHECK(motion.v[0].real() == 0);
   CHECK(motion.u[0].real() == 3);

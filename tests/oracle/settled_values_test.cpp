@@ -15,7 +15,7 @@ using cln::cl_R;
 namespace {
 
 /// A model with coordinates x and y, potential V and one `[[output]]`.
-CheckedModel of_energy(const std::string& V, const std::string& value = "x") {
+CheckedModel model_with_potential(const std::string& V, const std::string& value = "x") {
   return checked_model(model_text("plane", R"toml(
 [[coordinate]]
 name = "x"
@@ -36,32 +36,32 @@ State at(const CheckedModel& checked, const cl_R& x, const cl_R& y = 0) {
   return state;
 }
 
-SettledValues gravity(const std::string& V, const cl_R& x = 0, const cl_R& y = 0) {
-  const CheckedModel checked = of_energy(V);
-  return settled_values(checked.model, {.kind = OutputKind::gravity}, at(checked, x, y));
+StableValues gravity(const std::string& V, const cl_R& x = 0, const cl_R& y = 0) {
+  const CheckedModel checked = model_with_potential(V);
+  return stable_values(checked.model, {.kind = OutputKind::gravity}, at(checked, x, y));
 }
 
 void check_gravity_is_zero(const std::string& V) {
   INFO(V);
-  const SettledValues force = gravity(V);
+  const StableValues force = gravity(V);
   REQUIRE(force.values);
   CHECK(*force.values == std::vector<cl_R>{0, 0});
 }
 
-void check_gravity_lacks(const std::string& V) {
+void check_gravity_misses(const std::string& V) {
   INFO(V);
-  const SettledValues force = gravity(V);
+  const StableValues force = gravity(V);
   CHECK_FALSE(force.values);
-  CHECK(force.is_told);
+  CHECK(force.is_decided);
 }
 
 /// The settled value of an `[[output]]`.
-SettledValues value_at(const std::string& value, const cl_R& x) {
-  const CheckedModel checked = of_energy("0*k*l*x*y", value);
-  return settled_expression(checked.model, checked.model.outputs[0].values[0], at(checked, x));
+StableValues value_at(const std::string& value, const cl_R& x) {
+  const CheckedModel checked = model_with_potential("0*k*l*x*y", value);
+  return stable_expression_value(checked.model, checked.model.outputs[0].values[0], at(checked, x));
 }
 
-void check_share(const SettledValues& settled, const cl_R& truth) {
+void check_relative(const StableValues& settled, const cl_R& truth) {
   REQUIRE(settled.values);
   CHECK(cln::abs(settled.values->front() - truth) <= cln::abs(truth) * power_of_ten(-60));
 }
@@ -73,9 +73,9 @@ TEST_CASE("an energy with a kink has a value at it, but no force") {
                         "k*asin(1 - x^2)", "k/2*(sqrt(x^2 + y^2) - l)^2", "exp(sqrt(x^2 + y^2))",
                         "k*sqrt(sin(x)^2 + y^2)", "k*sqrt(x^2/(1 + x^2))",
                         "k*sqrt(1 - 1/(1 + x^2))", "k*sqrt(2 - 2*cos(x))"}) {
-    check_gravity_lacks(V);
-    const CheckedModel checked = of_energy(V);
-    CHECK(settled_values(checked.model, {.kind = OutputKind::potential_energy}, at(checked, 0))
+    check_gravity_misses(V);
+    const CheckedModel checked = model_with_potential(V);
+    CHECK(stable_values(checked.model, {.kind = OutputKind::potential_energy}, at(checked, 0))
               .values);
   }
 }
@@ -89,36 +89,36 @@ TEST_CASE("an energy with a kink of higher order has force 0") {
 }
 
 TEST_CASE("next to the kink the force exists") {
-  const SettledValues force = gravity("k*sqrt(x^2 + y^2)", 3, 4);
+  const StableValues force = gravity("k*sqrt(x^2 + y^2)", 3, 4);
   REQUIRE(force.values);
-  check_share(force, cln::cl_RA(12) / 5);
+  check_relative(force, cln::cl_RA(12) / 5);
 }
 
 TEST_CASE("at a kink second derivatives may be missing if first derivatives exist") {
-  const CheckedModel checked = of_energy("k*(x^2)^(3/4)");
+  const CheckedModel checked = model_with_potential("k*(x^2)^(3/4)");
   const OutputRequest slopes{.kind = OutputKind::linearization};
   CHECK(gravity("k*(x^2)^(3/4)").values);
-  CHECK_FALSE(settled_values(checked.model, slopes, at(checked, 0)).values);
-  CHECK(settled_values(checked.model, slopes, at(checked, 1)).values);
+  CHECK_FALSE(stable_values(checked.model, slopes, at(checked, 0)).values);
+  CHECK(stable_values(checked.model, slopes, at(checked, 1)).values);
 }
 
 TEST_CASE("precision grows until a small value is known") {
-  check_share(value_at("1 - cos(x)", power_of_ten(-100)), power_of_ten(-200) / 2);
-  check_share(value_at("1 - cos(x - 1)", 1 + power_of_ten(-100)), power_of_ten(-200) / 2);
-  check_share(value_at("(1 - cos(x)^2 - x^2)/x^4", power_of_ten(-150)), -cln::cl_RA(1) / 3);
-  check_share(value_at("x^2 - (x - 1)*(x + 1)", power_of_ten(100)), 1);
-  check_share(value_at("log(1 - cos(x)) + 200*log(10) + log(2)", power_of_ten(-100)),
-              -power_of_ten(-200) / 12);
-  check_share(value_at("(1 + exp(-x) - 1)*exp(x)", 1000), 1);
-  check_share(value_at("(1 - tanh(x))*(1 + exp(2*x))", 400), 2);
-  check_share(value_at("expm1(-x)", power_of_ten(10)), -1);
+  check_relative(value_at("1 - cos(x)", power_of_ten(-100)), power_of_ten(-200) / 2);
+  check_relative(value_at("1 - cos(x - 1)", 1 + power_of_ten(-100)), power_of_ten(-200) / 2);
+  check_relative(value_at("(1 - cos(x)^2 - x^2)/x^4", power_of_ten(-150)), -cln::cl_RA(1) / 3);
+  check_relative(value_at("x^2 - (x - 1)*(x + 1)", power_of_ten(100)), 1);
+  check_relative(value_at("log(1 - cos(x)) + 200*log(10) + log(2)", power_of_ten(-100)),
+                 -power_of_ten(-200) / 12);
+  check_relative(value_at("(1 + exp(-x) - 1)*exp(x)", 1000), 1);
+  check_relative(value_at("(1 - tanh(x))*(1 + exp(2*x))", 400), 2);
+  check_relative(value_at("expm1(-x)", power_of_ten(10)), -1);
 }
 
 TEST_CASE("a value that seems settled is not accepted while a term is still unresolved") {
   // In 155 and 215 digits 1 - cos(1e-150) is 0, so the sum k seems settled.
-  check_share(value_at("1e310*(1 - cos(x)) + k", power_of_ten(-150)), 5'000'000'004);
-  const SettledValues untold = value_at("log(exp(x)) - x", power_of_ten(-300));
-  CHECK_FALSE(untold.is_told);
+  check_relative(value_at("1e310*(1 - cos(x)) + k", power_of_ten(-150)), 5'000'000'004);
+  const StableValues untold = value_at("log(exp(x)) - x", power_of_ten(-300));
+  CHECK_FALSE(untold.is_decided);
   CHECK_FALSE(untold.values);
 }
 
@@ -126,19 +126,19 @@ TEST_CASE("a value that vanishes at pi is 0, and a small value near it stays") {
   const cl_R pi = cln::pi(cln::float_format(100));
   for (const char* value : {"sin(x)", "k*(1 + cos(x))", "sin(3*x)^2 - l*tan(x)"}) {
     INFO(value);
-    const SettledValues zero = value_at(value, pi);
+    const StableValues zero = value_at(value, pi);
     REQUIRE(zero.values);
     CHECK(zero.values->front() == 0);
   }
-  check_share(value_at("sin(x)/1e40", pi / 2), power_of_ten(-40));
+  check_relative(value_at("sin(x)/1e40", pi / 2), power_of_ten(-40));
   const cl_R tiny = pi * power_of_ten(-50);
-  check_share(value_at("sin(x)^2", tiny), tiny * tiny * (1 - tiny * tiny / 3));
+  check_relative(value_at("sin(x)^2", tiny), tiny * tiny * (1 - tiny * tiny / 3));
 }
 
 TEST_CASE("a sum that is identically zero is 0") {
   for (const long exponent : {-100, -40, -1, 0, 1, 30}) {
     INFO(exponent);
-    const SettledValues zero = value_at("sin(x/3)^2 + cos(x/3)^2 - 1", power_of_ten(exponent));
+    const StableValues zero = value_at("sin(x/3)^2 + cos(x/3)^2 - 1", power_of_ten(exponent));
     REQUIRE(zero.values);
     CHECK(zero.values->front() == 0);
   }
@@ -151,11 +151,11 @@ TEST_CASE("a value that cannot be told from 0 is undecided") {
                                  {"exp(-x)", power_of_ten(10)},
                                  {"1/(1 - cos(x))", power_of_ten(-1000)}}) {
     INFO(value);
-    const SettledValues untold = value_at(value, x);
-    CHECK_FALSE(untold.is_told);
+    const StableValues untold = value_at(value, x);
+    CHECK_FALSE(untold.is_decided);
     CHECK_FALSE(untold.values);
   }
-  const SettledValues none = value_at("sqrt(x)", -1);
-  CHECK(none.is_told);
+  const StableValues none = value_at("sqrt(x)", -1);
+  CHECK(none.is_decided);
   CHECK_FALSE(none.values);
 }

@@ -50,13 +50,14 @@ TEST_CASE("verlet updates the rate by half a step, the position, and the rate ag
 TEST_CASE("a composition performs its substeps in order") {
   const ModelBuilder b = spring();
   State part = at_one(b);
-  for (const cln::cl_RA& length : step_parts(4)) {
+  for (const cln::cl_RA& length : composition_coefficients(4)) {
     part.h = length * at_one(b).h;
     const Values next = step_of(b, StepMethod::verlet, part);
     part.q = {next[0]};
     part.v = {next[1]};
   }
-  const OutputRequest request{.kind = OutputKind::step, .step = step_by(StepMethod::verlet, 4)};
+  const OutputRequest request{.kind = OutputKind::step,
+                              .step = default_step(StepMethod::verlet, 4)};
   CHECK(oracle::step(b.model, request, at_one(b)) == Values{part.q[0], part.v[0]});
 }
 

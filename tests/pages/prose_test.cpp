@@ -74,7 +74,7 @@ std::vector<std::string> sentences(const std::string& prose) {
   return all;
 }
 
-std::size_t words_in(const std::string& sentence) {
+std::size_t column_words(const std::string& sentence) {
   std::istringstream stream(sentence);
   std::size_t words = 0;
   for (std::string word; stream >> word;) words += std::isalnum(word.front()) != 0 ? 1 : 0;
@@ -84,7 +84,7 @@ std::size_t words_in(const std::string& sentence) {
 double mean_words(const std::string& prose) {
   const std::vector<std::string> all = sentences(prose);
   double words = 0;
-  for (const std::string& sentence : all) words += static_cast<double>(words_in(sentence));
+  for (const std::string& sentence : all) words += static_cast<double>(column_words(sentence));
   return all.empty() ? 0 : words / static_cast<double>(all.size());
 }
 
@@ -93,7 +93,7 @@ double mean_words(const std::string& prose) {
 TEST_CASE("sentences of a page are counted as a reader counts them") {
   CHECK(sentences("One two. Three `a. b` four:\nfive.\n\n- six [seven](x.md)\n").size() == 4);
   CHECK(sentences("# heading\n| cell. cell |\n").empty());
-  CHECK(words_in("x^2 is `code` of 3 words - here") == 6);
+  CHECK(column_words("x^2 is `code` of 3 words - here") == 6);
   CHECK(mean_words("One two three. One.") == 2);
 }
 

@@ -14,7 +14,7 @@ namespace {
 cln::cl_RA value_of(std::string_view text) { return decimal_value(decimal_parts(text)); }
 
 std::optional<Code> limit_of(std::string_view text) {
-  const auto hit = limit_hit(decimal_parts(text), Limits{});
+  const auto hit = find_exceeded_limit(decimal_parts(text), Limits{});
   return hit ? std::optional(hit->code) : std::nullopt;
 }
 

@@ -13,23 +13,23 @@ using testing::repeated;
 namespace {
 
 /// Keys and values as written in the file, depth first.
-std::string spelled(const TomlValue& value) {
+std::string source_tokens(const TomlValue& value) {
   std::string result;
   for (const TomlEntry& entry : value.entries) {
     result += std::string(covered_text(entry.key_span)) + ":";
-    result += std::string(covered_text(entry.value.span)) + ";" + spelled(entry.value);
+    result += std::string(covered_text(entry.value.span)) + ";" + source_tokens(entry.value);
   }
   for (const TomlValue& item : value.items) {
-    result += std::string(covered_text(item.span)) + ";" + spelled(item);
+    result += std::string(covered_text(item.span)) + ";" + source_tokens(item);
   }
   return result;
 }
 
-std::string spelled(const std::string& text) {
+std::string source_tokens(const std::string& text) {
   const SourcePointer source = make_source("test", text);
   const auto root = read_toml(*source);
   REQUIRE(root);
-  return spelled(*root);
+  return source_tokens(*root);
 }
 
 /// The message of the error, or "" if the file is read.
@@ -42,21 +42,21 @@ std::string toml_message(const std::string& text) {
 }  // namespace
 
 TEST_CASE("entries come in file order", "[parse]") {
-  CHECK(spelled("z = 1\na = 2\nm = 3\n") == "z:1;a:2;m:3;");
+  CHECK(source_tokens("z = 1\na = 2\nm = 3\n") == "z:1;a:2;m:3;");
 }
 
 TEST_CASE("the spans of values and keys cover their source text", "[parse]") {
-  CHECK(spelled("a = [ 1, \"two\",\n  +1_0.5 ]") ==
+  CHECK(source_tokens("a = [ 1, \"two\",\n  +1_0.5 ]") ==
         "a:[ 1, \"two\",\n  +1_0.5 ];1;\"two\";+1_0.5;");
-  CHECK(spelled("\"a b\" = { c = true, d.e = 'x' }") ==
+  CHECK(source_tokens("\"a b\" = { c = true, d.e = 'x' }") ==
         "\"a b\":{ c = true, d.e = 'x' };c:true;d:d;e:'x';");
-  CHECK(spelled("d = \"\u03C0\" # c\r\ne = 1979-05-27\r\n") == "d:\"\u03C0\";e:1979-05-27;");
-  CHECK(spelled("\xEF\xBB\xBF"
-                "a = 1\nb = 2") == "a:1;b:2;");
+  CHECK(source_tokens("d = \"\u03C0\" # c\r\ne = 1979-05-27\r\n") == "d:\"\u03C0\";e:1979-05-27;");
+  CHECK(source_tokens("\xEF\xBB\xBF"
+                      "a = 1\nb = 2") == "a:1;b:2;");
 }
 
 TEST_CASE("the span of a table is its header", "[parse]") {
-  CHECK(spelled("[p.m]\nv = 1\n[p]\nq = 2\n") == "p:[p];m:[p.m];v:1;q:2;");
+  CHECK(source_tokens("[p.m]\nv = 1\n[p]\nq = 2\n") == "p:[p];m:[p.m];v:1;q:2;");
   const SourcePointer source = make_source("test", "[[c]]\na = 1\n\n  [[c]]\na = 2\n");
   const auto root = read_toml(*source);
   REQUIRE(root);

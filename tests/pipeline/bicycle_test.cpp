@@ -74,7 +74,7 @@ State riding(const Constrained& system, double v, double heading, double turned)
 /// sideways with the lean, and the frame yaws by (v delta + c d(delta)/dt) cos(lambda)/w.
 Linear computed(const Constrained& system, double v, double heading, double turned) {
   const State state = riding(system, v, heading, turned);
-  const std::vector<double> a = system.in_double(OutputKind::linearization, "A", state);
+  const std::vector<double> a = system.double_field(OutputKind::linearization, "A", state);
   const double yawing = std::cos(std::acos(-1.0) / 10) / 1.02;
   const auto response = [&](std::size_t row, std::size_t column, bool is_rate) {
     std::array<double, 2 * count> change{};

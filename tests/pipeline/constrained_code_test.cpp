@@ -337,7 +337,7 @@ TEST_CASE("Andrews' mechanism starts with the published values, in at most 800 o
     const ExactNumbers expected = exact_numbers(published[field]);
     check_digits(system.truth(forward, field, state), expected, 25);
     check_digits(system.exactly(forward, field, state), expected, 25);
-    check_close(system.in_double(forward, field, state), expected, 1e-14);
+    check_close(system.double_field(forward, field, state), expected, 1e-14);
   }
 }
 

@@ -90,25 +90,25 @@ equation = "dot(y) = x*dot(z) + t"
 )toml";
 
 /// The evidence for each [[expect]] row, and the number of wrong rows.
-struct JudgedForms {
+struct ExpectationResult {
   std::vector<Evidence> evidence = {};
   std::size_t wrong = 0;
 };
 
-JudgedForms judged(const std::string& text) {
+ExpectationResult check_forms(const std::string& text) {
   Products products = derived(inputs_of(text), "forward_dynamics");
   REQUIRE(products.closed_forms);
   const auto& [model, scene] = *products.checked;
   const ExpectationReport report =
       check_expectations({model, scene, *products.program}, &*products.closed_forms, 1);
-  JudgedForms result;
+  ExpectationResult result;
   for (const CertificateRow& row : report.rows) result.evidence.push_back(row.evidence);
   result.wrong = report.diagnostics.size();
   return result;
 }
 
 void check_proved(const std::string& text, std::size_t entries) {
-  const JudgedForms forms = judged(text);
+  const ExpectationResult forms = check_forms(text);
   CHECK(forms.wrong == 0);
   CHECK(forms.evidence == std::vector<Evidence>(entries, Evidence::proof));
 }
@@ -197,7 +197,7 @@ TEST_CASE(
       " - m*(4*zeta*w*(x*dot(x) + y*dot(y)) + w^2*(x^2 + y^2 - l^2))/(4*(x^2 + y^2))";
   check_proved(mass_on_rod(symbols_of_rod, expect + "-" + lambda + "\"]\n"), 1);
   check_proved(mass_on_rod(gains, stabilised + expect + "-" + lambda + errors + "\"]\n"), 1);
-  CHECK(judged(mass_on_rod(symbols_of_rod, expect + lambda + "\"]\n")).wrong == 1);
+  CHECK(check_forms(mass_on_rod(symbols_of_rod, expect + lambda + "\"]\n")).wrong == 1);
 }
 
 TEST_CASE("the four accelerations and two forces of a rolling disc are proved") {
@@ -227,7 +227,7 @@ TEST_CASE("a rod at rest has the poles of the pendulum and of its gains") {
   const ExactNumbers expected = two_factors(k, 7, exact("0.9"));
   check_digits(characteristic(rod.truth(OutputKind::linearization, "A", state), 4), expected, 60);
   check_digits(characteristic(rod.exactly(OutputKind::linearization, "A", state), 4), expected, 55);
-  check_close(characteristic(rod.in_double(OutputKind::linearization, "A", state), 4), expected,
+  check_close(characteristic(rod.double_field(OutputKind::linearization, "A", state), 4), expected,
               1e-12);
 }
 
@@ -265,7 +265,7 @@ TEST_CASE("a four-bar linkage has its known pose, accelerations and forces") {
   for (const cl_R& rest : system.truth(inverse, "unbalanced", state)) {
     CHECK(cln::abs(rest) <= power_of_ten(-40));
   }
-  for (const double rest : system.in_double(inverse, "unbalanced", state)) {
+  for (const double rest : system.double_field(inverse, "unbalanced", state)) {
     CHECK(std::abs(rest) <= 1e-13 * double_of(largest_of(lambda)));
   }
 }

@@ -14,7 +14,7 @@ namespace elgen::test {
 
 using ExactNumbers = std::vector<cln::cl_R>;
 
-inline double double_of(const cln::cl_R& value) { return ScalarTraits<double>::from_real(value); }
+inline double double_of(const cln::cl_R& value) { return to_double(value); }
 
 class Constrained {
  public:
@@ -32,8 +32,8 @@ class Constrained {
   }
 
   /// Evaluates the program in double at the rounded state.
-  [[nodiscard]] std::vector<double> in_double(OutputKind kind, const std::string& field,
-                                              const State& state) const {
+  [[nodiscard]] std::vector<double> double_field(OutputKind kind, const std::string& field,
+                                                 const State& state) const {
     return part(kind, field, evaluate(program(), function(kind), arguments_at<double>(state)));
   }
 
@@ -69,7 +69,7 @@ class Constrained {
 };
 
 /// Reproducible rational numbers of magnitude 1; quaternions have length 1.
-inline State some_state(const Constrained& system) {
+inline State random_state(const Constrained& system) {
   State state = system.nominal();
   const auto fill = [](std::vector<cln::cl_R>& leaves, int first) {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -117,7 +117,7 @@ inline void check_field(const Constrained& system, OutputKind kind, const std::s
   INFO(output_row(kind).name << " " << field);
   check_digits(system.truth(kind, field, state), expected, 40);
   check_digits(system.exactly(kind, field, state), expected, 40);
-  check_close(system.in_double(kind, field, state), expected, 1e-13);
+  check_close(system.double_field(kind, field, state), expected, 1e-13);
 }
 
 }  // namespace elgen::test

@@ -61,7 +61,7 @@ double worst_ulps(const Generated& g, OutputKind kind, const Arguments<Scalar>& 
   double worst = 0;
   for (std::size_t i = 0; i < entries; ++i) {
     const Real error = abs((exact(values[i]) - truth[i]) / truth[i]);
-    worst = std::max(worst, ScalarTraits<double>::from_real(error.value()));
+    worst = std::max(worst, to_double(error.value()));
   }
   return worst / static_cast<double>(std::numeric_limits<Scalar>::epsilon());
 }

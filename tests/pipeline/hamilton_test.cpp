@@ -95,7 +95,7 @@ std::vector<cln::cl_R> rates_along_motion(const Subject& subject, const ExactVal
   const OracleValues a =
       oracle_values(subject.model, {.kind = OutputKind::forward_dynamics}, at.state());
   REQUIRE(a);
-  Arguments<Real> motion = at.at_rest();
+  Arguments<Real> motion = at.zero_direction();
   motion.q = at.coordinate_rates(at.arguments().v);
   for (std::size_t i = 0; i < at.size(); ++i) motion.v[i] = Real((*a)[i]);
   motion.t = Real(1);

@@ -27,7 +27,7 @@ TEST_CASE(
   const Constrained system(
       model_file("cart_pole") + output_of("[\"dot(dot(x))\", \"dot(dot(theta)) + dot(theta)^2\"]"),
       "sensor,sensor_derivatives,forward_dynamics,forward_dynamics_derivatives");
-  const State state = some_state(system);
+  const State state = random_state(system);
   const auto a = system.exactly(OutputKind::forward_dynamics, "acceleration", state);
   check_field(system, OutputKind::user_value, "", state, {a[0], a[1] + state.v[1] * state.v[1]});
   const auto of = [&](const std::string& field) {
@@ -76,7 +76,7 @@ TEST_CASE("outputs of the motion agree with the oracle") {
 TEST_CASE("the acceleration of a locked coordinate is the second derivative of its law") {
   const Constrained system(model_file("two_link_arm") + output_of("\"dot(dot(q1))\"", ""), "sensor",
                            "[outputs]\nsensor = true\n[lock]\nq1 = { value = \"3*t^2 + t\" }\n");
-  const State state = some_state(system);
+  const State state = random_state(system);
   check_field(system, OutputKind::user_value, "", state, {6});
 }
 

@@ -69,7 +69,7 @@ value = "max(dot(x), l*dot(theta))"
 jacobian = true
 )toml";
 
-State some_state(const CheckedModel& checked) {
+State random_state(const CheckedModel& checked) {
   State state = nominal_state(checked.model, checked.scene);
   const auto fill = [](std::vector<cln::cl_R>& leaves, int first) {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -102,7 +102,7 @@ std::string refusal(const std::string& outputs) {
 
 TEST_CASE("outputs of rates, accelerations and inputs have the oracle's values and derivatives") {
   const Products products = derived(inputs_of(carried(sensors)));
-  const State state = some_state(*products.checked);
+  const State state = random_state(*products.checked);
   std::size_t compared = 0;
   for (const Function& function : products.program->functions) {
     const OutputRequest request = request_of(products.checked->model, function.kind, function.user);
@@ -125,7 +125,7 @@ TEST_CASE("an output has derivatives by all its possible arguments") {
   const Products products = derived(inputs_of(carried(sensors)), "power_derivatives");
   const Function& function = products.program->functions.front();
   REQUIRE(function.fields.size() == 4);
-  const State state = some_state(*products.checked);
+  const State state = random_state(*products.checked);
   const std::vector<double> entries =
       evaluate(*products.program, function, arguments_at<double>(state));
   const double u = cln::double_approx(state.u[0]);

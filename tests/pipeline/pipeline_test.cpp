@@ -30,7 +30,7 @@ TEST_CASE("all stages run in order and give a checked program and its files") {
   std::vector<std::string> expected;
   for (const std::string_view name : goal_names) {
     const bool is_asked_for =
-        name != "steps" && name != "claims" && find_analysis(*goal_named(name)) == nullptr;
+        name != "steps" && name != "claims" && find_analysis(*find_goal(name)) == nullptr;
     if (is_asked_for) expected.emplace_back(name);
   }
   CHECK(stages(products) == expected);
@@ -73,7 +73,7 @@ TEST_CASE("a goal runs the stages it needs, each once and in order, and no other
   const auto& all = goal_names;
   for (const std::string_view goal : all) {
     PipelineOptions options;
-    options.goals = {*goal_named(goal)};
+    options.goals = {*find_goal(goal)};
     const Products products = run_pipeline(model("simple_pendulum"), options);
     INFO(goal);
     CHECK_FALSE(has_errors(products.diagnostics));
@@ -156,7 +156,8 @@ TEST_CASE("a stage needed by two goals runs once") {
 TEST_CASE("a single output is derived from the checked model") {
   const Products products = run_pipeline(model("cart_pole"), {});
   std::vector<std::string> run;
-  for (const StageTime& time : times_alone(*products.checked, 1, {})) run.push_back(time.stage);
+  for (const StageTime& time : stage_times_of_output(*products.checked, 1, {}))
+    run.push_back(time.stage);
   CHECK(run == std::vector<std::string>{"formulate", "specialise", "derive", "lower", "cancel",
                                         "present", "choose"});
 }
@@ -164,7 +165,7 @@ TEST_CASE("a single output is derived from the checked model") {
 TEST_CASE("each stage is announced before it runs, and equations and programs are dumped") {
   for (const std::string_view name : goal_names) {
     PipelineOptions options;
-    options.dump = goal_named(name);
+    options.dump = find_goal(name);
     options.goals = {*options.dump};
     std::string last;
     options.on_stage = [&](const std::string& stage) { last = stage; };

@@ -55,7 +55,7 @@ BinaryState binary_state(const Model& model, const json& given) {
   BinaryState result;
   Arguments<double>& x = result.arguments;
   for (const Parameter& parameter : model.parameters) {
-    x.parameters.push_back(ScalarTraits<double>::from_real(parameter.value));
+    x.parameters.push_back(to_double(parameter.value));
   }
   x.q = rounded(given["q"]);
   x.v = rounded(given["v"]);
@@ -73,11 +73,11 @@ BinaryState binary_state(const Model& model, const json& given) {
 
 /// The distance from the exact value, in ulps of its nearest double.
 double ulps(double x, const cln::cl_R& value) {
-  const double nearest = ScalarTraits<double>::from_real(value);
+  const double nearest = to_double(value);
   const double step = std::nextafter(std::fabs(nearest), std::numeric_limits<double>::infinity()) -
                       std::fabs(nearest);
   const cln::cl_R distance = cln::abs(exact_value(x) - value) / exact_value(step);
-  return ScalarTraits<double>::from_real(distance);
+  return to_double(distance);
 }
 
 void check_state(const Products& products, const json& given) {

@@ -88,7 +88,7 @@ TEST_CASE("the regressor times its parameters is the inverse dynamics") {
     const Constrained whole(text, "inverse_dynamics");
     if (!is_available(whole.model(), request_of(whole.model(), OutputKind::regressor, 0))) continue;
     const Constrained system(text, outputs);
-    const State state = some_state(system);
+    const State state = random_state(system);
     const ExactNumbers forces = system.exactly(OutputKind::inverse_dynamics, "", state);
     CHECK(imbalance(system, OutputKind::regressor, state, forces) < 1e-50);
     ++count;
@@ -103,7 +103,7 @@ TEST_CASE("a reference velocity replaces one velocity in C v") {
         model_file(name),
         "regressor_reference,regressor_parameters,mass_matrix,coriolis_matrix,gravity,dissipation,"
         "applied_force");
-    const State state = some_state(system);
+    const State state = random_state(system);
     State by_reference = state;
     by_reference.v = state.reference;
     const std::size_t n = state.v.size();

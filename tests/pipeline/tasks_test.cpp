@@ -77,7 +77,7 @@ TEST_CASE("a particle in polar coordinates has its mass and weight along Cartesi
                                "[[output]]\nname = \"place\"\nvalue = [\"x(body)\", \"y(body)\"]\n"
                                "jacobian = true\n",
                            "place_operational,inverse_mass_matrix");
-  const State state = some_state(system);
+  const State state = random_state(system);
   const cl_R& m = state.parameters[0];
   const cl_R& mu = state.parameters[1];
   const cl_R& r = state.q[0];
@@ -97,7 +97,7 @@ TEST_CASE("forces along a twist accelerate it as the equation along the twist sa
   const Constrained system(model_file("panda7") + hand,
                            "hand_operational,hand_jacobian,hand_bias,inverse_mass_matrix,"
                            "mass_matrix,bias");
-  const State state = some_state(system);
+  const State state = random_state(system);
   const std::size_t n = 7;
   const std::size_t k = 6;
   const OutputKind kind = OutputKind::user_operational;
@@ -135,7 +135,7 @@ name = "f"
 at = "bob"
 )toml",
                            "input_force_derivatives");
-  const State state = some_state(system);
+  const State state = random_state(system);
   const cl_R l = state.parameters[1];
   const cl_R theta = cln::cl_float(state.q[0], cln::float_format(100));
   const cl_R expected = l * (state.u[1] * cln::cos(theta) - state.u[0] * cln::sin(theta));
@@ -152,7 +152,7 @@ TEST_CASE("constraints complete rates and accelerations") {
         std::pair("ball_on_turntable", "[\"attitude\"]")}) {
     INFO(name << " " << names);
     const Constrained system(model_file(name), outputs, completing(names));
-    const State state = some_state(system);
+    const State state = random_state(system);
     const OutputKind kind = OutputKind::completed;
     State completed = state;
     completed.v = system.exactly(kind, "rates", state);

@@ -108,7 +108,7 @@ TEST_CASE("in a plane a torque has one component and a force has two") {
                                      0,
                                      -l * std::sin(b),
                                      l * std::cos(b)};
-  const std::vector<double> found = system.in_double(OutputKind::input_matrix, "", state);
+  const std::vector<double> found = system.double_field(OutputKind::input_matrix, "", state);
   REQUIRE(found.size() == expected.size());
   for (std::size_t i = 0; i < found.size(); ++i)
     CHECK(found[i] == Approx(expected[i]).margin(1e-15));
@@ -118,11 +118,12 @@ TEST_CASE("components that act only on locked coordinates are removed, with a no
   const std::string model =
       leg("[[input]]\nname = \"w\"\nwrench = \"thigh\"\n[[input]]\nname = "
           "\"g\"\nat = \"toe\"\n");
-  const std::string told = messages(model, "[lock]\nhip = { value = 0.4 }\n");
+  const std::string found_messages = messages(model, "[lock]\nhip = { value = 0.4 }\n");
   using Catch::Contains;
-  CHECK_THAT(told, Contains("E616") &&
-                       Contains("`w[1]`, `w[2]`, `w[3]` act on what the scene locks alone"));
-  CHECK_THAT(told, !Contains("`g[1]` acts on what"));
+  CHECK_THAT(
+      found_messages,
+      Contains("E616") && Contains("`w[1]`, `w[2]`, `w[3]` act on what the scene locks alone"));
+  CHECK_THAT(found_messages, !Contains("`g[1]` acts on what"));
 }
 
 TEST_CASE("a wrench on a moving frame keeps all components") {

@@ -19,7 +19,7 @@ namespace {
 using Cells = std::vector<std::string>;
 
 Page typeset_page(const std::string& text) {
-  const Chosen c = chosen(text);
+  const ChosenForms c = chosen(text);
   return model_page(c.checked.model, c.checked.scene,
                     typeset(c.checked, c.forms, c.choice.program));
 }
@@ -97,7 +97,7 @@ TEST_CASE("a page has a table of constraints with the symbols of their multiplie
 }
 
 TEST_CASE("a text page lists constraints below the variables") {
-  const Chosen c = chosen(rod_text());
+  const ChosenForms c = chosen(rod_text());
   CHECK(has(text_page(c.checked.model, c.checked.scene, c.choice.program),
             "  lambda = (lambda_rod [kg/s^2])\n"
             "  A a = -gamma - 2 zeta omega r - omega^2 f, (f, r) = constraint_residual\n\n"
@@ -105,7 +105,7 @@ TEST_CASE("a text page lists constraints below the variables") {
 }
 
 TEST_CASE("statements that hold only without constraints are omitted in models with constraints") {
-  const Chosen c = chosen(rod_text());
+  const ChosenForms c = chosen(rod_text());
   for (const Function& function : c.choice.program.functions) {
     if (function.kind == OutputKind::energy_function) {
       CHECK(has(output_doc(c.checked.model, function), "v.(B u + A^T lambda + Q - dD/dv)"));

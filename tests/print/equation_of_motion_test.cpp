@@ -25,14 +25,14 @@ std::string equation(const elgen::testing::Subject& subject) {
 using Lines = std::vector<std::string>;
 
 Lines lines_of(const std::string& text, const SceneOptions& options = {}) {
-  const Chosen c = chosen(text, options);
+  const ChosenForms c = chosen(text, options);
   return variable_lines(c.checked.model, c.choice.program);
 }
 
 }  // namespace
 
 TEST_CASE("terms that are zero or impossible in a model are omitted") {
-  const Chosen c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(cart_pole_text());
   const Formula equation = equation_of_motion(c.checked.model, c.choice.program);
   CHECK(text_of(equation) == "M(q) a + C(q,v) v + g(q) = B(q) u");
   CHECK(latex_of(equation) ==
@@ -42,7 +42,7 @@ TEST_CASE("terms that are zero or impossible in a model are omitted") {
 }
 
 TEST_CASE("without functions of motion the equation at rest is printed") {
-  Chosen c = chosen(cart_pole_text());
+  ChosenForms c = chosen(cart_pole_text());
   auto& functions = c.choice.program.functions;
   const auto moves = [](const Function& f) { return f.kind != OutputKind::gravity; };
   functions.erase(std::remove_if(functions.begin(), functions.end(), moves), functions.end());
@@ -55,7 +55,7 @@ TEST_CASE("without functions of motion the equation at rest is printed") {
 }
 
 TEST_CASE("with rotations the rates are v") {
-  const Chosen c = chosen(tumbler_text());
+  const ChosenForms c = chosen(tumbler_text());
   CHECK(latex_of(equation_of_motion(c.checked.model, c.choice.program)) ==
         "M(\\mathbf{q}) \\mathbf{a} + C(\\mathbf{q},\\mathbf{v}) \\mathbf{v} = B(\\mathbf{q}) "
         "\\mathbf{u}");
@@ -94,11 +94,11 @@ TEST_CASE("an L that is not quadratic in the rates has a bias only") {
 }
 
 TEST_CASE("multipliers are on the right side, after the inputs") {
-  const Chosen rod = chosen(rod_text());
+  const ChosenForms rod = chosen(rod_text());
   const Formula equation = equation_of_motion(rod.checked.model, rod.choice.program);
   CHECK(text_of(equation) == "M(q) a + g(q) = A(q)^T lambda");
   CHECK(has(latex_of(equation), "= A(\\mathbf{q})^{\\top} \\boldsymbol{\\lambda}"));
-  const Chosen disc = chosen(disc_text());
+  const ChosenForms disc = chosen(disc_text());
   CHECK(text_of(equation_of_motion(disc.checked.model, disc.choice.program)) ==
         "M(q) a = B(q) u + A(q)^T lambda");
   CHECK(lines_of(disc_text()) == Lines{"q = (x, y, phi, psi)", "v = dq/dt, a = dv/dt", "u = (tau)",
@@ -108,7 +108,7 @@ TEST_CASE("multipliers are on the right side, after the inputs") {
 
 TEST_CASE("time-independent constraints conserve E, and momenta that none of them changes") {
   const auto conserved = [](const std::string& text) {
-    const Chosen c = chosen(text);
+    const ChosenForms c = chosen(text);
     Lines names;
     for (const auto& each : conserved_quantities(c.checked.model, c.choice.program)) {
       names.push_back(each.name);
@@ -133,7 +133,7 @@ TEST_CASE("variable lines show coordinates, velocities as rates, and inputs") {
 }
 
 TEST_CASE("a long list of names is abbreviated to the first two and the last") {
-  const Chosen c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(cart_pole_text());
   Model model = c.checked.model;
   for (int i = 0; i < 20; ++i) model.coordinates.push_back(model.coordinates[1]);
   CHECK(variable_lines(model, c.choice.program).front() == "q = (x, theta, ..., theta)");
@@ -153,7 +153,7 @@ TEST_CASE("velocities that are not rates have names") {
 }
 
 TEST_CASE("every output of the table has a symbol and a sentence") {
-  const Chosen c = chosen(everything_text());
+  const ChosenForms c = chosen(everything_text());
   for (const Function& function : c.choice.program.functions) {
     INFO(function.name);
     CHECK_FALSE(latex_of(elgen::heading(c.checked.model, function).symbol).empty());
@@ -171,7 +171,7 @@ TEST_CASE("a model without a title uses its name as title") {
 
 TEST_CASE("with rotations definitions use v, a and N instead of rates") {
   const auto definition_of = [](const std::string& text, OutputKind kind) {
-    const Chosen c = chosen(text);
+    const ChosenForms c = chosen(text);
     for (const Function& function : c.choice.program.functions) {
       if (function.kind != kind) continue;
       return latex_of(elgen::heading(c.checked.model, function).definition);

@@ -19,8 +19,8 @@ using testing::latex_of;
 namespace {
 
 /// Two links about crossed axes; no two quantities share a parameter.
-const Chosen& two_links() {
-  static const Chosen all = chosen(model_text("two_links", R"toml(
+const ChosenForms& two_links() {
+  static const ChosenForms all = chosen(model_text("two_links", R"toml(
 [[coordinate]]
 name = "q1"
 armature = "J"
@@ -68,12 +68,12 @@ inertia_about = "origin"
 
 /// The text page of the program before closed forms are chosen, so that it consists of named parts.
 std::string recursive_page() {
-  const Chosen& c = two_links();
+  const ChosenForms& c = two_links();
   return text_page(c.checked.model, c.checked.scene, c.recursive);
 }
 
 /// For each named part: the leaves that it depends on, with "dot" for rates.
-std::map<std::string, std::set<std::string>> made_of(const std::string& page) {
+std::map<std::string, std::set<std::string>> leaves_of_parts(const std::string& page) {
   static const std::regex word("[A-Za-z_]\\w*");
   std::map<std::string, std::set<std::string>> parts;
   std::istringstream lines(page.substr(page.find("\nnamed parts\n") + 13));
@@ -105,27 +105,27 @@ const PageSection& section(const Page& page, const std::string& doc) {
 }
 
 Page page_of_parts() {
-  const Chosen& c = two_links();
+  const ChosenForms& c = two_links();
   return model_page(c.checked.model, c.checked.scene, c.recursive);
 }
 
 }  // namespace
 
 TEST_CASE("a part is named after its frame and its kind, as in code") {
-  const auto parts = made_of(recursive_page());
-  std::size_t told = 0;
+  const auto parts = leaves_of_parts(recursive_page());
+  std::size_t named_texts = 0;
   std::size_t counted = 0;
   for (const auto& [name, leaves] : parts) {
     INFO(name);
     CHECK_FALSE(name.starts_with("~"));
     if (std::regex_match(name, std::regex("part(_[0-9]*)?"))) ++counted;
     if (name.find("_lower_") == std::string::npos) continue;
-    ++told;
+    ++named_texts;
     // Other parts contain accelerations due to forces.
     const bool moves = std::regex_match(name, std::regex("(minus_)?motion_lower_[xyz]"));
     if (moves) CHECK_FALSE(has_any(leaves, {"m1", "m2", "c1", "c2", "d2", "A", "B", "C", "D"}));
   }
-  CHECK(told > 0);
+  CHECK(named_texts > 0);
   CHECK(10 * counted <= parts.size());
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("an output without a readable form is printed by its definition, after
 }
 
 TEST_CASE("closed forms have no named parts") {
-  const Chosen& c = two_links();
+  const ChosenForms& c = two_links();
   const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program);
   CHECK(text_of(page.sections.front().title) == "Mass matrix");
 }

@@ -63,11 +63,11 @@ TEST_CASE("units, titles with formulas, and lines mixing prose and formulas are 
   Page mixed = small_page();
   mixed.parameters.front().unit = "kg*m^2/s^(1/2)";
   const PageSection equation{
-      .title = row_of({prose("Equation of"), typed_formula("\\theta_1")}),
-      .lines = {row_of({typed_formula("L"), prose("lacks"), typed_formula("x_1")})}};
+      .title = row_of({prose("Equation of"), latex_formula("\\theta_1")}),
+      .lines = {row_of({latex_formula("L"), prose("lacks"), latex_formula("x_1")})}};
   const PageSection of_user{.title = prose("tip"), .function = "tip"};
   mixed.sections = {equation, of_user};
-  mixed.title = row_of({prose("A & B at"), typed_formula("x = 1")});
+  mixed.title = row_of({prose("A & B at"), latex_formula("x = 1")});
   struct PageParts {
     std::string (*page)(const Page& page);
     std::vector<std::string> parts;
@@ -93,9 +93,9 @@ TEST_CASE("units, titles with formulas, and lines mixing prose and formulas are 
 TEST_CASE("aligned equations and lines that are equations form one block in every language") {
   Page page = small_page();
   PageSection section{.title = prose("Action"), .is_aligned = true};
-  section.equations.push_back({typed_formula("T"), 1, 1, {typed_formula("b")}});
-  section.lines = {typed_formula("S = \\int L dt"),
-                   row_of({typed_formula("L"), prose("lacks"), typed_formula("t")})};
+  section.equations.push_back({latex_formula("T"), 1, 1, {latex_formula("b")}});
+  section.lines = {latex_formula("S = \\int L dt"),
+                   row_of({latex_formula("L"), prose("lacks"), latex_formula("t")})};
   page.sections = {section};
   const std::string aligned = "S &= \\int L dt \\\\\nT &= b\n\\end{aligned}\n";
   CHECK(has(markdown_page(page), "$$\n\\begin{aligned}\n" + aligned + "$$"));
@@ -110,7 +110,7 @@ TEST_CASE("blocks of many lines break across pages") {
   Page page = small_page();
   PageSection section{.title = prose("Many"), .is_aligned = true};
   for (int i = 0; i < 12; ++i) {
-    section.equations.push_back({typed_formula("a"), 1, 1, {typed_formula("b")}});
+    section.equations.push_back({latex_formula("a"), 1, 1, {latex_formula("b")}});
   }
   page.sections = {section};
   CHECK(has(latex_document(page), "\\begin{align*}\na &= b \\\\\na &= b"));
@@ -124,7 +124,7 @@ TEST_CASE("links and images in titles are plain text") {
 }
 
 TEST_CASE("a page has variables and parameters, but no drift and no struct of all outputs") {
-  const Chosen c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(cart_pole_text());
   const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program);
   CHECK(page.coordinates.size() == 2);
   CHECK(latex_of(page.coordinates[1].symbol) == "\\theta");
@@ -136,7 +136,7 @@ TEST_CASE("a page has variables and parameters, but no drift and no struct of al
 }
 
 TEST_CASE("zeros are shown and long outputs omitted on request") {
-  const Chosen c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(cart_pole_text());
   const auto count = [&](const PageOptions& options) {
     const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program, options);
     std::size_t equations = 0;
@@ -148,7 +148,7 @@ TEST_CASE("zeros are shown and long outputs omitted on request") {
 }
 
 TEST_CASE("a text page is in the model language") {
-  const Chosen c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(cart_pole_text());
   const std::string page = text_page(c.checked.model, c.checked.scene, c.choice.program);
   CHECK(has(page, "  q = (x, theta)\n  v = dq/dt, a = dv/dt\n"));
   CHECK(has(page, "\nmass_matrix\n  mass_matrix[1,1] = M + m\n"));
@@ -169,10 +169,10 @@ name = "phi"
 T = "1/2*(dot(r)^2 + r^2*dot(phi)^2)"
 )toml" + more));
   };
-  const auto text = [](const Chosen& c) {
+  const auto text = [](const ChosenForms& c) {
     return text_page(c.checked.model, c.checked.scene, c.choice.program);
   };
-  const Chosen free = orbit("V = \"-1/r\"\n");
+  const ChosenForms free = orbit("V = \"-1/r\"\n");
   CHECK(text(free).ends_with("\n\nconserved: E, p(phi)\n"));
   const PageSection last =
       model_page(free.checked.model, free.checked.scene, free.choice.program).sections.back();
@@ -198,14 +198,14 @@ TEST_CASE("a cost page lists both forms and marks the emitted form") {
             "bias      recursive       2      0     0     0      0     0       2     3.0\n"));
   row.recursive_loss = std::numeric_limits<double>::infinity();
   CHECK(has(cost_page({row}), "     all\n"));
-  row.is_asked_for = true;
+  row.is_demanded = true;
   CHECK(has(cost_page({row}), "  asked for\n"));
 }
 
 TEST_CASE("notes list outputs left out of full, and how to get them") {
   Scene scene;
-  scene.left_out = {{LeftOutReason::too_many_entries, {"mass_matrix", "linearization"}},
-                    {LeftOutReason::kinked_force, {"forward_dynamics_derivatives"}}};
+  scene.left_out = {{OmissionReason::too_many_entries, {"mass_matrix", "linearization"}},
+                    {OmissionReason::kinked_force, {"forward_dynamics_derivatives"}}};
   CHECK(scene_notes(Model{}, scene) ==
         std::vector<std::string>{
             "Left out, with more than 4096 entries: mass_matrix, linearization. To emit "

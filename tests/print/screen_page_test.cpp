@@ -14,24 +14,24 @@ namespace {
 Page wide_page() {
   Formulas terms;
   for (int i = 1; i < 20; ++i) {
-    terms.push_back(typed_formula("m_{" + std::to_string(i) + "} l"));
+    terms.push_back(latex_formula("m_{" + std::to_string(i) + "} l"));
   }
   const Formula sum = sum_of(terms);
-  const Formula b = typed_formula("b");
+  const Formula b = latex_formula("b");
   Page page;
   page.title = prose("Wide");
-  page.equation_of_motion = typed_formula("M(q) \\ddot{q} = 0");
-  page.coordinates = {{typed_formula("\\theta_{1}"), "theta1", "rad", "", "angle"}};
+  page.equation_of_motion = latex_formula("M(q) \\ddot{q} = 0");
+  page.coordinates = {{latex_formula("\\theta_{1}"), "theta1", "rad", "", "angle"}};
   page.sections = {{.title = prose("Mass matrix"),
                     .function = "mass_matrix",
                     .kind = OutputKind::mass_matrix,
                     .doc = "Mass matrix.",
-                    .equations = {{typed_formula("M"), 2, 2, {sum, b, b, number_formula(1)}}}},
+                    .equations = {{latex_formula("M"), 2, 2, {sum, b, b, number_formula(1)}}}},
                    {.title = prose("Gravity"),
                     .function = "gravity",
                     .kind = OutputKind::gravity,
                     .doc = "Slope.",
-                    .equations = {{typed_formula("g"), 2, 1, {sum, number_formula(0)}}}}};
+                    .equations = {{latex_formula("g"), 2, 1, {sum, number_formula(0)}}}}};
   return page;
 }
 
@@ -58,15 +58,15 @@ TEST_CASE("in a matrix that is too wide, long entries get names") {
 }
 
 TEST_CASE("aligned equations share the column of their equals signs, titles may have formulas") {
-  PageSection section{.title = row_of({prose("Equation of"), typed_formula("\\theta_{1}")}),
+  PageSection section{.title = row_of({prose("Equation of"), latex_formula("\\theta_{1}")}),
                       .is_aligned = true};
   section.equations = {
-      {typed_formula("\\frac{\\partial L}{\\partial \\dot{\\theta}_{1}}"),
+      {latex_formula("\\frac{\\partial L}{\\partial \\dot{\\theta}_{1}}"),
        1,
        1,
-       {typed_formula("a")}},
-      {typed_formula("V"), 1, 1, {typed_formula("b")}},
-      {typed_formula("\\mathbf{r}"), 2, 1, {typed_formula("x"), typed_formula("y")}}};
+       {latex_formula("a")}},
+      {latex_formula("V"), 1, 1, {latex_formula("b")}},
+      {latex_formula("\\mathbf{r}"), 2, 1, {latex_formula("x"), latex_formula("y")}}};
   Page page;
   page.sections = {section};
   CHECK(screen_page(page, {80, Alphabet::unicode}) ==

@@ -12,14 +12,14 @@ inline Page small_page() {
   Page page;
   page.title = prose("A & B_1");
   page.description = "100 % of x < y";
-  page.equation_of_motion = typed_formula("M \\ddot{q} = 0");
-  page.parameters = {{typed_formula("m_{1}"), "m1", "kg", "0.5", "mass | of *one*"}};
+  page.equation_of_motion = latex_formula("M \\ddot{q} = 0");
+  page.parameters = {{latex_formula("m_{1}"), "m1", "kg", "0.5", "mass | of *one*"}};
   page.sections = {
       {.title = prose("Gravity"),
        .function = "gravity",
        .kind = OutputKind::gravity,
        .doc = "Slope.",
-       .equations = {{typed_formula("g"), 2, 1, {number_formula(0), typed_formula("m_{1} g")}}}}};
+       .equations = {{latex_formula("g"), 2, 1, {number_formula(0), latex_formula("m_{1} g")}}}}};
   return page;
 }
 

@@ -32,7 +32,7 @@ ConstantForm number(const char* text) { return rational_form(cln::cl_RA(text)); 
 double value(const std::string& text) {
   const auto constant = test::read_constant(text);
   REQUIRE(constant);
-  return ScalarTraits<double>::from_real(constant->value);
+  return to_double(constant->value);
 }
 
 }  // namespace

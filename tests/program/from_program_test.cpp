@@ -18,7 +18,8 @@ const char* const text =
 Program program() { return testing::read_program(text); }
 
 /// Converts the wanted instructions of the program to a graph, and lowers them again.
-std::string again(const std::vector<std::uint32_t>& wanted, const std::vector<bool>& zeros = {}) {
+std::string lowered_again(const std::vector<std::uint32_t>& wanted,
+                          const std::vector<bool>& zeros = {}) {
   Program result = program();
   const Function function = result.functions[0];
   const Expressions expressions = from_program(result, function, wanted, zeros);
@@ -34,8 +35,8 @@ std::string again(const std::vector<std::uint32_t>& wanted, const std::vector<bo
 }  // namespace
 
 TEST_CASE("wanted values are lowered to the same instructions") {
-  CHECK(again({3}).find("  0 = coordinate x\n  1 = sin 0\n") != std::string::npos);
-  const std::string whole = again({7, 3});
+  CHECK(lowered_again({3}).find("  0 = coordinate x\n  1 = sin 0\n") != std::string::npos);
+  const std::string whole = lowered_again({7, 3});
   CHECK(whole.find("divide") != std::string::npos);
   CHECK(whole.find("negate") != std::string::npos);
 }
@@ -43,7 +44,7 @@ TEST_CASE("wanted values are lowered to the same instructions") {
 TEST_CASE("instructions known to be zero are removed from their users") {
   std::vector<bool> zeros(8, false);
   zeros[3] = true;
-  const std::string left = again({7, 3}, zeros);
+  const std::string left = lowered_again({7, 3}, zeros);
   CHECK(left.find("sin") == std::string::npos);
   CHECK(left.find("divide") == std::string::npos);
   CHECK(left.find("negate") != std::string::npos);  // -m remains

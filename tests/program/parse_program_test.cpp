@@ -62,9 +62,9 @@ TEST_CASE("a program is printed with the names of the model and read back") {
   CHECK(program.functions.at(3).kind == OutputKind::hamiltonian);
   CHECK(program.functions.at(4).kind == OutputKind::step);
   CHECK_FALSE(program.functions.at(3).step);
-  CHECK(program.functions.at(4).step == step_by(StepMethod::verlet));
-  CHECK(program.functions.at(5).step == step_by(StepMethod::midpoint));
-  CHECK(program.functions.at(6).step == step_by(StepMethod::verlet, 8));
+  CHECK(program.functions.at(4).step == default_step(StepMethod::verlet));
+  CHECK(program.functions.at(5).step == default_step(StepMethod::midpoint));
+  CHECK(program.functions.at(6).step == default_step(StepMethod::verlet, 8));
   CHECK(program.functions.at(7).step == StepSpec{.method = StepMethod::rk4, .projects = true});
 }
 

@@ -66,9 +66,9 @@ TEST_CASE("a rule may change signs: users see the changed operand") {
 TEST_CASE("copying into another graph reuses its equal nodes") {
   const Expressions one = expressions_of({"-(a + b)"});
   Expressions other;
-  const Ref first = copied(other.graph, one);
+  const Ref first = copy_value(other.graph, one);
   const std::size_t size = other.graph.size();
-  CHECK(copied(other.graph, one) == first);
+  CHECK(copy_value(other.graph, one) == first);
   CHECK(other.graph.size() == size);
   other.values = {first};
   CHECK(texts_of(other) == texts_of(one));
@@ -112,7 +112,7 @@ TEST_CASE("flatten: a value used once is merged into its user") {
 }
 
 TEST_CASE("flatten, all products: every product is merged into its users, so that factors meet") {
-  const auto all = [](const Expressions& x) { return flatten(x, Flattened::all_products); };
+  const auto all = [](const Expressions& x) { return flatten(x, FlattenedProducts::all_products); };
   check_rows(
       {{"two products that are used again",
         {"(a*sin(b))*sin(b) + (a*cos(b))*cos(b)", "(a*sin(b))^(-2)*c", "a*sin(b)", "a*cos(b)"},
@@ -167,8 +167,10 @@ TEST_CASE("the needed instructions of an entry are found") {
   const Program program = program_of(
       "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0\n  3 = add 2 1\n"
       "  result 1 1 = 3\n");
-  CHECK(needed_for(program.functions[0], {2}) == std::vector<bool>{true, false, true, false});
-  CHECK(needed_for(program.functions[0], {3}) == std::vector<bool>{true, true, true, true});
+  CHECK(needed_instructions(program.functions[0], {2}) ==
+        std::vector<bool>{true, false, true, false});
+  CHECK(needed_instructions(program.functions[0], {3}) ==
+        std::vector<bool>{true, true, true, true});
   CHECK(cone_of(program.functions[0], {2}) == std::vector<std::uint32_t>{0, 2});
   CHECK(cone_of(program.functions[0], {2, 3, 2}) == std::vector<std::uint32_t>{0, 1, 2, 3});
   CHECK(cone_of(program.functions[0], {3}, 2).size() == 3);

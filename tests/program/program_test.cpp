@@ -127,7 +127,7 @@ TEST_CASE("repetitions perform the same operations on different operands") {
       "  6 = subtract 5 0\n  repeated 2 2\n  result 2 1 = 4 6\n";
   const Program repeated = testing::read_program(text);
   CHECK(check_invariants(repeated) == "");
-  CHECK(first_repeated(repeated.functions[0]) == 3);
+  CHECK(first_repeated_instruction(repeated.functions[0]) == 3);
   CHECK(dump(repeated) == text);
   const BrokenRow row = GENERATE(values<BrokenRow>({
       {[](Function& f) { f.instructions[6].a = 3; }, "instruction 6: does not repeat 4"},

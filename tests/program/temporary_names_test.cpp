@@ -84,7 +84,7 @@ TEST_CASE("own names are neither derived from the value, nor named intermediates
   CHECK(all[3].starts_with("t_"));
   CHECK(all[6] == "moment_link_y");
   CHECK(all[8] == "x_minus_y");
-  const std::vector<std::string> own = own_names(program, program.functions[0]);
+  const std::vector<std::string> own = context_free_names(program, program.functions[0]);
   CHECK(own == std::vector<std::string>{"", "", "", "", "", "t_work", "", "", ""});
 }
 

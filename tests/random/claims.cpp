@@ -61,7 +61,7 @@ Expression second_derivative(const Expression& T, const Expression& a, const Exp
 }
 
 /// Flips the sign of a sum of constants: the `countdown`-th such sum from the left.
-Expression turned(const Expression& expression, int& countdown) {
+Expression with_flipped_sign(const Expression& expression, int& countdown) {
   const bool is_sum =
       expression->kind == NodeKind::addition || expression->kind == NodeKind::subtraction;
   const bool is_zero = is_sum && (is_number(expression->operands[0], "0") ||
@@ -72,21 +72,21 @@ Expression turned(const Expression& expression, int& countdown) {
                : expression->operands[0] + expression->operands[1];
   }
   Node node = *expression;
-  for (Expression& operand : node.operands) operand = turned(operand, countdown);
+  for (Expression& operand : node.operands) operand = with_flipped_sign(operand, countdown);
   return made(std::move(node));
 }
 
-int turnable(const Expression& expression) {
+int flippable_sums(const Expression& expression) {
   int many = 1000000;
   const int start = many;
-  const Expression same = turned(expression, many);
+  const Expression same = with_flipped_sign(expression, many);
   return start - many;
 }
 
 /// A scope with a random value and a random rate, both in [1/4, 1), for every name.
-class Anywhere : public Scope {
+class RandomScope : public Scope {
  public:
-  explicit Anywhere(Draw& draw) : draw_(draw) {}
+  explicit RandomScope(Draw& draw) : draw_(draw) {}
 
   Jet value_of(const std::string& name, const std::string& element) override {
     return drawn(name + "." + element);
@@ -117,7 +117,7 @@ class Anywhere : public Scope {
 /// True if the expressions differ at a random point, so that they are different functions.
 bool differ(const Expression& a, const Expression& b, Draw& draw) {
   static const Number rounding("1e-60");  // relative, with 80 digits
-  Anywhere point(draw);
+  RandomScope point(draw);
   const Number x = evaluated(a, point).value();
   const Number y = evaluated(b, point).value();
   return abs(x - y) > rounding * (abs(x) + abs(y));
@@ -182,9 +182,9 @@ std::vector<Claim> falsified(std::vector<Claim> claims, Draw& draw) {
   Claim& claim = claims[static_cast<std::size_t>(draw.below(static_cast<int>(claims.size())))];
   auto& row = claim.rows[static_cast<std::size_t>(draw.below(static_cast<int>(claim.rows.size())))];
   Expression& entry = row[static_cast<std::size_t>(draw.below(static_cast<int>(row.size())))];
-  const int places = turnable(entry);
+  const int places = flippable_sums(entry);
   int countdown = places > 0 ? draw.below(places) : 0;
-  const Expression other = turned(entry, countdown);
+  const Expression other = with_flipped_sign(entry, countdown);
   // A flipped sign before a zero, or in a factor that cancels, changes nothing.
   const bool turns = places > 0 && differ(entry, other, draw);
   entry = turns ? other : entry + call_of("cos", {number(1)}) / number(1000);

@@ -64,7 +64,7 @@ std::string compared(const Trial& trial, const std::string& output, bool by_colu
   // Terms that cancel completely in the shown equations may round in compiled code; states have
   // magnitude 1.
   Number scale = 1;
-  for (const Sized& entry : shown.entries) scale = std::max(scale, entry.size);
+  for (const ScaledValue& entry : shown.entries) scale = std::max(scale, entry.size);
   const std::size_t rows = truth.size() / std::max<std::size_t>(shown.columns, 1);
   std::string text;
   for (std::size_t i = 0; i < truth.size(); ++i) {

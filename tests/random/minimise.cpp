@@ -92,7 +92,7 @@ bool drop_expression(System& system, std::size_t k) {
 
 /// All expressions with one node less: 0 or 1, an operand, or the expression with a simpler
 /// operand.
-std::vector<Expression> simpler(const Expression& expression) {
+std::vector<Expression> simplifications(const Expression& expression) {
   if (!expression || expression->kind == NodeKind::sum) return {};
   const Node& node = *expression;
   std::vector<Expression> results;
@@ -104,7 +104,7 @@ std::vector<Expression> simpler(const Expression& expression) {
     if (keeps_operands) results.push_back(operand);
   }
   for (std::size_t i = 0; i < node.operands.size() && keeps_operands; ++i) {
-    for (const Expression& part : simpler(node.operands[i])) {
+    for (const Expression& part : simplifications(node.operands[i])) {
       Node changed = node;
       changed.operands[i] = part;
       results.push_back(made(std::move(changed)));
@@ -188,7 +188,7 @@ bool reduce_expressions(System& system, const Fails& fails) {
     bool again = true;
     while (again) {
       again = false;
-      for (const Expression& part : simpler(*all_expressions(system)[slot])) {
+      for (const Expression& part : simplifications(*all_expressions(system)[slot])) {
         System candidate = system;
         *all_expressions(candidate)[slot] = part;
         if (!fails(candidate)) continue;

@@ -105,7 +105,7 @@ Motion::Motion(const System& system, const Layout& layout, const ParameterValues
       u_(state.u),
       now_(state.t + Jet::infinitesimal(time_infinitesimal)) {
   const Jet moment = Jet::infinitesimal(time_infinitesimal);
-  move_held();
+  set_locked();
   for (const Layout::Place& place : layout_.places) {
     if (place.lock >= 0) continue;
     if (!place.is_rotation) {
@@ -122,7 +122,7 @@ Motion::Motion(const System& system, const Layout& layout, const ParameterValues
 }
 
 /// Sets locked coordinates and their rates, which are functions of time.
-void Motion::move_held() {
+void Motion::set_locked() {
   for (const Layout::Place& place : layout_.places) {
     if (place.lock < 0) continue;
     const auto& lock = system_.scene.locks[static_cast<std::size_t>(place.lock)];
@@ -177,7 +177,7 @@ const Vector& Motion::position_of(const std::string& name, const std::string& el
 }
 
 /// The rotation of a frame in its parent. Denavit-Hartenberg offsets are added to `origin`.
-Matrix Motion::turn_of(const Frame& frame, Vector& origin) {
+Matrix Motion::rotation_of(const Frame& frame, Vector& origin) {
   const Vector n = evaluated(frame.numbers, *this);
   switch (frame.turn) {
     case Turn::none:
@@ -216,7 +216,7 @@ const Motion::Pose& Motion::pose_of(const std::string& name) {
   const Frame& frame = named(system_.model.frames, name);
   const Pose parent = pose_of(frame.parent);
   Vector origin = frame.translate.empty() ? Vector{0, 0, 0} : evaluated(frame.translate, *this);
-  const Matrix turn = turn_of(frame, origin);
+  const Matrix turn = rotation_of(frame, origin);
   return poses_[name] = {product(parent.R, turn), sum(parent.p, product(parent.R, origin))};
 }
 

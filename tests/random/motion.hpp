@@ -77,9 +77,9 @@ class Motion : public Scope {
   std::map<std::string, Pose> poses_;
   std::map<std::pair<std::string, std::string>, Vector> positions_;
 
-  void move_held();
+  void set_locked();
   const Vector& position_of(const std::string& point, const std::string& element);
-  Matrix turn_of(const Frame& frame, Vector& origin);
+  Matrix rotation_of(const Frame& frame, Vector& origin);
   Jet kinetic_energy_of(const Body& body);
   Jet body_mass_terms(const Body& body, const Vector& com, const Vector& spin_in_body);
   Jet weight(const Jet& mass, const Vector& position);

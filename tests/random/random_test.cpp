@@ -14,7 +14,7 @@ constexpr std::uint64_t seeds = 40;
 /// `verify` takes seconds per seed. The target `random` runs it for every seed.
 constexpr std::uint64_t verified_every = 8;
 
-std::string told(std::uint64_t seed, const std::vector<Finding>& findings) {
+std::string findings_text(std::uint64_t seed, const std::vector<Finding>& findings) {
   std::string text;
   for (const Finding& finding : findings) {
     text += "seed " + std::to_string(seed) + ": " + finding.kind + "\n" + finding.text;
@@ -44,11 +44,12 @@ TEST_CASE("random models: generated, shown and compiled equations are true") {
   std::vector<Trial> trials;
   std::string failures;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    trials.push_back(prepared(Generator(seed).system(), seed));
-    failures += told(seed, compare_shown(trials.back(), folder.path()));
+    trials.push_back(make_trial(Generator(seed).system(), seed));
+    failures += findings_text(seed, compare_shown(trials.back(), folder.path()));
   }
   const auto compiled = compare_compiled(trials, folder.path());
-  for (std::size_t i = 0; i < trials.size(); ++i) failures += told(trials[i].seed, compiled[i]);
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    failures += findings_text(trials[i].seed, compiled[i]);
   INFO(failures);
   CHECK(failures.empty());
 }
@@ -59,9 +60,9 @@ TEST_CASE("random models: verify gives the right verdicts") {
     // Even seeds have rational constants, odd seeds irrational constants. Both kinds are needed.
     const std::uint64_t drawn = seed + seed / verified_every % 2;
     const elgen::test::Workspace folder;
-    Trial trial = prepared(Generator(drawn).system(), drawn);
-    failures += told(drawn, compare_shown(trial, folder.path()));
-    failures += told(drawn, compare_verdicts(trial, folder.path()));
+    Trial trial = make_trial(Generator(drawn).system(), drawn);
+    failures += findings_text(drawn, compare_shown(trial, folder.path()));
+    failures += findings_text(drawn, compare_verdicts(trial, folder.path()));
   }
   INFO(failures);
   CHECK(failures.empty());
@@ -72,16 +73,16 @@ TEST_CASE("states far outside the ranges raise no false error") {
   // derivatives whose 64 digits cancel.
   for (const std::uint64_t seed : {8129U, 8136U}) {
     const elgen::test::Workspace folder;
-    Trial trial = prepared(Generator(seed).system(), seed);
+    Trial trial = make_trial(Generator(seed).system(), seed);
     REQUIRE(compare_shown(trial, folder.path()).empty());
-    CHECK(told(seed, compare_verdicts(trial, folder.path())).empty());
+    CHECK(findings_text(seed, compare_verdicts(trial, folder.path())).empty());
   }
 }
 
 TEST_CASE("a wrong number is found in shown equations and in compiled code") {
   const elgen::test::Workspace folder;
-  Trial trial = prepared(pendulum(), 1);
-  REQUIRE(told(1, compare_shown(trial, folder.path())).empty());
+  Trial trial = make_trial(pendulum(), 1);
+  REQUIRE(findings_text(1, compare_shown(trial, folder.path())).empty());
   REQUIRE(compare_compiled({trial}, folder.path())[0].empty());
 
   trial.drawn["gravity"][0] += Number("1e-35");

@@ -11,16 +11,20 @@ namespace {
 
 using boost::multiprecision::abs;
 
-Sized plus(const Sized& a, const Sized& b) { return {a.value + b.value, a.size + b.size}; }
-Sized times(const Sized& a, const Sized& b) { return {a.value * b.value, a.size * b.size}; }
-Sized over(const Sized& a, const Sized& b) {
+ScaledValue plus(const ScaledValue& a, const ScaledValue& b) {
+  return {a.value + b.value, a.size + b.size};
+}
+ScaledValue times(const ScaledValue& a, const ScaledValue& b) {
+  return {a.value * b.value, a.size * b.size};
+}
+ScaledValue over(const ScaledValue& a, const ScaledValue& b) {
   if (b.value == 0) throw std::domain_error("division by zero");
   const Number quotient = a.value / b.value;
   return {quotient, (a.size + abs(quotient) * b.size) / abs(b.value)};
 }
 
 /// f, with size |f| + sum |df/dx| size(x).
-Sized function_of(const std::string& name, const std::vector<Sized>& arguments) {
+ScaledValue function_of(const std::string& name, const std::vector<ScaledValue>& arguments) {
   Vector jets;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     jets.push_back(Jet(arguments[i].value) + Jet::infinitesimal(static_cast<unsigned>(i)));
@@ -33,7 +37,7 @@ Sized function_of(const std::string& name, const std::vector<Sized>& arguments) 
   return {result.value(), size};
 }
 
-Sized to_the(const Sized& base, const Sized& exponent) {
+ScaledValue to_the(const ScaledValue& base, const ScaledValue& exponent) {
   // Exponents are rational constants: integers, k/2, k/3, k/4 or k/6.
   const Number twelfths = exponent.value * 12;
   const int numerator = static_cast<int>(round(twelfths));
@@ -53,8 +57,8 @@ class Reader {
  public:
   Reader(const std::string& text, const Names& names) : text_(text), names_(names) {}
 
-  Sized whole() {
-    const Sized result = sum();
+  ScaledValue whole() {
+    const ScaledValue result = sum();
     if (at_ != text_.size()) fail();
     return result;
   }
@@ -76,13 +80,13 @@ class Reader {
     return true;
   }
 
-  Sized sum() {
-    Sized total = term();
+  ScaledValue sum() {
+    ScaledValue total = term();
     while (true) {
       if (skip('+')) {
         total = plus(total, term());
       } else if (skip('-')) {
-        const Sized next = term();
+        const ScaledValue next = term();
         total = {total.value - next.value, total.size + next.size};
       } else {
         return total;
@@ -90,8 +94,8 @@ class Reader {
     }
   }
 
-  Sized term() {
-    Sized total = signed_factor();
+  ScaledValue term() {
+    ScaledValue total = signed_factor();
     while (true) {
       if (skip('*')) {
         total = times(total, signed_factor());
@@ -103,32 +107,32 @@ class Reader {
     }
   }
 
-  Sized signed_factor() {
+  ScaledValue signed_factor() {
     if (!skip('-')) return factor();
-    const Sized operand = signed_factor();
+    const ScaledValue operand = signed_factor();
     return {-operand.value, operand.size};
   }
 
-  Sized factor() {
-    const Sized base = primary();
+  ScaledValue factor() {
+    const ScaledValue base = primary();
     return skip('^') ? to_the(base, signed_factor()) : base;
   }
 
-  Sized primary() {
+  ScaledValue primary() {
     if (skip('(')) {
-      const Sized inner = sum();
+      const ScaledValue inner = sum();
       if (!skip(')')) fail();
       return inner;
     }
     if (at_ == text_.size()) fail();
     if (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0) return literal();
     const std::string word = identifier();
-    if (word == "dot") return named(word + bracketed());
+    if (word == "dot") return named(word + parse_brackets());
     if (skip('(')) return call_of(word);
     return named(word);
   }
 
-  Sized literal() {
+  ScaledValue literal() {
     const std::size_t start = at_;
     const auto digits = [&] {
       while (at_ < text_.size() &&
@@ -159,7 +163,7 @@ class Reader {
   }
 
   /// Brackets with their content, as written.
-  std::string bracketed() {
+  std::string parse_brackets() {
     const std::size_t start = at_;
     int depth = 0;
     do {
@@ -172,14 +176,14 @@ class Reader {
     return result;
   }
 
-  Sized call_of(const std::string& function) {
-    std::vector<Sized> arguments{sum()};
+  ScaledValue call_of(const std::string& function) {
+    std::vector<ScaledValue> arguments{sum()};
     while (skip(',')) arguments.push_back(sum());
     if (!skip(')')) fail();
     return function_of(function, arguments);
   }
 
-  Sized named(const std::string& name) {
+  ScaledValue named(const std::string& name) {
     const auto known = names_.find(name);
     if (known == names_.end()) throw std::runtime_error("unknown `" + name + "` in " + text_);
     return known->second;
@@ -204,7 +208,7 @@ void name_place(Names& names, const Layout::Place& place, const State& state) {
 
 }  // namespace
 
-Sized read_expression(const std::string& text, const Names& names) {
+ScaledValue read_expression(const std::string& text, const Names& names) {
   return Reader(text, names).whole();
 }
 

@@ -10,15 +10,15 @@
 namespace elgen::random {
 
 /// A value and the sum of its absolute terms, the scale of its rounding error.
-struct Sized {
+struct ScaledValue {
   Number value;
   Number size;
 };
 
-using Names = std::map<std::string, Sized>;
+using Names = std::map<std::string, ScaledValue>;
 
 /// Throws std::runtime_error for a syntax error or an unknown name.
-[[nodiscard]] Sized read_expression(const std::string& text, const Names& names);
+[[nodiscard]] ScaledValue read_expression(const std::string& text, const Names& names);
 
 /// The names in the shown equations for the numbers of a state and the parameters.
 [[nodiscard]] Names names_of(const System& system, const Layout& layout, const State& state,
@@ -26,7 +26,7 @@ using Names = std::map<std::string, Sized>;
 
 /// A shown output or one of its fields; entries row by row.
 struct ShownOutput {
-  std::vector<Sized> entries;
+  std::vector<ScaledValue> entries;
   std::size_t columns = 1;
 };
 using Shown = std::map<std::string, ShownOutput>;

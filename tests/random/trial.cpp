@@ -75,7 +75,7 @@ std::string disagreement(const std::string& output, std::size_t entry, const Num
          truth.str(30) + "\n";
 }
 
-void compare_output(const std::string& output, const std::vector<Sized>& shown,
+void compare_output(const std::string& output, const std::vector<ScaledValue>& shown,
                     const std::vector<Number>& truth, std::vector<Finding>& findings) {
   if (shown.size() != truth.size()) {
     findings.push_back({"shown " + output, "has " + std::to_string(shown.size()) +
@@ -107,7 +107,7 @@ void write_files(const System& system, const std::filesystem::path& folder,
   }
 }
 
-Trial prepared(const System& system, std::uint64_t seed) {
+Trial make_trial(const System& system, std::uint64_t seed) {
   Trial trial{.system = system,
               .seed = seed,
               .layout = {},

@@ -32,7 +32,7 @@ struct Trial {
 };
 
 /// Draws a state and evaluates the definition. Throws std::domain_error if there is no value.
-[[nodiscard]] Trial prepared(const System& system, std::uint64_t seed);
+[[nodiscard]] Trial make_trial(const System& system, std::uint64_t seed);
 
 /// Generates into `folder` and compares the shown equations.
 [[nodiscard]] std::vector<Finding> compare_shown(Trial& trial, const std::filesystem::path& folder);
@@ -48,7 +48,7 @@ struct Trial {
     const std::vector<Trial>& trials, const std::filesystem::path& folder);
 
 /// Runs all comparisons for one system, in a program of its own.
-[[nodiscard]] std::vector<Finding> examined(const System& system, std::uint64_t seed);
+[[nodiscard]] std::vector<Finding> all_findings(const System& system, std::uint64_t seed);
 
 /// The file name that a trial passes to elgen.
 [[nodiscard]] std::string input_file(const System& system);

@@ -216,7 +216,7 @@ Matrix Truth::mass_matrix(const State& state) const {
   return M;
 }
 
-State Truth::resting(State state) const {
+State Truth::state_at_rest(State state) const {
   for (Jet& v : state.v) v = 0;
   for (Jet& a : state.a) a = 0;
   return state;
@@ -231,7 +231,7 @@ void Truth::keep(const std::string& name, const Matrix& rows) {
   for (const Vector& row : rows) keep(name, row);
 }
 
-Vector Truth::of_free(const Vector& all) const {
+Vector Truth::free_entries(const Vector& all) const {
   Vector result;
   for (const std::size_t i : free_) result.push_back(all[i]);
   return result;
@@ -264,7 +264,7 @@ Matrix Truth::coriolis_matrix(const Matrix& M) const {
       for (Jet& entry : row) entry = entry.along(third);
     }
   }
-  const Vector v = of_free(state_.v);
+  const Vector v = free_entries(state_.v);
   const Matrix turned = product(turning(v), M);
   const Matrix by_spin = product(M, turning(v));
   const Matrix by_momentum = turning(product(M, v));
@@ -283,13 +283,13 @@ Matrix Truth::coriolis_matrix(const Matrix& M) const {
 /// C, C v and g. Drift is the rest of the inertial forces.
 void Truth::add_velocity_terms(const Matrix& M) {
   const Matrix C = coriolis_matrix(M);
-  const Vector h = product(C, of_free(state_.v));
+  const Vector h = product(C, free_entries(state_.v));
   State coasting = state_;
   for (Jet& a : coasting.a) a = 0;
-  Vector drift = of_free(inertial(layout_, coasting));
+  Vector drift = free_entries(inertial(layout_, coasting));
   Vector g;
   for (const std::size_t j : free_) {
-    const State moved = displaced(layout_, resting(state_), j, direction);
+    const State moved = displaced(layout_, state_at_rest(state_), j, direction);
     g.push_back(
         read(layout_, moved, [](Motion& motion) { return motion.energies().V; }).along(direction));
   }
@@ -304,8 +304,8 @@ void Truth::add_energies() {
   const auto energy = [&](const State& state, Jet Energies::*part) {
     return read(layout_, state, [&](Motion& motion) { return motion.energies().*part; });
   };
-  const Vector p = of_free(momentum(layout_, state_));
-  const Vector v = of_free(state_.v);
+  const Vector p = free_entries(momentum(layout_, state_));
+  const Vector v = free_entries(state_.v);
   keep("momentum", p);
   Vector gradient;
   for (const std::size_t j : free_) {
@@ -318,18 +318,18 @@ void Truth::add_energies() {
   const Jet T = energy(state_, &Energies::T);
   keep("kinetic_energy", Vector{T});
   keep("total_energy", Vector{T + energy(state_, &Energies::V)});
-  keep("potential_energy", Vector{energy(resting(state_), &Energies::V)});
+  keep("potential_energy", Vector{energy(state_at_rest(state_), &Energies::V)});
 }
 
 void Truth::add_forces() {
   State coasting = state_;
   for (Jet& a : coasting.a) a = 0;
-  keep("bias", of_free(torque(layout_, coasting)));
-  keep("inverse_dynamics", of_free(torque(layout_, state_)));
-  keep("dissipation", of_free(dissipation(layout_, state_)));
+  keep("bias", free_entries(torque(layout_, coasting)));
+  keep("inverse_dynamics", free_entries(torque(layout_, state_)));
+  keep("dissipation", free_entries(dissipation(layout_, state_)));
   State alone = state_;
   for (Jet& u : alone.u) u = 0;
-  keep("applied_force", of_free(forces(layout_, alone)));
+  keep("applied_force", free_entries(forces(layout_, alone)));
 }
 
 Values Truth::outputs() {

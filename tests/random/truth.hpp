@@ -57,11 +57,11 @@ class Truth {
   [[nodiscard]] Matrix turning(const Vector& x) const;
   [[nodiscard]] Matrix coriolis_matrix(const Matrix& M) const;
   [[nodiscard]] Matrix torque_slopes(const State& at, bool has_inputs, bool by_velocity) const;
-  [[nodiscard]] State resting(State state) const;
+  [[nodiscard]] State state_at_rest(State state) const;
 
   void keep(const std::string& name, const Vector& entries);
   void keep(const std::string& name, const Matrix& rows);
-  [[nodiscard]] Vector of_free(const Vector& all) const;
+  [[nodiscard]] Vector free_entries(const Vector& all) const;
   void add_velocity_terms(const Matrix& M);
   void add_energies();
   void add_forces();

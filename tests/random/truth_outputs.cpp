@@ -26,12 +26,12 @@ void Truth::add_solutions(const Matrix& M) {
   for (const std::size_t k : acting) {
     State moved = state_;
     moved.u[k] += Jet::infinitesimal(second);
-    columns.push_back(along(of_free(forces(layout_, moved)), second));
+    columns.push_back(along(free_entries(forces(layout_, moved)), second));
   }
   if (!columns.empty()) keep("input_matrix", transposed(columns));
   State coasting = state_;
   for (Jet& a : coasting.a) a = 0;
-  Vector right = of_free(torque(layout_, coasting));
+  Vector right = free_entries(torque(layout_, coasting));
   for (std::size_t i = 0; i < right.size(); ++i) {
     right[i] = -right[i];
     for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -47,12 +47,12 @@ Matrix Truth::torque_slopes(const State& at, bool has_inputs, bool by_velocity) 
   for (const std::size_t k : free_) {
     State moved = by_velocity ? at : displaced(layout_, at, k, second);
     if (by_velocity) moved.v[k] += Jet::infinitesimal(second);
-    Vector slope = along(of_free(torque(layout_, moved)), second);
+    Vector slope = along(free_entries(torque(layout_, moved)), second);
     if (has_inputs) {
       State without = moved;
       for (Jet& u : without.u) u = 0;
       const Vector inputs =
-          difference(of_free(forces(layout_, moved)), of_free(forces(layout_, without)));
+          difference(free_entries(forces(layout_, moved)), free_entries(forces(layout_, without)));
       slope = difference(slope, along(inputs, second));
     }
     columns.push_back(slope);
@@ -74,7 +74,7 @@ void Truth::add_derivatives(const Matrix& M) {
   keep("forward_dynamics_derivatives.by_position", by_position);
   keep("forward_dynamics_derivatives.by_velocity", by_velocity);
   // For x = (q, v) the deviation of a rotation has the rate dv - [w]x dq.
-  const Matrix spinning = negative(turning(of_free(state_.v)));
+  const Matrix spinning = negative(turning(free_entries(state_.v)));
   Matrix A(2 * n, Vector(2 * n));
   for (std::size_t i = 0; i < n; ++i) {
     A[i][n + i] = 1;

@@ -30,7 +30,7 @@ Outcome verify(const std::string& file, const std::filesystem::path& folder) {
 }
 
 /// The first failed check is part of the kind, so that a smaller model must fail in the same check.
-Finding judged(const std::string& kind, const Outcome& outcome) {
+Finding verdict_finding(const std::string& kind, const Outcome& outcome) {
   constexpr std::size_t name = 60;
   const std::string rows = failed_rows(outcome.output);
   std::string first;
@@ -49,18 +49,18 @@ std::vector<Finding> compare_verdicts(const Trial& trial, const std::filesystem:
   std::vector<Finding> findings;
   const Outcome again = test::shell(
       "timeout 120 elgen generate -q --check -o out " + input_file(trial.system), folder);
-  if (again.status != 0) findings.push_back(judged("another run differs,", again));
+  if (again.status != 0) findings.push_back(verdict_finding("another run differs,", again));
   const std::string model_file = trial.system.model.name + ".toml";
   const std::vector<Claim> claims = true_claims(trial.system.model);
   if (!claims.empty()) write_files(trial.system, folder, claims);
   const Outcome right = verify(input_file(trial.system), folder);
   if (right.status != 0) {
-    findings.push_back(judged("verify", right));
+    findings.push_back(verdict_finding("verify", right));
   }
   if (claims.empty()) return findings;
   if (trial.system.scene.is_present) {
     const Outcome model = verify(model_file, folder);
-    if (model.status != 0) findings.push_back(judged("verify model", model));
+    if (model.status != 0) findings.push_back(verdict_finding("verify model", model));
   }
   Draw draw(trial.seed + 2000003, false);
   const std::vector<Claim> wrong = falsified(claims, draw);
@@ -68,16 +68,16 @@ std::vector<Finding> compare_verdicts(const Trial& trial, const std::filesystem:
   const Outcome refused = verify(model_file, folder);
   const bool says_why = test::mentions(refused.output + refused.errors, "E510");
   if (refused.status != 1 || !says_why) {
-    Finding finding = judged("false claim", refused);
+    Finding finding = verdict_finding("false claim", refused);
     finding.text = text_of(trial.system.model, wrong) + finding.text;
     findings.push_back(finding);
   }
   return findings;
 }
 
-std::vector<Finding> examined(const System& system, std::uint64_t seed) {
+std::vector<Finding> all_findings(const System& system, std::uint64_t seed) {
   const test::Workspace folder;
-  std::vector<Trial> trials{prepared(system, seed)};
+  std::vector<Trial> trials{make_trial(system, seed)};
   std::vector<Finding> findings = compare_shown(trials[0], folder.path());
   const auto add = [&](const std::vector<Finding>& more) {
     findings.insert(findings.end(), more.begin(), more.end());

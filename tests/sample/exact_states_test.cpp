@@ -80,7 +80,7 @@ equation = "x^2 + y^2 = l"
   State drawn = nominal_state(rod.model, rod.scene);
   drawn.q = {exact("0.3"), exact("-0.7")};
   drawn.v = {1, 2};
-  const auto kept = on_constraints(rod.model, drawn);
+  const auto kept = move_onto_constraints(rod.model, drawn);
   REQUIRE(kept);
   // The oracle promises 60 digits.
   const cl_R rounding = exact("1e-60");
@@ -88,11 +88,11 @@ equation = "x^2 + y^2 = l"
   CHECK(cln::abs(f) < rounding);
   CHECK(cln::abs(kept->q[0] * kept->v[0] + kept->q[1] * kept->v[1]) < rounding);
   drawn.parameters[0] = -1;
-  CHECK_FALSE(on_constraints(rod.model, drawn));
+  CHECK_FALSE(move_onto_constraints(rod.model, drawn));
   CHECK(is_compared_on_constraints(rod.model, OutputKind::forward_dynamics));
   CHECK_FALSE(is_compared_on_constraints(rod.model, OutputKind::constraint_residual));
   const ModelBuilder free = cart_pole();
   const State state = nominal_state(free.model, {});
-  CHECK(on_constraints(free.model, state)->q == state.q);
+  CHECK(move_onto_constraints(free.model, state)->q == state.q);
   CHECK_FALSE(is_compared_on_constraints(free.model, OutputKind::forward_dynamics));
 }

@@ -75,15 +75,15 @@ TEST_CASE("angles are moved near right angles, straight angles, equal angles and
   Sampler draw(1);
   for (int i = 0; i < 20; ++i) {
     std::vector<double> q{9, 9, 9};
-    draw.move_angles(AnglePlace::right, is_angle, q);
+    draw.set_angles(AnglePlace::right, is_angle, q);
     CHECK(std::abs(std::cos(q[0])) == Approx(7.5e-9).margin(2.6e-9));
     CHECK(q[1] == 9);
-    draw.move_angles(AnglePlace::straight, is_angle, q);
+    draw.set_angles(AnglePlace::straight, is_angle, q);
     CHECK(std::abs(std::sin(q[2])) == Approx(7.5e-9).margin(2.6e-9));
-    draw.move_angles(AnglePlace::equal, is_angle, q);
+    draw.set_angles(AnglePlace::equal, is_angle, q);
     CHECK((q[0] != q[2] && std::abs(q[0] - q[2]) < 2e-3));
     CHECK(std::abs(q[0]) < 2 * right_angle + 1e-3);
-    draw.move_angles(AnglePlace::tiny, is_angle, q);
+    draw.set_angles(AnglePlace::tiny, is_angle, q);
     CHECK(std::abs(q[0]) < 1e-8);
   }
 }

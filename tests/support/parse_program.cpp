@@ -92,7 +92,7 @@ class ProgramReader {
 
   std::string read_names(const Words& words, LeafOwner owner) {
     const auto assign = [&](const LeafRow& row, std::vector<std::string>& names) {
-      if (row.of != owner || row.passed == Passed::if_taken) return;
+      if (row.of != owner || row.passed == Passed::if_used) return;
       names.assign(words.begin() + 1, words.end());
     };
     for_each_list(assign, program_.leaves);

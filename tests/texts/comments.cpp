@@ -44,10 +44,10 @@ class CommentReader {
       : equations_(equations), function_(equations.function()) {}
 
   void read(const Lines& listing) {
-    if (gives_struct(function_)) field_ = function_.fields.size();
+    if (returns_struct(function_)) field_ = function_.fields.size();
     for (const std::string& line : listing) read_line(line);
     if (!listing.empty()) expect_all_entries(listing.back());
-    if (gives_struct(function_) && next_field_ < function_.fields.size()) {
+    if (returns_struct(function_) && next_field_ < function_.fields.size()) {
       fail(listing.back(), in_backticks(function_.fields[next_field_].name) + " is missing");
     }
   }
@@ -72,7 +72,7 @@ class CommentReader {
 
   void start_field(const std::string& line) {
     if (field_ < function_.fields.size()) expect_all_entries(line);
-    const bool is_next = gives_struct(function_) && next_field_ < function_.fields.size() &&
+    const bool is_next = returns_struct(function_) && next_field_ < function_.fields.size() &&
                          line == function_.fields[next_field_].name + ":";
     if (!is_next) fail(line, "another field should follow here");
     field_ = next_field_++;
@@ -123,7 +123,7 @@ class CommentReader {
 };
 
 /// The lines of the listing from `first` on, with continuation lines joined.
-Lines joined(const Lines& comment, std::size_t first) {
+Lines join_continuations(const Lines& comment, std::size_t first) {
   Lines result;
   for (std::size_t i = first; i < comment.size(); ++i) {
     std::string text = comment[i].substr(std::min(margin.size(), comment[i].size()));
@@ -145,7 +145,7 @@ bool is_reference(const std::string& text, const Function& function, const Scene
 /// The heading contains the shape if there is one field.
 bool names_shape(const std::string& heading, const Function& function, const Scene& scene) {
   const Field& field = function.fields.front();
-  if (gives_struct(function) || field.columns == 1) return true;
+  if (returns_struct(function) || field.columns == 1) return true;
   const std::string shape =
       fmt::format(" {} x {}, {}", field.rows, field.columns, name_of(scene.emission.storage));
   return heading.find(shape) != std::string::npos;
@@ -188,7 +188,7 @@ void read_comment(const Lines& comment, WrittenEquations& equations) {
       heading_end == comment.end() ? comment.end() : std::find(heading_end + 1, comment.end(), "");
   if (equation_end == comment.end()) throw Mistake(function.name + ": no equations follow");
   const Lines listing =
-      joined(comment, static_cast<std::size_t>(equation_end - comment.begin()) + 1);
+      join_continuations(comment, static_cast<std::size_t>(equation_end - comment.begin()) + 1);
   if (listing.empty()) throw Mistake(function.name + ": no equations follow");
   if (is_reference(listing.front(), function, scene)) return;
   CommentReader(equations).read(listing);

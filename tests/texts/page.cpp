@@ -42,7 +42,7 @@ class PageReader {
   }
 
   void read_parts() {
-    equations_.forget_parts();
+    equations_.clear_parts();
     const std::string heading = "\n\nnamed parts\n";
     const std::size_t start = text_.find(heading);
     if (start == std::string::npos) return;

@@ -222,7 +222,7 @@ class SidecarReader {
   }
 
   void left_out(Json all) {
-    for (const LeftOut& each : origin_.scene.left_out) {
+    for (const OmittedOutputs& each : origin_.scene.left_out) {
       for (const std::string& output : each.outputs) {
         expect(take(all, output), name_of(each.reason));
       }
@@ -241,7 +241,7 @@ class SidecarReader {
 
   void equations(Json& output, const Function& function, bool has_entries) {
     if (output.contains("definitions")) definitions(take(output, "definitions"));
-    if (!gives_struct(function)) return field(output, function.fields.front(), has_entries);
+    if (!returns_struct(function)) return field(output, function.fields.front(), has_entries);
     Json fields = take(output, "fields");
     for (const Field& each : function.fields) {
       Json entries = take(fields, each.name);

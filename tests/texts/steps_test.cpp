@@ -72,7 +72,7 @@ std::vector<PrintedEquation> motion_equations(const std::string& text) {
 
 /// The expected value at each state, and the size of the largest term. Undefined where the model
 /// has no value.
-struct DefinedRow {
+struct ReferenceRow {
   std::vector<Real> values = {};
   std::vector<Real> sizes = {};
 
@@ -93,9 +93,9 @@ OracleValues matrix_at(const Model& model, OutputKind kind, std::size_t count, c
 }
 
 /// M a + bias - B u - A^T lambda for each velocity.
-std::vector<DefinedRow> defined_rows(const Model& model,
-                                     const std::vector<Arguments<Real>>& states) {
-  std::vector<DefinedRow> rows(model.velocities.size());
+std::vector<ReferenceRow> defined_rows(const Model& model,
+                                       const std::vector<Arguments<Real>>& states) {
+  std::vector<ReferenceRow> rows(model.velocities.size());
   const std::size_t inputs = model.inputs.size();
   const std::size_t constraints = model.constraints.size();
   for (const Arguments<Real>& at : states) {
@@ -127,9 +127,9 @@ std::vector<DefinedRow> defined_rows(const Model& model,
 }
 
 /// f or phi of each constraint, on velocity level with its rate.
-std::vector<DefinedRow> defined_constraints(const Model& model,
-                                            const std::vector<Arguments<Real>>& states) {
-  std::vector<DefinedRow> rows(model.constraints.size());
+std::vector<ReferenceRow> defined_constraints(const Model& model,
+                                              const std::vector<Arguments<Real>>& states) {
+  std::vector<ReferenceRow> rows(model.constraints.size());
   for (const Arguments<Real>& at : states) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const auto value = oracle_expression(model, model.constraints[i].value, exact_leaves(at));
@@ -140,8 +140,8 @@ std::vector<DefinedRow> defined_constraints(const Model& model,
 }
 
 /// The acceleration of the only velocity.
-DefinedRow defined_acceleration(const Model& model, const std::vector<Arguments<Real>>& states) {
-  DefinedRow row;
+ReferenceRow defined_acceleration(const Model& model, const std::vector<Arguments<Real>>& states) {
+  ReferenceRow row;
   for (const Arguments<Real>& at : states) {
     const OracleValues solved =
         oracle_values(model, {.kind = OutputKind::forward_dynamics}, exact_leaves(at));
@@ -152,13 +152,13 @@ DefinedRow defined_acceleration(const Model& model, const std::vector<Arguments<
 }
 
 /// True if the model has a value at some state.
-bool is_compared(const DefinedRow& row) {
+bool has_values(const ReferenceRow& row) {
   return std::ranges::any_of(row.values, [](const Real& value) { return value.is_defined(); });
 }
 
 void expect_solved(const Model& model, const PrintedEquation& equation,
                    WrittenEquations& equations) {
-  const DefinedRow solved = defined_acceleration(model, equations.states());
+  const ReferenceRow solved = defined_acceleration(model, equations.states());
   const std::string wrong = equations.values(solved.values, solved.sizes, equation.right);
   INFO(wrong);
   CHECK(wrong.empty());
@@ -167,7 +167,7 @@ void expect_solved(const Model& model, const PrintedEquation& equation,
 
 /// True if every velocity has a row in book form. The invariants and accelerations follow these
 /// rows.
-bool are_all_read(const ReadableSteps& steps, std::size_t velocities) {
+bool all_rows_readable(const ReadableSteps& steps, std::size_t velocities) {
   const std::vector<Function>& read = steps.program.readable;
   const auto end = read.end() - 2;
   return std::all_of(end - static_cast<std::ptrdiff_t>(velocities), end,
@@ -187,11 +187,12 @@ bool expect_rows(const SourcePointer& source) {
   INFO(text);
   const std::vector<PrintedEquation> equations = motion_equations(text);
   const std::size_t count = model.velocities.size();
-  if (!are_all_read(*products.steps, count)) return false;  // other rows are not complete equations
+  if (!all_rows_readable(*products.steps, count))
+    return false;  // other rows are not complete equations
   REQUIRE(equations.size() >= count);
   WrittenEquations written({model, products.checked->scene, products.steps->program});
-  std::vector<DefinedRow> rows = defined_rows(model, written.states());
-  const std::vector<DefinedRow> others = defined_constraints(model, written.states());
+  std::vector<ReferenceRow> rows = defined_rows(model, written.states());
+  const std::vector<ReferenceRow> others = defined_constraints(model, written.states());
   rows.insert(rows.end(), others.begin(), others.end());
   REQUIRE(equations.size() >= rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -203,7 +204,7 @@ bool expect_rows(const SourcePointer& source) {
   if (count == 1 && equations.size() > rows.size()) {
     expect_solved(model, equations[1], written);
   }
-  return is_compared(rows.front());
+  return has_values(rows.front());
 }
 
 }  // namespace
@@ -252,7 +253,7 @@ TEST_CASE("a changed sign in an equation of motion is detected") {
   REQUIRE(products.steps);
   const Model& model = products.checked->model;
   WrittenEquations written({model, products.checked->scene, products.steps->program});
-  const DefinedRow row = defined_rows(model, written.states())[0];
+  const ReferenceRow row = defined_rows(model, written.states())[0];
   const std::string right = "(M + m)*dot(dot(x)) + m*l*dot(dot(theta))*cos(theta) - u";
   const std::string centrifugal = "m*l*dot(theta)^2*sin(theta)";
   CHECK(written.values(row.values, row.sizes, right + " - " + centrifugal).empty());

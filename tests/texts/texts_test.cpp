@@ -57,8 +57,8 @@ Written written(const Inputs& inputs) {
 }
 
 /// The first mistake that `read` finds in the text, empty if there is none.
-using Read = void (*)(const std::string& text, WrittenEquations& equations);
-std::string mistake(Read read, const std::string& text, WrittenEquations& equations) {
+using Reader = void (*)(const std::string& text, WrittenEquations& equations);
+std::string mistake(Reader read, const std::string& text, WrittenEquations& equations) {
   try {
     read(text, equations);
     return "";
@@ -108,7 +108,7 @@ const Written& wide_system() {
 using Places = std::function<bool(const std::string& line)>;
 
 /// Replaces each sign, digit and operator of the equations once, one at a time.
-std::size_t expect_changes_seen(Read read, const std::string& text,
+std::size_t expect_changes_seen(Reader read, const std::string& text,
                                 const Places& has_equations_in) {
   WrittenEquations equations(wide_system().origin());
   REQUIRE(mistake(read, text, equations).empty());
@@ -189,7 +189,7 @@ TEST_CASE("every changed sign, digit and operator of a text page is detected") {
 TEST_CASE("incomplete comments, JSON and pages are refused") {
   WrittenEquations equations(wide_system().origin());
   struct Change {
-    Read read;
+    Reader read;
     const std::string& text;
     std::string anchor, from, to, said;
   };

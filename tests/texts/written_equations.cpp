@@ -68,10 +68,10 @@ WrittenEquations::WrittenEquations(const Origin& origin)
   for (const Arguments<Real>& state : states_) {
     leaves_.push_back(leaves_at(origin.program.leaves, state));
   }
-  forget_parts();
+  clear_parts();
 }
 
-void WrittenEquations::forget_parts() {
+void WrittenEquations::clear_parts() {
   parts_ = std::vector<std::unordered_map<std::string, Real>>(states_.size());
   for (Known& known : known_) known.texts.clear();
 }

@@ -34,7 +34,7 @@ class WrittenEquations {
   void start(std::size_t index);
 
   /// Forgets all shared parts and the values of all texts.
-  void forget_parts();
+  void clear_parts();
 
   // These functions return the mistake in an equation, empty if there is none.
   /// "force_link7_3 = m7*…", in leaves and earlier parts. All functions may use it.

@@ -22,10 +22,10 @@ auto compile_header(const std::string& text) {
 }
 
 /// Replaces the compiler during its lifetime by a script that changes the call.
-class ChangedCompiler {
+class CompilerWrapper {
  public:
   /// `words`: shell commands that run before the compiler is called with "$@".
-  explicit ChangedCompiler(const std::string& words)
+  explicit CompilerWrapper(const std::string& words)
       : scratch_(TemporaryDirectory::create()), variable_("CXX", script(words)) {}
 
  private:
@@ -40,7 +40,7 @@ class ChangedCompiler {
   ScopedVariable variable_;
 };
 
-const std::vector<Build> builds_to_verify{Build::as_written, Build::native, Build::as_users};
+const std::vector<Build> builds_to_verify{Build::as_written, Build::native, Build::user_flags};
 
 elgen::Scene eigen_scene() {
   elgen::Scene scene = sample::scene();
@@ -150,11 +150,11 @@ TEST_CASE("the Eigen header is compiled and run beside the C++ header, in two bu
           std::vector<float>{32, 2});
   }
   CHECK(compiled->back().types.empty());
-  CHECK(compiled->back().build == Build::as_users);
+  CHECK(compiled->back().build == Build::user_flags);
 }
 
 TEST_CASE("if Eigen is not installed, its header has no functions and the other header has them") {
-  const ChangedCompiler without(
+  const CompilerWrapper without(
       "for word do\n  shift\n  test \"$word\" = /usr/include/eigen3 && word=/nonexistent\n"
       "  set -- \"$@\" \"$word\"\ndone");
   const auto compiled =
@@ -165,11 +165,11 @@ TEST_CASE("if Eigen is not installed, its header has no functions and the other 
   CHECK(compiled->front().functions->call("inverse_dynamics", arguments<double>()) ==
         std::vector<double>{102});
   CHECK(compiled->back().functions == nullptr);
-  CHECK(compiled->back().lacking == "<Eigen/Core> is not installed");
+  CHECK(compiled->back().failure_reason == "<Eigen/Core> is not installed");
 }
 
 TEST_CASE("a build with flags that the compiler refuses has no functions") {
-  const ChangedCompiler without("case \"$*\" in *-march=native*) exit 1 ;; esac");
+  const CompilerWrapper without("case \"$*\" in *-march=native*) exit 1 ;; esac");
   const auto compiled =
       elgen::compile(sample::files(sample::header()), sample::model(), sample::scene(),
                      sample::program(), {.builds = builds_to_verify});
@@ -179,7 +179,7 @@ TEST_CASE("a build with flags that the compiler refuses has no functions") {
   CHECK(compiled->front().functions != nullptr);
   for (const std::size_t i : {1U, 2U}) {
     CHECK((*compiled)[i].functions == nullptr);
-    CHECK((*compiled)[i].lacking == "the compiler does not take -O3 -march=native");
+    CHECK((*compiled)[i].failure_reason == "the compiler does not take -O3 -march=native");
   }
 }
 

@@ -85,7 +85,7 @@ TEST_CASE("each warning of the documented list is an error") {
 TEST_CASE("the build with users' flags is optimised and has no warnings enabled") {
   const std::string text = "int f(double x); int f(double x) { return x; }\n";
   const auto result = compile_text("#ifndef __OPTIMIZE__\n#error not optimised\n#endif\n" + text,
-                                   elgen::Build::as_users);
+                                   elgen::Build::user_flags);
   INFO(result.output);
   CHECK(result.succeeded());
 }

@@ -102,7 +102,7 @@ TEST_CASE("every emitted header has a driver in its language") {
   scene.emission.batch = true;
   CHECK(names(Build::as_written) == "cpp[] eigen[Eigen] batch[batch] ");
   CHECK(names(Build::native) == names(Build::as_written));
-  CHECK(names(Build::as_users) == "cpp[] batch[batch] ");
+  CHECK(names(Build::user_flags) == "cpp[] batch[batch] ");
   scene.emission = {};
   scene.emission.language = elgen::LanguageId::c99;
   scene.numerics.scalars = {elgen::ScalarKind::double_precision};
@@ -137,12 +137,12 @@ TEST_CASE("for a long program every header is compiled separately, the sines wit
   CHECK(units.back().source.file == "driver_0_2.cpp");
   CHECK_THAT(units.front().source.text, Contains("// more"));
   CHECK_THAT(units.back().source.text, !Contains("// more"));
-  CHECK(units_in(Build::as_users).size() == 1);
+  CHECK(units_in(Build::user_flags).size() == 1);
 }
 
 TEST_CASE("in the build with users' flags, batches have only their sines and cosines") {
   const Program program = sample::program();
-  const auto units = units_of({sample::model(), batch_scene(), program}, Build::as_users, "");
+  const auto units = units_of({sample::model(), batch_scene(), program}, Build::user_flags, "");
   REQUIRE(units.size() == 1);
   const std::string& text = units.front().source.text;
   CHECK_THAT(text, Contains("elgen_driver_batch_double_2"));

@@ -136,7 +136,7 @@ TEST_CASE("a child that ends by itself has a status, without a child the status 
   const elgen::Descriptor signals = elgen::signals_to_wait_for();
   elgen::Child child(forked([] { ::usleep(20'000); }));
   CHECK(child.status() == -1);
-  while (!child.has_ended()) (void)elgen::take_interrupt(signals);
+  while (!child.has_ended()) (void)elgen::read_interrupt(signals);
   CHECK(child.ending() == elgen::Ending::exited);
   CHECK(child.status() == 3);
 }
@@ -163,11 +163,11 @@ TEST_CASE("an interrupt is taken and stays pending") {
   {
     const elgen::NoInterrupts waiting;
     const elgen::Descriptor signals = elgen::signals_to_wait_for();
-    CHECK_FALSE(elgen::take_interrupt(signals));
+    CHECK_FALSE(elgen::read_interrupt(signals));
     REQUIRE(::raise(SIGHUP) == 0);
-    CHECK(elgen::take_interrupt(signals));
-    CHECK(elgen::interrupt_waits());
-    CHECK(elgen::take_interrupt(signals));  // it was sent again
+    CHECK(elgen::read_interrupt(signals));
+    CHECK(elgen::has_pending_interrupt());
+    CHECK(elgen::read_interrupt(signals));  // it was sent again
     const auto ignore = ::signal(SIGHUP, SIG_IGN);
     (void)::signal(SIGHUP, ignore == SIG_ERR ? SIG_DFL : SIG_IGN);
   }

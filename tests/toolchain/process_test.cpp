@@ -63,10 +63,10 @@ TEST_CASE_METHOD(Fixture, "output of both streams and the status are returned") 
 
 TEST_CASE("stdin contains the given text, however long") {
   const std::string text(1U << 20U, 'x');
-  const auto result = elgen::run_apart({"wc", "-c"}, 60, 100, text);
+  const auto result = elgen::run_with_input({"wc", "-c"}, 60, 100, text);
   CHECK(result.status == 0);
   CHECK(result.output == "1048576\n");
-  CHECK(elgen::run_apart({"cat"}, 60, 100).output.empty());
+  CHECK(elgen::run_with_input({"cat"}, 60, 100).output.empty());
 }
 
 TEST_CASE("numbers of an answer are read exactly, beyond the range of double as infinity or 0") {
@@ -160,7 +160,7 @@ TEST_CASE_METHOD(Fixture, "children that a program leaves running are ended") {
 
 TEST_CASE("a program with endless output is ended at the time limit") {
   const auto begin = std::chrono::steady_clock::now();
-  CHECK(elgen::run_apart({"yes"}, 1, 100).ending == Ending::out_of_time);
+  CHECK(elgen::run_with_input({"yes"}, 1, 100).ending == Ending::out_of_time);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
 }
 

@@ -30,7 +30,7 @@ TEST_CASE("a built library stays loaded after its files are removed") {
   auto library = [] {
     const auto workshop = Workshop::open(answer_files(), {answer_source}, {});
     REQUIRE(workshop);
-    return workshop->build(answer_source, elgen::Build::as_users);
+    return workshop->build(answer_source, elgen::Build::user_flags);
   }();
   REQUIRE(library);
   CHECK(std::filesystem::is_empty(scratch->path()));

@@ -29,7 +29,7 @@ TEST_CASE("a joint keeps its name before a link, and the root link is the world"
   CHECK(glossary.frame(0) == "world");
   CHECK(glossary.frame(1) == "link_knee");
   CHECK(glossary.frame(2) == "foot_1");
-  CHECK(glossary.renamed() ==
+  CHECK(glossary.name_changes() ==
         std::vector<std::string>{"`foot-1` is called foot_1", "`knee` is called link_knee"});
 }
 
@@ -81,13 +81,13 @@ TEST_CASE("joints with short names have no other symbols") {
 }
 
 TEST_CASE("a name consists of letters, digits and single underscores") {
-  CHECK(urdf::well_formed("panda_link1") == "panda_link1");
-  CHECK(urdf::well_formed("left-leg.1") == "left_leg_1");
-  CHECK(urdf::well_formed("a__b") == "a_b");
-  CHECK(urdf::well_formed("_a_") == "a");
-  CHECK(urdf::well_formed("1st link") == "n1st_link");
-  CHECK(urdf::well_formed("\xC3\xA9") == "unnamed");
-  CHECK(urdf::well_formed("") == "unnamed");
+  CHECK(urdf::well_formed_name("panda_link1") == "panda_link1");
+  CHECK(urdf::well_formed_name("left-leg.1") == "left_leg_1");
+  CHECK(urdf::well_formed_name("a__b") == "a_b");
+  CHECK(urdf::well_formed_name("_a_") == "a");
+  CHECK(urdf::well_formed_name("1st link") == "n1st_link");
+  CHECK(urdf::well_formed_name("\xC3\xA9") == "unnamed");
+  CHECK(urdf::well_formed_name("") == "unnamed");
 }
 
 TEST_CASE("a name is used once, and is no keyword of C++ or of the model language") {

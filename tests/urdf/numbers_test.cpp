@@ -43,10 +43,10 @@ TEST_CASE("the value of a number is exact") {
 
 TEST_CASE("a sign negates digits and value") {
   const urdf::FileNumber one = urdf::decimal_of(1);
-  CHECK(urdf::negative(one).text == "-1");
-  CHECK(urdf::negative(one).value == -1);
-  CHECK(urdf::negative(urdf::negative(one)).text == "1");
-  CHECK(urdf::negative(urdf::decimal_of(0)).text == "0");
+  CHECK(urdf::negate_number(one).text == "-1");
+  CHECK(urdf::negate_number(one).value == -1);
+  CHECK(urdf::negate_number(urdf::negate_number(one)).text == "1");
+  CHECK(urdf::negate_number(urdf::decimal_of(0)).text == "0");
 }
 
 TEST_CASE("anything but a finite decimal is refused") {
@@ -74,20 +74,20 @@ TEST_CASE("words are separated by blanks") {
 }
 
 TEST_CASE("a sum omits 0 and writes minus signs") {
-  CHECK(urdf::sum("0", "q") == "q");
-  CHECK(urdf::sum("x", "0") == "x");
-  CHECK(urdf::sum("x", "q") == "x + q");
-  CHECK(urdf::sum("x", "-q") == "x - q");
-  CHECK(urdf::sum("x", "-(a*q + b)") == "x - (a*q + b)");
+  CHECK(urdf::sum_text("0", "q") == "q");
+  CHECK(urdf::sum_text("x", "0") == "x");
+  CHECK(urdf::sum_text("x", "q") == "x + q");
+  CHECK(urdf::sum_text("x", "-q") == "x - q");
+  CHECK(urdf::sum_text("x", "-(a*q + b)") == "x - (a*q + b)");
 }
 
 TEST_CASE("a product omits 1 and puts sums in brackets") {
-  CHECK(urdf::product("0", "q") == "0");
-  CHECK(urdf::product("1", "q") == "q");
-  CHECK(urdf::product("-1", "q") == "-q");
-  CHECK(urdf::product("0.6", "q") == "0.6*q");
-  CHECK(urdf::product("0.6", "a*q + b") == "0.6*(a*q + b)");
-  CHECK(urdf::product("-0.6", "-q") == "-0.6*(-q)");
+  CHECK(urdf::product_text("0", "q") == "0");
+  CHECK(urdf::product_text("1", "q") == "q");
+  CHECK(urdf::product_text("-1", "q") == "-q");
+  CHECK(urdf::product_text("0.6", "q") == "0.6*q");
+  CHECK(urdf::product_text("0.6", "a*q + b") == "0.6*(a*q + b)");
+  CHECK(urdf::product_text("-0.6", "-q") == "-0.6*(-q)");
 }
 
 TEST_CASE("a quotient omits 1 and puts sums in brackets") {

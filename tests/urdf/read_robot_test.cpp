@@ -15,7 +15,7 @@ std::string link(const std::string& inside) {
 }
 
 /// The messages about a joint of this type with these elements, which are on line 5.
-std::string said(const std::string& type, const std::string& elements) {
+std::string messages_about(const std::string& type, const std::string& elements) {
   return reading_messages(arm_on(type, elements));
 }
 
@@ -153,13 +153,13 @@ TEST_CASE("the default axis is x, and without dynamics there is no damping") {
 }
 
 TEST_CASE("an unknown type, with a suggestion") {
-  CHECK(said("revolut", "") ==
+  CHECK(messages_about("revolut", "") ==
         "E806 4:25 `revolut` is no type of joint | did you mean `revolute`?\n");
-  CHECK(said("ball", "") ==
+  CHECK(messages_about("ball", "") ==
         "E806 4:25 `ball` is no type of joint | there are revolute, continuous, prismatic, fixed, "
         "floating, planar; a `floating` joint is imported with a rotation and three lengths: "
         "remove the lengths\n");
-  CHECK(said("universal", "") ==
+  CHECK(messages_about("universal", "") ==
         "E806 4:25 `universal` is no type of joint | there are revolute, continuous, prismatic, "
         "fixed, floating, planar\n");
 }
@@ -172,45 +172,47 @@ TEST_CASE("type, parent and child are required") {
 }
 
 TEST_CASE("an axis is not zero, and the axis of a planar joint is x, y or z") {
-  CHECK(said("revolute", "<axis xyz=\"0 0.0 -0\"/>") == "E813 5:12 the axis has no direction\n");
-  CHECK(said("fixed", "<axis xyz=\"0 0 0\"/>").empty());
-  CHECK(said("floating", "<axis xyz=\"0 0 0\"/>").empty());
-  CHECK(said("planar", "<axis xyz=\"1 1 0\"/>") ==
+  CHECK(messages_about("revolute", "<axis xyz=\"0 0.0 -0\"/>") ==
+        "E813 5:12 the axis has no direction\n");
+  CHECK(messages_about("fixed", "<axis xyz=\"0 0 0\"/>").empty());
+  CHECK(messages_about("floating", "<axis xyz=\"0 0 0\"/>").empty());
+  CHECK(messages_about("planar", "<axis xyz=\"1 1 0\"/>") ==
         "E108 5:12 a planar joint is imported only with an axis along x, y or z\n");
 }
 
 TEST_CASE("impossible limits are ignored with a warning") {
   const std::string none = " | the model omits this limit\n";
   const std::string swapped = "<limit lower=\"1\" upper=\"-1\" effort=\"-2\" velocity=\"-3\"/>";
-  CHECK(said("revolute", swapped) == "E814 5:15 lower `1` is above upper `-1`" + none +
-                                         "E814 5:37 effort `-2` is negative" + none +
-                                         "E814 5:51 velocity `-3` is negative" + none);
+  CHECK(messages_about("revolute", swapped) == "E814 5:15 lower `1` is above upper `-1`" + none +
+                                                   "E814 5:37 effort `-2` is negative" + none +
+                                                   "E814 5:51 velocity `-3` is negative" + none);
   const std::string model = imported(arm_on("revolute", swapped));
   for (const char* const key : {"\nrange ", "rate_range", "limits"}) {
     CHECK_THAT(model, !Contains(key));
   }
-  CHECK(said("prismatic", "<limit lower=\"-Inf\" upper=\"2\" effort=\"inf\"/>") ==
+  CHECK(messages_about("prismatic", "<limit lower=\"-Inf\" upper=\"2\" effort=\"inf\"/>") ==
         "E814 5:15 lower `-Inf` is not finite" + none + "E814 5:39 effort `inf` is not finite" +
             none);
 }
 
 TEST_CASE("an expression left by xacro is distinguished from a missing number") {
-  CHECK(said("revolute", "<origin rpy=\"$(optenv IMU 0 -1.57 3.14)\"/>") ==
+  CHECK(messages_about("revolute", "<origin rpy=\"$(optenv IMU 0 -1.57 3.14)\"/>") ==
         "E805 5:14 5 numbers, but `rpy` has 3 | " + std::string(urdf::xacro_remedy) + "\n");
 }
 
 TEST_CASE("elements that a type does not use are ignored silently or with a note") {
-  CHECK(said("fixed", "<limit effort=\"1\"/><dynamics damping=\"1\"/>").empty());
-  CHECK(said("floating", "<dynamics damping=\"1\"/>") ==
+  CHECK(messages_about("fixed", "<limit effort=\"1\"/><dynamics damping=\"1\"/>").empty());
+  CHECK(messages_about("floating", "<dynamics damping=\"1\"/>") ==
         "E822 5:20 the damping of `j`, a floating joint, is not imported | the model ignores it: "
         "add it to `[energy] D`\n");
-  CHECK(said("fixed", "<mimic joint=\"k\"/>") ==
+  CHECK(messages_about("fixed", "<mimic joint=\"k\"/>") ==
         "E815 5:2 `<mimic>` in a fixed `<joint>` is not imported | the joint has no coordinate\n");
-  CHECK(said("revolute", "<calibration rising=\"0\"/><safety_controller k=\"1\"/>").empty());
-  CHECK(said("revolute", "<spring stiffness=\"1\"/>") ==
+  CHECK(messages_about("revolute", "<calibration rising=\"0\"/><safety_controller k=\"1\"/>")
+            .empty());
+  CHECK(messages_about("revolute", "<spring stiffness=\"1\"/>") ==
         "E822 5:2 `<spring>` in `<joint>` is not imported | the model ignores it: add it to "
         "`[energy] V` or `D`, or as a `[[force]]`\n");
-  CHECK(said("revolute", "<sensor rate=\"1\"/>") ==
+  CHECK(messages_about("revolute", "<sensor rate=\"1\"/>") ==
         "E815 5:2 `<sensor>` in `<joint>` is not imported\n");
 }
 
@@ -231,15 +233,15 @@ TEST_CASE("elements of other formats that change the mechanics give warnings, al
   CHECK(codes("<ros2_control><joint name=\"j\"/></ros2_control>") == "E815 2:2");
   CHECK(codes("<gazebo><turnGravityOff>false</turnGravityOff></gazebo>") == "E815 2:2");
   CHECK(codes("<transmission><joint name=\"j\" type=\"x\"/></transmission>").empty());
-  CHECK(said("revolute", "<dynamics damping=\"0\" stiffness=\"2\"/>") ==
+  CHECK(messages_about("revolute", "<dynamics damping=\"0\" stiffness=\"2\"/>") ==
         "E822 5:23 attribute `stiffness` of `<dynamics>` is not imported | the model ignores it: "
         "add it to `[energy] V` or `D`, or as a `[[force]]`\n");
-  CHECK(said("revolute", "<dynamics stiffness=\"0\"/>") ==
+  CHECK(messages_about("revolute", "<dynamics stiffness=\"0\"/>") ==
         "E815 5:11 attribute `stiffness` of `<dynamics>` is not imported\n");
 }
 
 TEST_CASE("every type has a word, and some have one coordinate") {
-  CHECK(urdf::word(urdf::JointType::planar) == "planar");
+  CHECK(urdf::type_word(urdf::JointType::planar) == "planar");
   CHECK(urdf::has_one_coordinate(urdf::JointType::continuous));
   CHECK_FALSE(urdf::has_one_coordinate(urdf::JointType::floating));
 }

@@ -36,7 +36,8 @@ std::string axis(const std::string& x, const std::string& y, const std::string& 
 }
 
 /// The first digits of the rotated inertia. Without rotation they are 123456.
-std::string turned(const std::string& roll, const std::string& pitch, const std::string& yaw) {
+std::string rotated_digits(const std::string& roll, const std::string& pitch,
+                           const std::string& yaw) {
   const std::array<urdf::FileNumber, 6> inertia{decimal("1"), decimal("2"), decimal("3"),
                                                 decimal("4"), decimal("5"), decimal("6")};
   const auto result = urdf::rotated(rotation(vector(roll, pitch, yaw)), inertia);
@@ -47,7 +48,7 @@ std::string turned(const std::string& roll, const std::string& pitch, const std:
 }
 
 /// The arm's centre of mass is 0.1 m from its origin, which is 2 m from the base.
-std::string bent(const std::string& rpy, const std::string& axis = "0 0 1") {
+std::string model_with_angles(const std::string& rpy, const std::string& axis = "0 0 1") {
   return arm_on("revolute",
                 "<origin xyz=\"0 2 0\" rpy=\"" + rpy + "\"/><axis xyz=\"" + axis + "\"/>");
 }
@@ -83,14 +84,14 @@ TEST_CASE("an axis near x, y or z is rounded to it, whatever its length") {
 }
 
 TEST_CASE("quarter turns permute the digits of an inertia") {
-  CHECK(turned("0", "0", "0") == "123456");
-  CHECK(turned("1.5707963", "0", "0") == "132-54-6");
-  CHECK(turned("0", "1.5707963", "0") == "3216-5-4");
-  CHECK(turned("0", "0", "1.5707963") == "213-4-65");
-  CHECK(turned("0", "0", "3.1415927") == "1234-5-6");
-  CHECK(turned("1.5707963", "0", "1.5707963") == "312564");
-  CHECK(turned("-1.5707963", "0", "0") == turned("4.712389", "0", "0"));
-  CHECK(turned("0", "0.3", "0") == "oblique");
+  CHECK(rotated_digits("0", "0", "0") == "123456");
+  CHECK(rotated_digits("1.5707963", "0", "0") == "132-54-6");
+  CHECK(rotated_digits("0", "1.5707963", "0") == "3216-5-4");
+  CHECK(rotated_digits("0", "0", "1.5707963") == "213-4-65");
+  CHECK(rotated_digits("0", "0", "3.1415927") == "1234-5-6");
+  CHECK(rotated_digits("1.5707963", "0", "1.5707963") == "312564");
+  CHECK(rotated_digits("-1.5707963", "0", "0") == rotated_digits("4.712389", "0", "0"));
+  CHECK(rotated_digits("0", "0.3", "0") == "oblique");
 }
 
 TEST_CASE("a rotation states whether it is the identity, and whether its digits were changed") {
@@ -120,20 +121,20 @@ TEST_CASE("exact angles and axes keep their digits") {
 }
 
 TEST_CASE("one note states the number of angles and the largest change of a pose") {
-  CHECK(import_messages(bent("1.570796 0 0")) ==
+  CHECK(import_messages(model_with_angles("1.570796 0 0")) ==
         "E819 1:2 1 angle is rounded to right angles: no pose changes by more than 3.3e-07 rad and "
         "3.3e-08 m | `--exact-angles` keeps their digits\n");
-  CHECK(import_messages(bent("1.570796 0 3.141593", "0 1e-6 1")) ==
+  CHECK(import_messages(model_with_angles("1.570796 0 3.141593", "0 1e-6 1")) ==
         "E819 1:2 3 angles are rounded to right angles: no pose changes by more than 1.7e-06 rad "
         "and 1.7e-07 m | `--exact-angles` keeps their digits\n");
 }
 
 TEST_CASE("if nothing is rounded, there is no note") {
-  CHECK(import_messages(bent("0 0.3 0")).empty());
+  CHECK(import_messages(model_with_angles("0 0.3 0")).empty());
   ImportOptions options;
   options.exact_angles = true;
-  CHECK(import_messages(bent("1.570796 0 0"), options).empty());
-  CHECK(after(imported(bent("1.570796 0 0"), options), "rotate    = ") ==
+  CHECK(import_messages(model_with_angles("1.570796 0 0"), options).empty());
+  CHECK(after(imported(model_with_angles("1.570796 0 0"), options), "rotate    = ") ==
         "[[\"x\", \"1.570796\"], [\"z\", \"j\"]]");
 }
 

@@ -26,7 +26,7 @@ std::string link(const std::string& name, const std::string& mass, const std::st
          "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\n";
 }
 
-std::string said(const std::string& inside) {
+std::string messages_about(const std::string& inside) {
   const urdf::Robot robot = robot_of("<robot name=\"r\">\n" + inside + "</robot>");
   return messages(urdf::check_masses(robot, tree_of(robot)));
 }
@@ -146,23 +146,24 @@ TEST_CASE("the longest chain that a file can contain does not overflow the stack
 
 TEST_CASE(
     "a joint that moves no mass is an error, one that moves mass through other joints a note") {
-  CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + joint("ab", "revolute")) ==
+  CHECK(messages_about("<link name=\"a\"/>\n<link name=\"b\"/>\n" + joint("ab", "revolute")) ==
         "E810 4:14 `ab` moves no mass | `b` has no `<mass>`, nor has any link that it carries; "
         "`--weld massless` fixes such joints\n");
-  CHECK(said("<link name=\"a\"/>\n" + link("b", "0") + joint("ab", "floating")) ==
+  CHECK(messages_about("<link name=\"a\"/>\n" + link("b", "0") + joint("ab", "floating")) ==
         "E810 4:14 `ab` moves no mass | `b` has a `<mass>` of 0, and no link that it carries has "
         "mass; `--weld massless` fixes such joints\n");
-  CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") + joint("ab", "revolute") +
-             joint("bc", "revolute")) == "E816 3:13 `b` moves but has no mass\n");
+  CHECK(messages_about("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") +
+                       joint("ab", "revolute") + joint("bc", "revolute")) ==
+        "E816 3:13 `b` moves but has no mass\n");
 }
 
 TEST_CASE("an inertia without a mass suffices for a joint that rotates, not for one that slides") {
   const std::string rotor = "<link name=\"a\"/>\n" + link("b", "0");
-  CHECK(said(rotor + joint("ab", "continuous")).empty());
-  CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "0") + joint("ab", "revolute") +
-             joint("bc", "fixed"))
+  CHECK(messages_about(rotor + joint("ab", "continuous")).empty());
+  CHECK(messages_about("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "0") +
+                       joint("ab", "revolute") + joint("bc", "fixed"))
             .empty());
-  CHECK(said(rotor + joint("ab", "prismatic")) ==
+  CHECK(messages_about(rotor + joint("ab", "prismatic")) ==
         "E810 4:14 `ab` moves no mass | `b` has a `<mass>` of 0, and no link that it carries has "
         "mass; `--weld massless` fixes such joints\n");
 }
@@ -171,30 +172,31 @@ TEST_CASE("a world that no file declares exists") {
   std::string hung = joint("ab");
   hung.replace(hung.find("link=\"a\""), 8, "link=\"world\"");
   CHECK(tree_messages("<robot name=\"r\">\n<link name=\"b\"/>\n" + hung).empty());
-  CHECK(said(link("b", "1") + hung).empty());
+  CHECK(messages_about(link("b", "1") + hung).empty());
 }
 
 TEST_CASE("a mass fixed to a link counts as the link's own") {
-  CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") + joint("ab", "revolute") +
-             joint("bc", "fixed"))
+  CHECK(messages_about("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") +
+                       joint("ab", "revolute") + joint("bc", "fixed"))
             .empty());
 }
 
 TEST_CASE("mass moved by a mimic joint counts for the joint that it mimics") {
-  CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") + joint("ab", "revolute") +
-             joint("ac", "revolute", "<mimic joint=\"ab\"/>")) ==
+  CHECK(messages_about("<link name=\"a\"/>\n<link name=\"b\"/>\n" + link("c", "1") +
+                       joint("ab", "revolute") +
+                       joint("ac", "revolute", "<mimic joint=\"ab\"/>")) ==
         "E816 3:13 `b` moves but has no mass\n");
 }
 
 TEST_CASE("in a chain of mimics, mass counts for the last joint") {
-  CHECK(said("<link name=\"a\"/><link name=\"b\"/><link name=\"d\"/>\n" + link("c", "1") +
-             joint("ab", "revolute") + joint("ad", "revolute", "<mimic joint=\"ab\"/>") +
-             joint("ac", "revolute", "<mimic joint=\"ad\"/>")) ==
+  CHECK(messages_about("<link name=\"a\"/><link name=\"b\"/><link name=\"d\"/>\n" + link("c", "1") +
+                       joint("ab", "revolute") + joint("ad", "revolute", "<mimic joint=\"ab\"/>") +
+                       joint("ac", "revolute", "<mimic joint=\"ad\"/>")) ==
         "E816 2:29 `b` moves but has no mass\n");
 }
 
 TEST_CASE("a root link with mass is the world, with a note") {
-  CHECK(said(link("a", "5") + link("b", "1") + joint("ab", "revolute")) ==
+  CHECK(messages_about(link("a", "5") + link("b", "1") + joint("ab", "revolute")) ==
         "E817 2:13 `a` belongs to the world: its mass has no effect | `--floating-base` lets it "
         "move\n");
 }
@@ -202,29 +204,29 @@ TEST_CASE("a root link with mass is the world, with a note") {
 TEST_CASE("links fixed to the root belong to the world, and a root called world gives no note") {
   const std::string rest = link("b", "1") + link("c", "1") + link("d", "1") + joint("bc", "fixed") +
                            joint("cd", "revolute");
-  CHECK(said("<link name=\"a\"/>\n" + rest + joint("ab", "fixed")) ==
+  CHECK(messages_about("<link name=\"a\"/>\n" + rest + joint("ab", "fixed")) ==
         "E817 3:13 `b` and 1 more link belong to the world: their mass has no effect | "
         "`--floating-base` lets it move\n");
   std::string held = joint("ab", "fixed");
   held.replace(held.find("link=\"a\""), 8, "link=\"world\"");
-  CHECK(said("<link name=\"world\"/>\n" + rest + held).empty());
+  CHECK(messages_about("<link name=\"world\"/>\n" + rest + held).empty());
 }
 
 TEST_CASE("the inertia of a rotor suffices for a joint") {
   const std::string rotor =
       "<transmission><joint name=\"ab\"/><actuator><drake:rotor_inertia value=\"0.1\"/></actuator>"
       "</transmission>\n";
-  CHECK(said("<link name=\"a\"/>\n<link name=\"b\"/>\n" + joint("ab", "revolute") + rotor) ==
-        "E816 3:13 `b` moves but has no mass\n");
+  CHECK(messages_about("<link name=\"a\"/>\n<link name=\"b\"/>\n" + joint("ab", "revolute") +
+                       rotor) == "E816 3:13 `b` moves but has no mass\n");
 }
 
 TEST_CASE("a robot without motion or without mass is an error") {
-  CHECK(said("<link name=\"a\"/>\n" + link("b", "0") + joint("ab", "fixed")) ==
+  CHECK(messages_about("<link name=\"a\"/>\n" + link("b", "0") + joint("ab", "fixed")) ==
         "E803 1:2 no link of `<robot>` has a `<mass>`\n");
 }
 
 TEST_CASE("an inertia that no body can have gives a warning") {
-  CHECK(said("<link name=\"a\"/>\n" + link("b", "1", "3") + joint("ab", "revolute")) ==
+  CHECK(messages_about("<link name=\"a\"/>\n" + link("b", "1", "3") + joint("ab", "revolute")) ==
         "E508 3:44 inertia 1, 1, 3, 0, 0, 0 of `b` belongs to no body | a principal inertia "
         "exceeds the sum of the other two\n");
 }

@@ -27,14 +27,14 @@ void check_spans(const urdf::Element& element) {
 
 /// Reads `<e …>` with a function and returns the messages.
 template <class Read>
-std::string said_by(const std::string& text, const Read& read) {
+std::string reader_messages(const std::string& text, const Read& read) {
   const urdf::Element element = xml_of(text);
   Diagnostics found;
   const Limits limits;
   urdf::RobotReading reading{limits, found};
   urdf::ElementReader reader(element, reading);
   read(reader);
-  reader.note_the_rest();
+  reader.note_unread();
   return messages(found);
 }
 
@@ -95,38 +95,44 @@ TEST_CASE("nesting is limited") {
 }
 
 TEST_CASE("a missing required attribute or element is an error at the element") {
-  CHECK(said_by("<e/>", [](auto& reader) { (void)reader.required_text("name"); }) ==
+  CHECK(reader_messages("<e/>", [](auto& reader) { (void)reader.required_text("name"); }) ==
         "E803 1:2 `<e>` has no attribute `name`\n");
-  CHECK(said_by("<e name=''/>", [](auto& reader) { (void)reader.required_text("name"); }) ==
+  CHECK(reader_messages("<e name=''/>", [](auto& reader) { (void)reader.required_text("name"); }) ==
         "E803 1:2 `<e>` has no attribute `name`\n");
-  CHECK(said_by("<e/>", [](auto& reader) { (void)reader.required_number("m"); }) ==
+  CHECK(reader_messages("<e/>", [](auto& reader) { (void)reader.required_number("m"); }) ==
         "E803 1:2 `<e>` has no attribute `m`\n");
-  CHECK(said_by("<e/>", [](auto& reader) { reader.required_child("f", [](auto&) {}); }) ==
+  CHECK(reader_messages("<e/>", [](auto& reader) { reader.required_child("f", [](auto&) {}); }) ==
         "E803 1:2 `<e>` has no element `f`\n");
 }
 
 TEST_CASE("numbers are counted, and refused at their position") {
-  CHECK(said_by("<e m='1 2'/>", [](auto& reader) { CHECK_FALSE(reader.number("m")); }) ==
+  CHECK(reader_messages("<e m='1 2'/>", [](auto& reader) { CHECK_FALSE(reader.number("m")); }) ==
         "E805 1:7 2 numbers, but `m` is one number\n");
   urdf::Vector vector;
-  CHECK(said_by("<e v='1'/>", [&](auto& reader) { CHECK_FALSE(reader.vector("v", vector)); }) ==
-        "E805 1:7 1 number, but `v` has 3\n");
-  CHECK(said_by("<e v='1 a b'/>", [&](auto& reader) { CHECK_FALSE(reader.vector("v", vector)); }) ==
-        "E804 1:9 `a` is not a decimal number\nE804 1:11 `b` is not a decimal number\n");
-  CHECK(said_by("<e/>", [&](auto& reader) { CHECK_FALSE(reader.vector("v", vector)); }).empty());
+  CHECK(reader_messages("<e v='1'/>", [&](auto& reader) {
+          CHECK_FALSE(reader.vector("v", vector));
+        }) == "E805 1:7 1 number, but `v` has 3\n");
+  CHECK(reader_messages("<e v='1 a b'/>", [&](auto& reader) {
+          CHECK_FALSE(reader.vector("v", vector));
+        }) == "E804 1:9 `a` is not a decimal number\nE804 1:11 `b` is not a decimal number\n");
+  CHECK(reader_messages("<e/>", [&](auto& reader) {
+          CHECK_FALSE(reader.vector("v", vector));
+        }).empty());
 }
 
 TEST_CASE("the outermost unread element gives a note, ignored ones give none") {
-  CHECK(said_by("<e a='1' b='2' xmlns:c='d'><f/><g><h/></g><f/></e>",
-                [](auto& reader) {
-                  (void)reader.text("a");
-                  reader.child("f", [](auto&) {});
-                }) ==
+  CHECK(reader_messages("<e a='1' b='2' xmlns:c='d'><f/><g><h/></g><f/></e>",
+                        [](auto& reader) {
+                          (void)reader.text("a");
+                          reader.child("f", [](auto&) {});
+                        }) ==
         "E815 1:10 attribute `b` of `<e>` is not imported\n"
         "E815 1:33 `<g>` in `<e>` is not imported\n"
         "E815 1:44 `<f>` in `<e>` is not imported\n");
-  CHECK(said_by("<e a='1'><f/><f/></e>", [](auto& reader) { reader.ignore({"a", "f"}); }).empty());
-  CHECK(said_by("<e><f/><f/></e>", [](auto& reader) {
+  CHECK(reader_messages("<e a='1'><f/><f/></e>", [](auto& reader) {
+          reader.ignore({"a", "f"});
+        }).empty());
+  CHECK(reader_messages("<e><f/><f/></e>", [](auto& reader) {
           CHECK(reader.children("f").size() == 2);
         }).empty());
 }

@@ -135,8 +135,8 @@ TEST_CASE("the result of an iteration is correct and has no loss of digits") {
   check_all_hold<double>(system);
   const auto samples = sample_states<double>(system.subject(), {16, 1, true});
   std::size_t looked_at = 0;
-  for (const CertificateRow& row :
-       check_accuracy(system.subject(), samples, {{Comparison::entries, Losing::everywhere}, {}})) {
+  for (const CertificateRow& row : check_accuracy(
+           system.subject(), samples, {{Comparison::entries, LossStates::everywhere}, {}})) {
     if (row.check != "digits lost") continue;
     ++looked_at;
     CHECK(row.worst.find("residual") == std::string::npos);
@@ -163,7 +163,7 @@ TEST_CASE("a wrong program fails, with both values and the state") {
         std::tuple{"mass_matrix", "10 = add 0 1", "10 = subtract 0 1"},
         std::tuple{"potential_energy", "= 13", "= 11"},
         std::tuple{"drift", "13 = constant 0", "13 = constant 1/1000000000000000000"}}) {
-    const auto rows = rows_of<double>(mutated(function, from, to), 2, false);
+    const auto rows = rows_of<double>(with_mistake(function, from, to), 2, false);
     const auto& row = row_of(rows, std::string(function) + " (double)");
     CHECK(row.verdict == Verdict::fails);
     CHECK(row.worst.find("the oracle says") != std::string::npos);
@@ -178,7 +178,7 @@ TEST_CASE("a program that is undefined where the oracle has a value fails") {
         std::tuple{"forward_dynamics", "31 = divide 30 28", "31 = divide 30 17",
                    "forward_dynamics.acceleration"},
         std::tuple{"dynamics", "21 = multiply 15 3", "21 = divide 15 17", "dynamics.bias"}}) {
-    const auto rows = rows_of<double>(mutated(function, from, to), 4, false);
+    const auto rows = rows_of<double>(with_mistake(function, from, to), 4, false);
     const auto& row = row_of(rows, std::string(field) + " (double)");
     CHECK(row.verdict == Verdict::fails);
     CHECK(row.worst.find(" is undefined, the oracle says ") != std::string::npos);
@@ -187,7 +187,7 @@ TEST_CASE("a program that is undefined where the oracle has a value fails") {
 }
 
 TEST_CASE("`dynamics` is compared in rows of its own") {
-  const auto rows = rows_of<double>(mutated("dynamics", "= 23 22", "= 23 21"), 2, false);
+  const auto rows = rows_of<double>(with_mistake("dynamics", "= 23 22", "= 23 21"), 2, false);
   CHECK(row_of(rows, "dynamics.bias (double)").verdict == Verdict::fails);
   CHECK(row_of(rows, "dynamics.mass_matrix (double)").verdict == Verdict::holds);
   CHECK(row_of(rows, "bias (double)").verdict == Verdict::holds);
@@ -296,8 +296,8 @@ TEST_CASE("NaN fails where exact arithmetic has a number") {
 TEST_CASE("a program with large rounding errors passes, and its lost digits are reported") {
   const System system = badly_rounded();
   const auto samples = sample_states<double>(system.subject(), {4, 1, false});
-  const auto rows =
-      check_accuracy(system.subject(), samples, {{Comparison::entries, Losing::inside_ranges}, {}});
+  const auto rows = check_accuracy(system.subject(), samples,
+                                   {{Comparison::entries, LossStates::inside_ranges}, {}});
   CHECK(row_of(rows, "potential_energy (double)").verdict == Verdict::holds);
   CHECK(rows.back().check == "digits lost");
   CHECK(rows.back().loss.value_or(0) > 1e3);

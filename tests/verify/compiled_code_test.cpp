@@ -84,7 +84,7 @@ TEST_CASE("bits are compared only without contraction") {
   const System system = cart_pole_system();
   const Changed last_bit(system.program, "bias", [](double x) { return std::nextafter(x, 1e9); });
   CHECK(failing(rows_of<double>(system, last_bit, "", Build::native)) == 1);
-  CHECK(rows_of<double>(system, last_bit, "", Build::as_users).empty());
+  CHECK(rows_of<double>(system, last_bit, "", Build::user_flags).empty());
 }
 
 TEST_CASE("a changed last bit or sign of zero fails") {
@@ -120,7 +120,7 @@ TEST_CASE("batches are compared with the polynomials of their sines and cosines"
 }
 
 TEST_CASE("sines of packs may differ by the scene's tolerance, in every build") {
-  for (const Build build : {Build::as_written, Build::native, Build::as_users}) {
+  for (const Build build : {Build::as_written, Build::native, Build::user_flags}) {
     CHECK(sine_row_of(1 - 0.9e-6, build).verdict == Verdict::holds);
     const CertificateRow row = sine_row_of(1 + 1.5e-6, build);
     CHECK(row.verdict == Verdict::fails);
@@ -129,7 +129,7 @@ TEST_CASE("sines of packs may differ by the scene's tolerance, in every build") 
     CHECK(row.tolerance == "1e-06: the `max_error` of `trigonometry`");
   }
   CHECK(sine_row_of(std::nan("")).verdict == Verdict::fails);
-  CHECK(sine_row_of(1, Build::as_users).subject ==
+  CHECK(sine_row_of(1, Build::user_flags).subject ==
         "sine and cosine (double, batch, -O3 -march=native, contraction on)");
 }
 
@@ -155,17 +155,17 @@ TEST_CASE("the errors of emitted functions are within their documented bounds") 
 
 TEST_CASE("missing code is skipped with the reason") {
   CompiledHeader eigen{"Eigen"};
-  eigen.lacking = "<Eigen/Core> is not installed";
-  const CertificateRow row = without_code(eigen);
+  eigen.failure_reason = "<Eigen/Core> is not installed";
+  const CertificateRow row = missing_code_row(eigen);
   CHECK(row.verdict == Verdict::skipped);
   CHECK(row.subject == "all outputs (Eigen)");
   CHECK(row.worst == "<Eigen/Core> is not installed");
   CompiledHeader late;
-  late.lacking = "`c++` has not ended within 10 s";
-  CHECK(without_code(late).subject == "all outputs");
+  late.failure_reason = "`c++` has not ended within 10 s";
+  CHECK(missing_code_row(late).subject == "all outputs");
   CompiledHeader users;
-  users.build = Build::as_users;
-  CHECK(without_code(users).check == "as users compile");
+  users.build = Build::user_flags;
+  CHECK(missing_code_row(users).check == "as users compile");
 }
 
 TEST_CASE("a function that returns no entries fails") {

@@ -179,7 +179,7 @@ void check_holds_under_constraints(const Certificate& certificate) {
 }
 
 /// The system with the signs of a field changed.
-System turned(System system, OutputKind kind, const std::string& name) {
+System with_changed_signs(System system, OutputKind kind, const std::string& name) {
   for (Function& function : system.program.functions) {
     if (function.kind != kind) continue;
     for (Field& field : function.fields) {
@@ -207,7 +207,8 @@ TEST_CASE("correct programs with constraints pass, at ordinary and extreme state
 
 TEST_CASE("multipliers with the wrong sign are found by every row that contains them") {
   for (const std::string& model : {bob(), rolling(), linkage()}) {
-    const System wrong = turned(constrained(model), OutputKind::forward_dynamics, "multipliers");
+    const System wrong =
+        with_changed_signs(constrained(model), OutputKind::forward_dynamics, "multipliers");
     const Certificate certificate = certificate_of(wrong, 2);
     INFO(certificate.model);
     const auto verdict = [&](const std::string& check, const std::string& subject) {
@@ -230,7 +231,7 @@ TEST_CASE("a mistake in any part of a constraint's equations is found") {
         std::pair(OutputKind::constraint_residual, "position"),
         std::pair(OutputKind::constraint_residual, "rate")}) {
     INFO(field);
-    const Certificate certificate = certificate_of(turned(right, kind, field), 2);
+    const Certificate certificate = certificate_of(with_changed_signs(right, kind, field), 2);
     const auto& row = checked_row(certificate, "constraints along the motion", "forward_dynamics");
     CHECK(row.verdict == Verdict::fails);
   }
@@ -249,7 +250,7 @@ TEST_CASE("every field of the constrained dynamics is compared by projections") 
         std::pair(OutputKind::constrained_inverse_dynamics, "inputs"),
         std::pair(OutputKind::constrained_inverse_dynamics, "multipliers")}) {
     INFO(field);
-    const System wrong = turned(right, kind, field);
+    const System wrong = with_changed_signs(right, kind, field);
     const SelfCheck check = self_check(wrong.model, wrong.scene, wrong.program);
     CHECK(check.failure.find(std::string(" of ") + field + " is ") != std::string::npos);
   }

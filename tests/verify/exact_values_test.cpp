@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-double number(const Real& x) { return ScalarTraits<double>::from_real(x.value()); }
+double number(const Real& x) { return to_double(x.value()); }
 
 ExactValues at(const System& system) {
   State state = nominal_state(system.model, system.scene);
@@ -53,7 +53,7 @@ TEST_CASE("undefined values have the shape of their output") {
 TEST_CASE("slopes and curvatures are taken along the direction") {
   const System system = cart_pole_system();
   const ExactValues values = at(system);
-  Arguments<Real> direction = values.at_rest();
+  Arguments<Real> direction = values.zero_direction();
   direction.q[1] = Real(2);
   // tip = (x + l sin th, l cos th) at th = 0: slopes (2 l, 0), curvatures (0, -4 l)
   const auto slopes = values.slopes(OutputKind::user_value, direction);

@@ -77,7 +77,7 @@ bool keeps(const std::string& text, double angle) {
 }
 
 template <class Scalar = double>
-CertificateRow row_of(const System& system, Losing losing) {
+CertificateRow row_of(const System& system, LossStates losing) {
   const Subject subject = system.subject();
   const auto samples = sample_states<Scalar>(subject, {16, 1, true});
   for (const CertificateRow& row :
@@ -89,7 +89,8 @@ CertificateRow row_of(const System& system, Losing losing) {
 }
 
 /// The row of V = (x - 1)^2 + (y - 3/10)^2 as `body` computes it, near the zeros of V.
-CertificateRow row_of_anchor(const std::string& body, Losing losing = Losing::inside_ranges) {
+CertificateRow row_of_anchor(const std::string& body,
+                             LossStates losing = LossStates::inside_ranges) {
   ModelBuilder builder;
   builder.coordinate("x").coordinate("y").T("(x_d^2 + y_d^2)/2").V("(x - 1)^2 + (y - 0.3)^2");
   for (Coordinate& coordinate : builder.model.coordinates) coordinate.range = Interval{-3, 4};
@@ -185,7 +186,7 @@ TEST_CASE("if R is exactly 0, the entry has no figure and is counted") {
   state.parameters = {1, 2};
   const Loss loss = loss_of(system, state, {Real(), Real(300) * rounding<double>().roundoff});
   CHECK(loss.of_entry.figure == 0);
-  CHECK(loss.untold == 1);
+  CHECK(loss.without_reference == 1);
   CHECK(loss.of_field.figure == Approx(100));
   CHECK(loss.of_field.entry == 1);
 }
@@ -206,12 +207,13 @@ TEST_CASE("the loss is at most the digits of a scalar") {
                          "\n  4 = add 0 1\n  5 = add 4 2\n  6 = subtract 5 3\n"
                          "  result 1 1 = 6\n");
   };
-  const CertificateRow in_double = row_of(lossy("/3", "/13", {"16", "/39"}), Losing::everywhere);
+  const CertificateRow in_double =
+      row_of(lossy("/3", "/13", {"16", "/39"}), LossStates::everywhere);
   CHECK(in_double.loss.value_or(0) == Approx(1e16));
   CHECK(mentions(in_double.worst, "16.0 digits of potential_energy (of the largest entry 16.0)"));
   CHECK(mentions(in_double.tolerance, "noted beyond 8.0 of the 16 digits of the scalar"));
   const CertificateRow in_float =
-      row_of<float>(lossy("/7", "/11", {"18", "/77"}), Losing::everywhere);
+      row_of<float>(lossy("/7", "/11", {"18", "/77"}), LossStates::everywhere);
   CHECK(in_float.loss.value_or(0) == Approx(1e7));
   CHECK(mentions(in_float.worst, "7.0 digits of potential_energy"));
 }
@@ -227,23 +229,23 @@ TEST_CASE("if K has no value, no loss is reported") {
 
 TEST_CASE("1 - cos(th) loses little inside the ranges and everything at the extremes") {
   const System system = written_as(cosine);
-  const CertificateRow inside = row_of(system, Losing::inside_ranges);
+  const CertificateRow inside = row_of(system, LossStates::inside_ranges);
   CHECK(inside.verdict == Verdict::holds);
   CHECK(inside.output == "potential_energy");
   CHECK(inside.subject == "potential_energy (double)");
   CHECK(inside.loss.value_or(1e9) < 64);
-  const CertificateRow beyond = row_of(system, Losing::everywhere);
+  const CertificateRow beyond = row_of(system, LossStates::everywhere);
   CHECK(beyond.verdict == Verdict::noted);
   CHECK(beyond.loss.value_or(0) > 1e8);
 }
 
 TEST_CASE("a loss of half of the digits inside the ranges is noted, with a state in 17 digits") {
-  const CertificateRow row = row_of(near_zero("1e-6"), Losing::inside_ranges);
+  const CertificateRow row = row_of(near_zero("1e-6"), LossStates::inside_ranges);
   CHECK(row.verdict == Verdict::noted);
   CHECK(mentions(row.worst, "digits of potential_energy (of the largest entry "));
   CHECK(mentions(row.where, "q = ("));
   CHECK(row.where.size() > 60);
-  CHECK(row_of(near_zero("1e-1"), Losing::inside_ranges).verdict == Verdict::holds);
+  CHECK(row_of(near_zero("1e-1"), LossStates::inside_ranges).verdict == Verdict::holds);
 }
 
 TEST_CASE("an expanded sum of squares is noted near its zero, an unexpanded one is not") {
@@ -272,7 +274,7 @@ TEST_CASE("NaN has lost all digits, even if no bound proves it wrong") {
 }
 
 TEST_CASE("a form that keeps its digits has no loss") {
-  const CertificateRow row = row_of(written_as(half_angle), Losing::everywhere);
+  const CertificateRow row = row_of(written_as(half_angle), LossStates::everywhere);
   CHECK(row.verdict == Verdict::holds);
   CHECK(row.samples > 30);
   CHECK(row.loss.value_or(100) <= tolerated_loss);
@@ -288,8 +290,8 @@ TEST_CASE("states are counted once, however many fields an output has") {
   const System system = cart_pole_system();
   const auto samples = sample_states<double>(system.subject(), {8, 1, false});
   std::size_t with_fields = 0;
-  for (const CertificateRow& row :
-       check_accuracy(system.subject(), samples, {{Comparison::entries, Losing::everywhere}, {}})) {
+  for (const CertificateRow& row : check_accuracy(
+           system.subject(), samples, {{Comparison::entries, LossStates::everywhere}, {}})) {
     if (row.check != "digits lost") continue;
     if (row.output == "dynamics") ++with_fields;
     CHECK(row.samples <= samples.size());

@@ -79,7 +79,7 @@ TEST_CASE(
   state.v[1] = power_of_ten(20);  // C v is 1e40
   state.q[1] = 1;
   OracleCache oracle(subject, state);
-  CHECK(oracle.drowning() > power_of_ten(38));
+  CHECK(oracle.rounding_scale() > power_of_ten(38));
   CHECK(agrees_with_oracle({Real(), Real()}, power_of_ten(-14), oracle));
   CHECK_FALSE(agrees_with_oracle({Real(), Real()}, power_of_ten(-8), oracle));
 }

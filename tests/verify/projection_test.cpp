@@ -30,15 +30,15 @@ std::string compare(const System& system, OutputKind kind) {
 }  // namespace
 
 TEST_CASE("a projection that differs in the fortieth digit differs") {
-  const System system = mutated("gravity", "16 = constant 0",
-                                "16 = constant 1/10000000000000000000000000000000000000000");
+  const System system = with_mistake("gravity", "16 = constant 0",
+                                     "16 = constant 1/10000000000000000000000000000000000000000");
   CHECK(compare(system, OutputKind::gravity).find("w.x is ") == 0);
 }
 
 TEST_CASE("accelerations are tested by the equation that they solve, pivots by elimination") {
-  const System wrong = mutated("forward_dynamics", "25 = subtract 24 23", "25 = add 24 23");
+  const System wrong = with_mistake("forward_dynamics", "25 = subtract 24 23", "25 = add 24 23");
   const auto kind = OutputKind::forward_dynamics;
   CHECK(compare(wrong, kind).find("w.(M a + bias)") == 0);
-  const System pivot = mutated("forward_dynamics", "36 = divide 28 12", "36 = divide 28 10");
+  const System pivot = with_mistake("forward_dynamics", "36 = divide 28 12", "36 = divide 28 10");
   CHECK(compare(pivot, kind).find("a relative pivot") == 0);
 }

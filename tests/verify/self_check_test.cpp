@@ -58,7 +58,7 @@ TEST_CASE("a mistake in any function is found, and the function is named") {
         std::tuple{"tip_bias", "= 17 19", "= 17 18"},
         std::tuple{"dynamics", "= 23 22", "= 23 21"}}) {
     INFO(function);
-    const SelfCheck result = check(mutated(function, from, to));
+    const SelfCheck result = check(with_mistake(function, from, to));
     CHECK(result.failure.find("`" + std::string(function) + "`: ") == 0);
     CHECK(result.failure.find("q = (") != std::string::npos);
     CHECK(result.states == 1);
@@ -103,7 +103,7 @@ TEST_CASE("an entry that is undefined where the oracle has a value is a mistake"
         std::tuple{"dynamics", "21 = multiply 15 3", "21 = divide 15 17",
                    " in the function of the same name"}}) {
     INFO(function);
-    const SelfCheck result = check(mutated(function, from, to));
+    const SelfCheck result = check(with_mistake(function, from, to));
     CHECK(result.failure.find(what) != std::string::npos);
   }
 }
@@ -114,7 +114,7 @@ TEST_CASE("a model without a value at any state does not pass") {
                                   "  0 = constant -1\n  1 = square_root 0\n  result 1 1 = 1\n");
   const SelfCheck result = check(system);
   CHECK(result.failure.find("`bias` has no value at any of 256 states, nor has `") == 0);
-  CHECK(result.lacks_value);
+  CHECK(result.has_undefined_output);
   CHECK(result.states == 0);
   CHECK(result.outside == 256);
 }
@@ -127,7 +127,7 @@ TEST_CASE("an output without a value is found beside outputs that have one") {
   const System system = system_of(pendulum().V("sqrt(-1 - th^2)").model, std::string(mass) + root);
   const SelfCheck result = check(system);
   CHECK(result.failure.find("`gravity` has no value") == 0);
-  CHECK(result.lacks_value);
+  CHECK(result.has_undefined_output);
 }
 
 TEST_CASE("states in a narrow domain are searched for, and states outside it are counted") {

@@ -93,7 +93,7 @@ std::vector<SolvedColumn> columns_at(const System& system, double c, std::size_t
 Finding finding_at(const System& system, double c, std::size_t field = 0) {
   const Subject subject = system.subject();
   const SampledState<double> sample = state_with(system, c);
-  Visit<double> visit(subject, sample, {Comparison::entries, Losing::everywhere});
+  Visit<double> visit(subject, sample, {Comparison::entries, LossStates::everywhere});
   Sampler draw(1);
   return visit.look_at(field_places(subject, 2)[field], draw);
 }
@@ -118,7 +118,7 @@ TEST_CASE("accelerations are one column, weighted by the square roots of M's dia
   const auto columns = columns_at(symmetric_pair(solve, results), 0.5);
   REQUIRE(columns.size() == 1);
   CHECK(columns[0].entries == std::vector<std::size_t>{0, 1});
-  CHECK(ScalarTraits<double>::from_real(columns[0].weights[1].value()) == Approx(1));
+  CHECK(to_double(columns[0].weights[1].value()) == Approx(1));
   CHECK(columns_at(symmetric_pair(solve, results), 0.5, 1).empty());
 }
 
@@ -167,7 +167,7 @@ TEST_CASE("multipliers are weighted by the rows of A D^-1/2") {
   const auto multipliers = columns_at(held_pair(), 0.5, 2);
   REQUIRE(multipliers.size() == 1);
   CHECK(multipliers[0].entries == std::vector<std::size_t>{0});
-  CHECK(ScalarTraits<double>::from_real(multipliers[0].weights.at(0).value()) == Approx(1));
+  CHECK(to_double(multipliers[0].weights.at(0).value()) == Approx(1));
   CHECK(columns_at(held_pair(), 0.5).size() == 1);
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("a value beyond every exponent is an overflow too") {
 }
 
 TEST_CASE("entries are exact to 64 digits") {
-  CHECK(ScalarTraits<double>::from_real(run_at<double>(3, 2).entries.at(0).value.value()) == 3);
+  CHECK(to_double(run_at<double>(3, 2).entries.at(0).value.value()) == 3);
 }
 
 TEST_CASE("errors are in units of roundoff, minus the effect of underflow") {

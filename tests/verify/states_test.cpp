@@ -41,7 +41,7 @@ std::vector<SampledState<Scalar>> states_below(const System& system, double most
   std::erase_if(states, [&](const SampledState<Scalar>& state) {
     const auto value = oracle_expression(system.model, *system.model.energies.V,
                                          exact_state(system.subject(), state.values));
-    return !value || std::abs(ScalarTraits<double>::from_real(*value)) > most;
+    return !value || std::abs(to_double(*value)) > most;
   });
   return states;
 }
@@ -86,7 +86,7 @@ TEST_CASE("a sum that does not vanish inside the ranges gives no state") {
 }
 
 TEST_CASE("a model without kinks has no unseen ones") {
-  CHECK(Kinks(cart_pole().model).are_seen());
+  CHECK(Kinks(cart_pole().model).all_are_seen());
 }
 
 TEST_CASE("a kink is seen when states lie on both sides of it") {
@@ -95,11 +95,11 @@ TEST_CASE("a kink is seen when states lie on both sides of it") {
   Kinks kinks(builder.model);
   CHECK(kinks.add(at(builder.model, "1")));
   CHECK_FALSE(kinks.add(at(builder.model, "3/2")));
-  CHECK_FALSE(kinks.are_seen());
+  CHECK_FALSE(kinks.all_are_seen());
   CHECK(kinks.add(at(builder.model, "3")));
   CHECK_FALSE(kinks.unseen().empty());
   CHECK(kinks.add(at(builder.model, "-1")));
-  CHECK(kinks.are_seen());
+  CHECK(kinks.all_are_seen());
   CHECK(kinks.unseen().empty());
 }
 
@@ -137,7 +137,7 @@ TEST_CASE("a row without states is skipped and does not pass") {
   tally.skip();
   CHECK(tally.verdict(8) == Verdict::skipped);
   CertificateRow row;
-  tally.tell(row, cart_pole_system().subject(), 8, Obstacle::singular);
+  tally.write_result(row, cart_pole_system().subject(), 8, Obstacle::singular);
   CHECK(row.verdict == Verdict::skipped);
   CHECK(row.skipped == std::vector<SkippedStates>{{Obstacle::singular, 1}});
 }

@@ -82,7 +82,7 @@ TEST_CASE("outputs that the program lacks come from the oracle") {
 TEST_CASE("each structural row fails for a changed program") {
   for (const Mutation& mutation : mutations) {
     INFO(mutation.check);
-    const System system = mutated(mutation.function, mutation.from, mutation.to);
+    const System system = with_mistake(mutation.function, mutation.from, mutation.to);
     CHECK(verdict_of(system, mutation.check) == Verdict::fails);
   }
 }

@@ -166,7 +166,8 @@ inline std::string cart_pole_program() {
 inline System cart_pole_system() { return system_of(cart_pole_model(), cart_pole_program()); }
 
 /// The cart and pole with one mistake in the text of its program.
-inline System mutated(const std::string& function, const std::string& from, const std::string& to) {
+inline System with_mistake(const std::string& function, const std::string& from,
+                           const std::string& to) {
   const std::string text = cart_pole_program();
   const std::size_t start = text.find("function " + function);
   REQUIRE(start != std::string::npos);

@@ -42,7 +42,7 @@ TEST_CASE("a seed determines the text, for any number of processes") {
 }
 
 TEST_CASE("a wrong program fails, and a wrong expectation too") {
-  CHECK_FALSE(holds(quick(mutated("gravity", "= 16 15", "= 16 14")).certificate));
+  CHECK_FALSE(holds(quick(with_mistake("gravity", "= 16 15", "= 16 14")).certificate));
   ModelBuilder builder = pendulum();
   Expectation expectation;
   expectation.output = "mass_matrix";

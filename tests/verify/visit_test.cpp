@@ -104,13 +104,13 @@ SampledState<double> state_at(const System& system, double x) {
 
 using Change = std::function<double(double)>;
 
-double as_is(double x) { return x; }
+double unchanged(double x) { return x; }
 
 /// All rows of a system, with `change` applied to its bias in the build with users' flags.
-std::string rows_by(std::size_t jobs, const System& system, const Change& change = as_is,
+std::string rows_by(std::size_t jobs, const System& system, const Change& change = unchanged,
                     Comparison comparison = Comparison::entries) {
   const Changed code(system.program, "bias", change);
-  const AccuracyOptions options{{comparison, Losing::everywhere, 0, &code}, {}, jobs};
+  const AccuracyOptions options{{comparison, LossStates::everywhere, 0, &code}, {}, jobs};
   const auto states = sample_states<double>(system.subject(), {4, 1, true});
   const Certificate certificate{"sample", "full", 1,
                                 check_accuracy(system.subject(), states, options)};
@@ -118,7 +118,7 @@ std::string rows_by(std::size_t jobs, const System& system, const Change& change
 }
 
 /// A change that calls `fail` in the child processes, not in the waiting parent.
-Change in_others(const std::function<void()>& fail) {
+Change in_child_processes(const std::function<void()>& fail) {
   return [fail, waiting = ::getpid()](double x) {
     if (::getpid() != waiting) fail();
     return x;
@@ -228,10 +228,10 @@ TEST_CASE("a field of `dynamics` is the output of the same name") {
 TEST_CASE("several processes find the same as one, mistakes and infinite errors too") {
   const auto infinite = [](double) { return HUGE_VAL; };
   const System right = cart_pole_system();
-  const System wrong = mutated("gravity", "= 16 15", "= 16 14");
+  const System wrong = with_mistake("gravity", "= 16 15", "= 16 14");
   for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
-    CHECK(rows_by(3, right, as_is, comparison) == rows_by(1, right, as_is, comparison));
-    CHECK(rows_by(3, wrong, as_is, comparison) == rows_by(1, wrong, as_is, comparison));
+    CHECK(rows_by(3, right, unchanged, comparison) == rows_by(1, right, unchanged, comparison));
+    CHECK(rows_by(3, wrong, unchanged, comparison) == rows_by(1, wrong, unchanged, comparison));
   }
   CHECK(rows_by(2, right, infinite) == rows_by(1, right, infinite));
   CHECK(rows_by(500, right) == rows_by(1, right));
@@ -252,13 +252,13 @@ TEST_CASE("if states are distributed, the waiting process visits none") {
 TEST_CASE("if a process fails, the waiting process visits all states") {
   const System system = cart_pole_system();
   const std::string alone = rows_by(1, system);
-  CHECK(rows_by(2, system, in_others([] { (void)::raise(SIGKILL); })) == alone);
-  CHECK(rows_by(2, system, in_others([] { throw 1; })) == alone);
+  CHECK(rows_by(2, system, in_child_processes([] { (void)::raise(SIGKILL); })) == alone);
+  CHECK(rows_by(2, system, in_child_processes([] { throw 1; })) == alone);
 }
 
 TEST_CASE("the time limit of one process is the limit of all") {
   const auto before = ::signal(SIGXCPU, [](int) { late_signals = late_signals + 1; });
-  (void)rows_by(2, cart_pole_system(), in_others([] { (void)::raise(SIGXCPU); }));
+  (void)rows_by(2, cart_pole_system(), in_child_processes([] { (void)::raise(SIGXCPU); }));
   (void)::signal(SIGXCPU, before);
   CHECK(late_signals == 1);
 }

@@ -11,7 +11,7 @@ namespace {
 std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
                                     ExpressionId mass) {
   const Vector3& c = body.com.at;
-  const auto shifted = [&](ExpressionId inertia, std::size_t i, std::size_t j) {
+  const auto moment_about_com = [&](ExpressionId inertia, std::size_t i, std::size_t j) {
     ExpressionId moment = no_expression;
     if (i == j) {
       const ExpressionId u = nodes.multiply({mass, c[(i + 1) % 3], c[(i + 1) % 3]});
@@ -22,12 +22,12 @@ std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
     moment = nodes.multiply({mass, c[i], c[j]});
     return nodes.add({inertia, moment});
   };
-  if (body.inertia.size() == 1) return {shifted(body.inertia[0], 2, 2)};
+  if (body.inertia.size() == 1) return {moment_about_com(body.inertia[0], 2, 2)};
   constexpr std::array<std::array<std::size_t, 2>, 6> places{
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
   std::vector<ExpressionId> result;
   for (std::size_t k = 0; k < body.inertia.size(); ++k) {
-    result.push_back(shifted(body.inertia[k], places[k][0], places[k][1]));
+    result.push_back(moment_about_com(body.inertia[k], places[k][0], places[k][1]));
   }
   return result;
 }
@@ -41,7 +41,7 @@ Vector3 world_position(NodeBuilder& nodes, const PlaceInFrame& place) {
   return nodes.add(origin, offset);
 }
 
-void put_in_frame(Context& context, BodyInFrame local, Body& body) {
+void set_world_pose(Context& context, BodyInFrame local, Body& body) {
   NodeBuilder nodes(context, body.span);
   body.com = world_position(nodes, local.com);
   if (local.about_origin && body.mass) body.inertia = about_com(nodes, local, *body.mass);
@@ -75,7 +75,7 @@ void write_frame_output(Context& context, UserOutput& output) {
   output.twist.insert(output.twist.end(), linear.begin(), linear.end());
 }
 
-Vector3 padded(const std::vector<ExpressionId>& components) {
+Vector3 pad_to_three(const std::vector<ExpressionId>& components) {
   Vector3 result{no_expression, no_expression, no_expression};
   std::copy_n(components.begin(), std::min(components.size(), result.size()), result.begin());
   return result;

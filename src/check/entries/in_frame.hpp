@@ -12,10 +12,10 @@ namespace elgen {
 
 /// Sets com, spin and the inertia about the com from `local`, whose com and inertia are in the axes
 /// of its frame. Keeps `local` in the body.
-void put_in_frame(Context& context, BodyInFrame local, Body& body);
+void set_world_pose(Context& context, BodyInFrame local, Body& body);
 
 /// One to three components, padded with 0 to three.
-[[nodiscard]] Vector3 padded(const std::vector<ExpressionId>& components);
+[[nodiscard]] Vector3 pad_to_three(const std::vector<ExpressionId>& components);
 
 /// Sets the pose [R p] (row-major) and the twist (angular velocity, velocity of the origin) of a
 /// frame's output.

@@ -31,19 +31,23 @@ std::string with_suffix(const std::string& name, std::string_view suffix) {
 class ConstraintReader {
  public:
   ConstraintReader(ValueReader& values, const EntrySyntax& entry, Constraint blank)
-      : values_(values), context_(values.context()), entry_(entry), blank_(std::move(blank)) {}
+      : values_(values),
+        context_(values.context()),
+        entry_(entry),
+        row_template_(std::move(blank)) {}
 
   void read() {
-    blank_.is_position = text_of(entry_, "kind") != "velocity";
+    row_template_.is_position = text_value(entry_, "kind") != "velocity";
     if (const KeySyntax* gains = entry_.find("stabilise")) {
-      blank_.omega = values_.root(gains->value, "omega", {gain, find_unit("Hz")});
-      blank_.zeta = values_.root(gains->value, "zeta", {gain, Unit{}});
-      refuse_negative(*blank_.omega, *gains->value.find("omega"));
-      if (blank_.zeta) refuse_negative(*blank_.zeta, *gains->value.find("zeta"));
-      if (!blank_.zeta) blank_.zeta = NodeBuilder(context_, gains->value.span).number(1);
+      row_template_.omega = values_.root(gains->value, "omega", {gain, find_unit("Hz")});
+      row_template_.zeta = values_.root(gains->value, "zeta", {gain, Unit{}});
+      refuse_negative(*row_template_.omega, *gains->value.find("omega"));
+      if (row_template_.zeta) refuse_negative(*row_template_.zeta, *gains->value.find("zeta"));
+      if (!row_template_.zeta)
+        row_template_.zeta = NodeBuilder(context_, gains->value.span).number(1);
     }
     constexpr std::array<std::string_view, 2> kinds{"equation", "coincide"};
-    const auto [first, second] = first_two(entry_, kinds);
+    const auto [first, second] = first_two_keys(entry_, kinds);
     if (first == nullptr || second != nullptr) {
       context_.report.add(Reason::not_one_alternative,
                           second == nullptr ? entry_.span : second->key_span,
@@ -57,7 +61,7 @@ class ConstraintReader {
 
  private:
   void read_equations(const ValueSyntax& list) {
-    const Place& place = blank_.is_position ? position_equation : velocity_equation;
+    const Place& place = row_template_.is_position ? position_equation : velocity_equation;
     for (std::size_t i = 0; i < list.items.size(); ++i) {
       const ValueSyntax& item = list.items[i];
       const std::optional<ExpressionSyntax> value = residual(item);
@@ -80,10 +84,10 @@ class ConstraintReader {
   void read_points(const ValueSyntax& list) {
     if (list.items.size() != 2) {
       context_.report.add(Reason::wrong_list_length, list.span,
-                          counted(list.items.size(), "point") + ", but `coincide` takes two");
+                          count_text(list.items.size(), "point") + ", but `coincide` takes two");
       return;
     }
-    if (!blank_.is_position) {
+    if (!row_template_.is_position) {
       context_.report.add(Reason::velocity_of_coincidence, entry_.find("coincide")->key_span,
                           "`coincide` is a constraint on positions");
     }
@@ -111,10 +115,10 @@ class ConstraintReader {
   }
 
   void add(const std::string& suffix, ExpressionId value, const Span& span) {
-    Constraint row = blank_;
+    Constraint row = row_template_;
     row.value = value;
     row.equation_span = span;
-    if (!suffix.empty()) row.name = with_suffix(blank_.name, suffix);
+    if (!suffix.empty()) row.name = with_suffix(row_template_.name, suffix);
     row.identifier = identifier_of(row.name);
     const DeclaredName* other = context_.symbols.find("lambda_" + row.name);
     if (other != nullptr) {
@@ -138,22 +142,22 @@ class ConstraintReader {
   ValueReader& values_;
   Context& context_;
   const EntrySyntax& entry_;
-  Constraint blank_;
+  Constraint row_template_;
 };
 
 /// Whether a variable angle or a quaternion turns the frame or one of its ancestors.
 bool may_turn(const Context& context, std::optional<std::uint32_t> frame) {
   for (; frame; frame = context.model.frames[*frame].parent) {
-    for (const FrameStep& step : context.model.frames[*frame].steps) {
-      if (step.kind == FrameStepKind::quaternion) return true;
-      if (step.kind == FrameStepKind::turn && !context.constants[step.angle]) return true;
+    for (const ElementaryTransform& step : context.model.frames[*frame].transforms) {
+      if (step.kind == TransformKind::quaternion) return true;
+      if (step.kind == TransformKind::turn && !context.constants[step.angle]) return true;
     }
   }
   return false;
 }
 
 /// The point P if the whole expression is the rate dot(x(P)).
-std::optional<std::uint32_t> point_at_rest(const Model& model, ExpressionId value) {
+std::optional<std::uint32_t> point_of_rate(const Model& model, ExpressionId value) {
   const Expression& node = model.expressions[value];
   if (node.kind != ExpressionKind::time_derivative) return std::nullopt;
   const Expression& inner = model.expressions[node.operands[0]];
@@ -165,7 +169,7 @@ std::optional<std::uint32_t> point_at_rest(const Model& model, ExpressionId valu
 void warn_of_material_points(Context& context) {
   std::vector<std::uint32_t> held;
   for (const Constraint& row : context.model.constraints) {
-    const auto point = point_at_rest(context.model, row.value);
+    const auto point = point_of_rate(context.model, row.value);
     if (row.is_position || !point) continue;
     held.push_back(*point);
     const Point& at = context.model.points[*point];
@@ -184,11 +188,11 @@ void warn_of_material_points(Context& context) {
 }  // namespace
 
 void read_constraints(Context& context, const std::vector<Instance>& instances) {
-  const std::vector<Constraint> blanks = std::exchange(context.model.constraints, {});
+  const std::vector<Constraint> row_templates = std::exchange(context.model.constraints, {});
   for (const auto& [entry, scope, target] : instances) {
     if (entry->name != "constraint") continue;
     ValueReader values(context, scope);
-    ConstraintReader(values, *entry, blanks[target]).read();
+    ConstraintReader(values, *entry, row_templates[target]).read();
   }
   warn_of_material_points(context);
 }

@@ -34,10 +34,10 @@ std::optional<std::uint32_t> axes_of(ValueReader& values, const EntrySyntax& ent
 }
 
 /// The components as written, converted to the axes of a frame, or of the world.
-std::vector<ExpressionId> turned_to(std::optional<std::uint32_t> axes, const Force& force,
-                                    Context& context) {
+std::vector<ExpressionId> force_in_axes(std::optional<std::uint32_t> axes, const Force& force,
+                                        Context& context) {
   NodeBuilder nodes(context, force.span);
-  const Vector3 components = turned(nodes, padded(force.written), force.axes, axes);
+  const Vector3 components = change_axes(nodes, pad_to_three(force.written), force.axes, axes);
   return {components.begin(), components.end()};
 }
 
@@ -50,7 +50,7 @@ void read_point_force(ValueReader& values, const EntrySyntax& entry, Force& forc
   const std::size_t count = force.value.size();
   if (force.at && count != context.model.points[*force.at].dimension) {
     context.report.add(Code::E516, value.value.span,
-                       counted(count, "component") + ", but the point has " +
+                       count_text(count, "component") + ", but the point has " +
                            std::to_string(context.model.points[*force.at].dimension));
   }
   force.value.resize(3, no_expression);
@@ -58,7 +58,7 @@ void read_point_force(ValueReader& values, const EntrySyntax& entry, Force& forc
     force.from = values.reference(from->value, SymbolKind::point);
   }
   force.written = force.value;
-  force.value = turned_to(std::nullopt, force, context);
+  force.value = force_in_axes(std::nullopt, force, context);
 }
 
 void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
@@ -70,15 +70,15 @@ void read_torque(ValueReader& values, const EntrySyntax& entry, Force& force) {
   const std::size_t expected = context.dimension == 2 ? 1 : 3;
   if (force.value.size() != expected) {
     context.report.add(Code::E516, value.value.span,
-                       counted(force.value.size(), "component") + ", but a torque has " +
+                       count_text(force.value.size(), "component") + ", but a torque has " +
                            std::to_string(expected));
     force.value.resize(expected, no_expression);
   }
   if (expected == 1) force.value = {no_expression, no_expression, force.value.front()};
   force.from_frame = axes_of(values, entry, "from", std::nullopt);
   force.written = force.value;
-  force.value = turned_to(force.frame, force, context);
-  if (force.from_frame) force.reaction = turned_to(force.from_frame, force, context);
+  force.value = force_in_axes(force.frame, force, context);
+  if (force.from_frame) force.reaction = force_in_axes(force.from_frame, force, context);
 }
 
 /// Leaves of `count` consecutive inputs.
@@ -108,8 +108,8 @@ std::uint32_t origin_of(Context& context, std::uint32_t frame, const Span& span)
 constexpr std::array<std::string_view, 3> force_places{"on", "at", "frame"};
 
 /// The only key among `on`, `at` and `frame`; null after an error.
-const KeySyntax* place_of(const EntrySyntax& entry, Report& report) {
-  const auto [first, second] = first_two(entry, force_places);
+const KeySyntax* place_key_of(const EntrySyntax& entry, Report& report) {
+  const auto [first, second] = first_two_keys(entry, force_places);
   if (first == nullptr) {
     report.add(Reason::not_one_alternative, entry.span,
                "the force has none of `on`, `at` and `frame`");
@@ -142,7 +142,7 @@ void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   Force& force = context.model.forces[target];
   const KeySyntax* value = entry.find("value");
   if (value == nullptr) return;
-  const KeySyntax* place = place_of(entry, context.report);
+  const KeySyntax* place = place_key_of(entry, context.report);
   if (place == nullptr) return;
   if (place->key == "on") {
     read_generalized_force(values, *place, *value, force);
@@ -173,12 +173,12 @@ void read_wrench_input(ValueReader& values, const EntrySyntax& entry, std::uint3
     torque.frame = frame;
     torque.written = leaves(context, first, count.torque, entry.span);
     if (count.torque == 1) torque.written = {no_expression, no_expression, torque.written.front()};
-    torque.value = turned_to(frame, torque, context);
+    torque.value = force_in_axes(frame, torque, context);
     context.model.forces.push_back(std::move(torque));
   }
   force.written = leaves(context, first + count.torque, count.force, entry.span);
   force.written.resize(3, no_expression);
-  force.value = turned_to(std::nullopt, force, context);
+  force.value = force_in_axes(std::nullopt, force, context);
   context.model.forces.push_back(std::move(force));
 }
 

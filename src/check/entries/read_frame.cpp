@@ -1,4 +1,4 @@
-// Frames: their steps from the parent as given in the file, and the pose in the world as
+// Frames: their transforms from the parent as given in the file, and the pose in the world as
 // expressions in the parent's pose.
 //
 //     x_parent = translate + R x, with R from one of
@@ -23,22 +23,23 @@ namespace elgen {
 namespace {
 
 /// Rodrigues: R = cos 1 + sin [n]x + (1 - cos) n n^T
-Matrix3 turn_matrix(NodeBuilder& nodes, const FrameStep& step) {
-  const ExpressionId cosine = nodes.call(FunctionId::cos, step.angle);
-  const ExpressionId sine = nodes.call(FunctionId::sin, step.angle);
+Matrix3 turn_matrix(NodeBuilder& nodes, const ElementaryTransform& transform) {
+  const ExpressionId cosine = nodes.call(FunctionId::cos, transform.angle);
+  const ExpressionId sine = nodes.call(FunctionId::sin, transform.angle);
   const ExpressionId one = nodes.number(1);
   const ExpressionId versine = nodes.subtract(one, cosine);
   Matrix3 result{};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      const bool is_unit = nodes.is_one(step.vector[i]) && i == j;
-      const ExpressionId along = nodes.multiply({versine, step.vector[i], step.vector[j]});
+      const bool is_unit = nodes.is_one(transform.vector[i]) && i == j;
+      const ExpressionId along =
+          nodes.multiply({versine, transform.vector[i], transform.vector[j]});
       if (i == j) {
         result[3 * i + j] = is_unit ? one : nodes.add({cosine, along});
         continue;
       }
       const std::size_t k = 3 - i - j;
-      const ExpressionId across = nodes.multiply({sine, step.vector[k]});
+      const ExpressionId across = nodes.multiply({sine, transform.vector[k]});
       const bool is_positive = (i + 2) % 3 == j;  // rows 0 1 2 have -z +y, +z -x, -y +x
       const ExpressionId signed_across = is_positive ? across : nodes.negate(across);
       result[3 * i + j] = nodes.add({along, signed_across});
@@ -88,21 +89,21 @@ Vector3 spin(NodeBuilder& nodes, const Matrix3& rotation) {
   return result;
 }
 
-/// Angular velocity of a step relative to the axes before it, in the axes after it. Turn: n
+/// Angular velocity of a transform relative to the axes before it, in the axes after it. Turn: n
 /// dangle/dt. Quaternion (w, e): 2 (w de/dt - dw/dt e - e x de/dt)/|q|^2. Rotation: its velocities.
-Vector3 turning_of(NodeBuilder& nodes, const Model& model, const FrameStep& step) {
+Vector3 turning_of(NodeBuilder& nodes, const Model& model, const ElementaryTransform& transform) {
   Vector3 result{};
-  if (step.rotation) {
-    const std::uint32_t first = model.rotations[*step.rotation].first_velocity;
+  if (transform.rotation) {
+    const std::uint32_t first = model.rotations[*transform.rotation].first_velocity;
     for (std::uint32_t i = 0; i < 3; ++i) result[i] = nodes.leaf(Opcode::velocity, first + i);
     return result;
   }
-  if (step.kind == FrameStepKind::turn) {
-    const ExpressionId rate = nodes.rate(step.angle);
-    for (std::size_t i = 0; i < 3; ++i) result[i] = nodes.multiply({rate, step.vector[i]});
+  if (transform.kind == TransformKind::turn) {
+    const ExpressionId rate = nodes.rate(transform.angle);
+    for (std::size_t i = 0; i < 3; ++i) result[i] = nodes.multiply({rate, transform.vector[i]});
     return result;
   }
-  const auto& q = step.quaternion;
+  const auto& q = transform.quaternion;
   std::vector<ExpressionId> squares;
   std::array<ExpressionId, 4> rates{};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -124,28 +125,30 @@ Vector3 turning_of(NodeBuilder& nodes, const Model& model, const FrameStep& step
   return result;
 }
 
-/// Fills the pose and the angular velocities from the steps and the parent.
+/// Fills the pose and the angular velocities from the transforms and the parent.
 ///
 ///     before    parent world, translate (l, 0, 0), turn by q about z
 ///     after     R = [cos(q), -sin(q), 0; sin(q), cos(q), 0; 0, 0, 1], origin (l, 0, 0), turning
 ///               (0, 0, dot(q))
-void write_motion(Context& context, Frame& frame) {
+void derive_motion(Context& context, Frame& frame) {
   NodeBuilder nodes(context, frame.span);
   // The parent's motion is referred to by name, not copied.
   Matrix3 rotation = frame.parent ? rotation_of(nodes, *frame.parent) : nodes.identity();
   Vector3 origin = frame.parent ? vector_of(nodes, *frame.parent, frame_origin) : Vector3{};
-  Vector3 turning = frame.parent ? vector_of(nodes, *frame.parent, frame_turning) : Vector3{};
-  for (const FrameStep& step : frame.steps) {
-    if (step.kind == FrameStepKind::translation) {
-      const Vector3 offset = nodes.apply(rotation, step.vector);
+  Vector3 turning =
+      frame.parent ? vector_of(nodes, *frame.parent, frame_recursive_spin) : Vector3{};
+  for (const ElementaryTransform& transform : frame.transforms) {
+    if (transform.kind == TransformKind::translation) {
+      const Vector3 offset = nodes.apply(rotation, transform.vector);
       origin = nodes.add(origin, offset);
     } else {
-      const Matrix3 turn = step.kind == FrameStepKind::turn
-                               ? turn_matrix(nodes, step)
-                               : quaternion_matrix(nodes, step.quaternion, !step.rotation);
+      const Matrix3 turn =
+          transform.kind == TransformKind::turn
+              ? turn_matrix(nodes, transform)
+              : quaternion_matrix(nodes, transform.quaternion, !transform.rotation);
       rotation = nodes.multiply(rotation, turn);
       const Vector3 carried = nodes.apply_transposed(turn, turning);
-      turning = nodes.add(carried, turning_of(nodes, context.model, step));
+      turning = nodes.add(carried, turning_of(nodes, context.model, transform));
     }
   }
   frame.rotation = rotation;
@@ -154,7 +157,7 @@ void write_motion(Context& context, Frame& frame) {
   frame.turning = turning;
   const auto index = static_cast<std::uint32_t>(&frame - context.model.frames.data());
   const Matrix3 named_rotation = rotation_of(nodes, index);
-  const Vector3 named_turning = vector_of(nodes, index, frame_turning);
+  const Vector3 named_turning = vector_of(nodes, index, frame_recursive_spin);
   frame.angular_velocity = nodes.apply(named_rotation, named_turning);
 }
 
@@ -165,7 +168,7 @@ constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "q
 
 /// The key that turns the frame; null if it has none, and after E112 if it has two.
 const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
-  const auto [first, second] = first_two(entry, orientations);
+  const auto [first, second] = first_two_keys(entry, orientations);
   if (second == nullptr) return first;
   report.add(Reason::two_orientations, second->key_span,
              "a frame has at most one of `rotate`, `rpy`, `dh`, `quaternion` and `rotation`");
@@ -176,9 +179,9 @@ const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
 bool has_count(const ValueSyntax& value, std::size_t count, const std::string& noun,
                Report& report) {
   if (value.items.size() == count) return true;
-  report.add(
-      Reason::wrong_component_count, value.span,
-      counted(value.items.size(), "component") + ", but " + noun + " has " + std::to_string(count));
+  report.add(Reason::wrong_component_count, value.span,
+             count_text(value.items.size(), "component") + ", but " + noun + " has " +
+                 std::to_string(count));
   return false;
 }
 
@@ -214,21 +217,21 @@ class FrameReader {
   void read() {
     if (frame_.name == world) {
       report_.add(Code::E204, frame_.span, "`world` is reserved for the frame that does not move",
-                  name_instead(world, frame_.span));
+                  free_name_hint(world, frame_.span));
     }
     if (const KeySyntax* parent = entry_.find("parent")) {
       frame_.parent = values_.frame_or_world(parent->value);
     }
     if (const KeySyntax* translate = entry_.find("translate")) read_translation(translate->value);
     if (const KeySyntax* turned = orientation_of(entry_, report_)) read_orientation(*turned);
-    write_motion(context_, frame_);
+    derive_motion(context_, frame_);
   }
 
  private:
   void read_translation(const ValueSyntax& value) {
     if (!values_.is_vector(value)) return;
-    const Vector3 offset = padded(values_.roots(value, length_request));
-    frame_.steps.push_back({FrameStepKind::translation, offset});
+    const Vector3 offset = pad_to_three(values_.roots(value, length_request));
+    frame_.transforms.push_back({TransformKind::translation, offset});
   }
 
   void read_orientation(const KeySyntax& turned) {
@@ -241,10 +244,10 @@ class FrameReader {
   }
 
   void add_turn(std::size_t axis, ExpressionId angle) {
-    FrameStep step{FrameStepKind::turn};
-    step.vector[axis] = NodeBuilder(context_, frame_.span).number(1);
-    step.angle = angle;
-    frame_.steps.push_back(step);
+    ElementaryTransform transform{TransformKind::turn};
+    transform.vector[axis] = NodeBuilder(context_, frame_.span).number(1);
+    transform.angle = angle;
+    frame_.transforms.push_back(transform);
   }
 
   /// A number above one turn (2 pi < 7) is probably in degrees.
@@ -261,7 +264,7 @@ class FrameReader {
       note_degrees(turn.items[1], angle);
       if (axis.kind == ValueKind::list) {
         const std::optional<Vector3> direction = unit_axis(values_, axis);
-        if (direction) frame_.steps.push_back({FrameStepKind::turn, *direction, angle});
+        if (direction) frame_.transforms.push_back({TransformKind::turn, *direction, angle});
       } else if (axis.text == "x" || axis.text == "y" || axis.text == "z") {
         add_turn(static_cast<std::size_t>(axis.text.front() - 'x'), angle);
       } else {
@@ -286,9 +289,9 @@ class FrameReader {
                  std::optional<ExpressionId> length) {
     if (angle) add_turn(axis, *angle);
     if (!length) return;
-    FrameStep step{FrameStepKind::translation};
-    step.vector[axis] = *length;
-    frame_.steps.push_back(step);
+    ElementaryTransform transform{TransformKind::translation};
+    transform.vector[axis] = *length;
+    frame_.transforms.push_back(transform);
   }
 
   void read_dh(const ValueSyntax& table) {
@@ -298,7 +301,7 @@ class FrameReader {
     const auto theta = values_.root(table, "theta", angle_request);
     if (alpha) note_degrees(table.find("alpha")->value, *alpha);
     if (theta) note_degrees(table.find("theta")->value, *theta);
-    const bool is_modified = text_of(table, "convention") == "modified";
+    const bool is_modified = text_value(table, "convention") == "modified";
     if (is_modified) add_screw(0, alpha, a);
     add_screw(2, theta, d);
     if (!is_modified) add_screw(0, alpha, a);
@@ -308,27 +311,27 @@ class FrameReader {
     if (!has_count(value, 4, "a quaternion", report_)) return;
     const Place place{"a quaternion", place::of_configuration};
     const std::vector<ExpressionId> components = values_.roots(value, {place});
-    FrameStep step{FrameStepKind::quaternion};
-    std::copy(components.begin(), components.end(), step.quaternion.begin());
+    ElementaryTransform transform{TransformKind::quaternion};
+    std::copy(components.begin(), components.end(), transform.quaternion.begin());
     const auto is_zero = [&](ExpressionId id) { return context_.constants[id] == 0; };
     if (std::ranges::all_of(components, is_zero)) {
       report_.add(Reason::zero_direction, value.span, "a quaternion of length 0 is no orientation");
       return;
     }
-    frame_.steps.push_back(step);
+    frame_.transforms.push_back(transform);
   }
 
   void read_rotation(const ValueSyntax& value) {
     const std::optional<std::uint32_t> rotation = values_.rotation(value);
     if (!rotation) return;
     NodeBuilder nodes(context_, frame_.span);
-    FrameStep step{FrameStepKind::quaternion};
+    ElementaryTransform transform{TransformKind::quaternion};
     for (std::uint32_t i = 0; i < quaternion_size; ++i) {
       const std::uint32_t coordinate = context_.model.rotations[*rotation].first_coordinate + i;
-      step.quaternion[i] = nodes.leaf(Opcode::coordinate, coordinate);
+      transform.quaternion[i] = nodes.leaf(Opcode::coordinate, coordinate);
     }
-    step.rotation = rotation;
-    frame_.steps.push_back(step);
+    transform.rotation = rotation;
+    frame_.transforms.push_back(transform);
   }
 
   Context& context_;
@@ -357,17 +360,17 @@ void require_zero(Context& context, const std::vector<ExpressionId>& components,
                          " out of the plane of a model whose vectors have 2 components");
 }
 
-void check_step(Context& context, const FrameStep& step) {
-  const auto& [x, y, z] = step.vector;
-  switch (step.kind) {
-    case FrameStepKind::translation:
+void check_transform(Context& context, const ElementaryTransform& transform) {
+  const auto& [x, y, z] = transform.vector;
+  switch (transform.kind) {
+    case TransformKind::translation:
       return require_zero(context, {z}, z, "shifts");
-    case FrameStepKind::turn:
-      if (context.constants[step.angle] == 0) return;
-      return require_zero(context, {x, y}, step.angle, "turns");
-    case FrameStepKind::quaternion:
-      require_zero(context, {step.quaternion[1]}, step.quaternion[1], "turns");
-      require_zero(context, {step.quaternion[2]}, step.quaternion[2], "turns");
+    case TransformKind::turn:
+      if (context.constants[transform.angle] == 0) return;
+      return require_zero(context, {x, y}, transform.angle, "turns");
+    case TransformKind::quaternion:
+      require_zero(context, {transform.quaternion[1]}, transform.quaternion[1], "turns");
+      require_zero(context, {transform.quaternion[2]}, transform.quaternion[2], "turns");
   }
 }
 
@@ -377,7 +380,8 @@ void check_plane(Context& context) {
   // In a planar model, vectors of three components are already errors.
   if (context.dimension != 2 || context.report.errors() > 0) return;
   for (const Frame& frame : context.model.frames) {
-    for (const FrameStep& step : frame.steps) check_step(context, step);
+    for (const ElementaryTransform& transform : frame.transforms)
+      check_transform(context, transform);
   }
 }
 

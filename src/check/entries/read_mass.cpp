@@ -27,11 +27,11 @@ class BodyReader {
       read_frame(frame->value);
     }
     read_inertia();
-    const bool about_origin = text_of(entry_, "inertia_about") == "origin";
+    const bool about_origin = text_value(entry_, "inertia_about") == "origin";
     if (about_origin && frame == nullptr) refuse_origin();
     check_completeness();
     if (frame_) {
-      put_in_frame(values_.context(), {{*frame_, body_.com}, body_.inertia, about_origin}, body_);
+      set_world_pose(values_.context(), {{*frame_, body_.com}, body_.inertia, about_origin}, body_);
     }
   }
 
@@ -57,7 +57,7 @@ class BodyReader {
     const bool in_frame = entry_.find("frame") != nullptr;
     const Place place = in_frame ? Place{"a centre of mass", place::parameters_only, Code::E506}
                                  : Place{place::position, place::of_configuration};
-    body_.com = padded(values_.roots(com->value, {place, find_unit("m")}));
+    body_.com = pad_to_three(values_.roots(com->value, {place, find_unit("m")}));
     body_.dimension = static_cast<std::uint32_t>(com->value.items.size());
   }
 
@@ -70,11 +70,12 @@ class BodyReader {
     const bool has_com = entry_.find("com") != nullptr;
     if (count != 1 && count != 3) {
       report_.add(Reason::wrong_component_count, spin->value.span,
-                  counted(count, "component") + ", but a spin has 1 or 3");
+                  count_text(count, "component") + ", but a spin has 1 or 3");
     } else if (has_com && (count == 1) != (body_.dimension == 2)) {
       report_.add(Code::E516, spin->value.span,
                   std::string(count == 1 ? "a planar" : "a spatial") +
-                      " spin, but the centre of mass has " + counted(body_.dimension, "component"));
+                      " spin, but the centre of mass has " +
+                      count_text(body_.dimension, "component"));
     }
     body_.dimension = count == 1 ? 2 : 3;
   }
@@ -89,7 +90,7 @@ class BodyReader {
     const bool fits = body_.spin.size() == 1 ? count == 1 : count == 3 || count == 6;
     if (!body_.spin.empty() && !fits) {
       report_.add(Code::E516, inertia->value.span,
-                  counted(count, "moment") + " of inertia for a " +
+                  count_text(count, "moment") + " of inertia for a " +
                       (body_.spin.size() == 1 ? "planar" : "spatial") + " body",
                   "a planar body has 1, a spatial body 3 or 6: xx yy zz xy xz yz");
     }
@@ -106,13 +107,13 @@ class BodyReader {
 
   void check_completeness() {
     if (body_.mass && entry_.find("com") == nullptr && entry_.find("frame") == nullptr) {
-      missing("com", "mass");
+      report_missing("com", "mass");
     }
-    if (!body_.inertia.empty() && body_.spin.empty()) missing("spin", "inertia");
-    if (entry_.find("spin") != nullptr && body_.inertia.empty()) missing("inertia", "spin");
+    if (!body_.inertia.empty() && body_.spin.empty()) report_missing("spin", "inertia");
+    if (entry_.find("spin") != nullptr && body_.inertia.empty()) report_missing("inertia", "spin");
   }
 
-  void missing(const std::string& key, const std::string& other) {
+  void report_missing(const std::string& key, const std::string& other) {
     report_.add(Code::E105, entry_.span,
                 in_backticks(body_.name) + " has `" + other + "` but no `" + key + "`");
   }
@@ -142,7 +143,7 @@ void read_joints(ValueReader& values, const EntrySyntax& entry, Point& point) {
   } else {
     add(joined_to->value);
   }
-  point.is_on_springs = text_of(entry, "as") == "spring";
+  point.has_springs = text_value(entry, "as") == "spring";
 }
 
 }  // namespace
@@ -153,7 +154,7 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   const KeySyntax* at = entry.find("at");
   if (at != nullptr && values.is_vector(at->value)) {
     const Place place{place::position, place::of_configuration};
-    point.at = padded(values.roots(at->value, {place, find_unit("m")}));
+    point.at = pad_to_three(values.roots(at->value, {place, find_unit("m")}));
     if (const KeySyntax* frame = entry.find("frame")) {
       if (const auto index = values.frame_or_world(frame->value)) {
         point.local = PlaceInFrame{*index, point.at};

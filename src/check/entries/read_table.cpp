@@ -19,10 +19,10 @@ bool is_model_name(std::string_view name) {
 void read_header(Context& context, const EntrySyntax& entry) {
   Model& model = context.model;
   context.model_span = entry.span;
-  model.name = text_of(entry, "name");
-  model.title = text_of(entry, "title");
-  model.description = text_of(entry, "description");
-  model.reference = text_of(entry, "reference");
+  model.name = text_value(entry, "name");
+  model.title = text_value(entry, "title");
+  model.description = text_value(entry, "description");
+  model.reference = text_value(entry, "reference");
   const KeySyntax* name = entry.find("name");
   if (name == nullptr) return;
   model.name_span = name->value.span;
@@ -51,7 +51,7 @@ void read_gravity(ValueReader& values, const EntrySyntax& entry) {
   if (vector == nullptr) return;
   const Unit acceleration = *find_unit("m") / power(*find_unit("s"), {2, 1});
   const Place place{"gravity", place::of_time};
-  values.context().model.gravity = padded(values.roots(vector->value, {place, acceleration}));
+  values.context().model.gravity = pad_to_three(values.roots(vector->value, {place, acceleration}));
   (void)values.is_vector(vector->value);
 }
 

@@ -151,9 +151,9 @@ void read_arguments(ValueReader& values, const EntrySyntax& entry, std::uint32_t
   Context& context = values.context();
   const std::size_t count = of->value.items.size();
   if (count == 0 || count > most_arguments) {
-    context.report.add(
-        Reason::wrong_list_length, of->value.span,
-        counted(count, "argument") + ", but a function has 1 to " + std::to_string(most_arguments));
+    context.report.add(Reason::wrong_list_length, of->value.span,
+                       count_text(count, "argument") + ", but a function has 1 to " +
+                           std::to_string(most_arguments));
   }
   const Place place{"an argument of a function", place::of_state};
   std::vector<ExpressionId> arguments = values.roots(of->value, {place});

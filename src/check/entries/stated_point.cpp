@@ -42,13 +42,13 @@ void report_unknown_variable(Context& context, const PointTable& table, const st
   for (const SymbolKind kind : kinds) {
     nouns += (nouns.empty() ? "" : " or ") + std::string(noun(kind));
   }
-  context.report.add(table.otherwise, span, in_backticks(name) + " is no " + nouns,
+  context.report.add(table.error_code, span, in_backticks(name) + " is no " + nouns,
                      context.symbols.suggest(name, context.symbols.names(kinds)));
 }
 
-constexpr PointTable coordinates_there{
+constexpr PointTable coordinate_table{
     {"a value of `at`", place::parameters_only}, true, false, Code::E612};
-constexpr PointTable inputs_there{
+constexpr PointTable input_table{
     {"a value of `inputs`", place::parameters_only}, false, true, Reason::unknown_input};
 constexpr Place condition_place{"a condition", place::parameters_only};
 constexpr Place frequency_place{"a squared frequency", place::parameters_only};
@@ -60,9 +60,9 @@ Condition read_condition(ValueReader& values, const ValueSyntax& value) {
   const std::string& sign = value.find("sign")->value.text;
   const bool is_left_larger = sign.front() == '>';
   Condition condition;
-  condition.excess = values.root(
-      is_left_larger ? difference(left, right, value.span) : difference(right, left, value.span),
-      {condition_place});
+  condition.excess = values.root(is_left_larger ? subtraction_syntax(left, right, value.span)
+                                                : subtraction_syntax(right, left, value.span),
+                                 {condition_place});
   condition.is_strict = sign.size() == 1;
   condition.text = one_line(value.text);
   return condition;
@@ -75,7 +75,7 @@ void read_frequencies(ValueReader& values, const ValueSyntax& list, Equilibrium&
   const std::size_t count = context.model.velocities.size();
   if (list.items.size() == count) return;
   context.report.add(Code::E517, list.span,
-                     counted(list.items.size(), "value") + ", but the model has " +
+                     count_text(list.items.size(), "value") + ", but the model has " +
                          std::to_string(count) + (count == 1 ? " velocity" : " velocities"));
 }
 
@@ -84,7 +84,7 @@ void read_frequencies(ValueReader& values, const ValueSyntax& list, Equilibrium&
 Variables find_variables(Context& context, const PointTable& table, const std::string& name,
                          const Span& span) {
   if (is_of_rotation(context, name)) {
-    context.report.add(table.otherwise, span,
+    context.report.add(table.error_code, span,
                        in_backticks(name) + " belongs to a rotation, which has no value here",
                        "omit it: the rotation keeps its orientation");
     return {};
@@ -119,15 +119,15 @@ void read_equilibrium(ValueReader& values, const EntrySyntax& entry, std::uint32
   Equilibrium& equilibrium = model.equilibria[target];
   equilibrium.coordinates.resize(model.coordinates.size());
   equilibrium.inputs.resize(model.inputs.size());
-  const auto read_there = [&](std::string_view name, const PointTable& table) {
+  const auto read_point_table = [&](std::string_view name, const PointTable& table) {
     const KeySyntax* given = entry.find(name);
     if (given == nullptr) return;
     for (const KeySyntax& key : given->value.entries) {
       read_point_value(values, table, key, equilibrium);
     }
   };
-  read_there("at", coordinates_there);
-  read_there("inputs", inputs_there);
+  read_point_table("at", coordinate_table);
+  read_point_table("inputs", input_table);
   if (const KeySyntax* when = entry.find("when")) {
     equilibrium.condition = read_condition(values, when->value);
   }

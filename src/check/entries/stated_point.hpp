@@ -16,7 +16,7 @@ struct PointTable {
   Place place = {};  ///< of each value
   bool takes_coordinates = true;
   bool takes_inputs = true;
-  Code otherwise = Code::E612;
+  Code error_code = Code::E612;
 };
 
 /// The variables of the Model that a name denotes: "q" and "q[2]" both include q[2].

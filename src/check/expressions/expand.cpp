@@ -45,7 +45,7 @@ const EntryKind* find_kind(std::string_view entry) {
 }
 
 /// The namespace in which a name of this kind must be unique.
-DeclaredNames& namesakes(Context& context, SymbolKind kind) {
+DeclaredNames& namespace_of(Context& context, SymbolKind kind) {
   if (kind == SymbolKind::frame) return context.frames;
   return kind == SymbolKind::equilibrium ? context.equilibria : context.symbols;
 }
@@ -126,7 +126,7 @@ class Expander {
     if (kind.kind == SymbolKind::point) note_dimension(context_.model, entry, target);
     instances_.push_back({&entry, scope, target});
     return key == nullptr ||
-           namesakes(context_, kind.kind).declare(name, kind.kind, target, context_.report);
+           namespace_of(context_, kind.kind).declare(name, kind.kind, target, context_.report);
   }
 
   /// Adds the instance of an entry that has declared its own names; false if that failed.

@@ -11,7 +11,7 @@ namespace elgen {
 
 ExpressionId NodeBuilder::push(Expression node) {
   node.span = span_;
-  (void)context_.append(std::move(node));
+  (void)context_.append_node(std::move(node));
   return context_.last();
 }
 
@@ -168,8 +168,8 @@ Vector3 vector_of(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first)
   return result;
 }
 
-Vector3 turned(NodeBuilder& nodes, const Vector3& x, std::optional<std::uint32_t> from,
-               std::optional<std::uint32_t> to) {
+Vector3 change_axes(NodeBuilder& nodes, const Vector3& x, std::optional<std::uint32_t> from,
+                    std::optional<std::uint32_t> to) {
   if (from == to) return x;
   Vector3 result = x;
   if (from) result = nodes.apply(rotation_of(nodes, *from), result);

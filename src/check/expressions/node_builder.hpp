@@ -56,7 +56,8 @@ class NodeBuilder {
 
 /// Converts components in the axes of `from` (none: the world) to the axes of `to`: R_to^T R_from
 /// x.
-[[nodiscard]] Vector3 turned(NodeBuilder& nodes, const Vector3& x,
-                             std::optional<std::uint32_t> from, std::optional<std::uint32_t> to);
+[[nodiscard]] Vector3 change_axes(NodeBuilder& nodes, const Vector3& x,
+                                  std::optional<std::uint32_t> from,
+                                  std::optional<std::uint32_t> to);
 
 }  // namespace elgen

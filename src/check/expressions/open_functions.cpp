@@ -91,21 +91,21 @@ std::uint32_t append_value(Model& model, std::string name, std::uint32_t functio
   return static_cast<std::uint32_t>(model.open_values.size() - 1);
 }
 
-bool uses_closed(const Context& context, const ExpressionSyntax& expression) {
+bool names_closed_derivative(const Context& context, const ExpressionSyntax& expression) {
   if (expression.kind == SyntaxKind::name) {
     const DeclaredName* symbol = context.symbols.find(expression.text);
     if (symbol != nullptr && symbol->kind == SymbolKind::closed_derivative) return true;
   }
   return std::ranges::any_of(expression.operands, [&](const ExpressionSyntax& operand) {
-    return uses_closed(context, operand);
+    return names_closed_derivative(context, operand);
   });
 }
 
 /// A coordinate, a rate or the time.
-using Moving = std::pair<Opcode, std::uint32_t>;
+using ReadVariable = std::pair<Opcode, std::uint32_t>;
 
-void add_rates(const Model& model, const Expression& differentiated, std::set<Moving>& all) {
-  for (const ExpressionId id : reached(model, differentiated.operands)) {
+void add_rates(const Model& model, const Expression& differentiated, std::set<ReadVariable>& all) {
+  for (const ExpressionId id : reachable_from(model, differentiated.operands)) {
     const Expression& e = model.expressions[id];
     if (!is_leaf(e, Opcode::coordinate)) continue;
     all.insert({Opcode::velocity, model.coordinates[e.index].velocity});
@@ -114,10 +114,11 @@ void add_rates(const Model& model, const Expression& differentiated, std::set<Mo
 
 /// The variables that an expression depends on. d/dt e depends on the rates of the coordinates in
 /// e. It may depend on the coordinates too, but d/dt x does not; they are included only if
-/// `inside_rates`.
-std::set<Moving> moving_in(const Model& model, ExpressionId root, bool inside_rates) {
+/// `include_rate_arguments`.
+std::set<ReadVariable> variables_read_by(const Model& model, ExpressionId root,
+                                         bool include_rate_arguments) {
   constexpr LeafSet kinds = Opcode::coordinate | Opcode::velocity | Opcode::time;
-  std::set<Moving> all;
+  std::set<ReadVariable> all;
   std::set<ExpressionId> seen;
   std::vector<ExpressionId> left{root};
   while (!left.empty()) {
@@ -128,7 +129,7 @@ std::set<Moving> moving_in(const Model& model, ExpressionId root, bool inside_ra
     const bool is_rate = e.kind == ExpressionKind::time_derivative;
     if (e.kind == ExpressionKind::leaf && kinds.has_any(e.leaf)) all.insert({e.leaf, e.index});
     if (is_rate) add_rates(model, e, all);
-    if (is_rate && !inside_rates) continue;
+    if (is_rate && !include_rate_arguments) continue;
     for (const ExpressionId part : references(model, id)) left.push_back(part);
   }
   return all;
@@ -187,12 +188,12 @@ std::optional<std::uint32_t> declare_function(Context& context, const EntrySynta
 void check_function_expressions(Context& context) {
   const Model& model = context.model;
   for (const auto& [name, function] : context.function_expressions) {
-    std::set<Moving> known;
+    std::set<ReadVariable> known;
     for (const ExpressionId argument : function.arguments) {
-      known.merge(moving_in(model, argument, true));
+      known.merge(variables_read_by(model, argument, true));
     }
     const Span& span = model.expressions[function.value].span;
-    for (const Moving& read : moving_in(model, function.value, false)) {
+    for (const ReadVariable& read : variables_read_by(model, function.value, false)) {
       if (known.count(read) > 0 || function.arguments.empty()) continue;
       context.report.add(Code::E319, span,
                          in_backticks(span) + " depends on " +
@@ -204,7 +205,7 @@ void check_function_expressions(Context& context) {
 }
 
 bool uses_closed_derivative(const Context& context, const ValueSyntax& value) {
-  return uses_closed(context, value.expression) ||
+  return names_closed_derivative(context, value.expression) ||
          std::ranges::any_of(
              value.items,
              [&](const ValueSyntax& item) { return uses_closed_derivative(context, item); }) ||

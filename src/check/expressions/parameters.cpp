@@ -32,7 +32,7 @@ void override_size(Context& context, const KeySyntax& key) {
 }
 
 Assumption assumption_of(const ValueSyntax& table) {
-  const std::string assumption = text_of(table, "assume");
+  const std::string assumption = text_value(table, "assume");
   if (assumption == "positive") return Assumption::positive;
   return assumption == "nonnegative" ? Assumption::nonnegative : Assumption::none;
 }
@@ -47,8 +47,8 @@ class ParameterReader {
       read_values(value);
       return;
     }
-    array_.latex = text_of(value, "latex");
-    array_.doc = text_of(value, "doc");
+    array_.latex = text_value(value, "latex");
+    array_.doc = text_value(value, "doc");
     read_unit_of(value);
     const Assumption assumption = assumption_of(value);
     for (std::uint32_t i = 0; i < array_.count; ++i) element(i).assumption = assumption;
@@ -99,7 +99,7 @@ class ParameterReader {
     }
     if (!array_.is_array || value.items.size() != array_.count) {
       context_.report.add(Reason::wrong_list_length, value.span,
-                          counted(value.items.size(), "value") + ", but " +
+                          count_text(value.items.size(), "value") + ", but " +
                               in_backticks(array_.name) + " has " +
                               (array_.is_array ? "size " + std::to_string(array_.count)
                                                : std::string("no `size`")));

@@ -32,12 +32,13 @@ constexpr std::array<IngredientRow, 13> ingredient_table{{
 }};
 
 constexpr const char* smooth_stand_in = "a smooth approximation is tanh(x/width)";
-constexpr const char* home_of_momenta =
+constexpr const char* momentum_place_hint =
     "it is allowed in `[[expect]]`: in `conserved`, and in outputs that take momenta";
-constexpr const char* home_of_multipliers = "it is allowed in an `[[output]]` with `motion = true`";
-constexpr const char* kind_of_rates = "equations of rates have `kind = \"velocity\"`";
+constexpr const char* multiplier_place_hint =
+    "it is allowed in an `[[output]]` with `motion = true`";
+constexpr const char* velocity_kind_hint = "equations of rates have `kind = \"velocity\"`";
 constexpr const char* varying_mass = "write a variable term in `[energy] T`";
-constexpr const char* slope_here =
+constexpr const char* slope_hint =
     "a `[[function]]` for the slope is allowed here: the rate is slope*dot(argument)";
 constexpr const char* slope_in_energy =
     "a `[[function]]` for the slope is allowed in `[energy] T`: the rate is slope*dot(argument)";
@@ -45,14 +46,14 @@ constexpr const char* commanded_acceleration =
     "for a commanded acceleration a, omit the coordinate and give each mass the force -m*a";
 
 Code code_of(Ingredient ingredient, const Place& place) {
-  if (place.otherwise == Code::E319 && ingredient == uses_acceleration) return Code::E502;
-  if (place.otherwise == Code::E319 && ingredient == uses_kink) return Code::E315;
-  return place.otherwise;
+  if (place.error_code == Code::E319 && ingredient == uses_acceleration) return Code::E502;
+  if (place.error_code == Code::E319 && ingredient == uses_kink) return Code::E315;
+  return place.error_code;
 }
 
 /// Whether the ingredient comes from the node itself, not from one of its operands.
-bool brings_in(const Expression& node, const std::vector<Traits>& traits, ExpressionId id,
-               Ingredient ingredient) {
+bool introduces(const Expression& node, const std::vector<Traits>& traits, ExpressionId id,
+                Ingredient ingredient) {
   if ((traits[id].ingredients & ingredient) == 0) return false;
   for (const ExpressionId operand : node.operands) {
     if ((traits[operand].ingredients & ingredient) != 0) return false;
@@ -61,17 +62,17 @@ bool brings_in(const Expression& node, const std::vector<Traits>& traits, Expres
 }
 
 /// Hint: an allowed way to express the intended quantity; "" if there is none.
-std::string_view way_round(const Place& place, Ingredient ingredient) {
+std::string_view alternative_hint(const Place& place, Ingredient ingredient) {
   const bool is_constraint =
       place.noun == place::position_equation || place.noun == place::velocity_equation;
   if (ingredient == uses_kink) return smooth_stand_in;
-  if (ingredient == uses_momentum) return home_of_momenta;
-  if (ingredient == uses_multiplier) return home_of_multipliers;
-  if (is_constraint && ingredient == uses_rate) return kind_of_rates;
+  if (ingredient == uses_momentum) return momentum_place_hint;
+  if (ingredient == uses_multiplier) return multiplier_place_hint;
+  if (is_constraint && ingredient == uses_rate) return velocity_kind_hint;
   if (is_constraint && ingredient == uses_acceleration) return commanded_acceleration;
-  if (place.otherwise == Code::E506) return varying_mass;
+  if (place.error_code == Code::E506) return varying_mass;
   const bool takes_functions = (place.allowed & uses_open_function) != 0;
-  if (takes_functions && ingredient == uses_open_derivative) return slope_here;
+  if (takes_functions && ingredient == uses_open_derivative) return slope_hint;
   const bool is_position = place.noun == place::position;
   return is_position && ingredient == uses_open_function ? slope_in_energy : "";
 }
@@ -83,19 +84,19 @@ void report(Context& context, const WrittenExpression& root, const Expression& n
   std::string message = in_backticks(node.span) + (contains ? " contains " : " is ");
   message += std::string(row.noun) + ", but " + std::string(root.place.noun) + " takes none";
   context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message),
-                     std::string(way_round(root.place, row.ingredient)));
+                     std::string(alternative_hint(root.place, row.ingredient)));
 }
 
 void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpression& root) {
   const auto excess =
       static_cast<Ingredients>(traits[root.value].ingredients & ~unsigned{root.place.allowed});
   if (excess == 0) return;
-  root.misplaced = true;
+  root.has_forbidden_ingredient = true;
   for (ExpressionId id = root.first; id <= root.value; ++id) {
     const Expression& node = context.model.expressions[id];
     for (const IngredientRow& row : ingredient_table) {
       const bool forbidden = (excess & row.ingredient) != 0;
-      if (forbidden && brings_in(node, traits, id, row.ingredient)) {
+      if (forbidden && introduces(node, traits, id, row.ingredient)) {
         report(context, root, node, row);
       }
     }
@@ -111,7 +112,7 @@ void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits,
     const Expression& node = context.model.expressions[id];
     const bool is_rate = node.kind == ExpressionKind::time_derivative;
     if (!is_rate || (traits[id].ingredients & uses_kink) == 0) continue;
-    root.misplaced = true;
+    root.has_forbidden_ingredient = true;
     context.report.add(Code::E315, node.span,
                        in_backticks(node.span) + " is the rate of a function with a kink",
                        smooth_stand_in);
@@ -124,24 +125,24 @@ struct Named {
 };
 
 template <class Row>
-Named named(const Row& row) {
+Named name_and_span(const Row& row) {
   return {row.name, row.span};
 }
 
 /// The named entry that a node refers to; none if the node is no name.
-std::optional<Named> named_by(const Model& model, const Expression& node) {
+std::optional<Named> entry_of_node(const Model& model, const Expression& node) {
   if (node.kind != ExpressionKind::named) return std::nullopt;
   switch (node.named) {
     case NamedKind::definition:
-      return named(model.definitions[node.index]);
+      return name_and_span(model.definitions[node.index]);
     case NamedKind::prescribed:
-      return named(model.prescribed[node.index]);
+      return name_and_span(model.prescribed[node.index]);
     case NamedKind::point:
-      return named(model.points[node.index]);
+      return name_and_span(model.points[node.index]);
     case NamedKind::body:
-      return named(model.bodies[node.index]);
+      return name_and_span(model.bodies[node.index]);
     case NamedKind::frame:
-      return named(model.frames[node.index]);
+      return name_and_span(model.frames[node.index]);
   }
   return std::nullopt;
 }
@@ -152,7 +153,7 @@ bool check_cycles(Context& context) {
   const Model& model = context.model;
   std::vector<Named> cycle;
   for (const ExpressionId id : find_cycle(model)) {
-    if (auto name = named_by(model, model.expressions[id])) cycle.push_back(*std::move(name));
+    if (auto name = entry_of_node(model, model.expressions[id])) cycle.push_back(*std::move(name));
   }
   if (cycle.empty()) return true;
   const auto earlier = [](const Named& a, const Named& b) { return a.span.begin < b.span.begin; };

@@ -39,12 +39,13 @@ const ExpressionSyntax& syntax_of(std::string_view definition) {
 
 /// The definition with the call's arguments substituted for x and y; every node has the call's
 /// span.
-ExpressionSyntax written_out(ExpressionSyntax definition, const ExpressionSyntax& call) {
+ExpressionSyntax substitute_arguments(ExpressionSyntax definition, const ExpressionSyntax& call) {
   if (definition.kind == SyntaxKind::name) {
     if (definition.text == "x") return call.operands[0];
     if (definition.text == "y") return call.operands[1];
   }
-  for (ExpressionSyntax& operand : definition.operands) operand = written_out(operand, call);
+  for (ExpressionSyntax& operand : definition.operands)
+    operand = substitute_arguments(operand, call);
   definition.span = call.span;
   definition.token = call.token;
   return definition;
@@ -78,8 +79,8 @@ bool Resolver::has_arity(const ExpressionSyntax& call, std::size_t arity) {
   if (call.operands.size() == arity) return true;
   const std::size_t count = call.operands.size();
   context_.report.add(Code::E309, call.span,
-                      counted(count, "argument") + ", but " + in_backticks(call.text) + " takes " +
-                          std::to_string(arity));
+                      count_text(count, "argument") + ", but " + in_backticks(call.text) +
+                          " takes " + std::to_string(arity));
   return false;
 }
 
@@ -127,11 +128,11 @@ std::optional<ExpressionId> Resolver::resolve_composite(const ExpressionSyntax& 
                                                         const Composite& composite) {
   if (!has_arity(call, composite.arity)) return std::nullopt;
   if (composite.in_space.empty())
-    return resolve(written_out(syntax_of(composite.definition), call));
+    return resolve(substitute_arguments(syntax_of(composite.definition), call));
   const std::optional<std::uint32_t> dimension = common_dimension(call);
   if (!dimension) return std::nullopt;
-  return resolve(
-      written_out(syntax_of(*dimension == 3 ? composite.in_space : composite.definition), call));
+  return resolve(substitute_arguments(
+      syntax_of(*dimension == 3 ? composite.in_space : composite.definition), call));
 }
 
 std::optional<std::uint32_t> Resolver::common_dimension(const ExpressionSyntax& call) {
@@ -201,7 +202,7 @@ std::optional<ExpressionId> Resolver::resolve_multiplier(const ExpressionSyntax&
                      call.span);
   }
   context_.report.add(Reason::unknown_constraint, span, "unknown constraint " + in_backticks(name),
-                      suggestion(name, words_in(all, &Constraint::name),
+                      suggestion(name, column_words(all, &Constraint::name),
                                  all.empty() ? "no constraint is declared before it" : ""));
   return std::nullopt;
 }

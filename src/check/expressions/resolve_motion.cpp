@@ -30,7 +30,7 @@ bool is_named(const DeclaredName* symbol, SymbolKind kind) {
 
 /// None for the world.
 template <class Frame>
-std::optional<std::uint32_t> number_of(const Frame& frame) {
+std::optional<std::uint32_t> frame_index(const Frame& frame) {
   return frame.is_world ? std::nullopt : std::optional(frame.index);
 }
 
@@ -110,7 +110,7 @@ bool Resolver::has_axis(const ExpressionSyntax& call, std::uint32_t dimension, b
 }
 
 /// `no_expression` cannot be a root, so a new node 0 replaces it.
-std::optional<ExpressionId> Resolver::or_zero(ExpressionId id, const Span& span) {
+std::optional<ExpressionId> Resolver::nonshared_zero(ExpressionId id, const Span& span) {
   return id == no_expression ? push_number(0, span) : std::optional(id);
 }
 
@@ -144,7 +144,8 @@ std::optional<ExpressionId> Resolver::resolve_velocity(const ExpressionSyntax& c
     const ExpressionId component = nodes.named(place->kind, place->index, place->first + i);
     velocity[i] = nodes.rate(component);
   }
-  return or_zero(turned(nodes, velocity, std::nullopt, number_of(*axes))[axis_of(call)], call.span);
+  return nonshared_zero(
+      change_axes(nodes, velocity, std::nullopt, frame_index(*axes))[axis_of(call)], call.span);
 }
 
 std::optional<ExpressionId> Resolver::resolve_angular_velocity(const ExpressionSyntax& call) {
@@ -158,9 +159,9 @@ std::optional<ExpressionId> Resolver::resolve_angular_velocity(const ExpressionS
   NodeBuilder nodes(context_, call.span);
   const bool is_own = !axes->is_world && frame->index == axes->index;
   const Vector3 turning =
-      vector_of(nodes, frame->index, is_own ? frame_turning : frame_angular_velocity);
-  const std::optional<std::uint32_t> to = is_own ? std::nullopt : number_of(*axes);
-  return or_zero(turned(nodes, turning, std::nullopt, to)[axis_of(call)], call.span);
+      vector_of(nodes, frame->index, is_own ? frame_recursive_spin : frame_angular_velocity);
+  const std::optional<std::uint32_t> to = is_own ? std::nullopt : frame_index(*axes);
+  return nonshared_zero(change_axes(nodes, turning, std::nullopt, to)[axis_of(call)], call.span);
 }
 
 std::optional<ExpressionId> Resolver::resolve_axis(const ExpressionSyntax& call) {

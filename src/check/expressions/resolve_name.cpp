@@ -17,7 +17,7 @@ constexpr std::string_view energy_function = "energy_function";
 std::string_view energy_symbol() { return leaf_row(Opcode::energy).symbol; }
 
 /// A new node for a symbol of this kind; the caller sets index and span. None if it is no number.
-std::optional<Expression> named(SymbolKind kind) {
+std::optional<Expression> node_for_symbol(SymbolKind kind) {
   const auto leaf = [](Opcode of) { return Expression{.kind = ExpressionKind::leaf, .leaf = of}; };
   const auto name = [](NamedKind of) {
     return Expression{.kind = ExpressionKind::named, .named = of};
@@ -47,7 +47,7 @@ bool is_function_name(const std::string& name) {
 }
 
 /// Hint on a name that is not a number: the numbers that belong to it.
-std::string numbers_of(const std::string& name, SymbolKind kind) {
+std::string components_hint(const std::string& name, SymbolKind kind) {
   if (kind == SymbolKind::point) return "its components are `x(" + name + ")` and so on";
   if (kind == SymbolKind::rotation) {
     return "it is the `rotation` of a [[frame]]; its angular velocity is `dot(" + name +
@@ -85,7 +85,7 @@ std::optional<DottedName> dotted_name(const std::string& name, const DeclaredNam
 }
 
 /// Hint on how to write a rate or an angle in degrees, if the name suggests it; "" otherwise.
-std::string way_to_write(const ExpressionSyntax& name, const DeclaredNames& symbols) {
+std::string rate_spelling_hint(const ExpressionSyntax& name, const DeclaredNames& symbols) {
   if (name.text == "deg" || name.text == "degrees") return std::string(degrees_hint);
   const auto dotted = dotted_name(name.text, symbols);
   if (!dotted) return "";
@@ -133,12 +133,12 @@ void Resolver::note_own_energy(const ExpressionSyntax& name, const DeclaredName&
 
 std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& name,
                                                      const DeclaredName& symbol) {
-  std::optional<Expression> node = named(symbol.kind);
+  std::optional<Expression> node = node_for_symbol(symbol.kind);
   if (!node) {
     context_.report.add(
         Code::E319, name.span,
         in_backticks(name.span) + " is a " + std::string(noun(symbol.kind)) + ", not a number",
-        numbers_of(name.text, symbol.kind));
+        components_hint(name.text, symbol.kind));
     return std::nullopt;
   }
   const std::optional<std::uint32_t> index = element(name, symbol);
@@ -198,8 +198,8 @@ std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name)
                         "write `" + name.text + "(…)`");
     return std::nullopt;
   }
-  std::string hint = way_to_write(name, context_.symbols);
-  if (hint.empty() && context_.report.wants_suggestion()) {
+  std::string hint = rate_spelling_hint(name, context_.symbols);
+  if (hint.empty() && context_.report.needs_suggestion()) {
     std::vector<std::string> candidates = context_.symbols.names();
     const std::vector<std::string> indices = scope_.names();
     candidates.insert(candidates.end(), indices.begin(), indices.end());

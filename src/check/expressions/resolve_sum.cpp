@@ -23,7 +23,7 @@ struct ScaledProduct {
   cln::cl_RA number = 1;
   std::vector<ExpressionId> factors = {};
   std::vector<ExpressionId> divisors = {};
-  bool is_added = false;  ///< `number` includes the factor of another term
+  bool is_merged = false;  ///< `number` includes the factor of another term
 };
 
 class LikeTerms {
@@ -41,14 +41,14 @@ class LikeTerms {
   /// The operands of the sum at `span`; the original terms if none were merged. Terms that cancel
   /// become a difference, so that their units and place are still checked.
   [[nodiscard]] std::vector<ExpressionId> terms(const Span& span) {
-    if (std::ranges::none_of(kinds_, &ScaledProduct::is_added)) return terms_;
+    if (std::ranges::none_of(kinds_, &ScaledProduct::is_merged)) return terms_;
     const bool is_whole_sum = kinds_.size() == 1 && others_.empty();
     std::vector<ExpressionId> all;
     for (ScaledProduct& kind : kinds_) {
       const Span place = is_whole_sum ? span : node(kind.term).span;
-      const bool cancels = kind.is_added && cln::zerop(kind.number);
+      const bool cancels = kind.is_merged && cln::zerop(kind.number);
       if (cancels) kind.number = 1;
-      all.push_back(kind.is_added ? written(kind, place) : kind.term);
+      all.push_back(kind.is_merged ? build_product(kind, place) : kind.term);
       if (cancels) all.push_back(NodeBuilder(context_, place).negate(all.back()));
     }
     all.insert(all.end(), others_.begin(), others_.end());
@@ -85,7 +85,7 @@ class LikeTerms {
       return false;
     }
     like->number = like->number + product.number;
-    like->is_added = true;
+    like->is_merged = true;
     return true;
   }
 
@@ -117,7 +117,7 @@ class LikeTerms {
     });
   }
 
-  ExpressionId written(const ScaledProduct& product, const Span& span) {
+  ExpressionId build_product(const ScaledProduct& product, const Span& span) {
     NodeBuilder nodes(context_, span);
     std::vector<ExpressionId> factors{nodes.number(product.number)};
     factors.insert(factors.end(), product.factors.begin(), product.factors.end());

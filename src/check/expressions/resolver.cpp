@@ -75,7 +75,7 @@ std::optional<Resolver::Operands> Resolver::resolve_all(
 }
 
 std::optional<ExpressionId> Resolver::push(Expression expression) {
-  if (const auto failure = context_.append(std::move(expression))) {
+  if (const auto failure = context_.append_node(std::move(expression))) {
     report_failure(*failure, context_.model.expressions.back());
     return std::nullopt;
   }

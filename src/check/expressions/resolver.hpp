@@ -98,7 +98,7 @@ class Resolver {
   void refuse_place(const ExpressionSyntax& name, const DeclaredName* symbol);
   std::optional<ResolvedFrame> resolve_frame(const ExpressionSyntax& name);
   bool has_axis(const ExpressionSyntax& call, std::uint32_t dimension, bool is_angular);
-  std::optional<ExpressionId> or_zero(ExpressionId id, const Span& span);
+  std::optional<ExpressionId> nonshared_zero(ExpressionId id, const Span& span);
   std::optional<ExpressionId> resolve_component(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_velocity(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_angular_velocity(const ExpressionSyntax& call);

@@ -49,7 +49,7 @@ std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const Value
                                                 std::size_t count) {
   if (value.kind != ValueKind::list || value.items.size() != count) {
     const std::string given =
-        value.kind == ValueKind::list ? counted(value.items.size(), "component") : "one number";
+        value.kind == ValueKind::list ? count_text(value.items.size(), "component") : "one number";
     values.context().report.add(Reason::wrong_component_count, value.span,
                                 given + ", but a rotation has " + std::to_string(count) + " here");
     return std::nullopt;
@@ -106,7 +106,7 @@ void check_unit(Context& context, const EntrySyntax& entry) {
 }  // namespace
 
 bool is_rotation(const EntrySyntax& entry) {
-  return entry.name == "coordinate" && text_of(entry, "kind") == "rotation";
+  return entry.name == "coordinate" && text_value(entry, "kind") == "rotation";
 }
 
 std::optional<std::uint32_t> declare_rotation(Context& context, const EntrySyntax& entry,
@@ -146,12 +146,12 @@ void check_rotations(Context& context) {
   const Model& model = context.model;
   std::vector<const Frame*> turned(model.rotations.size(), nullptr);
   for (const Frame& frame : model.frames) {
-    for (const FrameStep& step : frame.steps) {
-      if (!step.rotation) continue;
-      const Frame*& first = turned[*step.rotation];
+    for (const ElementaryTransform& transform : frame.transforms) {
+      if (!transform.rotation) continue;
+      const Frame*& first = turned[*transform.rotation];
       if (first != nullptr) {
         context.report.add(Reason::rotation_of_two_frames, frame.span,
-                           in_backticks(model.rotations[*step.rotation].name) +
+                           in_backticks(model.rotations[*transform.rotation].name) +
                                " is already the rotation of the frame " +
                                in_backticks(first->name));
       }

@@ -82,7 +82,7 @@ class TraitFinder {
   explicit TraitFinder(const Model& model) : model_(model), traits_(model.expressions.size()) {}
 
   std::vector<Traits> find() && {
-    for (const ExpressionId id : in_order(model_)) traits_[id] = of(id);
+    for (const ExpressionId id : topological_order(model_)) traits_[id] = of(id);
     return std::move(traits_);
   }
 

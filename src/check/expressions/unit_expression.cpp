@@ -40,7 +40,7 @@ constexpr std::array<MultipleRow, 16> multiples{{{"deg", "pi/180", "rad"},
 
 /// Hint with the value in a unit of the language; only the conversion factor if the value is
 /// unknown.
-std::string converted(const MultipleRow& row, const ValueSyntax* value) {
+std::string conversion_hint(const MultipleRow& row, const ValueSyntax* value) {
   const std::string factor(row.factor);
   const std::string unit(row.unit);
   const std::string equation = "1 " + std::string(row.name) + " is " + factor + " " + unit;
@@ -52,7 +52,7 @@ std::string converted(const MultipleRow& row, const ValueSyntax* value) {
 }
 
 /// "kg*m" for "kgm": two units without an operator; "" otherwise. An initial m is read as milli.
-std::string as_product(std::string_view name) {
+std::string missing_operator_hint(std::string_view name) {
   if (name.starts_with('m')) return {};
   for (std::size_t i = 1; i < name.size(); ++i) {
     if (!find_unit(name.substr(0, i)) || !find_unit(name.substr(i))) continue;
@@ -64,8 +64,8 @@ std::string as_product(std::string_view name) {
 /// Hint on an unknown unit. `value` is the value in this unit alone, or null.
 std::string hint_on(std::string_view name, const ValueSyntax* value) {
   const auto* const multiple = std::ranges::find(multiples, name, &MultipleRow::name);
-  if (multiple != multiples.end()) return converted(*multiple, value);
-  std::vector<std::string> candidates{as_product(name)};
+  if (multiple != multiples.end()) return conversion_hint(*multiple, value);
+  std::vector<std::string> candidates{missing_operator_hint(name)};
   if (candidates.front().empty()) {
     candidates.clear();
     for (const UnitRow& row : unit_table()) candidates.emplace_back(row.name);

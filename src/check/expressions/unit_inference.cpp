@@ -30,7 +30,7 @@ InferredUnit declared(const std::optional<Unit>& unit) {
 }
 
 /// The unit if it is known; none if it is unknown or arbitrary.
-std::optional<Unit> certain(const InferredUnit& inferred) {
+std::optional<Unit> known_unit(const InferredUnit& inferred) {
   return inferred.known == Known::yes ? std::optional(inferred.unit) : std::nullopt;
 }
 
@@ -62,33 +62,33 @@ class UnitInference {
   void run() {
     std::vector<bool> has_unit(units_.size(), false);
     for (const WrittenExpression& root : context_.roots) {
-      if (root.plain_numbers) continue;
+      if (root.is_in_unit_of_place) continue;
       std::fill(has_unit.begin() + root.first, has_unit.begin() + root.value + 1, true);
     }
-    for (const ExpressionId id : in_order(model_)) {
+    for (const ExpressionId id : topological_order(model_)) {
       if (has_unit[id]) units_[id] = of(id);
     }
     for (const WrittenExpression& root : context_.roots) compare_with_place(root);
     for (OpenValue& value : context_.model.open_values) {
-      const std::optional<Unit> unit = certain(of_open_value(value));
+      const std::optional<Unit> unit = known_unit(of_open_value(value));
       if (!unit) continue;
       value.unit = unit;
       value.unit_text = to_string(*unit);
     }
     for (Constraint& constraint : context_.model.constraints) {
-      if (const auto unit = certain(units_[constraint.value])) constraint.unit = unit;
+      if (const auto unit = known_unit(units_[constraint.value])) constraint.unit = unit;
     }
     for (Expectation& expectation : context_.model.expectations) {
       for (const ExpressionId entry : expectation.entries) {
-        expectation.units.push_back(certain(units_[entry]));
+        expectation.units.push_back(known_unit(units_[entry]));
       }
     }
   }
 
  private:
   void compare_with_place(const WrittenExpression& root) {
-    const std::optional<Unit> inferred = certain(units_[root.value]);
-    if (!root.unit || root.misplaced || !inferred || *inferred == *root.unit) return;
+    const std::optional<Unit> inferred = known_unit(units_[root.value]);
+    if (!root.unit || root.has_forbidden_ingredient || !inferred || *inferred == *root.unit) return;
     refuse(Code::E403, root.value, *inferred,
            std::string(root.place.noun) + " is in " + unit_text_in(root.place, *root.unit),
            *inferred == Unit{} ? unnamed_number_hint(model_, root.value) : "");
@@ -171,7 +171,7 @@ class UnitInference {
     const InferredUnit& first = units_[parts.front()];
     switch (node.kind) {
       case ExpressionKind::add:
-        return common(node, "the sum");
+        return common_unit(node, "the sum");
       case ExpressionKind::multiply:
         return product(node);
       case ExpressionKind::divide:
@@ -206,7 +206,7 @@ class UnitInference {
   }
 
   /// The unit that all operands share. E401 at the first operand with another unit.
-  InferredUnit common(const Expression& node, std::string_view what) {
+  InferredUnit common_unit(const Expression& node, std::string_view what) {
     InferredUnit result{Known::any, {}};
     ExpressionId first = no_expression;
     bool complete = true;
@@ -220,7 +220,7 @@ class UnitInference {
       if (term.known == Known::yes && term.unit != result.unit) {
         refuse(Code::E401, unsigned_term(operand), term.unit,
                std::string(what) + " is in " + text_at(operand, result.unit),
-               hint_on_pure(operand, first));
+               hint_on_dimensionless(operand, first));
         return {};
       }
     }
@@ -232,18 +232,18 @@ class UnitInference {
       case FunctionUnits::kept:
         return units_[node.operands[0]];
       case FunctionUnits::shared:
-        return common(node, "the other argument");
+        return common_unit(node, "the other argument");
       case FunctionUnits::ratio:
-        return ratio(common(node, "the other argument"));
+        return ratio(common_unit(node, "the other argument"));
       case FunctionUnits::ignored:
         return ratio(units_[node.operands[0]]);
       case FunctionUnits::pure:
         break;
     }
-    return pure(node);
+    return require_pure(node);
   }
 
-  InferredUnit pure(const Expression& node) {
+  InferredUnit require_pure(const Expression& node) {
     const InferredUnit& argument = units_[node.operands[0]];
     if (argument.known == Known::yes && argument.unit != Unit{}) {
       refuse(Code::E404, node.operands[0], argument.unit,
@@ -255,7 +255,7 @@ class UnitInference {
   [[nodiscard]] std::string_view name_of_call(const Expression& node) const {
     const bool is_stumpff = node.function == FunctionId::stumpff;
     const std::string_view own =
-        is_stumpff ? name_of_order(model_.expressions[node.operands[1]].number) : "";
+        is_stumpff ? stumpff_name(model_.expressions[node.operands[1]].number) : "";
     return own.empty() ? function_row(node.function).name : own;
   }
 
@@ -266,7 +266,7 @@ class UnitInference {
   }
 
   /// If two terms differ, a number in the dimensionless term may lack a unit.
-  [[nodiscard]] std::string hint_on_pure(ExpressionId a, ExpressionId b) const {
+  [[nodiscard]] std::string hint_on_dimensionless(ExpressionId a, ExpressionId b) const {
     if (units_[a].unit == Unit{}) return unnamed_number_hint(model_, a);
     return units_[b].unit == Unit{} ? unnamed_number_hint(model_, b) : "";
   }

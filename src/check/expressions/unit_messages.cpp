@@ -11,7 +11,7 @@ namespace {
 
 /// The expression and its subexpressions, in the order of the file, without the expressions behind
 /// names and the arguments of open functions.
-std::vector<ExpressionId> written_parts(const Model& model, ExpressionId expression) {
+std::vector<ExpressionId> subexpressions(const Model& model, ExpressionId expression) {
   std::vector<ExpressionId> parts{expression};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Expression& part = model.expressions[parts[i]];
@@ -25,7 +25,8 @@ std::vector<ExpressionId> written_parts(const Model& model, ExpressionId express
 }
 
 /// `unit` is the declared text: rad, not 1.
-UnitDeclaration declared_here(const std::string& name, const std::string& unit, const Span& span) {
+UnitDeclaration declaration_with_unit(const std::string& name, const std::string& unit,
+                                      const Span& span) {
   return {span, in_backticks(name) + " is declared here, in " + unit};
 }
 
@@ -33,14 +34,16 @@ std::optional<UnitDeclaration> parameter_declaration(const Model& model, const E
   if (!is_leaf(node, Opcode::parameter)) return std::nullopt;
   const Parameter& parameter = model.parameters[node.index];
   const ParameterArray& array = model.parameter_arrays[parameter.array];
-  return parameter.unit ? std::optional(declared_here(array.name, array.unit_text, array.span))
-                        : std::nullopt;
+  return parameter.unit
+             ? std::optional(declaration_with_unit(array.name, array.unit_text, array.span))
+             : std::nullopt;
 }
 
 std::optional<UnitDeclaration> variable_declaration(const Model& model, const Expression& node) {
   const auto of = [](const auto& row) {
-    return row.unit_text.empty() ? std::nullopt
-                                 : std::optional(declared_here(row.name, row.unit_text, row.span));
+    return row.unit_text.empty()
+               ? std::nullopt
+               : std::optional(declaration_with_unit(row.name, row.unit_text, row.span));
   };
   if (node.kind != ExpressionKind::leaf) return std::nullopt;
   switch (leaf_row(node.leaf).of) {
@@ -67,7 +70,7 @@ std::string unit_text_in(const Place& place, const Unit& unit) {
 }
 
 std::string unnamed_number_hint(const Model& model, ExpressionId expression) {
-  for (const ExpressionId id : written_parts(model, expression)) {
+  for (const ExpressionId id : subexpressions(model, expression)) {
     const Expression& node = model.expressions[id];
     if (node.kind != ExpressionKind::number || cln::zerop(node.number)) continue;
     return in_backticks(node.span) +
@@ -77,7 +80,7 @@ std::string unnamed_number_hint(const Model& model, ExpressionId expression) {
 }
 
 std::optional<UnitDeclaration> unit_declaration(const Model& model, ExpressionId expression) {
-  const std::vector<ExpressionId> parts = written_parts(model, expression);
+  const std::vector<ExpressionId> parts = subexpressions(model, expression);
   for (const auto of : {parameter_declaration, variable_declaration}) {
     for (const ExpressionId id : parts) {
       if (auto found = of(model, model.expressions[id])) return found;
@@ -94,7 +97,7 @@ void note_plain_numbers(Context& context) {
     const Expression& value = model.expressions[root.value];
     const bool is_zero = value.kind == ExpressionKind::number && cln::zerop(value.number);
     const bool is_of_model = value.span.source == model.source.get();
-    if (!root.plain_numbers || root.unit.value_or(Unit{}) == Unit{}) continue;
+    if (!root.is_in_unit_of_place || root.unit.value_or(Unit{}) == Unit{}) continue;
     if (is_zero || !is_of_model) continue;
     ++count;
     if (first == nullptr || value.span.begin < model.expressions[first->value].span.begin) {
@@ -104,7 +107,7 @@ void note_plain_numbers(Context& context) {
   if (first == nullptr) return;
   const Span& span = model.expressions[first->value].span;
   std::string others;
-  if (count > 1) others = "; the same holds for " + counted(count - 1, "other value");
+  if (count > 1) others = "; the same holds for " + count_text(count - 1, "other value");
   context.report.add(Code::E405, span,
                      in_backticks(span) + " contains no name, so it is in " +
                          unit_text_in(first->place, *first->unit) + ", the SI unit of its key" +

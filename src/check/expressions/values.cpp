@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-cln::cl_R rounded(const cln::cl_R& value) {
+cln::cl_R round_irrational(const cln::cl_R& value) {
   return is_rational(value) ? value
                             : cln::cl_R(cln::cl_float(value, cln::float_format(constant_digits)));
 }
@@ -22,7 +22,7 @@ cln::cl_R rounded(const cln::cl_R& value) {
 constexpr std::string_view origin = "origin";
 
 /// Whether the nodes are only numbers, pi and operations on them.
-bool names_nothing(const std::vector<Expression>& nodes, ExpressionId first, ExpressionId last) {
+bool is_numeric(const std::vector<Expression>& nodes, ExpressionId first, ExpressionId last) {
   return std::none_of(nodes.begin() + first, nodes.begin() + last + 1, [](const auto& node) {
     return node.kind == ExpressionKind::leaf || node.kind == ExpressionKind::named;
   });
@@ -58,7 +58,7 @@ ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootReq
   const std::optional<ExpressionId> id =
       Resolver(context_, scope_, request.place.allowed).resolve(expression);
   if (!id) return no_expression;
-  const bool plain = request.unit && names_nothing(context_.model.expressions, first, *id);
+  const bool plain = request.unit && is_numeric(context_.model.expressions, first, *id);
   context_.roots.push_back({first, *id, request.place, request.unit, false, plain});
   return *id;
 }
@@ -72,7 +72,7 @@ ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootReques
   if (id == no_expression) return id;
   WrittenExpression& read = context_.roots.back();
   const auto& nodes = context_.model.expressions;
-  read.plain_numbers = std::none_of(
+  read.is_in_unit_of_place = std::none_of(
       nodes.begin() + read.first, nodes.begin() + read.value + 1, [](const Expression& node) {
         return is_leaf(node, Opcode::parameter) || is_name(node, NamedKind::prescribed) ||
                is_name(node, NamedKind::definition);
@@ -106,7 +106,7 @@ std::optional<FixedValue> ValueReader::constant_with_form(const ValueSyntax& val
                         in_backticks(syntax.span) + " is not a constant number");
   }
   if (!result) return std::nullopt;
-  return FixedValue{rounded(*result), needs_form ? id : std::nullopt};
+  return FixedValue{round_irrational(*result), needs_form ? id : std::nullopt};
 }
 
 std::optional<Interval> ValueReader::interval(const EntrySyntax& entry, std::string_view key) {
@@ -155,14 +155,14 @@ bool ValueReader::is_vector(const ValueSyntax& value) {
   const std::size_t count = value.items.size();
   if (count != 2 && count != 3) {
     context_.report.add(Reason::wrong_component_count, value.span,
-                        counted(count, "component") + ", but a vector has 2 or 3");
+                        count_text(count, "component") + ", but a vector has 2 or 3");
     return false;
   }
   if (context_.dimension == 0) {
     context_.dimension = static_cast<std::uint32_t>(count);
   } else if (count != context_.dimension) {
     context_.report.add(Code::E516, value.span,
-                        counted(count, "component") + ", but other vectors of this model have " +
+                        count_text(count, "component") + ", but other vectors of this model have " +
                             std::to_string(context_.dimension));
   }
   return true;
@@ -171,7 +171,7 @@ bool ValueReader::is_vector(const ValueSyntax& value) {
 namespace {
 
 /// Number of vectors in the file, by number of components.
-std::array<std::size_t, 4> counted_vectors(const FileSyntax& model) {
+std::array<std::size_t, 4> count_vectors(const FileSyntax& model) {
   constexpr std::array<std::string_view, 4> vectors{"at", "com", "translate", "vector"};
   std::array<std::size_t, 4> counts{};
   for (const EntrySyntax& entry : model.entries) {
@@ -186,14 +186,14 @@ std::array<std::size_t, 4> counted_vectors(const FileSyntax& model) {
 
 }  // namespace
 
-std::uint32_t usual_dimension(const FileSyntax& model) {
-  const auto counts = counted_vectors(model);
+std::uint32_t majority_dimension(const FileSyntax& model) {
+  const auto counts = count_vectors(model);
   if (counts[2] == 0 || counts[3] == 0 || counts[2] == counts[3]) return 0;
   return counts[2] > counts[3] ? 2 : 3;
 }
 
 bool is_planar(const FileSyntax& model) {
-  const auto counts = counted_vectors(model);
+  const auto counts = count_vectors(model);
   return counts[2] > counts[3];
 }
 
@@ -230,8 +230,8 @@ std::optional<JoinedPlace> ValueReader::joined_place(const ValueSyntax& value) {
   return std::nullopt;
 }
 
-std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,
-                                          std::span<const std::string_view> keys) {
+std::array<const KeySyntax*, 2> first_two_keys(const EntrySyntax& entry,
+                                               std::span<const std::string_view> keys) {
   std::array<const KeySyntax*, 2> found{};
   for (const KeySyntax& key : entry.keys) {
     if (std::ranges::find(keys, key.key) == keys.end()) continue;
@@ -241,8 +241,8 @@ std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,
   return found;
 }
 
-ExpressionSyntax difference(const ExpressionSyntax& larger, const ExpressionSyntax& smaller,
-                            const Span& span) {
+ExpressionSyntax subtraction_syntax(const ExpressionSyntax& larger, const ExpressionSyntax& smaller,
+                                    const Span& span) {
   ExpressionSyntax negated;
   negated.kind = SyntaxKind::negate;
   negated.operands.push_back(smaller);
@@ -262,7 +262,7 @@ std::optional<ExpressionSyntax> residual(const ValueSyntax& equation) {
   const ExpressionSyntax& other = right->value.expression;
   const bool is_zero = other.kind == SyntaxKind::number && cln::zerop(other.value);
   if (is_zero) return left->value.expression;
-  return difference(left->value.expression, other, equation.span);
+  return subtraction_syntax(left->value.expression, other, equation.span);
 }
 
 std::vector<KeySyntax> keys_of(Context& context, const std::vector<SourcePointer>& options,

@@ -93,13 +93,13 @@ void note_degrees(Report& report, const Span& span, const Coordinate& coordinate
 
 /// The dimension of most vectors of the file, 2 or 3; 0 if all agree, or if both are equally
 /// frequent.
-[[nodiscard]] std::uint32_t usual_dimension(const FileSyntax& model);
+[[nodiscard]] std::uint32_t majority_dimension(const FileSyntax& model);
 /// Whether most vectors have two components.
 [[nodiscard]] bool is_planar(const FileSyntax& model);
 
 /// Text of an optional key of an entry or table; "" if it is absent.
 template <class Table>
-[[nodiscard]] std::string text_of(const Table& table, std::string_view key) {
+[[nodiscard]] std::string text_value(const Table& table, std::string_view key) {
   const KeySyntax* found = table.find(key);
   return found == nullptr ? "" : found->value.text;
 }
@@ -116,9 +116,9 @@ template <class Row>
   row.name = name.text();
   row.span = name.span;
   if constexpr (requires { row.identifier; }) row.identifier = name.identifier();
-  if constexpr (requires { row.unit_text; }) row.unit_text = text_of(entry, "unit");
-  if constexpr (requires { row.latex; }) row.latex = text_of(entry, "latex");
-  if constexpr (requires { row.doc; }) row.doc = text_of(entry, "doc");
+  if constexpr (requires { row.unit_text; }) row.unit_text = text_value(entry, "unit");
+  if constexpr (requires { row.latex; }) row.latex = text_value(entry, "latex");
+  if constexpr (requires { row.doc; }) row.doc = text_value(entry, "doc");
   return row;
 }
 
@@ -132,12 +132,13 @@ std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& 
 }
 
 /// The first two of some alternative keys in the entry; the second is one too many. Null if absent.
-[[nodiscard]] std::array<const KeySyntax*, 2> first_two(const EntrySyntax& entry,
-                                                        std::span<const std::string_view> keys);
+[[nodiscard]] std::array<const KeySyntax*, 2> first_two_keys(
+    const EntrySyntax& entry, std::span<const std::string_view> keys);
 
 /// larger - smaller, so that their units are compared as terms of a sum.
-[[nodiscard]] ExpressionSyntax difference(const ExpressionSyntax& larger,
-                                          const ExpressionSyntax& smaller, const Span& span);
+[[nodiscard]] ExpressionSyntax subtraction_syntax(const ExpressionSyntax& larger,
+                                                  const ExpressionSyntax& smaller,
+                                                  const Span& span);
 
 /// left - right of an equation, or left if the right side is 0; none if a side is missing.
 [[nodiscard]] std::optional<ExpressionSyntax> residual(const ValueSyntax& equation);

@@ -26,7 +26,7 @@ WrenchComponents wrench_components(const Context& context, const EntrySyntax& en
 }
 
 bool is_wrench_input(const EntrySyntax& entry) {
-  return entry.name == "input" && first_two(entry, acting_keys)[0] != nullptr;
+  return entry.name == "input" && first_two_keys(entry, acting_keys)[0] != nullptr;
 }
 
 std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntrySyntax& entry,
@@ -40,7 +40,7 @@ std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntryS
     return refuse(Reason::repeated_name, repetition == nullptr ? name.span : repetition->key_span,
                   "a wrench cannot be repeated: its index counts its components");
   }
-  if (const KeySyntax* second = first_two(entry, acting_keys)[1]) {
+  if (const KeySyntax* second = first_two_keys(entry, acting_keys)[1]) {
     return refuse(Reason::not_one_alternative, second->key_span,
                   "an input has one of `on`, `wrench` and `at`");
   }

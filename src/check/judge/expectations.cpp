@@ -76,7 +76,8 @@ std::string found_shape(const Rows& rows) {
 }
 
 /// None after an error of require_request.
-std::optional<ExpectedField> require(Context& context, std::string_view name, const Span& span) {
+std::optional<ExpectedField> require_field(Context& context, std::string_view name,
+                                           const Span& span) {
   const Model& model = context.model;
   const bool is_field = name == multipliers && !model.constraints.empty();
   auto request = require_request(model, is_field ? "forward_dynamics" : name, span, context.report);
@@ -89,7 +90,7 @@ std::optional<ExpectedField> require(Context& context, std::string_view name, co
 }
 
 /// An expectation without its entries.
-Expectation blank(const ExpectedField& expected, const Span& span) {
+Expectation empty_expectation(const ExpectedField& expected, const Span& span) {
   Expectation expectation;
   expectation.output = expected.request.name;
   expectation.field = expected.field;
@@ -141,7 +142,7 @@ class ExpectationReader {
       read_column(key, equation_of_motion);
     } else if (key.value.kind == ValueKind::table) {
       read_sized(key);
-    } else if (const auto expected = require(context_, key.key, key.key_span)) {
+    } else if (const auto expected = require_field(context_, key.key, key.key_span)) {
       read_matrix(key, *expected);
     }
   }
@@ -166,19 +167,19 @@ class ExpectationReader {
   void read_matrix(const KeySyntax& key, const ExpectedField& expected) {
     const OutputRequest& request = expected.request;
     const auto rows = rows_of(key.value);
-    Expectation expectation = blank(expected, key.key_span);
-    const bool lacks_rows = is_matrix(request) && !is_nested(key.value);
-    bool fits = rows.size() == request.rows && !lacks_rows;
+    Expectation expectation = empty_expectation(expected, key.key_span);
+    const bool needs_rows = is_matrix(request) && !is_nested(key.value);
+    bool fits = rows.size() == request.rows && !needs_rows;
     for (std::size_t i = 0; fits && i < rows.size(); ++i) {
       fits = rows[i].size() == request.columns;
       for (std::size_t j = 0; fits && j < rows[i].size(); ++j) {
         const std::size_t index = expectation.entries.size();
         add_entry(expectation, *rows[i][j], request_for(expected, index));
-        forget_unit();
+        drop_unit();
       }
     }
     if (!fits) {
-      const std::string found = lacks_rows ? "no list of rows" : found_shape(rows);
+      const std::string found = needs_rows ? "no list of rows" : found_shape(rows);
       context_.report.add(
           Code::E517, key.value.span,
           found + ", but " + in_backticks(key.key) + " is " + shape(request.rows, request.columns),
@@ -189,14 +190,14 @@ class ExpectationReader {
   }
 
   /// Numbers at a state come from a table, so they get no E405 for numbers without names.
-  void forget_unit() {
-    if (at_ && !context_.roots.empty() && context_.roots.back().plain_numbers) {
+  void drop_unit() {
+    if (at_ && !context_.roots.empty() && context_.roots.back().is_in_unit_of_place) {
       context_.roots.back().unit.reset();
     }
   }
 
   void keep(Expectation expectation) {
-    if (!expectation.is_conserved() && !expectation.are_equations()) expectation.at = at_;
+    if (!expectation.is_conserved() && !expectation.is_equations()) expectation.at = at_;
     if (!context_.beyond_limits) context_.model.expectations.push_back(std::move(expectation));
   }
 
@@ -222,7 +223,7 @@ class ExpectationReader {
       return;
     }
     const std::string_view output = name.substr(0, name.size() - entry_suffix.size());
-    const auto expected = require(context_, output, key.key_span);
+    const auto expected = require_field(context_, output, key.key_span);
     const KeySyntax* repetition = key.value.find("for");
     const KeySyntax* value = key.value.find("value");
     if (!expected || repetition == nullptr || value == nullptr) return;
@@ -240,7 +241,7 @@ class ExpectationReader {
 
   void expand(const ExpectedField& expected, const std::vector<RangeSyntax>& ranges,
               const KeySyntax& value, const Span& span) {
-    Expectation expectation = blank(expected, span);
+    Expectation expectation = empty_expectation(expected, span);
     Scope scope(context_.sizes);
     const auto add = [&] {
       const auto index =
@@ -248,7 +249,7 @@ class ExpectationReader {
       if (!index) return false;
       const ExpressionId entry =
           ValueReader(context_, scope).root(value.value, request_for(expected, *index));
-      forget_unit();
+      drop_unit();
       // Grow lazily: a form over the node limit stops long before its last entry.
       expectation.entries.resize(std::max(expectation.entries.size(), *index + 1), no_expression);
       expectation.entries[*index] = entry;
@@ -268,7 +269,7 @@ class ExpectationReader {
 
 /// Reads one closed form with at most 4096 nodes. A larger form is removed again, but the errors
 /// found before the limit are reported.
-void read_small(Context& context, const std::optional<StatedState>& at, const KeySyntax& key) {
+void read_limited(Context& context, const std::optional<StatedState>& at, const KeySyntax& key) {
   constexpr std::uint64_t few_nodes = 4096;
   const std::size_t nodes = context.model.expressions.size();
   const std::size_t roots = context.roots.size();
@@ -288,7 +289,7 @@ void read_small(Context& context, const std::optional<StatedState>& at, const Ke
 
 /// Whether the entry contains the zero node: after an error, or as the z of a planar point.
 bool has_failed(const Model& model, ExpressionId entry) {
-  return std::ranges::count(reached(model, {entry}), no_expression) > 0;
+  return std::ranges::count(reachable_from(model, {entry}), no_expression) > 0;
 }
 
 }  // namespace
@@ -297,7 +298,7 @@ void check_equations(Context& context, const std::vector<Traits>& traits) {
   const Model& model = context.model;
   const bool is_sound = context.report.errors() == 0;
   for (const Expectation& expectation : model.expectations) {
-    if (!expectation.are_equations()) continue;
+    if (!expectation.is_equations()) continue;
     for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
       const ExpressionId entry = expectation.entries[i];
       if ((traits[entry].ingredients & uses_acceleration) != 0) continue;
@@ -310,10 +311,10 @@ void check_equations(Context& context, const std::vector<Traits>& traits) {
     const std::size_t velocities = model.velocities.size();
     const std::size_t constraints = model.constraints.size();
     if (count + constraints >= velocities) continue;
-    std::string needed = "the model has " + counted(velocities, "acceleration");
-    if (constraints > 0) needed += " and " + counted(constraints, "constraint");
+    std::string needed = "the model has " + count_text(velocities, "acceleration");
+    if (constraints > 0) needed += " and " + count_text(constraints, "constraint");
     context.report.add(Code::E540, expectation.span,
-                       counted(count, "equation") + ", but " + needed);
+                       count_text(count, "equation") + ", but " + needed);
   }
 }
 
@@ -327,7 +328,7 @@ void read_expectations(Context& context, const FileSyntax& syntax, bool large) {
       if (large) {
         ExpectationReader(context, at).read(key);
       } else {
-        read_small(context, at, key);
+        read_limited(context, at, key);
       }
     }
   }

@@ -1,4 +1,4 @@
-// The state of an [[expect]]: its keys `at` and `within`.
+// The state of an [[expect]]: its keys `at` and `tolerance`.
 //
 //     at = { theta = 0.1, "dot(theta)" = 2, m = 0.3 }   ->   coordinate 0: 1/10, velocity 0: 2, …
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 /// Every leaf that a function may take, with its name in models and without a value.
 std::vector<std::pair<std::string, StatedLeaf>> stated_leaves(const Model& model) {
   LeafNames names = leaf_names(model);
-  name_taken(Opcode::momentum, names);
+  name_optional_leaves(Opcode::momentum, names);
   std::vector<std::pair<std::string, StatedLeaf>> leaves;
   for_each_leaf(
       [&](Opcode kind, std::uint32_t number, const std::string& name) {
@@ -40,7 +40,7 @@ std::vector<StatedLeaf> read_leaves(Context& context, const std::vector<KeySynta
     if (found == known.end()) {
       context.report.add(Reason::unknown_state_name, key.key_span,
                          "unknown name " + in_backticks(key.key),
-                         suggestion(key.key, words_in(known, &Named::first)));
+                         suggestion(key.key, column_words(known, &Named::first)));
       continue;
     }
     StatedLeaf leaf = found->second;
@@ -79,8 +79,8 @@ std::optional<StatedState> read_stated_state(Context& context, const EntrySyntax
   // The default tolerance 1e-12 fits tables of doubles.
   StatedState state{read_leaves(context, at->value.entries), power_of_ten(-12)};
   if (within == nullptr) return state;
-  state.within = ValueReader(context).constant(within->value).value_or(state.within);
-  if (!cln::plusp(state.within)) {
+  state.tolerance = ValueReader(context).constant(within->value).value_or(state.tolerance);
+  if (!cln::plusp(state.tolerance)) {
     context.report.add(Reason::bad_tolerance, within->value.span,
                        in_backticks(within->value.span) + " is not positive");
   }

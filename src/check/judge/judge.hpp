@@ -20,7 +20,7 @@ void check_mechanics(Context& context, const std::vector<Traits>& traits);
 
 /// Rewrites sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 as Stumpff functions in equations and
 /// outputs, if a is a multiple of a coordinate. Fills Model::typed.
-void write_quotients(Context& context);
+void rewrite_quotients(Context& context);
 
 /// E535, E536, E539 for the constraints of a reduced model.
 void check_constraints(Context& context);

@@ -44,18 +44,18 @@ bool is_in_equations(const Model& model, const Root& root) {
 }
 
 /// All expressions in the equations and outputs, and the motions on which forces do work.
-Expressions in_equations(const Model& model) {
+Expressions expressions_in_equations(const Model& model) {
   Expressions all =
       roots_if(model, [&model](const Root& root) { return is_in_equations(model, root); });
   for (const Force& force : model.forces) {
-    const Expressions moved = moved_by(model, force);
+    const Expressions moved = work_expressions(model, force);
     all.insert(all.end(), moved.begin(), moved.end());
   }
   return all;
 }
 
 /// True if T or a spin has terms of lower degree in the rates, V depends on rates, or L is given.
-bool finds_drift(const Model& model, const std::vector<Traits>& traits) {
+bool energy_may_drift(const Model& model, const std::vector<Traits>& traits) {
   const Energies& e = model.energies;
   const auto lowest = [&](ExpressionId id) { return traits[id].lowest_rate_degree; };
   const auto turns_at_rest = [&](const Body& body) {
@@ -86,10 +86,10 @@ class MechanicsCheck {
       }
     }
     check_lagrangian();
-    model_.uses_time = std::ranges::any_of(in_equations(model_), [&](ExpressionId id) {
+    model_.uses_time = std::ranges::any_of(expressions_in_equations(model_), [&](ExpressionId id) {
       return (traits_[id].ingredients & uses_time) != 0;
     });
-    model_.may_drift = model_.uses_time || finds_drift(model_, traits_);
+    model_.may_drift = model_.uses_time || energy_may_drift(model_, traits_);
   }
 
  private:
@@ -128,7 +128,7 @@ class MechanicsCheck {
   /// An input acts through `on` or through a force; both would count it twice.
   void check_inputs(ExpressionId value) {
     if ((traits_[value].ingredients & uses_input) == 0) return;
-    for (const ExpressionId id : reached(model_, {value})) {
+    for (const ExpressionId id : reachable_from(model_, {value})) {
       const Expression& node = model_.expressions[id];
       if (!is_leaf(node, Opcode::input) || !model_.inputs[node.index].on) continue;
       const Input& input = model_.inputs[node.index];
@@ -178,16 +178,17 @@ class MechanicsCheck {
 };
 
 /// Subexpressions of the kinetic energy, as the model writes it.
-Expressions in_energies(const Model& model) {
-  return reached(model, roots_if(model, [](const Root& root) {
-                   const bool is_of_body = root.entity.kind == EntityKind::body;
-                   return root.role == RootRole::kinetic || root.role == RootRole::lagrangian ||
-                          (is_of_body && root.role == RootRole::spin);
-                 }));
+Expressions expressions_in_energies(const Model& model) {
+  return reachable_from(model, roots_if(model, [](const Root& root) {
+                          const bool is_of_body = root.entity.kind == EntityKind::body;
+                          return root.role == RootRole::kinetic ||
+                                 root.role == RootRole::lagrangian ||
+                                 (is_of_body && root.role == RootRole::spin);
+                        }));
 }
 
 /// Subexpressions differentiated by time in the energies, and the positions of masses.
-Expressions differentiated(const Model& model, const Expressions& energies) {
+Expressions differentiated_expressions(const Model& model, const Expressions& energies) {
   Expressions roots;
   std::ranges::copy_if(energies, std::back_inserter(roots), [&](ExpressionId id) {
     return model.expressions[id].kind == ExpressionKind::time_derivative;
@@ -198,7 +199,7 @@ Expressions differentiated(const Model& model, const Expressions& energies) {
   for (const Body& body : model.bodies) {
     if (body.mass) roots.insert(roots.end(), body.com.begin(), body.com.end());
   }
-  return reached(model, roots);
+  return reachable_from(model, roots);
 }
 
 }  // namespace
@@ -220,8 +221,8 @@ std::vector<bool> moving_velocities(const Model& model) {
       if (is_rate) moving[node.index] = true;
     }
   };
-  const Expressions energies = in_energies(model);
-  const Expressions moved = differentiated(model, energies);
+  const Expressions energies = expressions_in_energies(model);
+  const Expressions moved = differentiated_expressions(model, energies);
   mark_rates(energies);
   mark_rates(moved);
   for (const ExpressionId id : moved) {
@@ -237,7 +238,8 @@ std::vector<bool> moving_velocities(const Model& model) {
 namespace {
 
 /// By constraint: true if it contains no coordinate and no rate.
-std::vector<bool> at_rest(const Model& model, const std::vector<Traits>& traits) {
+std::vector<bool> constraints_without_motion(const Model& model,
+                                             const std::vector<Traits>& traits) {
   std::vector<bool> marks;
   for (const Constraint& constraint : model.constraints) {
     const Ingredients made_of = traits[constraint.value].ingredients;
@@ -258,34 +260,34 @@ void check_equation(Context& context, const Constraint& constraint, const Traits
 }
 
 /// E539: a part of the model or scene does not support constraints.
-void refuse_beside_constraints(Context& context, const Span& span, const std::string& what,
-                               const std::string& instead) {
+void refuse_with_constraints(Context& context, const Span& span, const std::string& what,
+                             const std::string& instead) {
   context.report.add({Code::E539, span, what + " does not support constraints", instead,
                       context.model.constraints.front().span, "constrained here"});
 }
 
-void check_company(Context& context) {
+void check_compatibility(Context& context) {
   const Model& model = context.model;
   if (!model.quadratic) {
-    refuse_beside_constraints(context, model.expressions[*model.energies.L].span,
-                              "a Lagrangian that is not quadratic in the rates",
-                              "choose coordinates that respect the constraint");
+    refuse_with_constraints(context, model.expressions[*model.energies.L].span,
+                            "a Lagrangian that is not quadratic in the rates",
+                            "choose coordinates that respect the constraint");
   }
   if (model.approximation) {
-    refuse_beside_constraints(context, model.approximation->span, "`[approximate]`",
-                              "`linearization` linearises the constrained equations");
+    refuse_with_constraints(context, model.approximation->span, "`[approximate]`",
+                            "`linearization` linearises the constrained equations");
   }
   if (has_routhian(model)) {
-    refuse_beside_constraints(context, model.variant.cyclic.front().span, "`[routh]`",
-                              "choose coordinates that respect the constraint");
+    refuse_with_constraints(context, model.variant.cyclic.front().span, "`[routh]`",
+                            "choose coordinates that respect the constraint");
   }
   if (!held_velocities(model).empty()) {
-    refuse_beside_constraints(context, model.variant.locks.front().span, "`reaction = true`",
-                              "write the lock as a constraint: its multiplier is the reaction");
+    refuse_with_constraints(context, model.variant.locks.front().span, "`reaction = true`",
+                            "write the lock as a constraint: its multiplier is the reaction");
   }
-  for (const Equilibrium& equilibrium : whole_of(model).equilibria) {
-    refuse_beside_constraints(context, equilibrium.span, "an `[[equilibrium]]`",
-                              "choose coordinates that respect the constraint");
+  for (const Equilibrium& equilibrium : whole_model(model).equilibria) {
+    refuse_with_constraints(context, equilibrium.span, "an `[[equilibrium]]`",
+                            "choose coordinates that respect the constraint");
   }
 }
 
@@ -295,13 +297,13 @@ void check_constraints(Context& context) {
   const Model& model = context.model;
   if (model.constraints.empty()) return;
   const std::vector<Traits> traits = find_traits(model);
-  const std::vector<bool> resting = at_rest(model, traits);
+  const std::vector<bool> resting = constraints_without_motion(model, traits);
   for (std::size_t i = 0; i < resting.size(); ++i) {
     const Constraint& constraint = model.constraints[i];
     if (resting[i]) {
       context.report.add(Code::E536, constraint.equation_span,
                          in_backticks(constraint.name) + " contains nothing that moves",
-                         equations_instead(model.constraints, resting, constraint));
+                         equation_hint(model.constraints, resting, constraint));
     } else {
       check_equation(context, constraint, traits[constraint.value]);
     }
@@ -309,11 +311,11 @@ void check_constraints(Context& context) {
   const std::size_t velocities = model.velocities.size();
   if (model.constraints.size() > velocities) {
     context.report.add(Code::E535, model.constraints[velocities].span,
-                       counted(model.constraints.size(), "equation") + ", but " +
+                       count_text(model.constraints.size(), "equation") + ", but " +
                            std::to_string(velocities) +
                            (velocities == 1 ? " velocity" : " velocities"));
   }
-  check_company(context);
+  check_compatibility(context);
 }
 
 }  // namespace elgen

@@ -34,7 +34,7 @@ struct VanishingFactor {
 };
 
 /// The expression behind a name, through nested definitions.
-ExpressionId followed(const Model& model, ExpressionId id) {
+ExpressionId resolve_definition(const Model& model, ExpressionId id) {
   while (is_name(model.expressions[id], NamedKind::definition)) {
     id = model.definitions[model.expressions[id].index].value;
   }
@@ -84,7 +84,7 @@ class Product {
 
   void multiply(ExpressionId id, std::int64_t exponent) {
     if (++visits_ > most_visits) return;
-    id = followed(model_, id);
+    id = resolve_definition(model_, id);
     const Expression& node = model_.expressions[id];
     switch (node.kind) {
       case ExpressionKind::number:
@@ -159,7 +159,7 @@ std::optional<VanishingFactor> versine(const Model& model, ExpressionId whole, E
   return VanishingFactor{cosine.operands[0], 2, whole};
 }
 
-std::optional<VanishingFactor> vanishing(const Model& model, ExpressionId id) {
+std::optional<VanishingFactor> find_vanishing_factor(const Model& model, ExpressionId id) {
   const Expression& node = model.expressions[id];
   if (node.kind == ExpressionKind::function && node.function == FunctionId::sin) {
     return VanishingFactor{node.operands[0]};
@@ -184,7 +184,7 @@ std::optional<std::pair<ExpressionId, VanishingFactor>> factor_with(const Produc
   std::optional<std::pair<ExpressionId, VanishingFactor>> found;
   for (const auto& [base, exponent, order] : product.factors()) {
     if (order != 0 || exponent <= 0) continue;
-    const auto factor = vanishing(product.model(), base);
+    const auto factor = find_vanishing_factor(product.model(), base);
     if (!factor || Product(product.model(), factor->argument).exponent_of(coordinate) != 1)
       continue;
     if (!found || factor->order == wanted) found = {base, *factor};
@@ -206,7 +206,7 @@ std::optional<Product> without_divisor(Product product, std::uint32_t coordinate
 }
 
 /// The product after cancelling; none if no coordinate cancels.
-std::optional<Product> cancelled(const Model& model, ExpressionId id) {
+std::optional<Product> cancel_divisors(const Model& model, ExpressionId id) {
   std::optional<Product> result;
   const Product typed(model, id);
   if (typed.is_long()) return std::nullopt;
@@ -219,7 +219,7 @@ std::optional<Product> cancelled(const Model& model, ExpressionId id) {
 
 /// The terms X and -X cos(a) as X a^2 stumpff(a, 2). None if the terms do not match, or if a
 /// coordinate would remain in the denominator.
-std::optional<Product> joined(const Model& model, ExpressionId whole, ExpressionId part) {
+std::optional<Product> merge_pair(const Model& model, ExpressionId whole, ExpressionId part) {
   const auto factor = versine(model, whole, part);
   if (!factor) return std::nullopt;
   Product product(model);
@@ -230,7 +230,8 @@ std::optional<Product> joined(const Model& model, ExpressionId whole, Expression
 
 /// The sum with each pair X and -X cos(a) merged if both contain 1/q; none if no pair matches. Each
 /// quotient is compared with every other, so longer sums are not rewritten.
-std::optional<ExpressionId> joined_sum(NodeBuilder& nodes, const Model& model, ExpressionId id) {
+std::optional<ExpressionId> merge_pairs_of_sum(NodeBuilder& nodes, const Model& model,
+                                               ExpressionId id) {
   constexpr std::size_t most_quotients = 100;
   std::vector<ExpressionId> terms = model.expressions[id].operands;
   std::vector<std::size_t> quotients;
@@ -241,7 +242,7 @@ std::optional<ExpressionId> joined_sum(NodeBuilder& nodes, const Model& model, E
   bool is_changed = false;
   for (const std::size_t whole : quotients) {
     for (const std::size_t part : quotients) {
-      const auto product = joined(model, terms[whole], terms[part]);
+      const auto product = merge_pair(model, terms[whole], terms[part]);
       if (!product) continue;
       terms[whole] = product->node(nodes);
       terms[part] = no_expression;
@@ -252,24 +253,24 @@ std::optional<ExpressionId> joined_sum(NodeBuilder& nodes, const Model& model, E
 }
 
 /// A new node with Stumpff functions for a product or a sum; none if nothing changes.
-std::optional<ExpressionId> by_series(NodeBuilder& nodes, const Model& model, ExpressionId id) {
+std::optional<ExpressionId> with_stumpff(NodeBuilder& nodes, const Model& model, ExpressionId id) {
   const ExpressionKind kind = model.expressions[id].kind;
-  if (kind == ExpressionKind::add) return joined_sum(nodes, model, id);
+  if (kind == ExpressionKind::add) return merge_pairs_of_sum(nodes, model, id);
   const bool is_product = kind == ExpressionKind::multiply || kind == ExpressionKind::divide ||
                           kind == ExpressionKind::power;
-  const auto product = is_product ? cancelled(model, id) : std::nullopt;
+  const auto product = is_product ? cancel_divisors(model, id) : std::nullopt;
   return product ? std::optional(product->node(nodes)) : std::nullopt;
 }
 
 }  // namespace
 
-void write_quotients(Context& context) {
+void rewrite_quotients(Context& context) {
   Model& model = context.model;
-  std::vector<ExpressionId> all = reached(model, all_roots(model));
+  std::vector<ExpressionId> all = reachable_from(model, all_roots(model));
   std::ranges::reverse(all);  // a product before its factors
   for (const ExpressionId id : all) {
     NodeBuilder nodes(context, model.expressions[id].span);
-    const std::optional<ExpressionId> written = by_series(nodes, model, id);
+    const std::optional<ExpressionId> written = with_stumpff(nodes, model, id);
     if (!written) continue;
     model.typed.emplace(id, model.expressions[id]);
     model.expressions[id] = model.expressions[*written];

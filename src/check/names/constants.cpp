@@ -32,7 +32,7 @@ ConstantOutcome too_large() { return failure(Code::E914, "is beyond 10^±10000")
 
 /// `number` exactly, if the enclosure of x contains it and its error is at most 1e-60 `scale`; x
 /// otherwise.
-EnclosedNumber settled(const EnclosedNumber& x, int number, const cl_R& scale) {
+EnclosedNumber snap_to_integer(const EnclosedNumber& x, int number, const cl_R& scale) {
   static const cl_RA known_well = power_of_ten(-60);
   const bool may_be = cln::abs(x.value - number) <= x.error;
   return may_be && x.error <= known_well * scale ? EnclosedNumber{number, 0} : x;
@@ -45,7 +45,7 @@ EnclosedNumber sum(const Operands& terms, const EnclosedArithmetic& with) {
     total = with.sum(total, term);
     scale = cln::max(scale, cln::abs(term.value));
   }
-  return settled(total, 0, scale);
+  return snap_to_integer(total, 0, scale);
 }
 
 Enclosed product(const Operands& factors, const EnclosedArithmetic& with) {
@@ -66,13 +66,15 @@ Enclosed quotient(const Operands& x, const EnclosedArithmetic& with) {
 
 Enclosed call(FunctionId function, const Operands& x, const EnclosedArithmetic& with) {
   const bool is_inverse = function == FunctionId::asin || function == FunctionId::acos;
-  const EnclosedNumber argument = is_inverse ? settled(settled(x[0], 1, 1), -1, 1) : x[0];
+  const EnclosedNumber argument =
+      is_inverse ? snap_to_integer(snap_to_integer(x[0], 1, 1), -1, 1) : x[0];
   Enclosed value = with.call(function, argument, x.back());
-  if (value.number) value.number = settled(*value.number, 0, 1);
+  if (value.number) value.number = snap_to_integer(*value.number, 0, 1);
   return value;
 }
 
-Enclosed computed(const Expression& node, const Operands& x, const EnclosedArithmetic& with) {
+Enclosed apply_operation(const Expression& node, const Operands& x,
+                         const EnclosedArithmetic& with) {
   switch (node.kind) {
     case ExpressionKind::number:
       return EnclosedNumber{node.number, 0};
@@ -96,15 +98,16 @@ Enclosed computed(const Expression& node, const Operands& x, const EnclosedArith
 }
 
 /// The error bound of a value with too few digits may overflow the largest float.
-Enclosed evaluated(const Expression& node, const Operands& x, const EnclosedArithmetic& with) {
+Enclosed apply_or_unknown(const Expression& node, const Operands& x,
+                          const EnclosedArithmetic& with) {
   try {
-    return computed(node, x, with);
+    return apply_operation(node, x, with);
   } catch (const cln::floating_point_exception&) {
     return NoValue::unknown;
   }
 }
 
-ConstantOutcome outcome_without(NoValue why) {
+ConstantOutcome failure_for(NoValue why) {
   switch (why) {
     case NoValue::undefined:
       return failure(Code::E313, "has no value");
@@ -134,8 +137,8 @@ ConstantOutcome evaluate_constant(const Expression& node,
                                   const std::vector<EnclosedNumber>& operands, int digits) {
   const bool is_pole = node.kind == ExpressionKind::power && cln::minusp(node.number);
   if (is_pole && sign_of(operands[0]) == 0) return failure(Code::E312, "is zero", 0);
-  const Enclosed result = evaluated(node, operands, EnclosedArithmetic(digits));
-  if (!result.number) return outcome_without(result.why);
+  const Enclosed result = apply_or_unknown(node, operands, EnclosedArithmetic(digits));
+  if (!result.number) return failure_for(result.why);
   const cl_R& value = result.number->value;
   if (sign_of(*result.number) == 0) return {EnclosedNumber{}, {}};
   if (is_rational(value) && digit_count(cln::the<cl_RA>(value)) > largest_exact_digits) {
@@ -146,7 +149,7 @@ ConstantOutcome evaluate_constant(const Expression& node,
   return {*result.number, {}};
 }
 
-std::optional<ConstantFailure> Constants::append(const std::vector<Expression>& arena) {
+std::optional<ConstantFailure> Constants::evaluate_next(const std::vector<Expression>& arena) {
   const Expression& node = arena[values_.size()];
   const auto constant = [&](ExpressionId id) { return values_[id].has_value(); };
   const bool all = std::ranges::all_of(node.operands, constant);

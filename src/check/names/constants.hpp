@@ -42,7 +42,7 @@ class Constants {
  public:
   /// Evaluates arena[size()] from the values of its operands, which precede it. Returns the
   /// failure, if any.
-  std::optional<ConstantFailure> append(const std::vector<Expression>& arena);
+  std::optional<ConstantFailure> evaluate_next(const std::vector<Expression>& arena);
   void truncate(std::size_t size) { values_.resize(size); }
   [[nodiscard]] std::size_t size() const { return values_.size(); }
 

@@ -47,7 +47,7 @@ using Ingredients = std::uint32_t;
 struct Place {
   std::string_view noun;  ///< "a position"
   Ingredients allowed = 0;
-  Code otherwise = Code::E319;
+  Code error_code = Code::E319;
   bool is_force = false;  ///< messages give the unit N*m, not J
 };
 
@@ -59,8 +59,9 @@ struct WrittenExpression {
   ExpressionId value = 0;
   Place place = {};
   std::optional<Unit> unit = {};  ///< expected by the place; none: any unit
-  bool misplaced = false;         ///< contains a forbidden ingredient; its unit is not checked
-  bool plain_numbers = false;     ///< its numbers are in the unit of its place
+  bool has_forbidden_ingredient =
+      false;                         ///< contains a forbidden ingredient; its unit is not checked
+  bool is_in_unit_of_place = false;  ///< its numbers are in the unit of its place
 };
 
 /// The first node of every arena: the number 0. It replaces an absent value (the z of a planar
@@ -86,15 +87,15 @@ struct FunctionExpression {
 };
 
 struct Context {
-  explicit Context(const Limits& the_limits) : limits(the_limits) { (void)append({}); }
+  explicit Context(const Limits& the_limits) : limits(the_limits) { (void)append_node({}); }
 
   /// Appends a node. An exact constant is folded to a number: 1/2 + 1/3 -> 5/6, sqrt(4) -> 2.
   /// Returns the failure of a constant that has no value.
-  std::optional<ConstantFailure> append(Expression node) {
+  std::optional<ConstantFailure> append_node(Expression node) {
     std::vector<Expression>& arena = model.expressions;
     const Span span = node.span;
     arena.push_back(std::move(node));
-    if (const auto failure = constants.append(arena)) return failure;
+    if (const auto failure = constants.evaluate_next(arena)) return failure;
     const std::optional<cln::cl_R> value = constants[last()];
     if (value && is_rational(*value)) {
       arena.back() = {.number = cln::the<cln::cl_RA>(*value), .span = span};

@@ -39,7 +39,7 @@ std::optional<std::int64_t> literal_value(const ExpressionSyntax& literal, Repor
 
 /// Combines two values at a time and checks each result, so that no intermediate overflows.
 template <class Combine>
-std::optional<std::int64_t> folded(const std::vector<std::int64_t>& values, Combine combine) {
+std::optional<std::int64_t> fold_checked(const std::vector<std::int64_t>& values, Combine combine) {
   std::int64_t result = values.front();
   for (std::size_t i = 1; i < values.size(); ++i) {
     result = combine(result, values[i]);
@@ -48,15 +48,15 @@ std::optional<std::int64_t> folded(const std::vector<std::int64_t>& values, Comb
   return result;
 }
 
-std::optional<std::int64_t> combined(const ExpressionSyntax& expression,
-                                     const std::vector<std::int64_t>& values) {
+std::optional<std::int64_t> apply_operator(const ExpressionSyntax& expression,
+                                           const std::vector<std::int64_t>& values) {
   switch (expression.kind) {
     case SyntaxKind::negate:
       return -values.front();
     case SyntaxKind::add:
-      return folded(values, std::plus<>());
+      return fold_checked(values, std::plus<>());
     case SyntaxKind::multiply:
-      return folded(values, std::multiplies<>());
+      return fold_checked(values, std::multiplies<>());
     case SyntaxKind::call:
       if (values.size() == 2 && expression.text == "min") return std::min(values[0], values[1]);
       if (values.size() == 2 && expression.text == "max") return std::max(values[0], values[1]);
@@ -94,7 +94,7 @@ std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression, co
     values.push_back(*value);
   }
   const std::optional<std::int64_t> result =
-      values.empty() ? std::nullopt : combined(expression, values);
+      values.empty() ? std::nullopt : apply_operator(expression, values);
   return result ? result : not_an_integer(expression, report);
 }
 

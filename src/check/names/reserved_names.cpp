@@ -62,7 +62,7 @@ bool is_in_file(const SourceText* source, std::string_view word) {
 }
 
 /// Without repeated and trailing underscores; in lower case if it has the prefix of a macro.
-std::string usual_spelling(std::string_view name) {
+std::string conventional_spelling(std::string_view name) {
   std::string result;
   for (const char c : name) {
     if (c != '_' || !result.ends_with('_')) result += c;
@@ -106,11 +106,11 @@ std::string_view reserved_reason(std::string_view name) {
   return {};
 }
 
-std::string name_instead(std::string_view name, const Span& span) {
+std::string free_name_hint(std::string_view name, const Span& span) {
   const auto is_free = [&](const std::string& other) {
     return other != name && reserved_reason(other).empty() && !is_in_file(span.source, other);
   };
-  const std::string usual = usual_spelling(name);
+  const std::string usual = conventional_spelling(name);
   std::string found = name == "I" ? "J" : usual;  // the other common letter for moments of inertia
   for (int k = 1; !is_free(found); ++k) found = usual + "_" + std::to_string(k);
   return in_backticks(found) + " is free";
@@ -129,7 +129,7 @@ bool check_name(const std::string& name, const Span& span, Report& report) {
   }
   if (const std::string_view reason = reserved_reason(name); !reason.empty()) {
     report.add(Code::E204, span, in_backticks(name) + " is reserved: " + std::string(reason),
-               report.wants_suggestion() ? name_instead(name, span) : "");
+               report.needs_suggestion() ? free_name_hint(name, span) : "");
     return false;
   }
   return true;

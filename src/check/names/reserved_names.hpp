@@ -18,7 +18,7 @@ namespace elgen {
 /// in the file.
 ///
 ///     I -> J   delta -> delta_1   M_E -> m_e   a__b -> a_b
-[[nodiscard]] std::string name_instead(std::string_view name, const Span& span);
+[[nodiscard]] std::string free_name_hint(std::string_view name, const Span& span);
 
 /// A letter, then letters, digits and underscores.
 [[nodiscard]] bool is_well_formed_name(std::string_view name);

@@ -44,7 +44,7 @@ class ObstacleSearch {
   void add(const std::string& reason, const Span& at) { found_.push_back({reason, at}); }
 
   void check_value(const Expressions& values, const std::string& reason) {
-    if (!is_reached(model_, values, variable_)) return;
+    if (!contains_variable(model_, values, variable_)) return;
     add(reason, model_.expressions[values.front()].span);
   }
 
@@ -71,7 +71,7 @@ class ObstacleSearch {
           component.kind == ExpressionKind::number && cln::zerop(component.number);
       if (!is_absent) all.push_back(place[i]);
     }
-    if (is_reached(model_, all, variable_))
+    if (contains_variable(model_, all, variable_))
       add(name + ", or the point or frame where it acts, contains it", force.span);
   }
 

@@ -21,7 +21,7 @@ LanguageId language_named(std::string_view name) {
   return row == language_table.end() ? default_language : row->id;
 }
 
-constexpr const char* leave_out = "omit the key, or write `language = \"c++17\"`";
+constexpr const char* language_hint = "omit the key, or write `language = \"c++17\"`";
 
 /// Whether a language that takes one scalar supports the requested scalars.
 bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
@@ -32,7 +32,7 @@ bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
 }
 
 /// E611 for keys that affect only compiled code.
-void refuse_of_compiled(const FileSyntax* syntax, const LanguageRow& language, Report& report) {
+void refuse_compiled_keys(const FileSyntax* syntax, const LanguageRow& language, Report& report) {
   const std::string name = in_backticks(language.name);
   const auto refuse = [&](const char* section, const char* key, const std::string& why) {
     const KeySyntax* const found = find_key(syntax, section, key);
@@ -47,8 +47,8 @@ void refuse_of_compiled(const FileSyntax* syntax, const LanguageRow& language, R
   refuse("numeric", "trigonometry", "the code uses the sines of the library");
 }
 
-void check_together(const FileSyntax* syntax, const Emission& emission, const Scene& scene,
-                    Report& report) {
+void check_combinations(const FileSyntax* syntax, const Emission& emission, const Scene& scene,
+                        Report& report) {
   const LanguageRow& language = language_row(emission.language);
   const std::string name = in_backticks(language.name);
   const KeySyntax* scalar = find_key(syntax, "numeric", "scalar");
@@ -59,10 +59,10 @@ void check_together(const FileSyntax* syntax, const Emission& emission, const Sc
                            language.is_interpreted ? "`double`" : "`float` or `double`"),
                "write `scalar = [\"double\"]`");
   }
-  if (language.is_interpreted) refuse_of_compiled(syntax, language, report);
+  if (language.is_interpreted) refuse_compiled_keys(syntax, language, report);
   if (emission.eigen && !language.has_more_headers) {
     report.add(Code::E611, find_key(syntax, "emit", "eigen")->key_span,
-               "`eigen` needs C++, but `language` is " + name, leave_out);
+               "`eigen` needs C++, but `language` is " + name, language_hint);
   }
 }
 
@@ -106,7 +106,7 @@ class BatchReader {
     if (!language.has_more_headers) {
       context_.report.add(Code::E611, batch.key_span,
                           "`batch` needs C++, but `language` is " + in_backticks(language.name),
-                          leave_out);
+                          language_hint);
     } else if (has_scalar(scene_, ScalarKind::long_double)) {
       refuse(find_key(syntax_, "numeric", "scalar")->value.span,
              "packs have elements of type `float` or `double`");
@@ -172,7 +172,7 @@ Emission read_emission(Context& context, const FileSyntax* syntax, const SceneOp
   if (const KeySyntax* key = find_key(syntax, "emit", "files")) {
     read_files(*key, emission, context.report);
   }
-  check_together(syntax, emission, scene, context.report);
+  check_combinations(syntax, emission, scene, context.report);
   return emission;
 }
 
@@ -188,7 +188,7 @@ void read_batch(Context& context, const FileSyntax* syntax, Scene& scene) {
 namespace {
 
 /// Why an output does not support accelerations in float; "" if it does.
-std::string lacks_accelerations(const OutputRequest& output) {
+std::string reason_without_inner(const OutputRequest& output) {
   const OutputRow& row = output_row(output.kind);
   if (!row.steps || row.differentiates) return in_backticks(output.name) + " is no `step`";
   const bool asks = !output.step || output.step->method != StepMethod::midpoint;
@@ -210,7 +210,7 @@ void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& 
   if (!language.has_more_headers) {
     return context.report.add(Code::E611, inner->key_span,
                               "`inner` needs C++, but `language` is " + in_backticks(language.name),
-                              leave_out);
+                              language_hint);
   }
   const auto refuse = [&](const Span& span, const std::string& others) {
     context.report.add(Code::E628, span, others + ", but `inner` is " + in_backticks(row->name));
@@ -219,9 +219,10 @@ void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& 
     refuse(find_key(syntax, "numeric", "scalar")->value.span, "`scalar` is not `double` alone");
   }
   const auto other = std::ranges::find_if(scene.outputs, [](const OutputRequest& output) {
-    return !lacks_accelerations(output).empty();
+    return !reason_without_inner(output).empty();
   });
-  if (is_for_step && other != scene.outputs.end()) refuse(other->span, lacks_accelerations(*other));
+  if (is_for_step && other != scene.outputs.end())
+    refuse(other->span, reason_without_inner(*other));
   for (const char* const header : {"eigen", "batch"}) {
     const KeySyntax* const key = find_key(syntax, "emit", header);
     if (is_set(key)) refuse(key->key_span, in_backticks(header) + " computes in its own scalars");

@@ -65,7 +65,7 @@ class HeldReader {
       context_.report.add(Reason::nothing_moves, entry.span,
                           "every coordinate is removed or locked, so nothing moves");
     }
-    for (Cyclic& taken : cyclic) declare_momentum(taken);
+    for (Cyclic& item : cyclic) declare_momentum(item);
   }
 
  private:
@@ -124,7 +124,7 @@ class HeldReader {
   void read_cyclic(const KeySyntax& key) {
     const std::optional<Held> held = held_variable(context_, key);
     const bool is_given = key.value.kind != ValueKind::boolean;
-    if (!held || !is_free(*held, key) || !(is_given || key.value.boolean)) return;
+    if (!held || !can_be_cyclic(*held, key) || !(is_given || key.value.boolean)) return;
     Cyclic cyclic{*held, 0, {}};
     if (is_given) {
       const Place place{"a momentum", place::parameters_only};
@@ -134,7 +134,7 @@ class HeldReader {
   }
 
   /// False after E635: the variable is a rotation or locked.
-  bool is_free(const Held& held, const KeySyntax& key) {
+  bool can_be_cyclic(const Held& held, const KeySyntax& key) {
     const std::string name = in_backticks(key.key);
     if (held.is_rotation) {
       context_.report.add(Reason::cyclic_is_rotation, held.span,
@@ -165,11 +165,11 @@ class HeldReader {
     const Coordinate& coordinate = model_.coordinates[cyclic.coordinate];
     const std::string name = "p_" + coordinate.identifier;
     cyclic.parameter = static_cast<std::uint32_t>(model_.parameters.size());
-    if (const DeclaredName* const taken = context_.symbols.find(name)) {
+    if (const DeclaredName* const item = context_.symbols.find(name)) {
       context_.report.add({Reason::momentum_name, cyclic.span,
                            in_backticks(name) + ", the name of the momentum of " +
                                in_backticks(coordinate.name) + ", is already declared",
-                           "", taken->span, "declared here"});
+                           "", item->span, "declared here"});
       return;
     }
     if (!add_elements(context_, {name, {}, cyclic.span}, 1, false)) return;
@@ -192,7 +192,7 @@ class HeldReader {
 
 }  // namespace
 
-void give_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value) {
+void set_cyclic_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value) {
   for (Cyclic& cyclic : model.variant.cyclic) {
     if (cyclic.parameter == parameter) cyclic.momentum = value;
   }

@@ -50,10 +50,10 @@ class ApproximationReader {
  private:
   void read_order(const ValueSyntax& value) {
     const cln::cl_RA& order = value.expression.value;
-    if (order < 1 || order > highest_order) {
+    if (order < 1 || order > max_expansion_order) {
       context_.report.add(Reason::bad_order, value.span,
                           "order " + in_backticks(value.span) + " is not one of 1 to " +
-                              std::to_string(highest_order));
+                              std::to_string(max_expansion_order));
       return;
     }
     result_.order = cln::cl_I_to_uint(cln::floor1(order));
@@ -61,7 +61,7 @@ class ApproximationReader {
 
   /// Reads the given values, or copies an equilibrium of the model.
   void read_point(const ValueSyntax& about) {
-    if (about.kind == ValueKind::text) return take_equilibrium(about);
+    if (about.kind == ValueKind::text) return copy_equilibrium(about);
     ValueReader values(context_);
     for (const KeySyntax& key : about.entries) {
       const Variables found = read_point_value(values, about_table, key, result_);
@@ -69,7 +69,7 @@ class ApproximationReader {
         const std::string name = in_backticks(model_.coordinates[i].name);
         if (is_locked(i))
           context_.report.add(Reason::locked_coordinate, key.key_span, name + " is locked");
-        if (!is_taken_out(i)) continue;
+        if (!is_cyclic(i)) continue;
         context_.report.add(Reason::expanded_cyclic, key.key_span,
                             name + " is removed by `[routh]`, so nothing is expanded in it");
       }
@@ -78,7 +78,7 @@ class ApproximationReader {
 
   /// Copies an equilibrium, except the values of locked coordinates (set by the lock) and of cyclic
   /// coordinates (arbitrary).
-  void take_equilibrium(const ValueSyntax& name) {
+  void copy_equilibrium(const ValueSyntax& name) {
     const auto found = std::ranges::find(model_.equilibria, name.text, &Equilibrium::name);
     if (found == model_.equilibria.end()) {
       const DeclaredNames& known = context_.equilibria;
@@ -89,7 +89,7 @@ class ApproximationReader {
     }
     static_cast<StatedPoint&>(result_) = *found;
     for (std::uint32_t i = 0; i < result_.coordinates.size(); ++i) {
-      if (is_locked(i) || is_taken_out(i)) result_.coordinates[i].reset();
+      if (is_locked(i) || is_cyclic(i)) result_.coordinates[i].reset();
     }
   }
 
@@ -129,13 +129,13 @@ class ApproximationReader {
                                [&](const Lock& lock) { return lock.has_coordinate(coordinate); });
   }
 
-  [[nodiscard]] bool is_taken_out(std::uint32_t coordinate) const {
+  [[nodiscard]] bool is_cyclic(std::uint32_t coordinate) const {
     return std::ranges::count(model_.variant.cyclic, coordinate, &Cyclic::coordinate) > 0;
   }
 
   [[nodiscard]] bool all_free_are_small() const {
     for (std::uint32_t i = 0; i < result_.small.size(); ++i) {
-      if (!result_.small[i] && !is_locked(i) && !is_taken_out(i)) return false;
+      if (!result_.small[i] && !is_locked(i) && !is_cyclic(i)) return false;
     }
     return true;
   }

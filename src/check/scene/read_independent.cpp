@@ -20,7 +20,7 @@ std::vector<std::uint32_t> velocities_named(const Model& model, const std::strin
 }
 
 std::vector<std::string> names_of_variables(const Model& model) {
-  std::vector<std::string> names = words_in(model.rotations, &Rotation::name);
+  std::vector<std::string> names = column_words(model.rotations, &Rotation::name);
   for (const Coordinate& coordinate : model.coordinates) {
     if (!coordinate.rotation) names.push_back(coordinate.name);
   }

@@ -26,8 +26,8 @@ void refuse_options(const ValueSyntax& entry, const OutputRequest& output, Repor
 void read_options(const Model& model, const ValueSyntax& entry, OutputRequest& output,
                   Report& report) {
   refuse_options(entry, output, report);
-  const SetOf<OutputOption>& taken = output_row(output.kind).options;
-  if (taken.has(OutputOption::method)) read_step(model, entry, output, report);
+  const SetOf<OutputOption>& supported = output_row(output.kind).options;
+  if (supported.has(OutputOption::method)) read_step(model, entry, output, report);
   const KeySyntax* const pivots = entry.find("pivots");
   if (pivots != nullptr) output.without_pivots = !pivots->value.boolean;
 }

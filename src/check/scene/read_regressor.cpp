@@ -24,7 +24,7 @@ class RegressorReader {
       : context_(context), fixed_(fixed) {}
 
   void read(const ValueSyntax* names) {
-    regressed() = parameters_of_friction(context_.model);
+    regressed() = friction_parameters(context_.model);
     std::erase_if(regressed(), [&](std::uint32_t i) { return fixed_.count(i) > 0; });
     if (names == nullptr) return;
     for (const ValueSyntax& name : names->items) {
@@ -36,7 +36,7 @@ class RegressorReader {
   }
 
  private:
-  [[nodiscard]] std::vector<std::uint32_t>& regressed() { return context_.model.regressed; }
+  [[nodiscard]] std::vector<std::uint32_t>& regressed() { return context_.model.affine_parameters; }
 
   void refuse(const Span& span, const std::string& reason) {
     context_.report.add(Code::E649, span, reason);
@@ -49,14 +49,14 @@ class RegressorReader {
       return refuse(span, name + " is fixed, so it is no parameter of the code");
     }
     if (std::ranges::count(regressed(), parameter) > 0) return;
-    if (stands_elsewhere(parameter)) {
+    if (occurs_elsewhere(parameter)) {
       return refuse(span, name +
                               " occurs in a mass, an inertia, a position, gravity or a constraint, "
                               "not only in energies and forces");
     }
     regressed().push_back(parameter);
     for (const ExpressionId root : roots_if(model, is_summed)) {
-      const auto coupled = coupled_in(model, root, regressed());
+      const auto coupled = find_coupled_parameters(model, root, regressed());
       if (!coupled) continue;
       regressed().pop_back();
       const auto other = [&](std::uint32_t i) { return in_backticks(model.parameters[i].name); };
@@ -69,11 +69,11 @@ class RegressorReader {
     }
   }
 
-  [[nodiscard]] bool stands_elsewhere(std::uint32_t parameter) const {
+  [[nodiscard]] bool occurs_elsewhere(std::uint32_t parameter) const {
     const Model& model = context_.model;
     std::vector<ExpressionId> others = equation_roots(model);
     for (const ExpressionId root : roots_if(model, is_summed)) std::erase(others, root);
-    return std::ranges::any_of(reached(model, others), [&](ExpressionId id) {
+    return std::ranges::any_of(reachable_from(model, others), [&](ExpressionId id) {
       const Expression& e = model.expressions[id];
       return is_leaf(e, Opcode::parameter) && e.index == parameter;
     });

@@ -44,7 +44,7 @@ std::vector<StartPlace> start_places(const Model& model) {
 
 /// The places of a start, then the other leaves of a state. A coordinate named h comes before the
 /// step h, so it is found first.
-std::vector<StartPlace> places_of_state(const Model& model) {
+std::vector<StartPlace> state_places(const Model& model) {
   std::vector<StartPlace> places = start_places(model);
   const auto none = static_cast<std::uint32_t>(model.coordinates.size());
   for (const LeafRow& row : leaf_table()) {
@@ -68,19 +68,20 @@ class StartReader {
         stated_(stated) {}
 
   void read(const KeySyntax& key) {
-    const StartPlace* const place = place_of(key);
+    const StartPlace* const place = find_place(key);
     if (place == nullptr) return;
     const bool is_list = key.value.kind == ValueKind::list;
     const std::vector<ValueSyntax> items = is_list ? key.value.items : std::vector{key.value};
     if (items.size() != place->count) {
-      context_.report.add(Code::E606, key.value.span,
-                          in_backticks(place->name) + " takes " + counted(place->count, "number"));
+      context_.report.add(
+          Code::E606, key.value.span,
+          in_backticks(place->name) + " takes " + count_text(place->count, "number"));
       return;
     }
     for (std::uint32_t i = 0; i < place->count; ++i) {
       const auto value = values_.constant_with_form(items[i]);
       if (!value) continue;
-      give(*place, place->first + i, value->number);
+      store_value(*place, place->first + i, value->number);
       if (place->is_rate || place->is_stated) continue;
       note_degrees(context_.report, items[i].span, model_.coordinates[place->coordinate],
                    value->number);
@@ -90,7 +91,7 @@ class StartReader {
 
  private:
   /// Null after E612.
-  const StartPlace* place_of(const KeySyntax& key) {
+  const StartPlace* find_place(const KeySyntax& key) {
     const auto found = std::ranges::find(places_, key.key, &StartPlace::name);
     if (found == places_.end()) {
       std::vector<std::string> names;
@@ -112,7 +113,7 @@ class StartReader {
                          : model_.coordinates[index].start_value;
   }
 
-  void give(const StartPlace& place, std::uint32_t index, const cln::cl_R& value) {
+  void store_value(const StartPlace& place, std::uint32_t index, const cln::cl_R& value) {
     if (place.is_stated) {
       stated_.others[place.name] = value;
       return;
@@ -148,7 +149,7 @@ void read_law(Context& context, const KeySyntax& key, Scene& scene) {
     return;
   }
   const auto index = static_cast<std::size_t>(input - context.model.inputs.begin());
-  if (!variables_left(context.model).inputs[index]) {
+  if (!remaining_variables(context.model).inputs[index]) {
     context.report.add(
         {Code::E606, key.key_span,
          in_backticks(key.key) + " acts only on locked coordinates, so it has no law", "",
@@ -159,7 +160,7 @@ void read_law(Context& context, const KeySyntax& key, Scene& scene) {
   const std::size_t known = context.roots.size();
   const ExpressionId law = ValueReader(context).root(key.value, {place, std::nullopt});
   if (context.roots.size() == known) return;
-  context.roots.back().plain_numbers = true;
+  context.roots.back().is_in_unit_of_place = true;
   scene.laws[input->name] = law;
 }
 
@@ -169,7 +170,7 @@ void read_starts(Context& context, const SceneOptions& options, Scene& scene) {
   if (options.starts.empty()) return;
   StartReader reader(
       context,
-      options.purpose.states_all ? places_of_state(context.model) : start_places(context.model),
+      options.purpose.states_all ? state_places(context.model) : start_places(context.model),
       scene.stated);
   const auto keys = keys_of(context, options.starts, KeyType::expression_or_list);
   for (const KeySyntax& key : keys) reader.read(key);
@@ -197,7 +198,7 @@ void read_values(Context& context, const Scene& scene, const SceneOptions& optio
       check_value(context, target, value->number, key.value.span);
       context.model.parameters[target].value = value->number;
       context.model.parameters[target].form = value->form;
-      give_momentum(context.model, target, value->number);
+      set_cyclic_momentum(context.model, target, value->number);
     }
   }
 }

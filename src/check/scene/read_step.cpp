@@ -15,7 +15,7 @@ namespace {
 
 /// Hint: the method with the name nearest to the word, or all methods.
 std::string method_hint(const std::string& word) {
-  const std::vector<std::string> names = words_in(step_methods, &StepMethodRow::name);
+  const std::vector<std::string> names = column_words(step_methods, &StepMethodRow::name);
   return suggestion(word, names,
                     fmt::format("one of {}, which are straight-line code", fmt::join(names, ", ")));
 }
@@ -27,10 +27,10 @@ void read_iterations(const KeySyntax& key, StepSpec& step, Report& report) {
                       fmt::format("`{}` is explicit, so it has no iterations", method.name));
   }
   const cln::cl_RA& count = key.value.expression.value;
-  if (count < 1 || count > most_step_iterations) {
+  if (count < 1 || count > max_step_iterations) {
     return report.add(Code::E626, key.value.span,
                       fmt::format("`iterations` {} is not one of 1 to {}",
-                                  in_backticks(key.value.span), most_step_iterations));
+                                  in_backticks(key.value.span), max_step_iterations));
   }
   step.iterations = cln::cl_I_to_uint(cln::floor1(count));
 }
@@ -75,7 +75,7 @@ void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& outp
                       fmt::format("`{}` has no method {}", output.name, in_backticks(word)),
                       method_hint(word));
   }
-  StepSpec& step = output.step.emplace(step_by(found->id));
+  StepSpec& step = output.step.emplace(default_step(found->id));
   const KeySyntax* iterations = entry.find("iterations");
   if (iterations != nullptr) read_iterations(*iterations, step, report);
   const KeySyntax* order = entry.find("order");

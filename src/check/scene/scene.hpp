@@ -46,8 +46,8 @@ void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& outp
 void check_steps(Context& context, const std::vector<OutputRequest>& outputs);
 
 /// Sets Numerics::max_error and the ranges; those of the options are last. E640, E630, E606.
-void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions& options,
-                  Numerics& numerics);
+void read_error_bound(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                      Numerics& numerics);
 
 /// Fills Model::regressed. E602, E649.
 void read_regressor(Context& context, const FileSyntax* scene, const FixedParameters& fixed);
@@ -77,11 +77,11 @@ void read_held(Context& context, const FileSyntax* scene);
 
 /// Sets Cyclic::momentum if the parameter is a cyclic momentum; find_momenta() then does not
 /// compute it.
-void give_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value);
+void set_cyclic_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value);
 
 /// Sets UserOutput::is_wanted. Without `[outputs]` in the scene all outputs are wanted; otherwise
 /// an output is wanted if the scene or an option names one of its functions.
-void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& options);
+void mark_wanted_outputs(Model& model, const FileSyntax* scene, const SceneOptions& options);
 
 /// Adds to a model the outputs that an animated page needs: each of ShownValues that has values.
 /// Fills Scene::shown.

@@ -61,8 +61,8 @@ class SceneReader {
     scene_.emission = read_emission(context_, syntax_, options_, scene_);
     read_batch(context_, syntax_, scene_);
     read_inner(context_, syntax_, options_, scene_);
-    read_promise(context_, syntax_, options_, scene_.numerics);
-    scene_.has_options = options_.change_files();
+    read_error_bound(context_, syntax_, options_, scene_.numerics);
+    scene_.has_options = options_.changes_files();
     scene_.canonical = canonical_text(syntax_, options_);
   }
 
@@ -83,8 +83,8 @@ class SceneReader {
       scene_.paths.scene = file_name(*syntax_->source);
     }
     if (const EntrySyntax* top = find_entry(syntax_, "")) {
-      scene_.name = text_of(*top, "name");
-      scene_.doc = text_of(*top, "doc");
+      scene_.name = text_value(*top, "name");
+      scene_.doc = text_value(*top, "doc");
       scene_.base_name += "_" + scene_.name;
     }
   }
@@ -92,13 +92,13 @@ class SceneReader {
   void read_outputs() {
     const EntrySyntax* outputs = find_entry(syntax_, "outputs");
     if (!options_.outputs.empty()) {
-      for (const Span& word : option_words(options_.outputs)) request_named(outputs, word);
+      for (const Span& word : option_words(options_.outputs)) request_by_name(outputs, word);
       if (options_.step) request_step(*options_.step);
     } else if (outputs != nullptr) {
       for (const KeySyntax& key : outputs->keys) read_output(key);
     } else {
       scene_.outputs = full_requests(model_);
-      scene_.left_out = left_out_of_full(model_);
+      scene_.left_out = omitted_from_full(model_);
       return;
     }
     request_reaction();
@@ -109,7 +109,7 @@ class SceneReader {
   }
 
   /// The scene's entry for the step with this name, either the standard name or a new one.
-  const KeySyntax* step_named(const EntrySyntax* outputs, const std::string& name) const {
+  const KeySyntax* find_step_key(const EntrySyntax* outputs, const std::string& name) const {
     if (outputs == nullptr) return nullptr;
     const bool is_standard = find_request(model_, name).has_value();
     const auto found = std::ranges::find_if(outputs->keys, [&](const KeySyntax& key) {
@@ -122,10 +122,10 @@ class SceneReader {
   }
 
   /// Adds an output that an option names. The method of a step comes from the scene.
-  void request_named(const EntrySyntax* outputs, const Span& word) {
+  void request_by_name(const EntrySyntax* outputs, const Span& word) {
     const std::string name(covered_text(word));
     if (find_request(scene_, name) != nullptr) return;
-    const KeySyntax* const key = step_named(outputs, name);
+    const KeySyntax* const key = find_step_key(outputs, name);
     OutputRequest* const output = request(key == nullptr ? name : key->key, word);
     if (output == nullptr) return;
     read_options(model_, key == nullptr ? ValueSyntax() : key->value, *output, context_.report);
@@ -153,7 +153,7 @@ class SceneReader {
     };
     if (std::ranges::any_of(scene_.outputs, is_member)) return;
     for (const OutputRequest& output : scene_.outputs) {
-      if (output_row(output.kind).repeats) {
+      if (output_row(output.kind).is_summary) {
         context_.report.add(
             Reason::empty_dynamics, output.span,
             "`dynamics` returns the requested outputs that take neither a nor u, but "
@@ -197,12 +197,12 @@ class SceneReader {
   }
 
   void check_function_names() {
-    std::set<std::string> taken;
+    std::set<std::string> used_names;
     // A renamed output with the name of a standard output is the duplicate, whichever comes first.
     for (const bool renamed : {false, true}) {
       for (const OutputRequest& output : scene_.outputs) {
         const bool is_renamed = output.name != standard_name(output);
-        if (is_renamed == renamed && !taken.insert(output.name).second) {
+        if (is_renamed == renamed && !used_names.insert(output.name).second) {
           context_.report.add(Code::E609, output.span,
                               "another output is already called " + in_backticks(output.name));
         }
@@ -241,7 +241,7 @@ class SceneReader {
     if (value != nullptr) own = ValueReader(context_).constant_with_form(*value);
     for (const std::uint32_t target : targets) {
       if (own) check_value(context_, target, own->number, value->expression.span);
-      if (own) give_momentum(context_.model, target, own->number);
+      if (own) set_cyclic_momentum(context_.model, target, own->number);
       const Parameter& parameter = model_.parameters[target];
       scene_.specialisation.fixed[target] =
           own.value_or(FixedValue{parameter.value, parameter.form});

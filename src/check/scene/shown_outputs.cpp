@@ -23,7 +23,7 @@ void add_output(Model& model, Scene& scene, ShownValues shown, std::vector<Expre
   while (std::ranges::count(model.outputs, output.name, &UserOutput::name) > 0) output.name += '_';
   output.values = std::move(values);
   output.takes = takes;
-  const auto names_time = [&](ExpressionId id) { return holds_leaf(model, id, Opcode::time); };
+  const auto names_time = [&](ExpressionId id) { return contains_leaf(model, id, Opcode::time); };
   if (std::ranges::any_of(output.values, names_time)) output.takes |= Opcode::time;
   scene.shown[static_cast<std::uint32_t>(model.outputs.size())] = shown;
   output.span = model.name_span;
@@ -58,7 +58,7 @@ std::vector<ExpressionId> laws_of(const Model& model, const Scene& scene) {
 
 }  // namespace
 
-void note_wanted(Model& model, const FileSyntax* scene, const SceneOptions& options) {
+void mark_wanted_outputs(Model& model, const FileSyntax* scene, const SceneOptions& options) {
   const EntrySyntax* const outputs = find_entry(scene, "outputs");
   if (outputs == nullptr) return;
   for (UserOutput& output : model.outputs) output.is_wanted = false;

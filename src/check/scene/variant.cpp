@@ -44,7 +44,7 @@ class VariantBuilder {
  public:
   explicit VariantBuilder(const Model& whole)
       : whole_(whole),
-        left_(variables_left(whole)),
+        left_(remaining_variables(whole)),
         replacements_(whole.coordinates.size()),
         model_(whole) {}
 
@@ -59,16 +59,16 @@ class VariantBuilder {
       model_.may_drift = true;
     }
     for (std::size_t i = 0; i < whole_.expressions.size(); ++i) rewrite(model_.expressions[i]);
-    PlacesLeft rotations(whole_.rotations.size());
+    RemainingPositions rotations(whole_.rotations.size());
     for (std::uint32_t i = 0; i < whole_.rotations.size(); ++i) {
       if (!left_.coordinates[whole_.rotations[i].first_coordinate]) rotations.remove(i, 1);
     }
     renumber_variables(rotations);
     renumber_users(rotations);
     if (model_.approximation) {
-      left_.coordinates.thin(model_.approximation->coordinates);
-      left_.coordinates.thin(model_.approximation->small);
-      left_.inputs.thin(model_.approximation->inputs);
+      left_.coordinates.erase_removed(model_.approximation->coordinates);
+      left_.coordinates.erase_removed(model_.approximation->small);
+      left_.inputs.erase_removed(model_.approximation->inputs);
     }
     model_.equilibria.clear();
     model_.expectations.clear();
@@ -90,7 +90,7 @@ class VariantBuilder {
       held.acceleration = prescribe({ddot, c.identifier + "_ddot", second, {}, {}, span});
     }
     if (c.armature) add_armature(c, held.rate);
-    if (holds_leaf(whole_, value, Opcode::time)) model_.uses_time = true;
+    if (contains_leaf(whole_, value, Opcode::time)) model_.uses_time = true;
     if (model_.uses_time) model_.may_drift = true;
   }
 
@@ -149,10 +149,10 @@ class VariantBuilder {
     rename(node, is_rate ? held.rate : held.acceleration);
   }
 
-  void renumber_variables(const PlacesLeft& rotations) {
-    left_.coordinates.thin(model_.coordinates);
-    left_.velocities.thin(model_.velocities);
-    rotations.thin(model_.rotations);
+  void renumber_variables(const RemainingPositions& rotations) {
+    left_.coordinates.erase_removed(model_.coordinates);
+    left_.velocities.erase_removed(model_.velocities);
+    rotations.erase_removed(model_.rotations);
     for (Coordinate& coordinate : model_.coordinates) {
       coordinate.velocity = *left_.velocities[coordinate.velocity];
       if (coordinate.rotation) coordinate.rotation = rotations[*coordinate.rotation];
@@ -167,13 +167,13 @@ class VariantBuilder {
     }
   }
 
-  void renumber_users(const PlacesLeft& rotations) {
+  void renumber_users(const RemainingPositions& rotations) {
     for (Frame& frame : model_.frames) {
-      for (FrameStep& step : frame.steps) {
-        if (step.rotation) step.rotation = rotations[*step.rotation];
+      for (ElementaryTransform& transform : frame.transforms) {
+        if (transform.rotation) transform.rotation = rotations[*transform.rotation];
       }
     }
-    left_.inputs.thin(model_.inputs);
+    left_.inputs.erase_removed(model_.inputs);
     for (Input& input : model_.inputs) {
       if (input.on) input.on = left_.velocities[*input.on];
     }
@@ -185,7 +185,7 @@ class VariantBuilder {
   }
 
   const Model& whole_;
-  VariablesLeft left_;
+  RemainingVariables left_;
   std::vector<HeldLeaf> replacements_;
   Model model_;
 };

@@ -42,7 +42,7 @@ Diagnostic unreadable(const std::string& path, int error) {
 }
 
 /// Checked before the file is opened, because opening may block for ever or affect a device.
-std::optional<Diagnostic> no_file(const std::string& path) {
+std::optional<Diagnostic> missing_file_error(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) {
     if (errno != ENOENT && errno != ENOTDIR) return unreadable(path, errno);
@@ -54,8 +54,8 @@ std::optional<Diagnostic> no_file(const std::string& path) {
 }
 
 /// Reads an open file, but stops soon after the limit.
-Result<SourcePointer> read_open(const std::string& name, const Descriptor& file,
-                                const Limits& limits) {
+Result<SourcePointer> read_descriptor(const std::string& name, const Descriptor& file,
+                                      const Limits& limits) {
   struct stat found {};
   if (::fstat(file.number(), &found) != 0) return unreadable(name, errno);
   files_read().insert(identity(found));
@@ -76,26 +76,26 @@ Result<SourcePointer> read_stdin(const Limits& limits) {
   const std::string name(stdin_name);
   if (std::exchange(is_read, true)) return unreadable(name, "can be read only once");
   const WaitingLimit waiting(limits, name);
-  return read_open(name, Descriptor(::dup(STDIN_FILENO)), limits);
+  return read_descriptor(name, Descriptor(::dup(STDIN_FILENO)), limits);
 }
 
 Result<SourcePointer> read_file(const std::string& path, const Limits& limits) {
-  if (auto error = no_file(path)) return *std::move(error);
+  if (auto error = missing_file_error(path)) return *std::move(error);
   const WaitingLimit waiting(limits, path);
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
   if (!file.is_open()) return unreadable(path, errno);
-  return read_open(path, file, limits);
+  return read_descriptor(path, file, limits);
 }
 
 bool is_scene(const SourceText& source) {
-  if (source.path == stdin_name) return named_model(source).has_value();
+  if (source.path == stdin_name) return model_key(source).has_value();
   return source.path.size() > std::string_view(".scene.toml").size() &&
          source.path.ends_with(".scene.toml");
 }
 
 /// The error of a file that is no model and is not named as a scene: a robot description, a scene,
 /// or a model with the name of a scene.
-std::optional<Diagnostic> misnamed(const SourceText& source) {
+std::optional<Diagnostic> misnamed_error(const SourceText& source) {
   const std::size_t first = source.text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && source.text[first] == '<') {
     const auto begin = static_cast<std::uint32_t>(first);
@@ -112,7 +112,7 @@ std::optional<Diagnostic> misnamed(const SourceText& source) {
         fmt::format("{} contains a model: it has a table [model]", in_backticks(source.path)),
         "a model is called NAME.toml, a scene NAME.scene.toml"};
   }
-  const auto model = is_scene(source) ? std::nullopt : named_model(source);
+  const auto model = is_scene(source) ? std::nullopt : model_key(source);
   if (!model) return std::nullopt;
   return Diagnostic{Reason::misnamed_file, *model,
                     fmt::format("{} is a string, but [model] is a table", in_backticks(*model)),
@@ -143,7 +143,7 @@ std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
 }  // namespace
 
 Result<SourcePointer> kept_source(const std::string& path, std::string text, const Limits& limits) {
-  const SourcePointer source = make_kept_source(shown_path(path), std::move(text));
+  const SourcePointer source = make_permanent_source(shown_path(path), std::move(text));
   if (source->text.size() <= limits.file_bytes) return source;
   const auto at = static_cast<std::uint32_t>(limits.file_bytes);  // the first byte beyond the limit
   return Diagnostic{Code::E901,
@@ -170,7 +170,7 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
                            const SourceReader& read) {
   Result<SourcePointer> source = read(path);
   if (!source) return source.diagnostics;
-  if (auto mistake = misnamed(**source)) return *std::move(mistake);
+  if (auto mistake = misnamed_error(**source)) return *std::move(mistake);
   if (!is_scene(**source)) return Inputs{*source, nullptr};
 
   const Result<FileSyntax> scene = parse_scene(*source, limits);

@@ -46,7 +46,7 @@ struct WriteOptions {
 [[nodiscard]] Diagnostics refuse_places(const std::vector<OutputFile>& files, bool force);
 
 /// True if the first 200 bytes of a regular file contain the marker of generated files.
-[[nodiscard]] bool bears_marker(const std::string& path);
+[[nodiscard]] bool has_marker(const std::string& path);
 
 /// The text of a regular file; empty if there is none.
 [[nodiscard]] std::optional<std::string> existing_text(const std::string& path);

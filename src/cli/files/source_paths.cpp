@@ -39,7 +39,7 @@ bool is_in_repository(fs::path folder) {
 
 /// True if files below this folder may be unrelated: it is or contains the home or a folder for
 /// temporary files.
-bool is_everyones(const fs::path& folder) {
+bool is_shared_folder(const fs::path& folder) {
   std::vector<std::string> places{"/tmp", "/var/tmp"};
   for (const char* const variable : {"HOME", "TMPDIR"}) {
     if (const char* const place = std::getenv(variable)) places.emplace_back(place);
@@ -54,7 +54,7 @@ std::string path_from(const fs::path& directory, const SourcePointer& source) {
   if (source->path == stdin_name) return source->path;
   const fs::path file = complete(source->path);
   const fs::path common = common_folder(file, directory);
-  if (!is_in_repository(common) && is_everyones(common)) return file_name(*source);
+  if (!is_in_repository(common) && is_shared_folder(common)) return file_name(*source);
   return file.lexically_relative(directory).generic_string();
 }
 

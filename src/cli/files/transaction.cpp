@@ -37,7 +37,7 @@ bool write_all(const Descriptor& file, std::string_view text) {
   return true;
 }
 
-bool holds(const std::string& path, const std::string& text) {
+bool has_text(const std::string& path, const std::string& text) {
   std::error_code error;
   return fs::file_size(path, error) == text.size() && existing_text(path) == text;
 }
@@ -105,10 +105,10 @@ class TargetFolder {
 
 void TargetFolder::finish(bool stays) noexcept {
   for (auto move = moves_.rbegin(); move != moves_.rend(); ++move) {
-    const bool is_settled = stays || !move->is_done || undo(*move);
+    const bool can_remove_old = stays || !move->is_done || undo(*move);
     (void)::unlink(move->fresh.c_str());
     // If the old file cannot be restored, its second name is kept.
-    if (move->had_old && is_settled) (void)::unlink(move->old.c_str());
+    if (move->had_old && can_remove_old) (void)::unlink(move->old.c_str());
   }
   if (!stage_.empty()) (void)::rmdir(stage_.c_str());
 }
@@ -145,7 +145,7 @@ bool TargetFolder::create_stage() {
 
 std::optional<Failure> TargetFolder::stage(std::vector<std::string>& written) {
   for (const OutputFile* file : files_) {
-    if (holds(file->path, file->text)) continue;
+    if (has_text(file->path, file->text)) continue;
     if (stage_.empty() && !create_stage()) return Failure{file->path, errno};
     const std::string number = std::to_string(moves_.size());
     moves_.push_back({file->path, stage_ + "/new" + number, stage_ + "/old" + number});
@@ -181,9 +181,9 @@ Transaction::Transaction(std::uint64_t seconds)
 
 Transaction::~Transaction() {
   for (auto& [identity, folder] : folders_) {
-    if (folder != nullptr) folder->finish(stays_);  // null if its allocation failed
+    if (folder != nullptr) folder->finish(is_committed_);  // null if its allocation failed
   }
-  if (stays_) return;
+  if (is_committed_) return;
   // Folders created in vain are empty and still locked.
   for (auto path = created_.rbegin(); path != created_.rend(); ++path) {
     (void)::rmdir(path->c_str());
@@ -227,7 +227,7 @@ std::optional<Failure> Transaction::lock_folders() const {
   for (const auto& [identity, folder] : folders_) {
     while (!folder->lock()) {
       const bool is_over = std::chrono::steady_clock::now() > deadline_;
-      if (is_over || interrupt_waits()) return Failure{folder->path(), EWOULDBLOCK};
+      if (is_over || has_pending_interrupt()) return Failure{folder->path(), EWOULDBLOCK};
       std::this_thread::sleep_for(pause);
     }
     if (folder->is_removed()) return Failure{folder->path(), ENOENT};
@@ -235,7 +235,7 @@ std::optional<Failure> Transaction::lock_folders() const {
   return std::nullopt;
 }
 
-std::optional<Failure> Transaction::hold_folders(const std::vector<OutputFile>& files) {
+std::optional<Failure> Transaction::open_and_lock_folders(const std::vector<OutputFile>& files) {
   std::optional<Failure> failure;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     failure = open_folders(files);
@@ -247,7 +247,7 @@ std::optional<Failure> Transaction::hold_folders(const std::vector<OutputFile>& 
 }
 
 std::optional<Failure> Transaction::write(const std::vector<OutputFile>& files) {
-  if (auto failure = hold_folders(files)) return failure;
+  if (auto failure = open_and_lock_folders(files)) return failure;
   // Before any file is staged, so that a failure leaves no stage behind.
   for (auto& [identity, folder] : folders_) folder->remove_stale_stages();
   for (auto& [identity, folder] : folders_) {
@@ -256,7 +256,7 @@ std::optional<Failure> Transaction::write(const std::vector<OutputFile>& files) 
   for (auto& [identity, folder] : folders_) {
     if (auto failure = folder->commit()) return failure;
   }
-  stays_ = true;
+  is_committed_ = true;
   return std::nullopt;
 }
 

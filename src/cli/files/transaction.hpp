@@ -45,7 +45,7 @@ class Transaction {
   using Folders = std::map<Identity, std::unique_ptr<TargetFolder>>;
 
   /// Opens and locks all folders.
-  [[nodiscard]] std::optional<Failure> hold_folders(const std::vector<OutputFile>& files);
+  [[nodiscard]] std::optional<Failure> open_and_lock_folders(const std::vector<OutputFile>& files);
   [[nodiscard]] std::optional<Failure> open_folders(const std::vector<OutputFile>& files);
   [[nodiscard]] std::optional<Failure> open_folder(const OutputFile& file);
   [[nodiscard]] bool create_folders(const std::string& path);
@@ -56,7 +56,7 @@ class Transaction {
   std::vector<std::string> created_ = {};  ///< folders, outer folders first
   Folders folders_;
   std::vector<std::string> written_ = {};
-  bool stays_ = false;
+  bool is_committed_ = false;
 };
 
 }  // namespace elgen::cli

@@ -17,7 +17,7 @@ void read_type(const std::string& text, ListedOption& option) {
   option.choices = CLI::detail::split(text.substr(open + 1, close - open - 1), ',');
 }
 
-ListedOption listed(const CLI::Option& option) {
+ListedOption listed_option(const CLI::Option& option) {
   ListedOption result;
   for (const std::string& name : option.get_snames()) result.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) result.names.push_back("--" + name);
@@ -32,7 +32,8 @@ ListedOption listed(const CLI::Option& option) {
 
 std::vector<ListedOption> options_of(const CLI::App& app) {
   std::vector<ListedOption> options;
-  for (const CLI::Option* const option : app.get_options()) options.push_back(listed(*option));
+  for (const CLI::Option* const option : app.get_options())
+    options.push_back(listed_option(*option));
   return options;
 }
 

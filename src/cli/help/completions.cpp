@@ -111,7 +111,7 @@ TemplateData command_row(const ListedCommand& command) {
 
 }  // namespace
 
-std::vector<std::string> completed_shells() { return words_in(shells, &ShellRow::shell); }
+std::vector<std::string> completed_shells() { return column_words(shells, &ShellRow::shell); }
 
 std::string completions(const CommandList& list, const std::string& shell) {
   BashChoices choices;
@@ -122,7 +122,7 @@ std::string completions(const CommandList& list, const std::string& shell) {
     choices.add(command.name, command.options);
     add_fish_options(fish_options, command.name, command.options);
   }
-  const std::vector<std::string> names = words_in(list.commands, &ListedCommand::name);
+  const std::vector<std::string> names = column_words(list.commands, &ListedCommand::name);
   return fill_template(std::ranges::find(shells, shell, &ShellRow::shell)->path,
                        TemplateRow{{"commands", rows_data(list.commands, command_row)},
                                    {"choices", choices.options},

@@ -33,7 +33,7 @@ constexpr bool has_shadow_memory = false;
 #endif
 
 /// The last messages of the process, formatted in advance because signal handlers may not allocate.
-struct LastWords {
+struct FinalMessages {
   DiagnosticStyle style = {};
   std::uint64_t seconds = 0;
   std::optional<std::string> stage = {};
@@ -44,8 +44,8 @@ struct LastWords {
 };
 
 /// Never destroyed, because a signal may arrive while the process ends.
-LastWords& last_words() {
-  static LastWords& words = *new LastWords;
+FinalMessages& last_words() {
+  static FinalMessages& words = *new FinalMessages;
   return words;
 }
 
@@ -84,17 +84,17 @@ void set_alarm(std::uint64_t seconds) {
 
 /// Memory functions that throw std::bad_alloc. Without them CLN throws another exception, after
 /// which a page would continue, and GMP, which CLN uses, aborts.
-void* some_memory(std::size_t size) {
+void* allocate(std::size_t size) {
   void* const memory = std::malloc(size);
   return memory == nullptr ? throw std::bad_alloc() : memory;
 }
 
-void* other_memory(void* old, std::size_t /*size*/, std::size_t size) {
+void* reallocate(void* old, std::size_t /*size*/, std::size_t size) {
   void* const memory = std::realloc(old, size);
   return memory == nullptr ? throw std::bad_alloc() : memory;
 }
 
-void no_memory(void* old, std::size_t /*size*/) { std::free(old); }
+void deallocate(void* old, std::size_t /*size*/) { std::free(old); }
 
 /// The type of a resource is an enumeration in glibc and int in musl.
 template <class Resource>
@@ -114,8 +114,8 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   name_stage("");
   last_words().memory = format({out_of_memory(limits)}, style);
   std::set_terminate(end_without_memory);
-  cln::malloc_hook = some_memory;
-  ::mp_set_memory_functions(some_memory, other_memory, no_memory);
+  cln::malloc_hook = allocate;
+  ::mp_set_memory_functions(allocate, reallocate, deallocate);
   std::signal(SIGXCPU, end_on_time);
   std::signal(SIGALRM, end_waiting);
   std::signal(SIGXFSZ, SIG_IGN);  // writing to a file that may not grow fails (E706)
@@ -127,7 +127,7 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
 }
 
 void name_stage(const std::string& stage) {
-  LastWords& words = last_words();
+  FinalMessages& words = last_words();
   const std::string name = stage.substr(0, stage.find(','));  // "accuracy, state 3 of 8"
   // Returns early, because verify calls this for each of many states.
   if (words.stage == name) return;

@@ -31,7 +31,7 @@ constexpr std::size_t longest_path = 4096;
 constexpr std::string_view link_mode = "120000";
 constexpr std::string_view submodule = "160000";
 
-Diagnostic refused(const std::string& what, const ProcessResult& result) {
+Diagnostic git_error(const std::string& what, const ProcessResult& result) {
   std::string words = plain_text(result.errors);
   while (words.ends_with('\n')) words.pop_back();
   if (result.ending == Ending::not_started) words = "git could not be run";
@@ -43,7 +43,7 @@ Diagnostic refused(const std::string& what, const ProcessResult& result) {
 
 ProcessResult git(std::vector<std::string> words, std::size_t most_output = longest_list) {
   words.insert(words.begin(), "git");
-  return run_apart(words, seconds_of_git, most_output);
+  return run_with_input(words, seconds_of_git, most_output);
 }
 
 /// Without the final line end; a path may contain others.
@@ -62,7 +62,7 @@ bool is_object_id(const std::string& text) {
 /// root.
 Result<std::string> root_of_tree() {
   const ProcessResult top = git({"rev-parse", "--show-toplevel"});
-  if (!top.succeeded()) return refused("the working directory is in no repository", top);
+  if (!top.succeeded()) return git_error("the working directory is in no repository", top);
   std::string root = line_of(top);
   std::error_code error;
   const bool is_guessed =
@@ -92,7 +92,7 @@ bool is_small(const Program& program) {
   return instructions <= most_chosen;
 }
 
-Products products(const Inputs& inputs, const Limits& limits, Goal goal) {
+Products run_stages(const Inputs& inputs, const Limits& limits, Goal goal) {
   renew_time_limit(limits);
   Products all = run_pipeline(inputs, {.limits = limits, .goals = {goal}, .on_stage = name_stage});
   name_stage("");
@@ -115,12 +115,12 @@ Result<Revision> Revision::open(const std::string& name) {
   const ProcessResult known = git({"rev-parse", "--verify", name + "^{commit}"});
   const std::string commit = line_of(known);
   const std::string no_revision = fmt::format("{} is no revision", in_backticks(name));
-  if (!known.succeeded()) return refused(no_revision, known);
+  if (!known.succeeded()) return git_error(no_revision, known);
   // "^HEAD" excludes HEAD and names no commit.
   if (!is_object_id(commit)) return Diagnostic{Code::E713, {}, no_revision};
   const ProcessResult list = git({"ls-tree", "-r", "-z", "--full-tree", commit});
   if (!list.succeeded() || list.output.size() == longest_list) {
-    return refused(fmt::format("{} was not read", in_backticks(name)), list);
+    return git_error(fmt::format("{} was not read", in_backticks(name)), list);
   }
   // MODE TYPE ID<tab>PATH<null>
   Revision revision(name, *root);
@@ -171,13 +171,13 @@ std::vector<std::string> Revision::files_below(const std::string& folder) const 
   std::vector<std::string> files;
   for (auto at = objects_.lower_bound(start); at != objects_.end(); ++at) {
     if (!at->first.starts_with(start)) break;
-    const Result<const Object*> object = followed(at->first);
+    const Result<const Object*> object = resolve_links(at->first);
     if (!object || *object != nullptr) files.push_back(at->first.substr(start.size()));
   }
   return files;
 }
 
-Result<const Revision::Object*> Revision::followed(const std::string& path) const {
+Result<const Revision::Object*> Revision::resolve_links(const std::string& path) const {
   std::string at = path;
   for (int link = 0; link < most_links; ++link) {
     const auto object = objects_.find(at);
@@ -194,12 +194,12 @@ Result<std::string> Revision::bytes(const Object& object, const std::string& pat
                                     std::size_t most) const {
   ProcessResult blob = git({"cat-file", "blob", object.id}, most);
   if (blob.succeeded()) return std::move(blob.output);
-  return refused(fmt::format("{} was not read", in_backticks(name_ + ":" + path)), blob);
+  return git_error(fmt::format("{} was not read", in_backticks(name_ + ":" + path)), blob);
 }
 
 Result<SourcePointer> Revision::read(const std::string& path, const Limits& limits) const {
   const std::string shown = name_ + ":" + path;
-  const Result<const Object*> object = followed(path);
+  const Result<const Object*> object = resolve_links(path);
   if (!object) return object.diagnostics;
   if (*object == nullptr) {
     return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", shown_path(shown))};
@@ -219,21 +219,21 @@ Version LoadedVersion::version() const {
 }
 
 std::string system_name(const Inputs& inputs, const Limits& limits) {
-  const Products checked = products(inputs, limits, Goal::check);
+  const Products checked = run_stages(inputs, limits, Goal::check);
   return checked.checked ? checked.checked->scene.base_name : std::string();
 }
 
 Diagnostics mistakes(const Inputs& inputs, const Limits& limits) {
-  return products(inputs, limits, Goal::inspect).diagnostics;
+  return run_stages(inputs, limits, Goal::inspect).diagnostics;
 }
 
 Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits) {
   LoadedVersion loaded{inputs};
-  loaded.products = products(inputs, limits, Goal::lower);
+  loaded.products = run_stages(inputs, limits, Goal::lower);
   if (!loaded.products.lowered) return loaded.products.diagnostics;
   const bool is_emitted_otherwise = needs_forms(loaded.products.checked->scene);
   if (is_emitted_otherwise || is_small(*loaded.products.lowered)) {
-    Products chosen = products(inputs, limits, Goal::choose);
+    Products chosen = run_stages(inputs, limits, Goal::choose);
     if (chosen.program) loaded.operations = operations_of(*chosen.program);
     if (is_emitted_otherwise) loaded.products = std::move(chosen);
   }

@@ -41,7 +41,7 @@ class Revision {
   };
 
   /// The object at the end of all links; null if it is no file of the revision.
-  [[nodiscard]] Result<const Object*> followed(const std::string& path) const;
+  [[nodiscard]] Result<const Object*> resolve_links(const std::string& path) const;
 
   /// The first `most` bytes; `path` is for messages.
   [[nodiscard]] Result<std::string> bytes(const Object& object, const std::string& path,

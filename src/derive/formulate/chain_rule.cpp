@@ -130,10 +130,10 @@ void Tangent::differentiate(std::uint32_t definition) {
 
 ex Tangent::operator()(const ex& value) {
   // Outputs share the definitions of rates, so these get no names from the current output.
-  Wording wording = std::exchange(definitions_.wording, {});
+  ValueMeaning wording = std::exchange(definitions_.meaning, {});
   visit_needed(definitions_, value, mask_, known_,
                [this](std::uint32_t definition) { differentiate(definition); });
-  definitions_.wording = std::move(wording);
+  definitions_.meaning = std::move(wording);
   return from_known(value);
 }
 
@@ -210,7 +210,7 @@ void Substitution::substitute(std::uint32_t definition) {
   Label label{old.name, old.origin};
   const ex replaced = define(definitions_, from_known(old.value), std::move(label));
   if (!replaced.is_equal(symbol)) values_.emplace(symbol, replaced);
-  auto& names = definitions_.told.names;
+  auto& names = definitions_.value_names.names;
   if (const auto told = names.find(symbol); told != names.end()) {
     names.emplace(replaced, told->second);
   }

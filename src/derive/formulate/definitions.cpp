@@ -35,17 +35,17 @@ void collect_symbols(const ex& value, std::vector<ex>& symbols) {
 }
 
 /// Names `value` after the current wording if it is a definition without a name. Returns `value`.
-ex tell(Definitions& definitions, const ex& value) {
-  const auto& [kind, frame, axis] = definitions.wording;
-  if (kind.empty() || definitions.told.names.contains(value)) return value;
+ex add_name(Definitions& definitions, const ex& value) {
+  const auto& [kind, frame, axis] = definitions.meaning;
+  if (kind.empty() || definitions.value_names.names.contains(value)) return value;
   const auto place = definitions.places.find(value);
   if (place == definitions.places.end() || !place->second.is_definition) return value;
   std::string name = kind;
   if (!frame.empty()) name += "_" + frame;
   if (!axis.empty()) name += "_" + axis;
-  const int number = ++definitions.told.counts[name];
+  const int number = ++definitions.value_names.counts[name];
   if (number > 1) name += "_" + std::to_string(number);
-  definitions.told.names.emplace(value, std::move(name));
+  definitions.value_names.names.emplace(value, std::move(name));
   return value;
 }
 
@@ -76,9 +76,9 @@ void add_leaf(Definitions& definitions, const ex& symbol, Opcode kind) {
 }
 
 ex define(Definitions& definitions, const ex& value, Label label) {
-  if (is_atomic(value)) return tell(definitions, value);
+  if (is_atomic(value)) return add_name(definitions, value);
   const auto known = definitions.known_values.find(value);
-  if (known != definitions.known_values.end()) return tell(definitions, known->second);
+  if (known != definitions.known_values.end()) return add_name(definitions, known->second);
 
   Definition definition{GiNaC::realsymbol(), value, std::move(label.name), label.origin, {}, {}};
   for (const ex& symbol : symbols_of(definitions, value)) {
@@ -90,7 +90,7 @@ ex define(Definitions& definitions, const ex& value, Label label) {
   definitions.places.emplace(definition.symbol, SymbolPlace{true, index, definition.depends});
   definitions.known_values.emplace(value, definition.symbol);
   definitions.list.push_back(std::move(definition));
-  return tell(definitions, definitions.list.back().symbol);
+  return add_name(definitions, definitions.list.back().symbol);
 }
 
 void name(Definitions& definitions, const ex& symbol, const std::string& text) {
@@ -129,14 +129,14 @@ class ExpressionWriter {
     return {{plain(value)}};
   }
 
-  FormulaText whole(const ex& value) const { return sum({print(value)}); }
+  FormulaText whole(const ex& value) const { return sum_text({print(value)}); }
 
  private:
   std::vector<Summand> sorted(const ex& value, Binding least) const {
     std::vector<Summand> parts;
     for (const ex& part : value) {
       const auto [term, is_negative] = print(part);
-      parts.push_back({at_least(term, least), is_negative});
+      parts.push_back({bind_at_least(term, least), is_negative});
     }
     std::sort(parts.begin(), parts.end(), [](const Summand& left, const Summand& right) {
       return left.term.text < right.term.text;
@@ -149,7 +149,7 @@ class ExpressionWriter {
     std::vector<Summand> terms = sorted(value, Binding::sum);
     const bool is_negative = terms.front().is_subtracted;
     for (Summand& term : terms) term.is_subtracted = term.is_subtracted != is_negative;
-    return {sum(terms), is_negative};
+    return {sum_text(terms), is_negative};
   }
 
   Summand product_of(const ex& value) const {
@@ -159,7 +159,7 @@ class ExpressionWriter {
       is_negative = is_negative != part.is_subtracted;
       if (part.term.text != "1") factors.push_back(part.term);
     }
-    return {product(model_spelling, factors), is_negative};
+    return {product_text(model_spelling, factors), is_negative};
   }
 
   Summand raised(const ex& value) const {

@@ -157,7 +157,7 @@ bool Translation::translate(ExpressionId id) {
     return false;
   };
   try {
-    translated_[id] = small(compose(model_.expressions[id]));
+    translated_[id] = define_if_large(compose(model_.expressions[id]));
     return true;
   } catch (const GiNaC::pole_error&) {
     return refuse(Code::E312, "divides by zero");
@@ -176,7 +176,7 @@ ExVector3 Translation::vector(const Vector3& values, const std::string& name, En
   return result;
 }
 
-Translation::Sized Translation::small(const Sized& sized) {
+Translation::Sized Translation::define_if_large(const Sized& sized) {
   if (sized.size <= largest_inline_size) return sized;
   return {define(lagrangian_.definitions, sized.value), 1};
 }
@@ -259,7 +259,7 @@ Translation::Sized Translation::product(const std::vector<ExpressionId>& operand
   for (const ExpressionId id : operands) {
     const Sized& factor = translated_[id];
     if (result.size != 0 && result.size + factor.size > largest_inline_size)
-      result = small({result.value, largest_inline_size + 1});
+      result = define_if_large({result.value, largest_inline_size + 1});
     result = {result.value * factor.value, result.size + factor.size};
   }
   return result;
@@ -306,7 +306,7 @@ void Translation::define_named() {
     if (point.local && !model_.approximation) continue;
     (void)vector(point.at, point.identifier, {EntityKind::point, i});
   }
-  for (const ExpressionId id : reached(model_, roots_if(model_, is_force))) {
+  for (const ExpressionId id : reachable_from(model_, roots_if(model_, is_force))) {
     Expression entry = model_.expressions[id];
     if (!is_name(entry, NamedKind::frame)) continue;
     // The components of the pose: rotation and origin.

@@ -44,7 +44,7 @@ class Translation {
   [[nodiscard]] Sized sum(const std::vector<ExpressionId>& operands);
   [[nodiscard]] Sized product(const std::vector<ExpressionId>& operands);
   [[nodiscard]] Sized function(const Expression& expression);
-  [[nodiscard]] Sized small(const Sized& sized);
+  [[nodiscard]] Sized define_if_large(const Sized& sized);
 
   const Model& model_;
   Lagrangian& lagrangian_;
@@ -58,13 +58,13 @@ class Translation {
 [[nodiscard]] GiNaC::ex constant_value(const Model& model, ExpressionId value);
 
 /// True if energies and forces must be sums in world coordinates: for an expansion or for [routh].
-[[nodiscard]] inline bool sums_energies(const Model& model) {
+[[nodiscard]] inline bool needs_energy_sums(const Model& model) {
   return model.approximation.has_value() || !model.variant.cyclic.empty();
 }
 
-/// Fills lagrangian.tree (steps, bodies, wrenches) and the twists of the outputs. Identity steps
-/// are omitted, and frames whose subtree has no body, torque, force or output. If sums_energies(),
-/// the tree serves outputs only. Errors: translation.errors().
+/// Fills lagrangian.tree (transforms, bodies, wrenches) and the twists of the outputs. Identity
+/// transforms are omitted, and frames whose subtree has no body, torque, force or output. If
+/// needs_energy_sums(), the tree serves outputs only. Errors: translation.errors().
 void add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian);
 
 }  // namespace elgen

@@ -74,7 +74,7 @@ void add_symbols(const Model& model, Lagrangian& lagrangian) {
 /// True if the entry belongs to the tree of frames, not to the sums in world coordinates.
 template <class Placed>
 bool is_in_tree(const Model& model, const Placed& placed) {
-  return placed.local && !sums_energies(model);
+  return placed.local && !needs_energy_sums(model);
 }
 
 /// Adds 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.
@@ -99,7 +99,7 @@ void add_rotation(const Body& body, Entity origin, Translation& translation,
     add(inertia[4] * spin[0] * spin[2]);
     add(inertia[5] * spin[1] * spin[2]);
   }
-  lagrangian.turning_bodies.push_back({std::move(spin), std::move(inertia), origin});
+  lagrangian.rotating_bodies.push_back({std::move(spin), std::move(inertia), origin});
 }
 
 /// Forces on velocities, and forces on points and torques on frames outside the tree.
@@ -120,7 +120,7 @@ class Forces {
         on_[*force.on].push_back(translation_.value(force.value.front()));
       } else if (force.at) {
         add_point_force(force);
-      } else if (sums_energies(model_)) {
+      } else if (needs_energy_sums(model_)) {
         add_torque(force);
       }
     }
@@ -307,7 +307,7 @@ class Formulation {
       }
       lagrangian_.locked.push_back(std::move(locked));
     }
-    const PlacesLeft inputs = variables_left(model_).inputs;
+    const RemainingPositions inputs = remaining_variables(model_).inputs;
     for (std::uint32_t i = 0; i < model_.inputs.size(); ++i) {
       if (!inputs[i]) lagrangian_.held_inputs.push_back(i);
     }
@@ -330,7 +330,7 @@ std::vector<ex> values_of(const EnergyTerms& terms) {
 }
 
 Result<WholeLagrangian> formulate(const Model& model) {
-  Result<WholeLagrangian> lagrangian = Formulation(whole_of(model)).build();
+  Result<WholeLagrangian> lagrangian = Formulation(whole_model(model)).build();
   // `model`, not whole_of(model): held velocities are not eliminated.
   if (lagrangian) lagrangian->eliminates_last_first = eliminates_last_first(model);
   if (lagrangian) lagrangian->inertial = inertial_parameters(model);

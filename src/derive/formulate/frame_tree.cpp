@@ -1,4 +1,5 @@
-// Builds the tree of frames: steps, parents first; then bodies, wrenches and outputs on the steps.
+// Builds the tree of frames: transforms, parents first; then bodies, wrenches and outputs on the
+// transforms.
 #include <algorithm>
 #include <utility>
 
@@ -15,8 +16,8 @@ bool is_zero(const ExVector3& vector) {
 }
 
 /// The frames with a body, point mass, force or output, and all their ancestors. If
-/// sums_energies(), only outputs count.
-std::vector<bool> carrying(const Model& model) {
+/// needs_energy_sums(), only outputs count.
+std::vector<bool> needed_frames(const Model& model) {
   std::vector<bool> needed(model.frames.size(), false);
   const auto mark = [&](std::optional<std::uint32_t> frame) {
     for (; frame && !needed[*frame]; frame = model.frames[*frame].parent) needed[*frame] = true;
@@ -25,7 +26,7 @@ std::vector<bool> carrying(const Model& model) {
     if (point && model.points[*point].local) mark(model.points[*point].local->frame);
   };
   for (const UserOutput& output : model.outputs) mark(output.frame);
-  if (sums_energies(model)) return needed;
+  if (needs_energy_sums(model)) return needed;
   for (const Body& body : model.bodies) {
     if (body.local) mark(body.local->com.frame);
   }
@@ -61,23 +62,23 @@ std::vector<std::uint32_t> parents_first(const Model& model, const std::vector<b
 }
 
 /// The identity transform.
-bool is_trivial(const TreeStep& step) {
-  if (step.kind == FrameStepKind::turn) return step.angle.is_zero();
-  return step.kind == FrameStepKind::translation && is_zero(step.vector);
+bool is_identity(const TreeTransform& transform) {
+  if (transform.kind == TransformKind::turn) return transform.angle.is_zero();
+  return transform.kind == TransformKind::translation && is_zero(transform.vector);
 }
 
 /// x := R^T x if R is a constant turn about a coordinate axis with rational cosine and sine; else
 /// returns false.
-bool undo_quarter_turn(const TreeStep& step, ExVector3& x) {
-  const ex cosine = GiNaC::cos(step.angle);
-  const ex sine = GiNaC::sin(step.angle);
+bool undo_quarter_turn(const TreeTransform& transform, ExVector3& x) {
+  const ex cosine = GiNaC::cos(transform.angle);
+  const ex sine = GiNaC::sin(transform.angle);
   if (!GiNaC::is_a<GiNaC::numeric>(cosine) || !GiNaC::is_a<GiNaC::numeric>(sine)) return false;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (!(step.vector[k] * step.vector[k]).is_equal(1)) continue;
+    if (!(transform.vector[k] * transform.vector[k]).is_equal(1)) continue;
     const std::size_t i = (k + 1) % 3;
     const std::size_t j = (k + 2) % 3;
-    const ex turned = cosine * x[i] + step.vector[k] * sine * x[j];
-    x[j] = cosine * x[j] - step.vector[k] * sine * x[i];
+    const ex turned = cosine * x[i] + transform.vector[k] * sine * x[j];
+    x[j] = cosine * x[j] - transform.vector[k] * sine * x[i];
     x[i] = turned;
     return true;
   }
@@ -100,51 +101,54 @@ std::optional<std::size_t> single_axis(const ExVector3& x) {
 ///
 ///     before    shift (a, d, 0), turn -pi/2 about x, turn q about z
 ///     after     shift (a, 0, 0), turn -pi/2 about x, turn q about z, shift (0, 0, d)
-std::vector<TreeStep> with_slides_last(std::vector<TreeStep> steps) {
-  if (steps.size() < 2 || steps.front().kind != FrameStepKind::translation) return steps;
-  const TreeStep& turn = steps.back();
-  if (turn.kind != FrameStepKind::turn) return steps;
+std::vector<TreeTransform> with_slides_last(std::vector<TreeTransform> transforms) {
+  if (transforms.size() < 2 || transforms.front().kind != TransformKind::translation)
+    return transforms;
+  const TreeTransform& turn = transforms.back();
+  if (turn.kind != TransformKind::turn) return transforms;
   const std::optional<std::size_t> axis = single_axis(turn.vector);
-  if (!axis) return steps;
-  ExVector3 shift = steps.front().vector;
-  for (std::size_t k = 1; k + 1 < steps.size(); ++k) {
-    if (steps[k].kind != FrameStepKind::turn || !undo_quarter_turn(steps[k], shift)) return steps;
+  if (!axis) return transforms;
+  ExVector3 shift = transforms.front().vector;
+  for (std::size_t k = 1; k + 1 < transforms.size(); ++k) {
+    if (transforms[k].kind != TransformKind::turn || !undo_quarter_turn(transforms[k], shift))
+      return transforms;
   }
-  if (shift[*axis].is_zero()) return steps;
-  TreeStep slide = steps.front();
+  if (shift[*axis].is_zero()) return transforms;
+  TreeTransform slide = transforms.front();
   slide.vector = {0, 0, 0};
   slide.vector[*axis] = shift[*axis];
   // From the original translation, remove the component that is parallel to the turn's axis.
   for (std::size_t k = 0; k < 3; ++k) {
     ExVector3 unit{0, 0, 0};
     unit[k] = 1;
-    for (std::size_t i = 1; i + 1 < steps.size(); ++i) (void)undo_quarter_turn(steps[i], unit);
-    if (!unit[*axis].is_zero()) steps.front().vector[k] = 0;
+    for (std::size_t i = 1; i + 1 < transforms.size(); ++i)
+      (void)undo_quarter_turn(transforms[i], unit);
+    if (!unit[*axis].is_zero()) transforms.front().vector[k] = 0;
   }
-  steps.push_back(std::move(slide));
-  if (is_trivial(steps.front())) steps.erase(steps.begin());
-  return steps;
+  transforms.push_back(std::move(slide));
+  if (is_identity(transforms.front())) transforms.erase(transforms.begin());
+  return transforms;
 }
 
-TreeStep translated(const Model& model, Translation& translation, Definitions& definitions,
-                    std::uint32_t index, const FrameStep& step) {
+TreeTransform make_transform(const Model& model, Translation& translation, Definitions& definitions,
+                             std::uint32_t index, const ElementaryTransform& transform) {
   const std::string& name = model.frames[index].identifier;
-  TreeStep result;
-  result.kind = step.kind;
-  if (step.rotation) result.rotation = model.rotations[*step.rotation].first_velocity;
+  TreeTransform result;
+  result.kind = transform.kind;
+  if (transform.rotation) result.rotation = model.rotations[*transform.rotation].first_velocity;
   result.name = name;
   result.origin = {EntityKind::frame, index};
-  result.vector = translation.vector(step.vector, name + "_offset", result.origin);
-  if (step.kind == FrameStepKind::turn) {
-    result.angle = translation.value(step.angle);
+  result.vector = translation.vector(transform.vector, name + "_offset", result.origin);
+  if (transform.kind == TransformKind::turn) {
+    result.angle = translation.value(transform.angle);
     // A constant gets no symbol, because GiNaC evaluates the sine of a number, not of a symbol.
     if (!symbols_of(definitions, result.angle).empty()) {
       result.angle = define(definitions, result.angle, {name + "_angle", result.origin});
     }
   }
-  for (std::size_t i = 0; step.kind == FrameStepKind::quaternion && i < 4; ++i) {
+  for (std::size_t i = 0; transform.kind == TransformKind::quaternion && i < 4; ++i) {
     result.quaternion[i] =
-        translation.named(step.quaternion[i], name + "_quaternion", result.origin);
+        translation.named(transform.quaternion[i], name + "_quaternion", result.origin);
   }
   return result;
 }
@@ -172,22 +176,23 @@ class TreeFormulation {
         definitions_(lagrangian.definitions),
         lagrangian_(lagrangian),
         tree_(lagrangian.tree),
-        last_step_(model.frames.size()),
+        last_transform_(model.frames.size()),
         point_places_(model.points.size()) {}
 
   void build() {
-    for (const std::uint32_t frame : parents_first(model_, carrying(model_))) add_frame(frame);
-    if (!sums_energies(model_)) add_what_is_carried();
+    for (const std::uint32_t frame : parents_first(model_, needed_frames(model_))) add_frame(frame);
+    if (!needs_energy_sums(model_)) add_bodies_and_wrenches();
     add_twists();
   }
 
  private:
-  using Step = std::optional<std::uint32_t>;
+  using Transform = std::optional<std::uint32_t>;
 
-  void add_what_is_carried() {
+  void add_bodies_and_wrenches() {
     for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
       const std::optional<BodyInFrame>& local = model_.bodies[i].local;
-      if (local) append_body(last_step_[local->com.frame], rigid_body(model_, translation_, i));
+      if (local)
+        append_body(last_transform_[local->com.frame], rigid_body(model_, translation_, i));
     }
     for (std::uint32_t i = 0; i < model_.points.size(); ++i) add_mass(i);
     for (const Force& force : model_.forces) add_wrenches(force);
@@ -195,53 +200,54 @@ class TreeFormulation {
 
   void add_frame(std::uint32_t index) {
     const Frame& frame = model_.frames[index];
-    std::vector<TreeStep> steps;
-    for (const FrameStep& step : frame.steps) {
-      TreeStep translated_step = translated(model_, translation_, definitions_, index, step);
-      if (!is_trivial(translated_step)) steps.push_back(std::move(translated_step));
+    std::vector<TreeTransform> transforms;
+    for (const ElementaryTransform& transform : frame.transforms) {
+      TreeTransform translated_step =
+          make_transform(model_, translation_, definitions_, index, transform);
+      if (!is_identity(translated_step)) transforms.push_back(std::move(translated_step));
     }
-    Step last = frame.parent ? last_step_[*frame.parent] : Step{};
-    for (TreeStep& step : with_slides_last(std::move(steps))) {
-      step.parent = last;
-      last = append(std::move(step));
+    Transform last = frame.parent ? last_transform_[*frame.parent] : Transform{};
+    for (TreeTransform& transform : with_slides_last(std::move(transforms))) {
+      transform.parent = last;
+      last = append(std::move(transform));
     }
-    last_step_[index] = last;
+    last_transform_[index] = last;
   }
 
-  Step append(TreeStep step) {
-    tree_.steps.push_back(std::move(step));
-    return static_cast<std::uint32_t>(tree_.steps.size() - 1);
+  Transform append(TreeTransform transform) {
+    tree_.transforms.push_back(std::move(transform));
+    return static_cast<std::uint32_t>(tree_.transforms.size() - 1);
   }
 
-  void append_body(Step step, RigidBody body) {
-    body.step = step;
+  void append_body(Transform transform, RigidBody body) {
+    body.transform = transform;
     tree_.bodies.push_back(std::move(body));
   }
 
-  /// The step that a point is fixed to, and its position in the child frame of that step.
+  /// The transform that a point is fixed to, and its position in the child frame of that transform.
   struct PointPlace {
-    Step step;
+    Transform transform;
     ExVector3 at;
   };
 
-  /// A point that moves relative to its frame gets an additional translation step.
+  /// A point that moves relative to its frame gets an additional translation.
   const PointPlace& place_of(std::uint32_t index) {
     std::optional<PointPlace>& known = point_places_[index];
     if (known) return *known;
     const Point& point = model_.points[index];
     const Entity origin{EntityKind::point, index};
-    known = PointPlace{last_step_[point.local->frame],
+    known = PointPlace{last_transform_[point.local->frame],
                        translation_.vector(point.local->at, point.identifier, origin)};
     const bool moves = std::any_of(known->at.begin(), known->at.end(), [&](const ex& x) {
       return dependence(definitions_, x).has_any(Opcode::coordinate | Opcode::time);
     });
     if (!moves) return *known;
-    TreeStep shift;
-    shift.parent = known->step;
+    TreeTransform shift;
+    shift.parent = known->transform;
     shift.vector = std::exchange(known->at, {0, 0, 0});
     shift.name = point.identifier;
     shift.origin = origin;
-    known->step = append(std::move(shift));
+    known->transform = append(std::move(shift));
     return *known;
   }
 
@@ -254,7 +260,7 @@ class TreeFormulation {
     rigid.mass = translation_.named(*point.mass, point.identifier + "_mass", origin);
     const PointPlace& place = place_of(index);
     rigid.com = place.at;
-    append_body(place.step, std::move(rigid));
+    append_body(place.transform, std::move(rigid));
   }
 
   void add_wrenches(const Force& force) {
@@ -265,13 +271,14 @@ class TreeFormulation {
         components[i] = given ? translation_.value(force.written[i]) : ex(0);
       }
     };
-    const Step axes = force.axes ? last_step_[*force.axes] : Step{};
+    const Transform axes = force.axes ? last_transform_[*force.axes] : Transform{};
     const auto negative = [&] { return ExVector3{-components[0], -components[1], -components[2]}; };
     if (force.frame) {
       translate_components();
-      tree_.wrenches.push_back({last_step_[*force.frame], axes, {0, 0, 0}, {0, 0, 0}, components});
+      tree_.wrenches.push_back(
+          {last_transform_[*force.frame], axes, {0, 0, 0}, {0, 0, 0}, components});
       if (!force.from_frame) return;
-      const Step from = last_step_[*force.from_frame];
+      const Transform from = last_transform_[*force.from_frame];
       tree_.wrenches.push_back({from, axes, {0, 0, 0}, {0, 0, 0}, negative()});
     } else if (force.at) {
       translate_components();
@@ -280,17 +287,17 @@ class TreeFormulation {
     }
   }
 
-  void add_force_at(std::uint32_t index, Step axes, const ExVector3& components) {
+  void add_force_at(std::uint32_t index, Transform axes, const ExVector3& components) {
     if (!model_.points[index].local) return;  // a PointForce
     const PointPlace& place = place_of(index);
-    tree_.wrenches.push_back({place.step, axes, place.at, components, {0, 0, 0}});
+    tree_.wrenches.push_back({place.transform, axes, place.at, components, {0, 0, 0}});
   }
 
   void add_twists() {
     for (std::size_t i = 0; i < model_.outputs.size(); ++i) {
       const UserOutput& output = model_.outputs[i];
       if (!output.frame) continue;
-      lagrangian_.outputs[i].twist = TwistOutput{last_step_[*output.frame], output.in_world};
+      lagrangian_.outputs[i].twist = TwistOutput{last_transform_[*output.frame], output.in_world};
     }
   }
 
@@ -299,7 +306,8 @@ class TreeFormulation {
   Definitions& definitions_;
   Lagrangian& lagrangian_;
   FrameTree& tree_;
-  std::vector<Step> last_step_;  ///< of each frame; none if the frame coincides with the world
+  std::vector<Transform>
+      last_transform_;  ///< of each frame; none if the frame coincides with the world
   std::vector<std::optional<PointPlace>> point_places_;  ///< by point, filled by place_of()
 };
 

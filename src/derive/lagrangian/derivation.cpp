@@ -135,9 +135,9 @@ Derivation::Derivation(const Lagrangian& source)
       definitions(lagrangian.definitions),
       symbols(lagrangian.symbols),
       motion(definitions, motion_seeds(symbols), "_dot"),
-      coasting(definitions, seeds(symbols, true, true), "_dot"),
-      frozen(definitions, seeds(symbols, true, false), "_dot"),
-      passing(definitions, seeds(symbols, false, true), "_by_t") {
+      zero_acceleration(definitions, seeds(symbols, true, true), "_dot"),
+      fixed_time(definitions, seeds(symbols, true, false), "_dot"),
+      time_partial(definitions, seeds(symbols, false, true), "_by_t") {
   append(other_, weighted(lagrangian.kinetic, 1));
   append(other_, weighted(lagrangian.potential, -1));
   append(other_, weighted(lagrangian.lagrangian, 1));

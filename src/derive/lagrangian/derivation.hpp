@@ -46,10 +46,10 @@ class Derivation {
   Definitions& definitions;  ///< of `lagrangian`
   const Symbols& symbols;
 
-  Tangent motion;    ///< d/dt along the motion: q -> dq/dt, v -> a, t -> 1
-  Tangent coasting;  ///< q -> dq/dt, v -> 0, t -> 1
-  Tangent frozen;    ///< q -> dq/dt, v -> 0, t -> 0
-  Tangent passing;   ///< q -> 0, v -> 0, t -> 1: partial d/dt
+  Tangent motion;             ///< d/dt along the motion: q -> dq/dt, v -> a, t -> 1
+  Tangent zero_acceleration;  ///< q -> dq/dt, v -> 0, t -> 1
+  Tangent fixed_time;         ///< q -> dq/dt, v -> 0, t -> 0
+  Tangent time_partial;       ///< q -> 0, v -> 0, t -> 1: partial d/dt
 
   /// Terms of T - V, or of L, without point masses and bodies in frames.
   [[nodiscard]] const std::vector<Weighted>& other_lagrangian() const { return other_; }
@@ -63,7 +63,7 @@ class Derivation {
 
   /// The positions of the point masses, weighted by force(mass, axis).
   template <class Force>
-  [[nodiscard]] std::vector<Weighted> on_masses(const Force& force);
+  [[nodiscard]] std::vector<Weighted> weighted_positions(const Force& force);
 
   /// The derivative along dq = N e_j, and along dv = e_j; e_j is the unit vector of one velocity.
   [[nodiscard]] Tangent displacement(std::size_t velocity);
@@ -83,7 +83,7 @@ class Derivation {
 };
 
 template <class Force>
-std::vector<Weighted> Derivation::on_masses(const Force& force) {
+std::vector<Weighted> Derivation::weighted_positions(const Force& force) {
   std::vector<Weighted> result;
   for (const PointMass& mass : lagrangian.masses) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -108,7 +108,8 @@ void append(std::vector<Weighted>& to, const std::vector<Weighted>& from);
 /// Calls `derive` for a Derivation of `other` that continues the definitions of `derivation`.
 /// Definitions are only appended, so everything that `derivation` has computed stays valid.
 template <class Derive>
-[[nodiscard]] Vector derived_apart(Derivation& derivation, Lagrangian other, const Derive& derive) {
+[[nodiscard]] Vector derive_with_shared_definitions(Derivation& derivation, Lagrangian other,
+                                                    const Derive& derive) {
   other.definitions = derivation.definitions;
   Derivation apart(other);
   Vector result = derive(apart);

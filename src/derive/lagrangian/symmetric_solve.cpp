@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "derive/formulate/telling.hpp"
+#include "derive/formulate/name_scope.hpp"
 
 namespace elgen {
 
@@ -24,12 +24,12 @@ SymmetricSolve::SymmetricSolve(Definitions& definitions, const Vector& matrix,
     if (matrix_[j * n + j].is_zero()) throw ZeroPivot(rows, j, true);
   }
   for (std::size_t j = 0; j < n; ++j) {
-    const Telling eliminated(definitions_, "pivot", row_of(j));
+    const NameScope eliminated(definitions_, "pivot", row_of(j));
     pivots_.push_back(entry(j, j));
     if (pivots_[j].is_zero()) throw ZeroPivot(rows, order_[j], false);
     reciprocals_.push_back(define(definitions_, 1 / pivots_[j]));
     for (std::size_t i = j + 1; i < n; ++i) {
-      const Telling under_pivot(definitions_, "row", row_of(j) + "_" + row_of(i));
+      const NameScope under_pivot(definitions_, "row", row_of(j) + "_" + row_of(i));
       unscaled(i, j) = entry(i, j);
       lower(i, j) = define(definitions_, unscaled(i, j) * reciprocals_[j]);
     }
@@ -47,7 +47,7 @@ ex SymmetricSolve::entry(std::size_t i, std::size_t j) {
 Vector SymmetricSolve::forward(const Vector& right_side) {
   Vector z(order_.size());
   for (std::size_t i = 0; i < z.size(); ++i) {
-    const Telling forwards(definitions_, "forward", row_of(i));
+    const NameScope forwards(definitions_, "forward", row_of(i));
     GiNaC::exvector terms{right_side[order_[i]]};
     for (std::size_t k = 0; k < i; ++k) terms.push_back(-lower(i, k) * z[k]);
     z[i] = define(definitions_, GiNaC::add(terms));
@@ -59,7 +59,7 @@ Vector SymmetricSolve::backward(const Vector& z) {
   const std::size_t n = order_.size();
   Vector x(n);
   for (std::size_t i = n; i-- > 0;) {
-    const Telling backwards(definitions_, "solution", row_of(i));
+    const NameScope backwards(definitions_, "solution", row_of(i));
     GiNaC::exvector terms{z[i] * reciprocals_[i]};
     for (std::size_t k = i + 1; k < n; ++k) terms.push_back(-lower(k, i) * x[order_[k]]);
     x[order_[i]] = define(definitions_, GiNaC::add(terms));
@@ -98,7 +98,7 @@ Vector joined(Vector first, const Vector& second) {
   return first;
 }
 
-ex product(const Vector& a, const Vector& b) {
+ex dot_product(const Vector& a, const Vector& b) {
   GiNaC::exvector terms;
   for (std::size_t i = 0; i < a.size(); ++i) terms.push_back(a[i] * b[i]);
   return GiNaC::add(terms);
@@ -129,7 +129,7 @@ Vector ConstrainedSolve::complement(const Vector& jacobian) {
   for (std::size_t i = 0; i < m; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       result[i * m + j] = result[j * m + i] =
-          define(definitions_, product(columns_[i], scaled_[j]));
+          define(definitions_, dot_product(columns_[i], scaled_[j]));
     }
   }
   return result;
@@ -138,7 +138,8 @@ Vector ConstrainedSolve::complement(const Vector& jacobian) {
 ConstrainedSolve::Solution ConstrainedSolve::solve(const Vector& r, const Vector& s) {
   Vector z = mass_.forward(r);
   Vector right;
-  for (std::size_t i = 0; i < columns_.size(); ++i) right.push_back(s[i] - product(scaled_[i], z));
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    right.push_back(s[i] - dot_product(scaled_[i], z));
   Solution solution{{}, constraints_.solve(right)};
   for (std::size_t k = 0; k < z.size(); ++k) {
     GiNaC::exvector terms{z[k]};

@@ -49,7 +49,7 @@ Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity) {
   return seeds;
 }
 
-Vector turning_force(Derivation& derivation, const Vector& momentum) {
+Vector hamel_force(Derivation& derivation, const Vector& momentum) {
   Vector result(momentum.size());
   for (const RotationPlace& rotation : derivation.symbols.rotations) {
     const std::size_t first = rotation.first_velocity;

@@ -19,7 +19,7 @@ namespace elgen {
 [[nodiscard]] Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity);
 
 /// [w]x dL/dw on the velocities of rotations, 0 elsewhere: Hamel's term. `momentum` is dL/dv.
-[[nodiscard]] Vector turning_force(Derivation& derivation, const Vector& momentum);
+[[nodiscard]] Vector hamel_force(Derivation& derivation, const Vector& momentum);
 
 /// Adds 1/2 M [w]x to the columns of rotations; `mass` and `entries` are n x n.
 void add_turning(Derivation& derivation, const Vector& mass, Vector& entries);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "derive/formulate/chain_rule.hpp"
-#include "derive/formulate/telling.hpp"
+#include "derive/formulate/name_scope.hpp"
 
 namespace elgen {
 
@@ -38,15 +38,15 @@ class VectorAlgebra {
     static constexpr const char* axes[] = {"x", "y", "z"};
     ExVector3 result;
     for (std::size_t i = 0; i < 3; ++i) {
-      definitions_.wording.axis = axes[i];
+      definitions_.meaning.axis = axes[i];
       const std::string own = name.empty() ? name : name + "_" + axes[i];
       result[i] = elgen::define(definitions_, value[i], {own, origin});
     }
-    definitions_.wording.axis.clear();
+    definitions_.meaning.axis.clear();
     return result;
   }
 
-  [[nodiscard]] Telling telling(const std::string& kind, const std::string& frame = {}) {
+  [[nodiscard]] NameScope name_scope(const std::string& kind, const std::string& frame = {}) {
     return {definitions_, kind, frame};
   }
 

@@ -170,7 +170,7 @@ std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equat
   std::vector<const OutputEquations*> wanted;
   for (const OutputEquations& output : equations.outputs) {
     const bool is_wanted =
-        output_row(request.kind).repeats
+        output_row(request.kind).is_summary
             ? is_repeated(output.request.kind, output.request.takes)
             : output.request.kind == request.kind && output.request.user == request.user;
     if (is_wanted) wanted.push_back(&output);
@@ -182,7 +182,7 @@ std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equat
 std::vector<Field> import_fields(Importer& importer, const OutputRequest& request,
                                  const std::vector<const OutputEquations*>& outputs,
                                  std::vector<Ref>& values) {
-  const bool repeats = output_row(request.kind).repeats;
+  const bool repeats = output_row(request.kind).is_summary;
   std::vector<Field> fields;
   for (const OutputEquations* output : outputs) {
     for (const FieldEquations& equations : output->fields) {
@@ -218,13 +218,13 @@ Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations, const Outp
   imported.fields = import_fields(importer, request, outputs, imported.values);
   if (importer.problem) return *importer.problem;
   for (const OutputEquations* output : outputs) {
-    const bool repeats = output_row(request.kind).repeats;
+    const bool repeats = output_row(request.kind).is_summary;
     for (std::uint32_t i = 0; i < needed.size(); ++i) {
       const GiNaC::ex& symbol = equations.definitions.list[i].symbol;
-      const auto told = output->told.find(symbol);
-      if (!needed[i] || told == output->told.end()) continue;
-      imported.told_values.push_back(importer.import(symbol));
-      imported.told_names.push_back((repeats ? output->request.name + "_" : "") + told->second);
+      const auto told = output->value_names.find(symbol);
+      if (!needed[i] || told == output->value_names.end()) continue;
+      imported.intermediate_values.push_back(importer.import(symbol));
+      imported.value_names.push_back((repeats ? output->request.name + "_" : "") + told->second);
     }
   }
   imported.elimination = outputs.front()->elimination;
@@ -240,7 +240,7 @@ std::vector<const EquationsOfMotion*> routes_to(const EquationsOfMotion& equatio
     });
   };
   std::vector<const EquationsOfMotion*> routes;
-  for (const EquationsOfMotion& other : equations.other_routes) {
+  for (const EquationsOfMotion& other : equations.alternatives) {
     if (has_output(other)) routes.push_back(&other);
   }
   if (routes.empty() || has_output(equations)) routes.insert(routes.begin(), &equations);

@@ -20,8 +20,8 @@ struct ImportedOutput {
   std::vector<std::uint32_t> elimination = {};  ///< order of elimination of M, for parts
   /// Nodes that derive has names for, and these names. For `dynamics` a name starts with the name
   /// of its output.
-  std::vector<Ref> told_values = {};
-  std::vector<std::string> told_names = {};
+  std::vector<Ref> intermediate_values = {};
+  std::vector<std::string> value_names = {};
 };
 
 /// Imports each definition that the output needs once, then the entries of the output. `dynamics`

@@ -15,7 +15,7 @@
 #include "inspect/singular_mass.hpp"
 #include "program/network/cheapest.hpp"
 #include "program/network/linearise.hpp"
-#include "program/network/told_values.hpp"
+#include "program/network/named_intermediates.hpp"
 
 namespace elgen {
 namespace {
@@ -40,17 +40,18 @@ Diagnostic zero_denominator(const Program& program, const OutputRequest& request
 }
 
 /// A function before linearisation: a network instead of instructions.
-struct Unfilled {
+struct FunctionNetwork {
   Function function = {};
   CostedNetwork network = {};
-  ToldValues told = {};
+  NamedIntermediates value_names = {};
 };
 
-Result<Unfilled> by_route(const EquationsOfMotion& equations, const OutputRequest& request,
-                          const Limits& limits, const LeafNames& leaves) {
+Result<FunctionNetwork> lower_by_route(const EquationsOfMotion& equations,
+                                       const OutputRequest& request, const Limits& limits,
+                                       const LeafNames& leaves) {
   Result<ImportedOutput> imported = from_ginac(equations, request, limits.derived_nodes);
   if (!imported) return imported.diagnostics;
-  Unfilled result;
+  FunctionNetwork result;
   result.function.kind = request.kind;
   result.function.user = request.user;
   result.function.independent = request.independent;
@@ -58,8 +59,8 @@ Result<Unfilled> by_route(const EquationsOfMotion& equations, const OutputReques
   result.function.fields = std::move(imported->fields);
   result.function.elimination = std::move(imported->elimination);
   const Expressions expressions{std::move(imported->graph), std::move(imported->values)};
-  result.told = told_values({expressions.graph, std::move(imported->told_values)},
-                            imported->told_names, leaves);
+  result.value_names = named_intermediates(
+      {expressions.graph, std::move(imported->intermediate_values)}, imported->value_names, leaves);
   result.network = std::move(networks_by_cost(expressions, result.function).front());
   return result;
 }
@@ -68,11 +69,11 @@ Result<Unfilled> by_route(const EquationsOfMotion& equations, const OutputReques
 /// the errors of the last.
 Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest& request,
                          const Limits& limits, Program& program) {
-  std::optional<Unfilled> cheapest;
+  std::optional<FunctionNetwork> cheapest;
   Diagnostics errors;
   try {
     for (const EquationsOfMotion* const route : routes_to(equations, request)) {
-      Result<Unfilled> found = by_route(*route, request, limits, program.leaves);
+      Result<FunctionNetwork> found = lower_by_route(*route, request, limits, program.leaves);
       if (!found) {
         errors = std::move(found.diagnostics);
         if (errors.front().code == Code::E312) return {zero_denominator(program, request)};
@@ -82,7 +83,7 @@ Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest
     }
     if (!cheapest) return errors;
     linearise(cheapest->network.network, program, cheapest->function);
-    name_told(cheapest->told, program, cheapest->function);
+    name_intermediates(cheapest->value_names, program, cheapest->function);
   } catch (const cln::division_by_0_exception&) {
     // Some denominators only become 0 by rewriting, e.g. sin(2*x) - 2*sin(x)*cos(x).
     return {zero_denominator(program, request)};

@@ -69,9 +69,9 @@ Vector independent_part(const std::vector<bool>& is_independent, const Vector& x
 Vector constraint_rates(Derivation& derivation) {
   Vector result;
   for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {
-    result.push_back(constraint.is_position
-                         ? define(derivation.definitions, derivation.coasting(constraint.value))
-                         : constraint.value);
+    result.push_back(constraint.is_position ? define(derivation.definitions,
+                                                     derivation.zero_acceleration(constraint.value))
+                                            : constraint.value);
   }
   return result;
 }
@@ -84,7 +84,7 @@ Vector constraint_jacobian(Derivation& derivation) { return rows_of(derivation, 
 
 Vector constraint_bias(Derivation& derivation) {
   Vector result = constraint_rates(derivation);
-  for (ex& entry : result) entry = derivation.coasting(entry);
+  for (ex& entry : result) entry = derivation.zero_acceleration(entry);
   return result;
 }
 
@@ -115,11 +115,12 @@ ProjectedState projected(Derivation& derivation) {
   Seeds seeds;
   for (ex& coordinate : result.coordinates) coordinate = define(definitions, coordinate);
   add_seeds(seeds, derivation.symbols.q, result.coordinates);
-  Substitution there(definitions, std::move(seeds));
-  const Vector mass_there = substituted(there, definitions, mass);
+  Substitution at_solution(definitions, std::move(seeds));
+  const Vector mass_at_solution = substituted(at_solution, definitions, mass);
   const Vector jacobian = constraint_jacobian(derivation);
-  ConstrainedSolve solve(derivation, mass_there, substituted(there, definitions, jacobian));
-  const Vector rates = substituted(there, definitions, constraint_rates(derivation));
+  ConstrainedSolve solve(derivation, mass_at_solution,
+                         substituted(at_solution, definitions, jacobian));
+  const Vector rates = substituted(at_solution, definitions, constraint_rates(derivation));
   const Vector change = solve.solve(Vector(derivation.size(), 0), negative(rates)).x;
   for (std::size_t i = 0; i < change.size(); ++i) {
     result.rates.push_back(derivation.symbols.v[i] + change[i]);
@@ -186,10 +187,11 @@ Completed completed(Derivation& derivation, const OutputRequest& request) {
   Seeds with_others;
   add_seeds(with_others, derivation.symbols.v, result.rates);
   Substitution with(definitions, std::move(with_others));
-  Vector shortage = substituted(with, definitions, constraint_bias(derivation));
+  Vector second_residual = substituted(with, definitions, constraint_bias(derivation));
   const Vector kept = independent_part(is_independent, derivation.symbols.a);
-  for (std::size_t k = 0; k < jacobian.size(); ++k) shortage[k / n] += jacobian[k] * kept[k % n];
-  result.accelerations = solve.solve(kept, negative(shortage)).x;
+  for (std::size_t k = 0; k < jacobian.size(); ++k)
+    second_residual[k / n] += jacobian[k] * kept[k % n];
+  result.accelerations = solve.solve(kept, negative(second_residual)).x;
   return result;
 }
 

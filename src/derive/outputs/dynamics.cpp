@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "derive/formulate/telling.hpp"
+#include "derive/formulate/name_scope.hpp"
 #include "derive/lagrangian/symmetric_solve.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/articulated.hpp"
@@ -42,16 +42,16 @@ class Dynamics {
     return result;
   }
 
-  /// Solves M x = f + A^T y, A x = s for each column f of `forces` and s of `shortage`. Returns x,
-  /// n x `columns`, row-major.
-  [[nodiscard]] Vector responses(const Vector& forces, const Vector& shortage,
+  /// Solves M x = f + A^T y, A x = s for each column f of `forces` and s of `second_residual`.
+  /// Returns x, n x `columns`, row-major.
+  [[nodiscard]] Vector responses(const Vector& forces, const Vector& second_residual,
                                  std::size_t columns) {
     const std::size_t n = derivation_.size();
     Vector result(n * columns);
     for (std::size_t j = 0; j < columns; ++j) {
-      const Telling response(derivation_.definitions, "response_" + std::to_string(j + 1));
+      const NameScope response(derivation_.definitions, "response_" + std::to_string(j + 1));
       const Vector x =
-          solve_.solve(column_of(forces, j, columns), column_of(shortage, j, columns)).x;
+          solve_.solve(column_of(forces, j, columns), column_of(second_residual, j, columns)).x;
       for (std::size_t i = 0; i < n; ++i) result[i * columns + j] = x[i];
     }
     return result;
@@ -143,8 +143,8 @@ InverseDerivatives residual_derivatives(Derivation& derivation, InputForces inpu
   InverseDerivatives result = derivatives(derivation, rest);
   if (!by_columns) return result;
   const TreeDerivatives of_frames = tree_derivatives(tree_of(derivation), derivation.motion);
-  add(of_frames.by_position, result.by_position, derivation.size());
-  add(of_frames.by_velocity, result.by_velocity, derivation.size());
+  add_to_dense(of_frames.by_position, result.by_position, derivation.size());
+  add_to_dense(of_frames.by_velocity, result.by_velocity, derivation.size());
   return result;
 }
 
@@ -209,8 +209,8 @@ std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation, 
 }
 
 Vector along_motion(Derivation& derivation, const Vector& values) {
-  Substitution there = at_motion(derivation, Dynamics(derivation).motion());
-  return substituted(there, derivation.definitions, values);
+  Substitution at_solution = at_motion(derivation, Dynamics(derivation).motion());
+  return substituted(at_solution, derivation.definitions, values);
 }
 
 InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation) {
@@ -222,10 +222,10 @@ ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation) {
   const ConstrainedSolve::Solution motion = dynamics.motion();
   InverseDerivatives of_forces = residual_derivatives(derivation, InputForces::acting);
   InverseDerivatives of_constraints = constraint_derivatives(derivation);
-  Substitution there = at_motion(derivation, motion);
+  Substitution at_solution = at_motion(derivation, motion);
   for (InverseDerivatives* const derivatives : {&of_forces, &of_constraints}) {
     for (Vector* const entries : {&derivatives->by_position, &derivatives->by_velocity}) {
-      for (ex& entry : *entries) entry = -there(entry);
+      for (ex& entry : *entries) entry = -at_solution(entry);
     }
   }
   const Vector forces_of_inputs = input_matrix(derivation);
@@ -241,7 +241,8 @@ ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation) {
 
 std::optional<ResponseParts> response_parts(Derivation& derivation) {
   const std::size_t n = derivation.size();
-  if (n < least_of_composed || !derivation.lagrangian.constraints.empty()) return std::nullopt;
+  if (n < min_composed_velocities || !derivation.lagrangian.constraints.empty())
+    return std::nullopt;
   ResponseParts parts;
   parts.mass = mass_matrix(derivation);
   for (std::size_t i = 0; i < n; ++i) {

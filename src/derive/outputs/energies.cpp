@@ -44,7 +44,7 @@ void append_weights(GiNaC::exvector& terms, Derivation& derivation) {
 
 GiNaC::exvector kinetic_terms(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_squares(terms, derivation, derivation.coasting, 1);
+  append_squares(terms, derivation, derivation.zero_acceleration, 1);
   const bool whole = !derivation.lagrangian.lagrangian.empty();
   append(terms, whole ? derivation.graded().kinetic2 : values_of(derivation.lagrangian.kinetic), 1);
   return terms;
@@ -54,7 +54,7 @@ GiNaC::exvector kinetic_terms(Derivation& derivation) {
 
 ex kinetic_energy_of_masses(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_squares(terms, derivation, derivation.coasting, 1);
+  append_squares(terms, derivation, derivation.zero_acceleration, 1);
   return GiNaC::add(terms);
 }
 
@@ -83,7 +83,7 @@ ex total_energy(Derivation& derivation) {
 
 ex energy_at_rest(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_squares(terms, derivation, derivation.passing, -1);
+  append_squares(terms, derivation, derivation.time_partial, -1);
   append(terms, derivation.graded().kinetic0, -1);
   append_weights(terms, derivation);
   append(terms, derivation.graded().potential0, 1);
@@ -100,7 +100,7 @@ ex energy_function(Derivation& derivation) {
     append(terms, values_of(derivation.lagrangian.lagrangian), -1);
     return GiNaC::add(terms);
   }
-  append_squares(terms, derivation, derivation.frozen, 1);
+  append_squares(terms, derivation, derivation.fixed_time, 1);
   terms.push_back(energy_at_rest(derivation));
   append(terms, derivation.graded().kinetic2, 1);
   return GiNaC::add(terms);

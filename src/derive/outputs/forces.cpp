@@ -20,7 +20,7 @@ Vector rates(const Vector& values, Tangent& along) {
 /// d/dt dL/dv + [w]x dL/dv along a motion, with Hamel's term for angular velocities w.
 Vector momentum_rates(Derivation& derivation, const Vector& momentum, Tangent& along) {
   Vector result = rates(momentum, along);
-  const Vector turning = turning_force(derivation, momentum);
+  const Vector turning = hamel_force(derivation, momentum);
   return plus(std::move(result), turning);
 }
 
@@ -40,8 +40,9 @@ std::string force_name(const PointMass& mass, const Derivation& derivation, std:
 /// m (p'' - gravity) on each mass; `second` differentiates the velocity.
 std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent& second) {
   const std::array<ex, 3> g = gravity_vector(derivation);
-  return derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-    const ex velocity = define(derivation.definitions, derivation.coasting(mass.position[axis]));
+  return derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
+    const ex velocity =
+        define(derivation.definitions, derivation.zero_acceleration(mass.position[axis]));
     const ex acceleration = second(velocity);
     const ex force = mass.mass * (acceleration - g[axis]);
     return define(derivation.definitions, force, {force_name(mass, derivation, axis), mass.origin});
@@ -77,7 +78,7 @@ Vector direct_forces(Derivation& derivation, InputForces inputs) {
 }
 
 TreeForces opposite(TreeForces forces) {
-  for (Weighted& term : forces.pulled_back) term.weight = -term.weight;
+  for (Weighted& term : forces.on_variables) term.weight = -term.weight;
   for (auto& [velocity, force] : forces.on_velocities) force = -force;
   return forces;
 }
@@ -89,18 +90,18 @@ TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
 
 /// Inertial forces and weights of bodies in frames; gravity is an acceleration of the base.
 TreeForces tree_forces(Derivation& derivation, Tangent& second) {
-  return inertial_forces(tree_of(derivation), {derivation.coasting, second, true});
+  return inertial_forces(tree_of(derivation), {derivation.zero_acceleration, second, true});
 }
 
 /// M a + bias, less B u if the inputs act: inertial forces by `second`, weights, dissipation and
-/// declared forces. With `coasting` as `second`, a is 0.
+/// declared forces. With `zero_acceleration` as `second`, a is 0.
 Vector left_side(Derivation& derivation, Tangent& second, InputForces inputs, Bodies bodies) {
   TreeForces forces{inertial_forces_of_masses(derivation, second)};
-  append(forces.pulled_back, negative_point_forces(derivation, inputs));
+  append(forces.on_variables, negative_point_forces(derivation, inputs));
   if (bodies == Bodies::all) append(forces, tree_forces(derivation, second));
   append(forces, negative_wrenches(derivation, inputs));
   for (const Weighted& term : derivation.other_lagrangian()) {
-    forces.pulled_back.push_back({term.value, -term.weight});
+    forces.on_variables.push_back({term.value, -term.weight});
   }
   Vector result = by_velocities(derivation, forces);
   const Vector momentum = derivation.by_velocity(derivation.other_lagrangian());
@@ -122,56 +123,58 @@ Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies) {
 }
 
 Vector bias(Derivation& derivation, InputForces inputs, Bodies bodies) {
-  return left_side(derivation, derivation.coasting, inputs, bodies);
+  return left_side(derivation, derivation.zero_acceleration, inputs, bodies);
 }
 
 Vector velocity_force(Derivation& derivation, Bodies bodies) {
   Definitions& definitions = derivation.definitions;
-  TreeForces forces{derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-    const ex velocity = define(definitions, derivation.frozen(mass.position[axis]));
-    return define(definitions, mass.mass * derivation.frozen(velocity));
+  TreeForces forces{derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
+    const ex velocity = define(definitions, derivation.fixed_time(mass.position[axis]));
+    return define(definitions, mass.mass * derivation.fixed_time(velocity));
   })};
   const Terms& kinetic = derivation.graded().kinetic2;
-  append(forces.pulled_back, weighted(kinetic, -1));
+  append(forces.on_variables, weighted(kinetic, -1));
   if (bodies == Bodies::all) {
-    append(forces, inertial_forces(tree_of(derivation), {derivation.frozen, derivation.frozen}));
+    append(forces,
+           inertial_forces(tree_of(derivation), {derivation.fixed_time, derivation.fixed_time}));
   }
   const Vector momentum = derivation.by_velocity(weighted(kinetic, 1));
   Vector result = by_velocities(derivation, forces);
-  return plus(result, momentum_rates(derivation, momentum, derivation.frozen));
+  return plus(result, momentum_rates(derivation, momentum, derivation.fixed_time));
 }
 
 Vector drift(Derivation& derivation) {
   Definitions& definitions = derivation.definitions;
   // p'' at a = 0 without its part quadratic in v: 2 d/dt(dp/dq v) + d2p/dt2, both at fixed q.
-  TreeForces forces{derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
-    const ex passing = define(definitions, derivation.passing(mass.position[axis]));
-    const ex at_rest = derivation.passing(passing);
-    const ex acceleration = at_rest + 2 * derivation.frozen(passing);
+  TreeForces forces{derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
+    const ex passing = define(definitions, derivation.time_partial(mass.position[axis]));
+    const ex at_rest = derivation.time_partial(passing);
+    const ex acceleration = at_rest + 2 * derivation.fixed_time(passing);
     return define(definitions, mass.mass * acceleration);
   })};
   const GradedEnergies& energies = derivation.graded();
   std::vector<Weighted> linear = weighted(energies.kinetic1, 1);
   append(linear, weighted(energies.potential1, -1));
-  for (const Weighted& term : linear) forces.pulled_back.push_back({term.value, -term.weight});
-  append(forces.pulled_back, weighted(energies.kinetic0, -1));
+  for (const Weighted& term : linear) forces.on_variables.push_back({term.value, -term.weight});
+  append(forces.on_variables, weighted(energies.kinetic0, -1));
   // For bodies in frames: all inertial forces, less the inertial forces at frozen time.
   Tree& tree = tree_of(derivation);
-  append(forces, inertial_forces(tree, {derivation.coasting, derivation.coasting}));
-  append(forces, opposite(inertial_forces(tree, {derivation.frozen, derivation.frozen})));
+  append(forces,
+         inertial_forces(tree, {derivation.zero_acceleration, derivation.zero_acceleration}));
+  append(forces, opposite(inertial_forces(tree, {derivation.fixed_time, derivation.fixed_time})));
   Vector result = by_velocities(derivation, forces);
   const Vector momentum = derivation.by_velocity(linear);
-  result = plus(result, momentum_rates(derivation, momentum, derivation.coasting));
+  result = plus(result, momentum_rates(derivation, momentum, derivation.zero_acceleration));
   const Vector quadratic = derivation.by_velocity(weighted(energies.kinetic2, 1));
-  return plus(result, rates(quadratic, derivation.passing));
+  return plus(result, rates(quadratic, derivation.time_partial));
 }
 
 Vector gravity(Derivation& derivation) {
   const std::array<ex, 3> g = gravity_vector(derivation);
-  TreeForces forces{derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+  TreeForces forces{derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
     return define(derivation.definitions, -mass.mass * g[axis]);
   })};
-  append(forces.pulled_back, weighted(derivation.graded().potential0, 1));
+  append(forces.on_variables, weighted(derivation.graded().potential0, 1));
   append(forces, tree_gravity(tree_of(derivation)));
   return by_velocities(derivation, forces);
 }
@@ -196,9 +199,9 @@ Vector momentum_of_frames(Derivation& derivation) {
 
 Vector momentum(Derivation& derivation) {
   const std::vector<Weighted> of_masses =
-      derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+      derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
         const ex velocity =
-            define(derivation.definitions, derivation.coasting(mass.position[axis]));
+            define(derivation.definitions, derivation.zero_acceleration(mass.position[axis]));
         return define(derivation.definitions, mass.mass * velocity);
       });
   Vector result = derivation.by_position(of_masses);
@@ -211,13 +214,14 @@ Vector position_gradient(Derivation& derivation) {
   std::vector<Weighted> sum;
   for (const PointMass& mass : derivation.lagrangian.masses) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const ex velocity = define(derivation.definitions, derivation.coasting(mass.position[axis]));
+      const ex velocity =
+          define(derivation.definitions, derivation.zero_acceleration(mass.position[axis]));
       sum.push_back({velocity, define(derivation.definitions, mass.mass * velocity)});
       sum.push_back({mass.position[axis], define(derivation.definitions, mass.mass * g[axis])});
     }
   }
   Tree& tree = tree_of(derivation);
-  append(sum, weighted(tree_kinetic_energy(tree, derivation.coasting), 1));
+  append(sum, weighted(tree_kinetic_energy(tree, derivation.zero_acceleration), 1));
   append(sum, weighted(tree_potential_energy(tree), -1));
   append(sum, derivation.other_lagrangian());
   return derivation.by_position(sum);
@@ -230,14 +234,14 @@ Vector cyclic_rates(Derivation& derivation) { return derivation.lagrangian.cycli
 ///     before    row of q1: (I1 + I2 + ...)*q1_ddot + ... - tau1
 ///     after     the same with q1 = s(t), q1_dot = ds/dt, q1_ddot = d2s/dt2
 Vector reaction(Derivation& derivation) {
-  const Holding& holding = *derivation.lagrangian.holding;
-  return derived_apart(derivation, *holding.whole, [&holding](Derivation& moving) {
+  const ReactionSource& holding = *derivation.lagrangian.reaction_source;
+  return derive_with_shared_definitions(derivation, *holding.whole, [&holding](Derivation& moving) {
     const Vector rows = residual(moving, InputForces::acting, Bodies::all);
-    Substitution standing(moving.definitions, holding.values);
+    Substitution at_locked_values(moving.definitions, holding.values);
     Vector result;
     for (const std::uint32_t velocity : holding.velocities) {
       const ex row = define(moving.definitions, rows[velocity]);
-      result.push_back(standing(row));
+      result.push_back(at_locked_values(row));
     }
     return result;
   });

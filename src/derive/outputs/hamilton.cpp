@@ -40,7 +40,7 @@ Vector solved_velocities(Derivation& derivation, const Vector& right_side) {
 /// N^T dL/dq - [w]x p + B u + Q - dD/dv as a function of q, v and p.
 Vector rates_of_momenta(Derivation& derivation) {
   Vector result = position_gradient(derivation);
-  const Vector turning = turning_force(derivation, derivation.symbols.momenta);
+  const Vector turning = hamel_force(derivation, derivation.symbols.momenta);
   const Vector applied = applied_force(derivation, InputForces::acting);
   const Vector damping = dissipation(derivation);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] += applied[i] - turning[i] - damping[i];
@@ -48,7 +48,8 @@ Vector rates_of_momenta(Derivation& derivation) {
 }
 
 /// `values` with v replaced by `velocities`.
-Vector moving_with(Derivation& derivation, const Vector& velocities, const Vector& values) {
+Vector substitute_velocities(Derivation& derivation, const Vector& velocities,
+                             const Vector& values) {
   Seeds seeds;
   add_seeds(seeds, derivation.symbols.v, velocities);
   Substitution at_velocities(derivation.definitions, std::move(seeds));
@@ -73,8 +74,8 @@ HamiltonEquations hamilton_equations(Derivation& derivation) {
   const Vector v = velocities_of_momenta(derivation);
   const Vector rates = rates_of_momenta(derivation);
   HamiltonEquations result;
-  result.coordinate_rates = moving_with(derivation, v, coordinate_rates(derivation));
-  result.momentum_rates = moving_with(derivation, v, rates);
+  result.coordinate_rates = substitute_velocities(derivation, v, coordinate_rates(derivation));
+  result.momentum_rates = substitute_velocities(derivation, v, rates);
   return result;
 }
 

@@ -23,8 +23,8 @@ Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
   for (std::size_t j = 0; j < n; ++j) {
     Tangent position = derivation.displacement(j);
     Tangent velocity = derivation.unit_velocity(j);
-    const Vector column =
-        derivation.by_position(derivation.on_masses([&](const PointMass& mass, std::size_t axis) {
+    const Vector column = derivation.by_position(
+        derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
           const ex direction = define(derivation.definitions, position(mass.position[axis]));
           return define(derivation.definitions, mass.mass * direction);
         }));
@@ -41,7 +41,7 @@ Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
 Vector mass_matrix(Derivation& derivation) {
   if (!has_columns(derivation)) return mass_matrix_of(derivation, Bodies::all);
   Vector entries = mass_matrix_of(derivation, Bodies::without_frames);
-  add(tree_mass_matrix(tree_of(derivation)), entries, derivation.size());
+  add_to_dense(tree_mass_matrix(tree_of(derivation)), entries, derivation.size());
   return entries;
 }
 
@@ -60,7 +60,7 @@ Vector coriolis_matrix(Derivation& derivation) {
     const Vector mass = mass_matrix_of(derivation, bodies);
     add_turning(derivation, mass, entries);
   }
-  if (by_columns) add(tree_coriolis_matrix(tree_of(derivation)), entries, n);
+  if (by_columns) add_to_dense(tree_coriolis_matrix(tree_of(derivation)), entries, n);
   return entries;
 }
 
@@ -73,7 +73,7 @@ Vector input_matrix(Derivation& derivation) {
     TreeForces forces;
     for (const PointForce& applied : derivation.lagrangian.point_forces) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        forces.pulled_back.push_back({applied.position[axis], input(applied.force[axis])});
+        forces.on_variables.push_back({applied.position[axis], input(applied.force[axis])});
       }
     }
     append(forces, tree_of(derivation).wrench_forces(std::ref(input)));
@@ -89,12 +89,12 @@ namespace {
 
 /// The twist (angular velocity; velocity of the origin), 0 for the world.
 Vector twist_of(Derivation& derivation, const TwistOutput& output) {
-  if (!output.step) return Vector(6, 0);
+  if (!output.transform) return Vector(6, 0);
   Tree& tree = tree_of(derivation);
-  const Twist twist = tree_twists(tree, derivation.coasting)[*output.step];
-  const auto axes = output.in_world ? std::optional<std::uint32_t>() : output.step;
-  const ExVector3 spin = tree.turned(twist.spin, output.step, axes);
-  const ExVector3 velocity = tree.turned(twist.velocity, output.step, axes);
+  const Twist twist = tree_twists(tree, derivation.zero_acceleration)[*output.transform];
+  const auto axes = output.in_world ? std::optional<std::uint32_t>() : output.transform;
+  const ExVector3 spin = tree.turned(twist.spin, output.transform, axes);
+  const ExVector3 velocity = tree.turned(twist.velocity, output.transform, axes);
   Vector result(spin.begin(), spin.end());
   result.insert(result.end(), velocity.begin(), velocity.end());
   return result;
@@ -114,7 +114,7 @@ Vector twist_jacobian(Derivation& derivation, const TwistOutput& output) {
 Vector twist_bias(Derivation& derivation, const TwistOutput& output) {
   Vector entries;
   for (const ex& rate : twist_of(derivation, output)) {
-    entries.push_back(derivation.coasting(rate));
+    entries.push_back(derivation.zero_acceleration(rate));
   }
   return entries;
 }
@@ -146,8 +146,8 @@ OutputDerivatives output_derivatives(Derivation& derivation, const Terms& values
 Vector second_rate(Derivation& derivation, const Terms& values) {
   Vector entries;
   for (const ex& value : values) {
-    const ex rate = define(derivation.definitions, derivation.coasting(value));
-    entries.push_back(derivation.coasting(rate));
+    const ex rate = define(derivation.definitions, derivation.zero_acceleration(value));
+    entries.push_back(derivation.zero_acceleration(rate));
   }
   return entries;
 }

@@ -275,8 +275,8 @@ struct ResponseParts {
   Vector rates;               ///< the upper rows of A
 };
 
-/// None with constraints, and with fewer than least_of_composed velocities. Throws ZeroPivot if an
-/// M_ii is 0.
+/// None with constraints, and with fewer than min_composed_velocities velocities. Throws ZeroPivot
+/// if an M_ii is 0.
 [[nodiscard]] std::optional<ResponseParts> response_parts(Derivation& derivation);
 
 /// 2 n_v x 2 n_v and 2 n_v x n_u.

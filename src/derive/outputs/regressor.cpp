@@ -1,6 +1,6 @@
 // The regressor: tau for a unit of each inertial parameter, and tau without inertial parameters.
-// All columns of bodies in frames use the same motions of the steps. The forces of a column start
-// at the step of its body.
+// All columns of bodies in frames use the same motions of the transforms. The forces of a column
+// start at the transform of its body.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -16,14 +16,14 @@ using GiNaC::ex;
 
 namespace {
 
-/// A Lagrangian with the variables, gravity and steps of another, without bodies, energies and
+/// A Lagrangian with the variables, gravity and transforms of another, without bodies, energies and
 /// forces.
-Lagrangian motion_of(const Lagrangian& all) {
+Lagrangian kinematics_of(const Lagrangian& all) {
   Lagrangian motion;
   motion.symbols = all.symbols;
   motion.leaves = all.leaves;
   motion.gravity = all.gravity;
-  motion.tree.steps = all.tree.steps;
+  motion.tree.transforms = all.tree.transforms;
   motion.forces.assign(all.forces.size(), 0);
   motion.quadratic = all.quadratic;
   return motion;
@@ -51,14 +51,14 @@ void add_forces(const Lagrangian& all, Lagrangian& to) {
 
 /// The inverse dynamics of another Lagrangian over the definitions of a derivation.
 Vector forces_of(Derivation& derivation, Lagrangian other) {
-  return derived_apart(derivation, std::move(other), [](Derivation& apart) {
+  return derive_with_shared_definitions(derivation, std::move(other), [](Derivation& apart) {
     Vector forces = inverse_dynamics(apart);
     for (ex& force : forces) force = define(apart.definitions, force);
     return forces;
   });
 }
 
-bool is_of(const Entity& origin, const InertialParameter& parameter) {
+bool is_owner(const Entity& origin, const InertialParameter& parameter) {
   const bool is_body = parameter.owner == InertialOwner::body;
   return origin.index == parameter.index &&
          origin.kind == (is_body ? EntityKind::body : EntityKind::point);
@@ -67,15 +67,15 @@ bool is_of(const Entity& origin, const InertialParameter& parameter) {
 /// The entry of the parameter's owner in `list`, or null.
 template <class List>
 auto* entry_of(List& list, const InertialParameter& parameter) {
-  const auto found =
-      std::ranges::find_if(list, [&](const auto& entry) { return is_of(entry.origin, parameter); });
+  const auto found = std::ranges::find_if(
+      list, [&](const auto& entry) { return is_owner(entry.origin, parameter); });
   return found == list.end() ? nullptr : &*found;
 }
 
-/// A body on the same step with this parameter 1 and all others 0. A point keeps its position.
+/// A body on the same transform with this parameter 1 and all others 0. A point keeps its position.
 RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
   RigidBody unit;
-  unit.step = body.step;
+  unit.transform = body.transform;
   unit.origin = body.origin;
   unit.com = {0, 0, 0};
   if (parameter.is_mass()) unit.mass = 1;
@@ -95,7 +95,7 @@ RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
 }
 
 /// 1/2 w.I w with one component of I equal to 1.
-ex unit_energy(const TurningBody& body, std::uint32_t component) {
+ex unit_energy(const RotatingBody& body, std::uint32_t component) {
   static constexpr std::array<std::array<std::size_t, 2>, 6> places{
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}};
   if (body.spin.size() == 1) return body.spin[0] * body.spin[0] / 2;
@@ -180,7 +180,7 @@ class RegressorColumns {
   RegressorColumns(Derivation& derivation, bool has_reference)
       : derivation_(derivation),
         tree_(tree_of(derivation)),
-        motions_(tree_motions(tree_, {derivation.coasting, derivation.motion, true})) {
+        motions_(tree_motions(tree_, {derivation.zero_acceleration, derivation.motion, true})) {
     if (has_reference) polarise();
     rest_ = other_forces();
   }
@@ -199,8 +199,8 @@ class RegressorColumns {
     if (const auto* const body = entry_of(all.tree.bodies, parameter)) {
       return of_body(unit_body(*body, parameter));
     }
-    Lagrangian unit = motion_of(all);
-    const auto* const turning = entry_of(all.turning_bodies, parameter);
+    Lagrangian unit = kinematics_of(all);
+    const auto* const turning = entry_of(all.rotating_bodies, parameter);
     const auto* const mass = entry_of(all.masses, parameter);
     if (!parameter.is_mass() && turning != nullptr) {
       unit.kinetic.push_back({unit_energy(*turning, parameter.component), EnergyOrigin::spin});
@@ -223,7 +223,7 @@ class RegressorColumns {
  private:
   void polarise() {
     polar_.emplace(derivation_);
-    for (StepMotion& motion : motions_) {
+    for (TransformMotion& motion : motions_) {
       motion.spin_rate = polar_->of(motion.spin_rate);
       motion.acceleration = polar_->of(motion.acceleration);
       motion.gradient = polar_->of(motion.gradient);
@@ -238,7 +238,7 @@ class RegressorColumns {
   /// Forces of [energy], D and the declared forces. With a reference velocity r, dD/dv is at r.
   Vector other_forces() {
     const Lagrangian& all = derivation_.lagrangian;
-    Lagrangian others = motion_of(all);
+    Lagrangian others = kinematics_of(all);
     add_stated_energies(all, others);
     if (!polar_) {
       add_forces(all, others);
@@ -262,7 +262,7 @@ class RegressorColumns {
   Vector of_body(const RigidBody& unit) {
     const std::vector<RigidBody> bodies = with_lifted_masses(tree_, {unit});
     return by_velocities(derivation_,
-                         tree_.pull_back(inertial_forces_on_steps(tree_, bodies, motions_)));
+                         tree_.pull_back(inertial_forces_on_transforms(tree_, bodies, motions_)));
   }
 
   Vector of_armature(std::uint32_t coordinate) {
@@ -281,7 +281,7 @@ class RegressorColumns {
 
   Derivation& derivation_;
   Tree& tree_;
-  std::vector<StepMotion> motions_;
+  std::vector<TransformMotion> motions_;
   std::optional<Polarisation> polar_ = {};  ///< none without a reference velocity
   Vector rest_ = {};
 };
@@ -323,7 +323,7 @@ Vector regressor_parameters(Derivation& derivation) {
                  : inertia.inertia[parameter.component - first_inertia_component];
     }
     if (parameter.is_mass()) return entry_of(all.masses, parameter)->mass;
-    const TurningBody& body = *entry_of(all.turning_bodies, parameter);
+    const RotatingBody& body = *entry_of(all.rotating_bodies, parameter);
     return body
         .inertia[body.inertia.size() == 1 ? 0 : parameter.component - first_inertia_component];
   };

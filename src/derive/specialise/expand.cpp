@@ -95,15 +95,15 @@ ex TaylorSeries::operator()(const ex& value) {
 Lagrangian expanded(Lagrangian lagrangian) {
   const Expansion expansion = *lagrangian.expansion;
   write_sums(lagrangian);
-  TaylorSeries one_more(lagrangian.definitions, expansion.small, expansion.order + 1);
+  TaylorSeries to_next_order(lagrangian.definitions, expansion.small, expansion.order + 1);
   for (auto* terms : {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation,
                       &lagrangian.lagrangian}) {
-    for (EnergyTerm& term : *terms) term.value = one_more(term.value);
+    for (EnergyTerm& term : *terms) term.value = to_next_order(term.value);
   }
-  TaylorSeries of_small(lagrangian.definitions, expansion.small, expansion.order);
+  TaylorSeries to_order(lagrangian.definitions, expansion.small, expansion.order);
   for (std::size_t i = 0; i < lagrangian.forces.size(); ++i) {
     ex& force = lagrangian.forces[i];
-    force = is_small(expansion, lagrangian.symbols.v[i]) ? of_small(force) : one_more(force);
+    force = is_small(expansion, lagrangian.symbols.v[i]) ? to_order(force) : to_next_order(force);
   }
   return lagrangian;
 }

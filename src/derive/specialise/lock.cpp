@@ -53,7 +53,7 @@ void lock(WholeLagrangian& lagrangian) {
       lagrangian.leaves.uses_time = lagrangian.leaves.uses_time || moves;
     }
   }
-  Holding holding;
+  ReactionSource holding;
   holding.velocities = velocities_with_reaction(lagrangian.locked);
   holding.values = values_of(lagrangian);
   // Without the held inputs, the reaction is the whole force on a locked coordinate.
@@ -62,7 +62,7 @@ void lock(WholeLagrangian& lagrangian) {
   }
   if (!holding.velocities.empty()) holding.whole = without_definitions(lagrangian);
   remove_variables(lagrangian, lagrangian.locked, holding.values);
-  if (holding.whole) lagrangian.holding = std::move(holding);
+  if (holding.whole) lagrangian.reaction_source = std::move(holding);
 }
 
 }  // namespace elgen

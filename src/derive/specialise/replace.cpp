@@ -10,9 +10,10 @@ namespace {
 
 using GiNaC::ex;
 
-class Replacing {
+class MemberSubstitution {
  public:
-  Replacing(Definitions& definitions, const Seeds& values) : substitution_(definitions, values) {}
+  MemberSubstitution(Definitions& definitions, const Seeds& values)
+      : substitution_(definitions, values) {}
 
   void operator()(ex& value) { value = substitution_(value); }
   template <class List>
@@ -24,7 +25,7 @@ class Replacing {
     (*this)(mass.position);
   }
   void operator()(EnergyTerm& term) { (*this)(term.value); }
-  void operator()(TurningBody& body) {
+  void operator()(RotatingBody& body) {
     (*this)(body.spin);
     (*this)(body.inertia);
   }
@@ -32,7 +33,7 @@ class Replacing {
     (*this)(force.position);
     (*this)(force.force);
   }
-  void operator()(TreeStep& step) {
+  void operator()(TreeTransform& step) {
     (*this)(step.vector);
     (*this)(step.angle);
     (*this)(step.quaternion);
@@ -63,55 +64,56 @@ class Replacing {
 }  // namespace
 
 void replace(WholeLagrangian& lagrangian, const Seeds& values) {
-  Replacing replacing(lagrangian.definitions, values);
-  replacing(lagrangian.masses);
-  if (lagrangian.gravity) replacing(*lagrangian.gravity);
-  replacing(lagrangian.kinetic);
-  replacing(lagrangian.potential);
-  replacing(lagrangian.dissipation);
-  replacing(lagrangian.lagrangian);
-  replacing(lagrangian.forces);
-  replacing(lagrangian.point_forces);
-  replacing(lagrangian.turning_bodies);
-  replacing(lagrangian.armatures);
-  replacing(lagrangian.tree.steps);
-  replacing(lagrangian.tree.bodies);
-  replacing(lagrangian.tree.wrenches);
-  replacing(lagrangian.constraints);
-  replacing(lagrangian.outputs);
-  replacing(lagrangian.locked);
-  replacing(lagrangian.cyclic);
-  replacing(lagrangian.cyclic_rates);
-  if (lagrangian.expansion) replacing(lagrangian.expansion->small);
+  MemberSubstitution substitute(lagrangian.definitions, values);
+  substitute(lagrangian.masses);
+  if (lagrangian.gravity) substitute(*lagrangian.gravity);
+  substitute(lagrangian.kinetic);
+  substitute(lagrangian.potential);
+  substitute(lagrangian.dissipation);
+  substitute(lagrangian.lagrangian);
+  substitute(lagrangian.forces);
+  substitute(lagrangian.point_forces);
+  substitute(lagrangian.rotating_bodies);
+  substitute(lagrangian.armatures);
+  substitute(lagrangian.tree.transforms);
+  substitute(lagrangian.tree.bodies);
+  substitute(lagrangian.tree.wrenches);
+  substitute(lagrangian.constraints);
+  substitute(lagrangian.outputs);
+  substitute(lagrangian.locked);
+  substitute(lagrangian.cyclic);
+  substitute(lagrangian.cyclic_rates);
+  if (lagrangian.expansion) substitute(lagrangian.expansion->small);
 }
 
 void remove_variables(WholeLagrangian& lagrangian, std::vector<HeldVariable>& variables,
                       const Seeds& values) {
   replace(lagrangian, values);
   Symbols& symbols = lagrangian.symbols;
-  VariablesLeft left{PlacesLeft(symbols.q.size()), PlacesLeft(symbols.v.size()),
-                     PlacesLeft(symbols.u.size())};
+  RemainingVariables left{RemainingPositions(symbols.q.size()),
+                          RemainingPositions(symbols.v.size()),
+                          RemainingPositions(symbols.u.size())};
   for (const Held& variable : std::exchange(variables, {})) left.remove(variable);
   for (const std::uint32_t input : std::exchange(lagrangian.held_inputs, {})) {
     left.inputs.remove(input, 1);
   }
   const auto remove = [&](const LeafRow& row, auto& list) {
-    if (row.of == LeafOwner::coordinates) left.coordinates.thin(list);
-    if (row.of == LeafOwner::velocities) left.velocities.thin(list);
-    if (row.of == LeafOwner::inputs) left.inputs.thin(list);
+    if (row.of == LeafOwner::coordinates) left.coordinates.erase_removed(list);
+    if (row.of == LeafOwner::velocities) left.velocities.erase_removed(list);
+    if (row.of == LeafOwner::inputs) left.inputs.erase_removed(list);
   };
   for_each_list(remove, symbols);
   for_each_list(remove, lagrangian.leaves);
-  left.coordinates.thin(symbols.q_rates);
-  left.velocities.thin(lagrangian.forces);
-  left.velocities.thin(lagrangian.armatures);
+  left.coordinates.erase_removed(symbols.q_rates);
+  left.velocities.erase_removed(lagrangian.forces);
+  left.velocities.erase_removed(lagrangian.armatures);
   std::erase_if(symbols.rotations, [&](const RotationPlace& place) {
     return !left.coordinates[place.first_coordinate];
   });
   for (RotationPlace& place : symbols.rotations) {
     place = {*left.coordinates[place.first_coordinate], *left.velocities[place.first_velocity]};
   }
-  for (TreeStep& step : lagrangian.tree.steps) {
+  for (TreeTransform& step : lagrangian.tree.transforms) {
     if (step.rotation) step.rotation = left.velocities[*step.rotation];
   }
   for (Held& cyclic : lagrangian.cyclic) {

@@ -19,7 +19,7 @@ using GiNaC::ex;
 
 /// Solves A x = b by elimination without pivoting; every entry is a definition. Throws GiNaC's
 /// pole_error if a pivot is 0.
-std::vector<ex> eliminated(Definitions& definitions, std::vector<ex> a, std::vector<ex> b) {
+std::vector<ex> solve_linear(Definitions& definitions, std::vector<ex> a, std::vector<ex> b) {
   const std::size_t n = b.size();
   std::vector<ex> reciprocals;
   for (std::size_t k = 0; k < n; ++k) {
@@ -54,7 +54,7 @@ struct CyclicEquations {
   std::vector<ex> excess = {};
 };
 
-CyclicEquations cyclic_equations(WholeLagrangian& lagrangian, const Seeds& standing) {
+CyclicEquations cyclic_equations(WholeLagrangian& lagrangian, const Seeds& cyclic_values) {
   Definitions& definitions = lagrangian.definitions;
   std::vector<ex> rates;
   for (const Held& cyclic : lagrangian.cyclic) {
@@ -63,7 +63,7 @@ CyclicEquations cyclic_equations(WholeLagrangian& lagrangian, const Seeds& stand
   std::vector<Weighted> terms;
   for (const EnergyTerm& term : lagrangian.lagrangian) terms.push_back({term.value, 1});
   const std::vector<ex> momenta = gradient(definitions, terms, rates);
-  Substitution at_rest(definitions, standing);
+  Substitution at_rest(definitions, cyclic_values);
   CyclicEquations equations;
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const ex momentum = define(definitions, momenta[i]);
@@ -81,15 +81,15 @@ CyclicEquations cyclic_equations(WholeLagrangian& lagrangian, const Seeds& stand
 void routh(WholeLagrangian& lagrangian) {
   write_sums(lagrangian);
   join_energies(lagrangian);
-  Seeds standing;
+  Seeds cyclic_values;
   for (const Held& cyclic : lagrangian.cyclic) {
-    standing.emplace(lagrangian.symbols.q[cyclic.coordinate], 0);
-    standing.emplace(lagrangian.symbols.v[cyclic.velocity], 0);
-    standing.emplace(lagrangian.symbols.a[cyclic.velocity], 0);
+    cyclic_values.emplace(lagrangian.symbols.q[cyclic.coordinate], 0);
+    cyclic_values.emplace(lagrangian.symbols.v[cyclic.velocity], 0);
+    cyclic_values.emplace(lagrangian.symbols.a[cyclic.velocity], 0);
   }
-  const CyclicEquations equations = cyclic_equations(lagrangian, standing);
-  std::vector<ex> rates = eliminated(lagrangian.definitions, equations.mass, equations.excess);
-  remove_variables(lagrangian, lagrangian.cyclic, standing);
+  const CyclicEquations equations = cyclic_equations(lagrangian, cyclic_values);
+  std::vector<ex> rates = solve_linear(lagrangian.definitions, equations.mass, equations.excess);
+  remove_variables(lagrangian, lagrangian.cyclic, cyclic_values);
   for (std::size_t i = 0; i < rates.size(); ++i) {
     lagrangian.lagrangian.push_back({-equations.excess[i] * rates[i] / 2, EnergyOrigin::momentum});
   }

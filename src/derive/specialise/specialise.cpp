@@ -53,7 +53,7 @@ using Step = std::function<void(WholeLagrangian&)>;
 
 /// Runs a step. Returns the first problem of its values: a division by 0, an undefined value or a
 /// complex value.
-std::optional<Problem> problem_of(const Step& step, WholeLagrangian& lagrangian) {
+std::optional<Problem> run_checked(const Step& step, WholeLagrangian& lagrangian) {
   const std::size_t known = lagrangian.definitions.list.size();
   try {
     step(lagrangian);
@@ -82,18 +82,18 @@ struct StepPart {
   Step step;
 };
 
-struct Circumstance {
+struct Phrases {
   std::string one;
   std::string many;
 };
 
 /// Names the first part that fails when run alone; if none fails, names all parts.
-Diagnostic blamed(const Problem& problem, const std::vector<StepPart>& parts,
-                  const WholeLagrangian& before, const Circumstance& at) {
+Diagnostic diagnose(const Problem& problem, const std::vector<StepPart>& parts,
+                    const WholeLagrangian& before, const Phrases& at) {
   std::string names;
   for (const StepPart& part : parts) {
     WholeLagrangian trial = before;
-    const auto found = problem_of(part.step, trial);
+    const auto found = run_checked(part.step, trial);
     if (found) {
       return {
           found->code, part.span,
@@ -110,7 +110,7 @@ Diagnostics fix_parameters(WholeLagrangian& lagrangian, const CheckedModel& chec
   const Model& model = checked.model;
   const WholeLagrangian before = lagrangian;
   const auto problem =
-      problem_of([&](WholeLagrangian& whole) { fix(whole, model, fixed); }, lagrangian);
+      run_checked([&](WholeLagrangian& whole) { fix(whole, model, fixed); }, lagrangian);
   if (!problem) return {};
   std::vector<StepPart> parts;
   for (const auto& entry : fixed) {
@@ -118,12 +118,12 @@ Diagnostics fix_parameters(WholeLagrangian& lagrangian, const CheckedModel& chec
     parts.push_back({parameter.name, model.parameter_arrays[parameter.array].span,
                      [&](WholeLagrangian& part) { fix(part, model, {entry}); }});
   }
-  return {blamed(*problem, parts, before, {"at its fixed value", "at their fixed values"})};
+  return {diagnose(*problem, parts, before, {"at its fixed value", "at their fixed values"})};
 }
 
 Diagnostics lock_coordinates(WholeLagrangian& lagrangian) {
   const WholeLagrangian before = lagrangian;
-  const auto problem = problem_of(lock, lagrangian);
+  const auto problem = run_checked(lock, lagrangian);
   if (!problem) return {};
   std::vector<StepPart> parts;
   for (std::size_t i = 0; i < before.locked.size(); ++i) {
@@ -133,11 +133,11 @@ Diagnostics lock_coordinates(WholeLagrangian& lagrangian) {
                        lock(part);
                      }});
   }
-  return {blamed(*problem, parts, before, {"where it is locked", "where they are locked"})};
+  return {diagnose(*problem, parts, before, {"where it is locked", "where they are locked"})};
 }
 
-Diagnostics take_out(WholeLagrangian& lagrangian, const CheckedModel& checked) {
-  const auto problem = problem_of(routh, lagrangian);
+Diagnostics remove_cyclic(WholeLagrangian& lagrangian, const CheckedModel& checked) {
+  const auto problem = run_checked(routh, lagrangian);
   if (!problem) return {};
   return {{problem->code, checked.model.variant.cyclic.front().span,
            "`[routh]` makes " + std::string(problem->text) + ", whatever the state is"}};
@@ -149,7 +149,7 @@ Result<Lagrangian> specialise(WholeLagrangian lagrangian, const CheckedModel& ch
   Diagnostics errors;
   if (!checked.scene.specialisation.fixed.empty()) errors = fix_parameters(lagrangian, checked);
   if (errors.empty() && !lagrangian.locked.empty()) errors = lock_coordinates(lagrangian);
-  if (errors.empty() && !lagrangian.cyclic.empty()) errors = take_out(lagrangian, checked);
+  if (errors.empty() && !lagrangian.cyclic.empty()) errors = remove_cyclic(lagrangian, checked);
   if (!errors.empty()) return errors;
   Lagrangian& rest = lagrangian;  // without locked and cyclic variables
   return rest.expansion ? expanded(std::move(rest)) : std::move(rest);

@@ -75,19 +75,20 @@ ArticulatedInertia shifted(VectorAlgebra& algebra, const ArticulatedInertia& c,
   return result;
 }
 
-ArticulatedInertia to_parent(Tree& tree, std::size_t step, const ArticulatedInertia& c) {
-  if (tree.step(step).kind == FrameStepKind::translation) {
-    return shifted(tree.algebra, c, tree.step(step).vector);
+ArticulatedInertia to_parent(Tree& tree, std::size_t transform, const ArticulatedInertia& c) {
+  if (tree.transform(transform).kind == TransformKind::translation) {
+    return shifted(tree.algebra, c, tree.transform(transform).vector);
   }
   ArticulatedInertia result;
-  result.spin = to_parent(tree, step, c.spin);
-  result.coupling = to_parent(tree, step, c.coupling);
-  result.mass = to_parent(tree, step, c.mass);
+  result.spin = to_parent(tree, transform, c.spin);
+  result.coupling = to_parent(tree, transform, c.coupling);
+  result.mass = to_parent(tree, transform, c.mass);
   return result;
 }
 
 /// I S
-SpatialForce product(VectorAlgebra& algebra, const ArticulatedInertia& c, const Twist& s) {
+SpatialForce inertia_times_twist(VectorAlgebra& algebra, const ArticulatedInertia& c,
+                                 const Twist& s) {
   SpatialForce result;
   const ExVector3 moment_of_spin = product(algebra, c.spin, s.spin);
   const ExVector3 moment_of_shift = algebra.product(c.coupling, s.velocity);
@@ -99,7 +100,7 @@ SpatialForce product(VectorAlgebra& algebra, const ArticulatedInertia& c, const 
 }
 
 /// S.p
-ex contracted(VectorAlgebra& algebra, const Twist& s, const SpatialForce& p) {
+ex scalar_product(VectorAlgebra& algebra, const Twist& s, const SpatialForce& p) {
   const ex turning = algebra.dot(s.spin, p.moment);
   return algebra.define(turning + algebra.dot(s.velocity, p.force));
 }
@@ -124,23 +125,24 @@ std::optional<std::size_t> single_component(const Spatial& s) {
   return single;
 }
 
-/// For each step, the indices of the velocities that move it, ascending.
-std::vector<std::vector<std::uint32_t>> velocities_on_steps(const Tree& tree,
-                                                            const std::vector<TreeJoint>& joints) {
+/// For each transform, the indices of the velocities that move it, ascending.
+std::vector<std::vector<std::uint32_t>> velocities_on_transforms(
+    const Tree& tree, const std::vector<TreeJoint>& joints) {
   std::vector<std::vector<std::uint32_t>> result(tree.size());
-  for (std::uint32_t i = 0; i < joints.size(); ++i) result[joints[i].step].push_back(i);
+  for (std::uint32_t i = 0; i < joints.size(); ++i) result[joints[i].transform].push_back(i);
   return result;
 }
 
-bool carriers_come_first(const Tree& tree, const std::vector<TreeJoint>& joints) {
-  const auto moved_by = velocities_on_steps(tree, joints);
-  std::vector<std::uint32_t> next(tree.size(), 0);  // 1 + the last velocity that moves the step
+bool ancestors_come_first(const Tree& tree, const std::vector<TreeJoint>& joints) {
+  const auto velocities_of = velocities_on_transforms(tree, joints);
+  std::vector<std::uint32_t> next(tree.size(),
+                                  0);  // 1 + the last velocity that moves the transform
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    const auto& parent = tree.step(k).parent;
+    const auto& parent = tree.transform(k).parent;
     if (parent) next[k] = next[*parent];
-    if (moved_by[k].empty()) continue;
-    if (moved_by[k].front() < next[k]) return false;
-    next[k] = moved_by[k].back() + 1;
+    if (velocities_of[k].empty()) continue;
+    if (velocities_of[k].front() < next[k]) return false;
+    next[k] = velocities_of[k].back() + 1;
   }
   return true;
 }
@@ -154,25 +156,25 @@ class ArticulatedRecursion {
         joints_(joints),
         forces_(forces),
         armatures_(armatures),
-        moved_by_(velocities_on_steps(tree, joints)),
+        velocities_of_(velocities_on_transforms(tree, joints)),
         inertias_(tree.size()),
         eliminated_(joints.size()) {}
 
   ArticulatedMotion run(bool has_diagonal) {
     ArticulatedMotion motion;
     if (has_diagonal) motion.diagonal = diagonal_of_mass();
-    start();
+    initialise();
     for (std::size_t k = tree_.size(); k-- > 0;) {
-      const Telling articulated = tree_.telling("articulated", k);
-      if (!moved_by_[k].empty()) {
+      const NameScope articulated = tree_.name_scope("articulated", k);
+      if (!velocities_of_[k].empty()) {
         accumulate(algebra_, std::exchange(rigid_[k], {}), inertias_[k]);
       }
-      for (auto i = moved_by_[k].rbegin(); i != moved_by_[k].rend(); ++i) {
+      for (auto i = velocities_of_[k].rbegin(); i != velocities_of_[k].rend(); ++i) {
         eliminate(*i);
       }
-      pass_on(k);
+      add_to_parent(k);
     }
-    motion.acceleration = outward();
+    motion.acceleration = outward_pass();
     for (const Eliminated& joint : eliminated_) motion.pivots.push_back(joint.pivot);
     return motion;
   }
@@ -180,28 +182,29 @@ class ArticulatedRecursion {
  private:
   struct Eliminated {
     ex pivot = 0;             ///< D
-    ex alone = 0;             ///< e/D
-    SpatialForce share = {};  ///< L
+    ex own_acceleration = 0;  ///< e/D
+    SpatialForce gain = {};   ///< L
   };
 
   Vector diagonal_of_mass() {
     const std::vector<CompositeInertia> carried = composite_inertias(tree_);
     Vector result;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-      const Telling diagonal = tree_.telling("diagonal", joints_[i].step);
+      const NameScope diagonal = tree_.name_scope("diagonal", joints_[i].transform);
       const Twist& s = joints_[i].unit;
-      const SpatialForce column = momentum(algebra_, carried[joints_[i].step], s.spin, s.velocity);
-      result.push_back(algebra_.define(contracted(algebra_, s, column) + armatures_[i]));
+      const SpatialForce column =
+          momentum(algebra_, carried[joints_[i].transform], s.spin, s.velocity);
+      result.push_back(algebra_.define(scalar_product(algebra_, s, column) + armatures_[i]));
     }
     return result;
   }
 
-  /// Initialises I and p of each step with its own bodies.
-  void start() {
-    Tangent& coasting = tree_.derivation().coasting;
-    const std::vector<StepMotion> motions = tree_motions(tree_, {coasting, coasting, true});
-    on_bodies_ = inertial_forces_on_steps(tree_, tree_.bodies(), motions);
-    rigid_ = on_steps<CompositeInertia>(
+  /// Initialises I and p of each transform with its own bodies.
+  void initialise() {
+    Tangent& coasting = tree_.derivation().zero_acceleration;
+    const std::vector<TransformMotion> motions = tree_motions(tree_, {coasting, coasting, true});
+    bias_forces_ = inertial_forces_on_transforms(tree_, tree_.bodies(), motions);
+    rigid_ = sum_over_bodies<CompositeInertia>(
         tree_, [&](const RigidBody& body) { return about_origin(algebra_, body); });
   }
 
@@ -210,18 +213,18 @@ class ArticulatedRecursion {
   void eliminate(std::uint32_t velocity) {
     const TreeJoint& joint = joints_[velocity];
     const ex& armature = armatures_[velocity];
-    ArticulatedInertia& inertia = inertias_[joint.step];
-    const SpatialForce moving = product(algebra_, inertia, joint.unit);
-    const ex pivot = algebra_.define(contracted(algebra_, joint.unit, moving) + armature);
+    ArticulatedInertia& inertia = inertias_[joint.transform];
+    const SpatialForce moving = inertia_times_twist(algebra_, inertia, joint.unit);
+    const ex pivot = algebra_.define(scalar_product(algebra_, joint.unit, moving) + armature);
     if (pivot.is_zero()) throw ZeroPivot(RowsOf::velocities, velocity, false);
     const ex reciprocal = algebra_.define(1 / pivot);
     const Spatial unit = components(joint.unit.spin, joint.unit.velocity);
     const Spatial u = components(moving.moment, moving.force);
     const auto axis = single_component(unit);
-    const bool lets_go = axis && armature.is_zero();
+    const bool is_free_axis = axis && armature.is_zero();
     Spatial share;
     for (std::size_t i = 0; i < 6; ++i) share[i] = algebra_.define(u[i] * reciprocal);
-    if (lets_go) share[*axis] = algebra_.define(1 / unit[*axis]);
+    if (is_free_axis) share[*axis] = algebra_.define(1 / unit[*axis]);
     const ex held = algebra_.define(armature * reciprocal);
     for (std::size_t i = 0; i < 6; ++i) {
       for (std::size_t j = i; j < 6; ++j) {
@@ -230,43 +233,46 @@ class ArticulatedRecursion {
         entry = algebra_.define(is_along ? held * entry : entry - share[i] * u[j]);
       }
     }
-    SpatialForce& force = on_bodies_[joint.step];
-    const ex lack = algebra_.define(forces_[velocity] - contracted(algebra_, joint.unit, force));
+    SpatialForce& force = bias_forces_[joint.transform];
+    const ex joint_residual =
+        algebra_.define(forces_[velocity] - scalar_product(algebra_, joint.unit, force));
     Spatial passed = components(force.moment, force.force);
-    for (std::size_t i = 0; i < 6; ++i) passed[i] = algebra_.define(passed[i] + share[i] * lack);
-    if (lets_go) passed[*axis] = algebra_.define(forces_[velocity] / unit[*axis]);
+    for (std::size_t i = 0; i < 6; ++i)
+      passed[i] = algebra_.define(passed[i] + share[i] * joint_residual);
+    if (is_free_axis) passed[*axis] = algebra_.define(forces_[velocity] / unit[*axis]);
     force = force_of(passed);
-    eliminated_[velocity] = {pivot, algebra_.define(lack * reciprocal), force_of(share)};
+    eliminated_[velocity] = {pivot, algebra_.define(joint_residual * reciprocal), force_of(share)};
   }
 
-  void pass_on(std::size_t k) {
-    const auto& parent = tree_.step(k).parent;
+  void add_to_parent(std::size_t k) {
+    const auto& parent = tree_.transform(k).parent;
     if (!parent) return;
-    accumulate(algebra_, tree_.before(k, on_bodies_[k]), on_bodies_[*parent]);
+    accumulate(algebra_, tree_.before(k, bias_forces_[k]), bias_forces_[*parent]);
     accumulate(algebra_, to_parent(tree_, k, rigid_[k]), rigid_[*parent]);
     accumulate(algebra_, to_parent(tree_, k, inertias_[k]), inertias_[*parent]);
   }
 
-  /// Re-expresses a twist of the parent frame of step k in its child frame.
-  Twist after(std::size_t k, const Twist& from) {
-    if (tree_.step(k).kind == FrameStepKind::translation) {
-      const ExVector3 lever = algebra_.cross(from.spin, tree_.step(k).vector);
+  /// Re-expresses a twist of the parent frame of transform k in its child frame.
+  Twist to_child_frame(std::size_t k, const Twist& from) {
+    if (tree_.transform(k).kind == TransformKind::translation) {
+      const ExVector3 lever = algebra_.cross(from.spin, tree_.transform(k).vector);
       return {from.spin, algebra_.add(from.velocity, lever)};
     }
     return {tree_.to_child(k, from.spin), tree_.to_child(k, from.velocity)};
   }
 
-  Vector outward() {
+  Vector outward_pass() {
     Vector accelerations(joints_.size());
     std::vector<Twist> motions;  // d
     for (std::size_t k = 0; k < tree_.size(); ++k) {
-      const Telling outward = tree_.telling("outward", k);
-      const auto& parent = tree_.step(k).parent;
-      Twist motion = parent ? after(k, motions[*parent]) : Twist{};
-      for (const std::uint32_t i : moved_by_[k]) {
+      const NameScope outward = tree_.name_scope("outward", k);
+      const auto& parent = tree_.transform(k).parent;
+      Twist motion = parent ? to_child_frame(k, motions[*parent]) : Twist{};
+      for (const std::uint32_t i : velocities_of_[k]) {
         const Twist& unit = joints_[i].unit;
-        const ex of_carrier = contracted(algebra_, motion, eliminated_[i].share);
-        const ex& a = accelerations[i] = algebra_.define(eliminated_[i].alone - of_carrier);
+        const ex of_carrier = scalar_product(algebra_, motion, eliminated_[i].gain);
+        const ex& a = accelerations[i] =
+            algebra_.define(eliminated_[i].own_acceleration - of_carrier);
         motion.spin = algebra_.add(motion.spin, algebra_.scaled(a, unit.spin));
         motion.velocity = algebra_.add(motion.velocity, algebra_.scaled(a, unit.velocity));
       }
@@ -280,9 +286,9 @@ class ArticulatedRecursion {
   const std::vector<TreeJoint>& joints_;
   const Vector& forces_;
   const Vector& armatures_;
-  std::vector<std::vector<std::uint32_t>> moved_by_;
-  std::vector<SpatialForce> on_bodies_;       ///< p
-  std::vector<CompositeInertia> rigid_;       ///< of bodies that no joint separates from the step
+  std::vector<std::vector<std::uint32_t>> velocities_of_;
+  std::vector<SpatialForce> bias_forces_;  ///< p
+  std::vector<CompositeInertia> rigid_;    ///< of bodies that no joint separates from the transform
   std::vector<ArticulatedInertia> inertias_;  ///< of the other bodies in the subtree
   std::vector<Eliminated> eliminated_;        ///< by velocity
 };
@@ -297,8 +303,8 @@ std::optional<std::vector<TreeJoint>> tree_joints(Tree& tree) {
   for (const TreeVariable& variable : variables.list) {
     for (const Coefficient& slope : jacobian_row(tree, variable)) {
       std::optional<TreeJoint>& joint = known[slope.velocity];
-      if (!joint) joint = TreeJoint{variable.step};
-      if (joint->step != variable.step) return std::nullopt;
+      if (!joint) joint = TreeJoint{variable.transform};
+      if (joint->transform != variable.transform) return std::nullopt;
       const ExVector3 spin = algebra.scaled(slope.value, variable.spin);
       const ExVector3 velocity = algebra.scaled(slope.value, variable.velocity);
       joint->unit.spin = algebra.add(joint->unit.spin, spin);
@@ -310,7 +316,7 @@ std::optional<std::vector<TreeJoint>> tree_joints(Tree& tree) {
     if (!joint) return std::nullopt;
     joints.push_back(*joint);
   }
-  if (!carriers_come_first(tree, joints)) return std::nullopt;
+  if (!ancestors_come_first(tree, joints)) return std::nullopt;
   return joints;
 }
 
@@ -321,13 +327,13 @@ ArticulatedMotion articulated_motion(Tree& tree, const std::vector<TreeJoint>& j
 }
 
 std::size_t operations_of_factorisation(const Tree& tree, const std::vector<TreeJoint>& joints) {
-  const auto moved_by = velocities_on_steps(tree, joints);
-  std::vector<std::size_t> moving(tree.size(), 0);  // velocities that move the step
+  const auto velocities_of = velocities_on_transforms(tree, joints);
+  std::vector<std::size_t> moving(tree.size(), 0);  // velocities that move the transform
   std::size_t total = 0;
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    const auto& parent = tree.step(k).parent;
+    const auto& parent = tree.transform(k).parent;
     if (parent) moving[k] = moving[*parent];
-    for (std::size_t i = 0; i < moved_by[k].size(); ++i) {
+    for (std::size_t i = 0; i < velocities_of[k].size(); ++i) {
       total += moving[k] * (moving[k] + 2);
       ++moving[k];
     }

@@ -1,21 +1,21 @@
 // Articulated-body algorithm: solves M a = Q for bodies in frames without forming M. The cost is
-// linear in the number of steps. Every velocity must move one step, by a unit twist S in the
-// child frame of the step:
+// linear in the number of transforms. Every velocity must move one transform, by a unit twist S in
+// the child frame of the transform:
 //
 //     a = a0 + d      a0: accelerations at a = 0, less gravity;   p: forces at a0
 //     inward          U = I S,   D = S.U + J,   L = U/D,   e = Q - S.p
-//                     I -= L U^T,   p += L e;   then I and p are added to the parent step
-//     outward         a_i = e/D - L.d,   d += S a_i;   then d is passed to the child steps
+//                     I -= L U^T,   p += L e;   then I and p are added to the parent transform
+//     outward         a_i = e/D - L.d,   d += S a_i;   then d is passed to the child transforms
 //
 // J is the armature: the diagonal part of M that no body contributes. Q is the sum of all other
 // generalised forces. I is the articulated inertia [A H; H^T M] of (angular; linear) motion about
-// the origin of the step:
+// the origin of the transform:
 //
 //     turn            A_p = R A R^T,   H_p = R H R^T,   M_p = R M R^T
 //     translation     M_p = M,   H_p = H + [p]x M,   A_p = A + [p]x H_p^T - H [p]x
 //
-// The velocities of one step (three for a rotation) are eliminated one by one, the last first. So
-// the D are the pivots of M = L D L^T, eliminated from the last velocity to the first.
+// The velocities of one transform (three for a rotation) are eliminated one by one, the last first.
+// So the D are the pivots of M = L D L^T, eliminated from the last velocity to the first.
 // Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7, with d instead of his
 // accelerations: a0 contains the velocity products, so I is never multiplied by them.
 #pragma once
@@ -27,14 +27,15 @@
 
 namespace elgen {
 
-/// The step that a velocity moves, and the unit twist S in the child frame of the step.
+/// The transform that a velocity moves, and the unit twist S in the child frame of the transform.
 struct TreeJoint {
-  std::uint32_t step = 0;
+  std::uint32_t transform = 0;
   Twist unit = {};
 };
 
-/// The joint of each velocity. None if a velocity moves no step or several steps, if a velocity
-/// precedes a velocity of an ancestor step, or if a quaternion that is no rotation moves.
+/// The joint of each velocity. None if a velocity moves no transform or several transforms, if a
+/// velocity precedes a velocity of an ancestor transform, or if a quaternion that is no rotation
+/// moves.
 [[nodiscard]] std::optional<std::vector<TreeJoint>> tree_joints(Tree& tree);
 
 struct ArticulatedMotion {

@@ -10,7 +10,8 @@ namespace {
 /// S' = R S R^T, R a rotation about axis k with sine s and cosine c; i, j are the other axes;
 /// u = s (S_ii - S_jj) + 2 c S_ij:
 ///     S'_ii = S_ii - s u,   S'_jj = S_jj + s u,   S'_ij = c u - S_ij
-Symmetric3 turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const Symmetric3& s) {
+Symmetric3 turned_about_axis(VectorAlgebra& algebra, const TransformRotation& r,
+                             const Symmetric3& s) {
   const auto& [k, i, j] = cyclic_axes[r.axis];
   const ex& across = s[symmetric_index(i, j)];
   Symmetric3 result = s;
@@ -72,8 +73,8 @@ CompositeInertia shifted(VectorAlgebra& algebra, const CompositeInertia& c, cons
 }
 
 /// A - (x y^T - (x.y) 1)
-ExMatrix3 less_outer(VectorAlgebra& algebra, const ExMatrix3& a, const ExVector3& x,
-                     const ExVector3& y) {
+ExMatrix3 minus_outer_product(VectorAlgebra& algebra, const ExMatrix3& a, const ExVector3& x,
+                              const ExVector3& y) {
   ExMatrix3 result = a;
   ExVector3 along;
   for (std::size_t i = 0; i < 3; ++i) along[i] = algebra.define(x[i] * y[i]);
@@ -87,7 +88,8 @@ ExMatrix3 less_outer(VectorAlgebra& algebra, const ExMatrix3& a, const ExVector3
 
 /// A' = R A R^T, as for symmetric matrices, with u = s (A_ii - A_jj) + c (A_ij + A_ji):
 ///     A'_ii = A_ii - s u,   A'_jj = A_jj + s u,   A'_ij = c u - A_ji,   A'_ji = c u - A_ij
-ExMatrix3 turned_about_axis(VectorAlgebra& algebra, const StepRotation& r, const ExMatrix3& a) {
+ExMatrix3 turned_about_axis(VectorAlgebra& algebra, const TransformRotation& r,
+                            const ExMatrix3& a) {
   const auto& [k, i, j] = cyclic_axes[r.axis];
   ExMatrix3 result = a;
   const ex difference = algebra.define(a[3 * i + i] - a[3 * j + j]);
@@ -133,16 +135,17 @@ ExMatrix3 spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, cons
   return result;
 }
 
-/// B of one body about the origin of its step. From the com, A is translated as in to_parent().
+/// B of one body about the origin of its transform. From the com, A is translated as in
+/// to_parent().
 CompositeRate own_rate(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
   CompositeRate rate;
   if (!body.inertia.empty()) rate.a = spin_part(algebra, body.inertia, twist.spin);
   if (!has_mass(body)) return rate;
   rate.momentum = momentum_of(algebra, body, twist);
   if (body.about_origin) {
-    rate.a = less_outer(algebra, rate.a, twist.velocity, first_moment(algebra, body));
+    rate.a = minus_outer_product(algebra, rate.a, twist.velocity, first_moment(algebra, body));
   } else {
-    rate.a = less_outer(algebra, rate.a, rate.momentum, body.com);
+    rate.a = minus_outer_product(algebra, rate.a, rate.momentum, body.com);
   }
   return rate;
 }
@@ -181,33 +184,33 @@ ExVector3 product(VectorAlgebra& algebra, const Symmetric3& s, const ExVector3& 
                                   s[4] * x[0] + s[5] * x[1] + s[2] * x[2]});
 }
 
-Symmetric3 to_parent(Tree& tree, std::size_t step, const Symmetric3& s) {
-  const StepRotation& r = tree.rotation(step);
+Symmetric3 to_parent(Tree& tree, std::size_t transform, const Symmetric3& s) {
+  const TransformRotation& r = tree.rotation(transform);
   switch (r.kind) {
-    case StepRotation::Kind::none:
+    case TransformRotation::Kind::none:
       return s;
-    case StepRotation::Kind::about_axis:
+    case TransformRotation::Kind::about_axis:
       return turned_about_axis(tree.algebra, r, s);
-    case StepRotation::Kind::matrix:
+    case TransformRotation::Kind::matrix:
       break;
   }
   return turned_by_matrix(tree.algebra, r.entries, s);
 }
 
 /// Constant quarter turns use the general product: factors 0 and 1 reduce it to a permutation.
-ExMatrix3 to_parent(Tree& tree, std::size_t step, const ExMatrix3& a) {
-  const StepRotation& r = tree.rotation(step);
+ExMatrix3 to_parent(Tree& tree, std::size_t transform, const ExMatrix3& a) {
+  const TransformRotation& r = tree.rotation(transform);
   const bool is_quarter =
       GiNaC::is_a<GiNaC::numeric>(r.cosine) && GiNaC::is_a<GiNaC::numeric>(r.sine);
-  if (r.kind == StepRotation::Kind::about_axis && !is_quarter) {
+  if (r.kind == TransformRotation::Kind::about_axis && !is_quarter) {
     return turned_about_axis(tree.algebra, r, a);
   }
   ExMatrix3 rotation = r.entries;
-  if (r.kind == StepRotation::Kind::about_axis) {
+  if (r.kind == TransformRotation::Kind::about_axis) {
     for (std::size_t column = 0; column < 3; ++column) {
       ExVector3 unit{0, 0, 0};
       unit[column] = 1;
-      const ExVector3 turned_unit = tree.to_parent(step, unit);
+      const ExVector3 turned_unit = tree.to_parent(transform, unit);
       for (std::size_t row = 0; row < 3; ++row) rotation[3 * row + column] = turned_unit[row];
     }
   }
@@ -215,21 +218,21 @@ ExMatrix3 to_parent(Tree& tree, std::size_t step, const ExMatrix3& a) {
   return product(tree.algebra, half, transposed(rotation));
 }
 
-CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia& c) {
-  if (tree.step(step).kind == FrameStepKind::translation) {
-    return shifted(tree.algebra, c, tree.step(step).vector);
+CompositeInertia to_parent(Tree& tree, std::size_t transform, const CompositeInertia& c) {
+  if (tree.transform(transform).kind == TransformKind::translation) {
+    return shifted(tree.algebra, c, tree.transform(transform).vector);
   }
   CompositeInertia result = c;
-  result.moment = tree.to_parent(step, c.moment);
-  result.inertia = to_parent(tree, step, c.inertia);
+  result.moment = tree.to_parent(transform, c.moment);
+  result.inertia = to_parent(tree, transform, c.inertia);
   return result;
 }
 
 std::vector<CompositeInertia> composite_inertias(Tree& tree) {
-  const Telling inertias = tree.algebra.telling("inertia");
-  auto own = on_steps<CompositeInertia>(
+  const NameScope inertias = tree.algebra.name_scope("inertia");
+  auto own = sum_over_bodies<CompositeInertia>(
       tree, [&](const RigidBody& body) { return about_origin(tree.algebra, body); });
-  return with_carried(tree, std::move(own), [&](std::size_t k, const CompositeInertia& inertia) {
+  return subtree_sums(tree, std::move(own), [&](std::size_t k, const CompositeInertia& inertia) {
     return to_parent(tree, k, inertia);
   });
 }
@@ -251,23 +254,24 @@ void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate
   to.momentum = algebra.add(to.momentum, from.momentum);
 }
 
-CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate) {
+CompositeRate to_parent(Tree& tree, std::size_t transform, const CompositeRate& rate) {
   CompositeRate result = rate;
-  if (tree.step(step).kind == FrameStepKind::translation) {
-    result.a = less_outer(tree.algebra, rate.a, rate.momentum, tree.step(step).vector);
+  if (tree.transform(transform).kind == TransformKind::translation) {
+    result.a =
+        minus_outer_product(tree.algebra, rate.a, rate.momentum, tree.transform(transform).vector);
     return result;
   }
-  result.a = to_parent(tree, step, rate.a);
-  result.momentum = tree.to_parent(step, rate.momentum);
+  result.a = to_parent(tree, transform, rate.a);
+  result.momentum = tree.to_parent(transform, rate.momentum);
   return result;
 }
 
 std::vector<CompositeRate> composite_rates(Tree& tree, const std::vector<Twist>& twists) {
-  const Telling rates = tree.algebra.telling("inertia_rate");
-  auto own = on_steps<CompositeRate>(tree, [&](const RigidBody& body) {
-    return own_rate(tree.algebra, body, twists[*body.step]);
+  const NameScope rates = tree.algebra.name_scope("inertia_rate");
+  auto own = sum_over_bodies<CompositeRate>(tree, [&](const RigidBody& body) {
+    return own_rate(tree.algebra, body, twists[*body.transform]);
   });
-  return with_carried(tree, std::move(own), [&](std::size_t k, const CompositeRate& rate) {
+  return subtree_sums(tree, std::move(own), [&](std::size_t k, const CompositeRate& rate) {
     return to_parent(tree, k, rate);
   });
 }

@@ -1,5 +1,5 @@
-// Composite inertias: the subtree of a step as one rigid body, expressed in the step's child frame
-// and about its origin.
+// Composite inertias: the subtree of a transform as one rigid body, expressed in the transform's
+// child frame and about its origin.
 //
 //     turn         h_p = R h,          I_p = R I R^T
 //     translation  h_p = h + m p,      I_p = I - [p]x [h]x - [h_p]x [p]x
@@ -26,27 +26,28 @@ struct CompositeInertia {
 /// to += from, both in the same frame.
 void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeInertia& to);
 
-/// One body about the origin of its step: I_c + (c.h) 1 - c h^T.
+/// One body about the origin of its transform: I_c + (c.h) 1 - c h^T.
 [[nodiscard]] CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body);
 
 /// S x
 [[nodiscard]] ExVector3 product(VectorAlgebra& algebra, const Symmetric3& s, const ExVector3& x);
 
-/// R S R^T with R of the step.
-[[nodiscard]] Symmetric3 to_parent(Tree& tree, std::size_t step, const Symmetric3& s);
-[[nodiscard]] ExMatrix3 to_parent(Tree& tree, std::size_t step, const ExMatrix3& a);
+/// R S R^T with R of the transform.
+[[nodiscard]] Symmetric3 to_parent(Tree& tree, std::size_t transform, const Symmetric3& s);
+[[nodiscard]] ExMatrix3 to_parent(Tree& tree, std::size_t transform, const ExMatrix3& a);
 
-/// Re-expressed in the parent frame of the step, about its origin.
-[[nodiscard]] CompositeInertia to_parent(Tree& tree, std::size_t step, const CompositeInertia& c);
+/// Re-expressed in the parent frame of the transform, about its origin.
+[[nodiscard]] CompositeInertia to_parent(Tree& tree, std::size_t transform,
+                                         const CompositeInertia& c);
 
-/// Indexed by step.
+/// Indexed by transform.
 [[nodiscard]] std::vector<CompositeInertia> composite_inertias(Tree& tree);
 
 /// I (spin; velocity): linear momentum, and angular momentum about the origin.
 [[nodiscard]] SpatialForce momentum(VectorAlgebra& algebra, const CompositeInertia& inertia,
                                     const ExVector3& spin, const ExVector3& velocity);
 
-/// B, the part of the momentum rate that is linear in a unit twist, for the subtree of a step:
+/// B, the part of the momentum rate that is linear in a unit twist, for the subtree of a transform:
 ///
 ///     B = [A 0; -[P]x 0],  per body  P = m (v + w x c),
 ///     A = -[w]x Sigma - (v h^T - (h.v) 1)      Sigma = 1/2 tr(I) 1 - I about the origin
@@ -61,10 +62,10 @@ struct CompositeRate {
 /// to += from, both in the same frame.
 void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate& to);
 
-/// Re-expressed in the parent frame of the step, about its origin.
-[[nodiscard]] CompositeRate to_parent(Tree& tree, std::size_t step, const CompositeRate& rate);
+/// Re-expressed in the parent frame of the transform, about its origin.
+[[nodiscard]] CompositeRate to_parent(Tree& tree, std::size_t transform, const CompositeRate& rate);
 
-/// B of each step's subtree, in the step's child frame; `twists` by step.
+/// B of each transform's subtree, in the transform's child frame; `twists` by transform.
 [[nodiscard]] std::vector<CompositeRate> composite_rates(Tree& tree,
                                                          const std::vector<Twist>& twists);
 

@@ -2,7 +2,7 @@
 // parameters of the link before it, and are added to them:
 //   turn about z     mass, h_z and an inertia diag(Iyy, Iyy, 0), which a turn does not change
 //   translation      inertia, which a translation does not change
-//   constant step    all parameters
+//   constant transform    all parameters
 //
 //     before    link 2: m, h = (hx, hy, hz), I = (Ixx, Iyy, Izz, Ixy, Ixz, Iyz)       about z
 //     after     link 2: 0, (hx, hy, 0), (Ixx - Iyy, 0, Izz, Ixy, Ixz, Iyz)
@@ -32,31 +32,32 @@ bool is_rational(const RigidBody& body) {
   return is_rational(body.mass) && are_rational(body.com) && are_rational(body.inertia);
 }
 
-/// True if a step is constant and its entries are rational. With irrational entries the regrouped
-/// parameters would be expressions, not numbers.
-bool is_rigid(const Tree& tree, std::size_t step) {
-  const StepRotation& r = tree.rotation(step);
+/// True if a transform is constant and its entries are rational. With irrational entries the
+/// regrouped parameters would be expressions, not numbers.
+bool is_rigid(const Tree& tree, std::size_t transform) {
+  const TransformRotation& r = tree.rotation(transform);
   switch (r.kind) {
-    case StepRotation::Kind::none:
-      return are_rational(tree.step(step).vector);
-    case StepRotation::Kind::about_axis:
+    case TransformRotation::Kind::none:
+      return are_rational(tree.transform(transform).vector);
+    case TransformRotation::Kind::about_axis:
       return is_rational(r.cosine) && is_rational(r.sine);
-    case StepRotation::Kind::matrix:
+    case TransformRotation::Kind::matrix:
       return are_rational(r.entries);
   }
   return false;
 }
 
-/// The part of an inertia that the motion of a step does not change.
-CompositeInertia unmoved_part(const Tree& tree, std::size_t step, const CompositeInertia& c) {
-  const StepRotation& r = tree.rotation(step);
+/// The part of an inertia that the motion of a transform does not change.
+CompositeInertia invariant_part(const Tree& tree, std::size_t transform,
+                                const CompositeInertia& c) {
+  const TransformRotation& r = tree.rotation(transform);
   CompositeInertia part;
-  if (r.kind == StepRotation::Kind::none) {
+  if (r.kind == TransformRotation::Kind::none) {
     part.inertia = c.inertia;
     return part;
   }
   part.mass = c.mass;
-  if (r.kind == StepRotation::Kind::matrix) return part;
+  if (r.kind == TransformRotation::Kind::matrix) return part;
   const auto& [k, i, j] = cyclic_axes[r.axis];
   part.moment[k] = c.moment[k];
   part.inertia[i] = part.inertia[j] = c.inertia[j];
@@ -71,14 +72,14 @@ CompositeInertia difference(const CompositeInertia& a, const CompositeInertia& b
   return result;
 }
 
-bool is_nothing(const CompositeInertia& c) {
+bool is_zero_inertia(const CompositeInertia& c) {
   return c.mass.is_zero() && is_zero(c.moment) &&
          std::all_of(c.inertia.begin(), c.inertia.end(), [](const ex& x) { return x.is_zero(); });
 }
 
-RigidBody body_of(const CompositeInertia& c, std::optional<std::uint32_t> step) {
+RigidBody body_of(const CompositeInertia& c, std::optional<std::uint32_t> transform) {
   RigidBody body;
-  body.step = step;
+  body.transform = transform;
   body.mass = c.mass;
   body.com = {0, 0, 0};
   body.inertia.assign(c.inertia.begin(), c.inertia.end());
@@ -87,31 +88,31 @@ RigidBody body_of(const CompositeInertia& c, std::optional<std::uint32_t> step) 
   return body;
 }
 
-RigidBody point_mass(const ex& mass, std::optional<std::uint32_t> step) {
+RigidBody point_mass(const ex& mass, std::optional<std::uint32_t> transform) {
   CompositeInertia point;
   point.mass = mass;
-  RigidBody body = body_of(point, step);
+  RigidBody body = body_of(point, transform);
   body.inertia.clear();
   return body;
 }
 
-/// The body with mass 0 and the same h and I, about the origin of its step.
+/// The body with mass 0 and the same h and I, about the origin of its transform.
 RigidBody without_mass(Tree& tree, const RigidBody& body) {
   CompositeInertia rest = about_origin(tree.algebra, body);
   rest.mass = 0;
-  RigidBody result = body_of(rest, body.step);
+  RigidBody result = body_of(rest, body.transform);
   result.origin = body.origin;
   return result;
 }
 
-/// True if `base` is an ancestor of `step`, and not `step` itself.
-bool is_behind(const Tree& tree, std::optional<std::uint32_t> step, std::uint32_t base) {
-  if (step == base) return false;
-  while (step && *step != base) step = tree.step(*step).parent;
-  return step.has_value();
+/// True if `base` is an ancestor of `transform`, and not `transform` itself.
+bool is_descendant(const Tree& tree, std::optional<std::uint32_t> transform, std::uint32_t base) {
+  if (transform == base) return false;
+  while (transform && *transform != base) transform = tree.transform(*transform).parent;
+  return transform.has_value();
 }
 
-/// Moves the masses on a rotation to a point mass at its origin, on the parent step. There
+/// Moves the masses on a rotation to a point mass at its origin, on the parent transform. There
 /// 1/2 m v^2 contains no quaternion (R^T R = 1 is used), so that T, momenta and forces agree with M
 /// even if |q| is not 1. Bodies on descendants keep their masses. The sum of these masses is
 /// subtracted at the origin in the child frame and added there in the parent frame.
@@ -120,14 +121,14 @@ void lift_masses(Tree& tree, std::uint32_t rotation, std::vector<RigidBody>& bod
   ex behind = 0;
   for (RigidBody& body : bodies) {
     if (body.mass.is_zero()) continue;
-    if (is_behind(tree, body.step, rotation)) behind += body.mass;
-    if (body.step != rotation) continue;
+    if (is_descendant(tree, body.transform, rotation)) behind += body.mass;
+    if (body.transform != rotation) continue;
     own += body.mass;
     body = without_mass(tree, body);
   }
   const ex lifted = own + behind;
   if (!behind.is_zero()) bodies.push_back(point_mass(-behind, rotation));
-  if (!lifted.is_zero()) bodies.push_back(point_mass(lifted, tree.step(rotation).parent));
+  if (!lifted.is_zero()) bodies.push_back(point_mass(lifted, tree.transform(rotation).parent));
 }
 
 }  // namespace
@@ -137,30 +138,30 @@ std::vector<RigidBody> regrouped(Tree& tree) {
   std::vector<CompositeInertia> own(tree.size());
   CompositeInertia of_world;
   for (const RigidBody& body : tree.frames().bodies) {
-    if (body.step && is_rational(body)) {
-      accumulate(tree.algebra, about_origin(tree.algebra, body), own[*body.step]);
+    if (body.transform && is_rational(body)) {
+      accumulate(tree.algebra, about_origin(tree.algebra, body), own[*body.transform]);
     } else {
       bodies.push_back(body);
     }
   }
   for (std::size_t k = tree.size(); k-- > 0;) {
-    const auto& parent = tree.step(k).parent;
+    const auto& parent = tree.transform(k).parent;
     const bool rigid = is_rigid(tree, k);
-    const CompositeInertia part = rigid ? own[k] : unmoved_part(tree, k, own[k]);
+    const CompositeInertia part = rigid ? own[k] : invariant_part(tree, k, own[k]);
     own[k] = difference(own[k], part);
     const CompositeInertia moved = rigid ? to_parent(tree, k, part) : part;
     accumulate(tree.algebra, moved, parent ? own[*parent] : of_world);
   }
-  if (!is_nothing(of_world)) bodies.push_back(body_of(of_world, {}));
+  if (!is_zero_inertia(of_world)) bodies.push_back(body_of(of_world, {}));
   for (std::uint32_t k = 0; k < tree.size(); ++k) {
-    if (!is_nothing(own[k])) bodies.push_back(body_of(own[k], k));
+    if (!is_zero_inertia(own[k])) bodies.push_back(body_of(own[k], k));
   }
   return with_lifted_masses(tree, std::move(bodies));
 }
 
 std::vector<RigidBody> with_lifted_masses(Tree& tree, std::vector<RigidBody> bodies) {
   for (auto k = static_cast<std::uint32_t>(tree.size()); k-- > 0;) {
-    if (tree.step(k).rotation) lift_masses(tree, k, bodies);
+    if (tree.transform(k).rotation) lift_masses(tree, k, bodies);
   }
   return bodies;
 }

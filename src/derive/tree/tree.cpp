@@ -45,34 +45,36 @@ ex squared_length(const std::array<ex, 4>& q) {
   return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
 }
 
-StepRotation rotation_of(Definitions& definitions, const TreeStep& step) {
-  StepRotation rotation;
-  if (step.kind == FrameStepKind::translation) return rotation;
-  rotation.kind = StepRotation::Kind::matrix;
-  if (step.kind == FrameStepKind::quaternion) {
-    rotation.entries = quaternion_matrix(step.quaternion);
-    const ex scale = step.rotation ? ex(1) : define(definitions, squared_length(step.quaternion));
+TransformRotation rotation_of(Definitions& definitions, const TreeTransform& transform) {
+  TransformRotation rotation;
+  if (transform.kind == TransformKind::translation) return rotation;
+  rotation.kind = TransformRotation::Kind::matrix;
+  if (transform.kind == TransformKind::quaternion) {
+    rotation.entries = quaternion_matrix(transform.quaternion);
+    const ex scale =
+        transform.rotation ? ex(1) : define(definitions, squared_length(transform.quaternion));
     for (ex& entry : rotation.entries) entry = define(definitions, entry / scale);
     return rotation;
   }
-  const ex cosine = define(definitions, GiNaC::cos(step.angle));
-  const ex sine = define(definitions, GiNaC::sin(step.angle));
-  if (const auto axis = coordinate_axis(step.vector)) {
-    rotation.kind = StepRotation::Kind::about_axis;
+  const ex cosine = define(definitions, GiNaC::cos(transform.angle));
+  const ex sine = define(definitions, GiNaC::sin(transform.angle));
+  if (const auto axis = coordinate_axis(transform.vector)) {
+    rotation.kind = TransformRotation::Kind::about_axis;
     rotation.axis = axis->first;
     rotation.cosine = cosine;
     rotation.sine = axis->second * sine;
     return rotation;
   }
-  rotation.entries = turn_matrix(step.vector, cosine, sine);
+  rotation.entries = turn_matrix(transform.vector, cosine, sine);
   for (ex& entry : rotation.entries) entry = define(definitions, entry);
   return rotation;
 }
 
-/// `step` and its ancestors; empty for the world.
-std::vector<std::uint32_t> path_to_root(const FrameTree& tree, std::optional<std::uint32_t> step) {
+/// `transform` and its ancestors; empty for the world.
+std::vector<std::uint32_t> path_to_root(const FrameTree& tree,
+                                        std::optional<std::uint32_t> transform) {
   std::vector<std::uint32_t> path;
-  for (; step; step = tree.steps[*step].parent) path.push_back(*step);
+  for (; transform; transform = tree.transforms[*transform].parent) path.push_back(*transform);
   return path;
 }
 
@@ -84,8 +86,8 @@ Tree& tree_of(Derivation& derivation) {
 }
 
 Tree::Tree(Derivation& derivation) : algebra(derivation.definitions), derivation_(derivation) {
-  for (const TreeStep& step : frames().steps) {
-    rotations_.push_back(rotation_of(derivation.definitions, step));
+  for (const TreeTransform& transform : frames().transforms) {
+    rotations_.push_back(rotation_of(derivation.definitions, transform));
   }
   bodies_ = regrouped(*this);
 }
@@ -96,28 +98,28 @@ ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body) {
 
 void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to) {
   {
-    const Telling force = algebra.telling("force");
+    const NameScope force = algebra.name_scope("force");
     to.force = algebra.add(to.force, from.force);
   }
-  const Telling moment = algebra.telling("moment");
+  const NameScope moment = algebra.name_scope("moment");
   to.moment = algebra.add(to.moment, from.moment);
 }
 
 void append(TreeForces& to, const TreeForces& from) {
-  append(to.pulled_back, from.pulled_back);
+  append(to.on_variables, from.on_variables);
   auto& all = to.on_velocities;
   all.insert(all.end(), from.on_velocities.begin(), from.on_velocities.end());
 }
 
 Vector by_velocities(Derivation& derivation, const TreeForces& forces) {
-  Vector result = derivation.by_position(forces.pulled_back);
+  Vector result = derivation.by_position(forces.on_variables);
   for (const auto& [velocity, force] : forces.on_velocities) result[velocity] += force;
   return result;
 }
 
-ExVector3 Tree::rotated(const StepRotation& r, const ExVector3& x) {
-  if (r.kind == StepRotation::Kind::none) return x;
-  if (r.kind == StepRotation::Kind::matrix) return algebra.product(r.entries, x);
+ExVector3 Tree::rotated(const TransformRotation& r, const ExVector3& x) {
+  if (r.kind == TransformRotation::Kind::none) return x;
+  if (r.kind == TransformRotation::Kind::matrix) return algebra.product(r.entries, x);
   const auto& [axis, i, j] = cyclic_axes[r.axis];
   ExVector3 result = x;
   result[i] = r.cosine * x[i] - r.sine * x[j];
@@ -134,15 +136,16 @@ ExVector3 Tree::turned(const ExVector3& x, std::optional<std::uint32_t> from,
     down.pop_back();
   }
   ExVector3 result = x;
-  for (const std::uint32_t step : up) result = to_parent(step, result);
-  for (auto step = down.rbegin(); step != down.rend(); ++step) result = to_child(*step, result);
+  for (const std::uint32_t transform : up) result = to_parent(transform, result);
+  for (auto transform = down.rbegin(); transform != down.rend(); ++transform)
+    result = to_child(*transform, result);
   return result;
 }
 
 ExVector3 Tree::relative_spin(std::size_t index, Tangent& along) {
-  const TreeStep& s = step(index);
-  if (s.kind == FrameStepKind::translation) return {0, 0, 0};
-  if (s.kind == FrameStepKind::turn)
+  const TreeTransform& s = transform(index);
+  if (s.kind == TransformKind::translation) return {0, 0, 0};
+  if (s.kind == TransformKind::turn)
     return algebra.scaled(algebra.define(along(s.angle)), s.vector);
   std::array<ex, 4> rate;
   for (std::size_t i = 0; i < 4; ++i) rate[i] = algebra.define(along(s.quaternion[i]));
@@ -155,18 +158,18 @@ ExVector3 Tree::relative_spin(std::size_t index, Tangent& along) {
   return algebra.define(spin);
 }
 
-void Tree::weigh(std::size_t index, const SpatialForce& on_step, TreeForces& forces) {
-  const TreeStep& s = step(index);
-  const Telling joint = telling("joint", index);
+void Tree::append_joint_forces(std::size_t index, const SpatialForce& on_step, TreeForces& forces) {
+  const TreeTransform& s = transform(index);
+  const NameScope joint = name_scope("joint", index);
   switch (s.kind) {
-    case FrameStepKind::translation:
+    case TransformKind::translation:
       for (std::size_t i = 0; i < 3; ++i)
-        forces.pulled_back.push_back({s.vector[i], on_step.force[i]});
+        forces.on_variables.push_back({s.vector[i], on_step.force[i]});
       return;
-    case FrameStepKind::turn:
-      forces.pulled_back.push_back({s.angle, algebra.dot(s.vector, on_step.moment)});
+    case TransformKind::turn:
+      forces.on_variables.push_back({s.angle, algebra.dot(s.vector, on_step.moment)});
       return;
-    case FrameStepKind::quaternion:
+    case TransformKind::quaternion:
       break;
   }
   if (s.rotation) {
@@ -180,38 +183,38 @@ void Tree::weigh(std::size_t index, const SpatialForce& on_step, TreeForces& for
   const ExVector3& n = on_step.moment;
   const ex scale = algebra.define(2 / squared_length(q));
   const ex scalar = algebra.define(-(q[1] * n[0] + q[2] * n[1] + q[3] * n[2]));
-  forces.pulled_back.push_back({q[0], algebra.define(scale * scalar)});
+  forces.on_variables.push_back({q[0], algebra.define(scale * scalar)});
   for (const auto& [i, j, k] : cyclic_axes) {
     const ex component = algebra.define(q[0] * n[i] + q[j + 1] * n[k] - q[k + 1] * n[j]);
-    forces.pulled_back.push_back({q[i + 1], algebra.define(scale * component)});
+    forces.on_variables.push_back({q[i + 1], algebra.define(scale * component)});
   }
 }
 
 SpatialForce Tree::before(std::size_t index, const SpatialForce& force) {
   SpatialForce result;
   {
-    const Telling of_force = algebra.telling("force");
+    const NameScope of_force = algebra.name_scope("force");
     result.force = to_parent(index, force.force);
   }
-  const Telling of_moment = algebra.telling("moment");
+  const NameScope of_moment = algebra.name_scope("moment");
   result.moment = to_parent(index, force.moment);
-  if (step(index).kind == FrameStepKind::translation) {
-    const ExVector3 lever = algebra.cross(step(index).vector, result.force);
+  if (transform(index).kind == TransformKind::translation) {
+    const ExVector3 lever = algebra.cross(transform(index).vector, result.force);
     result.moment = algebra.add(result.moment, lever);
   }
   return result;
 }
 
-std::vector<SpatialForce> Tree::carried(std::vector<SpatialForce> on_step) {
-  return with_carried(*this, std::move(on_step), [this](std::size_t k, const SpatialForce& force) {
+std::vector<SpatialForce> Tree::subtree_wrenches(std::vector<SpatialForce> on_step) {
+  return subtree_sums(*this, std::move(on_step), [this](std::size_t k, const SpatialForce& force) {
     return before(k, force);
   });
 }
 
 TreeForces Tree::pull_back(std::vector<SpatialForce> on_step) {
-  on_step = carried(std::move(on_step));
+  on_step = subtree_wrenches(std::move(on_step));
   TreeForces forces;
-  for (std::size_t k = size(); k-- > 0;) weigh(k, on_step[k], forces);
+  for (std::size_t k = size(); k-- > 0;) append_joint_forces(k, on_step[k], forces);
   return forces;
 }
 
@@ -221,15 +224,15 @@ TreeForces Tree::wrench_forces(const std::function<ex(const ex&)>& part) {
     for (ex& component : wrench.force) component = part(component);
     for (ex& component : wrench.moment) component = part(component);
   }
-  const Telling of_wrenches = algebra.telling("wrench");
+  const NameScope of_wrenches = algebra.name_scope("wrench");
   std::vector<SpatialForce> on_step(size());
   for (const Wrench& wrench : wrenches) {
-    if (!wrench.step) continue;
-    const Telling on_frame = telling("", *wrench.step);
-    const ExVector3 force = turned(wrench.force, wrench.axes, wrench.step);
-    const ExVector3 pure = turned(wrench.moment, wrench.axes, wrench.step);
+    if (!wrench.transform) continue;
+    const NameScope on_frame = name_scope("", *wrench.transform);
+    const ExVector3 force = turned(wrench.force, wrench.axes, wrench.transform);
+    const ExVector3 pure = turned(wrench.moment, wrench.axes, wrench.transform);
     const ExVector3 lever = algebra.cross(wrench.at, force);
-    SpatialForce& total = on_step[*wrench.step];
+    SpatialForce& total = on_step[*wrench.transform];
     total.force = algebra.add(total.force, force);
     total.moment = algebra.add(total.moment, algebra.add(pure, lever));
   }

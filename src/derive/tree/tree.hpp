@@ -1,8 +1,8 @@
 // Tree: passes vectors, twists and forces along the frames of a Lagrangian.
 //
-// A step is an elementary transform x_parent = R x + p from its child frame to its parent frame;
-// R or p is trivial. Vectors on a step are expressed in its child frame. A rotation about a
-// coordinate axis costs four products, a constant quarter turn none.
+// A transform is an elementary transform x_parent = R x + p from its child frame to its parent
+// frame; R or p is trivial. Vectors on a transform are expressed in its child frame. A rotation
+// about a coordinate axis costs four products, a constant quarter turn none.
 #pragma once
 
 #include <functional>
@@ -15,9 +15,9 @@
 
 namespace elgen {
 
-/// R of a step: the identity, a rotation about coordinate axis `axis` by its cosine and sine, or
-/// a full matrix.
-struct StepRotation {
+/// R of a transform: the identity, a rotation about coordinate axis `axis` by its cosine and sine,
+/// or a full matrix.
+struct TransformRotation {
   enum class Kind : unsigned char { none, about_axis, matrix };
   Kind kind = Kind::none;
   std::size_t axis = 2;
@@ -26,12 +26,12 @@ struct StepRotation {
   ExMatrix3 entries;
 
   /// R^T
-  [[nodiscard]] StepRotation reversed() const {
+  [[nodiscard]] TransformRotation reversed() const {
     return {kind, axis, cosine, -sine, transposed(entries)};
   }
 };
 
-/// A wrench on a step: force, and moment about the origin of the step's child frame.
+/// A wrench on a transform: force, and moment about the origin of the transform's child frame.
 struct SpatialForce {
   ExVector3 force{0, 0, 0};
   ExVector3 moment{0, 0, 0};
@@ -40,10 +40,10 @@ struct SpatialForce {
 /// to += from, both in the same frame.
 void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to);
 
-/// Generalised forces: on angles and offsets x (`pulled_back`, to be multiplied by dx/dq), and on
+/// Generalised forces: on angles and offsets x (`on_variables`, to be multiplied by dx/dq), and on
 /// the velocities of rotations.
 struct TreeForces {
-  std::vector<Weighted> pulled_back = {};
+  std::vector<Weighted> on_variables = {};
   std::vector<std::pair<std::uint32_t, GiNaC::ex>> on_velocities = {};
 };
 
@@ -58,101 +58,107 @@ class Tree {
 
   [[nodiscard]] Derivation& derivation() const { return derivation_; }
   [[nodiscard]] const FrameTree& frames() const { return derivation_.lagrangian.tree; }
-  [[nodiscard]] std::size_t size() const { return frames().steps.size(); }
-  [[nodiscard]] const TreeStep& step(std::size_t index) const { return frames().steps[index]; }
-  [[nodiscard]] const StepRotation& rotation(std::size_t index) const { return rotations_[index]; }
-  [[nodiscard]] Telling telling(const std::string& kind, std::size_t step) {
-    return algebra.telling(kind, frames().steps[step].name);
+  [[nodiscard]] std::size_t size() const { return frames().transforms.size(); }
+  [[nodiscard]] const TreeTransform& transform(std::size_t index) const {
+    return frames().transforms[index];
+  }
+  [[nodiscard]] const TransformRotation& rotation(std::size_t index) const {
+    return rotations_[index];
+  }
+  [[nodiscard]] NameScope name_scope(const std::string& kind, std::size_t transform) {
+    return algebra.name_scope(kind, frames().transforms[transform].name);
   }
 
   /// The bodies of the Lagrangian after regrouped().
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
 
-  /// R x and R^T x of a step.
-  [[nodiscard]] ExVector3 to_parent(std::size_t step, const ExVector3& x) {
-    return rotated(rotations_[step], x);
+  /// R x and R^T x of a transform.
+  [[nodiscard]] ExVector3 to_parent(std::size_t transform, const ExVector3& x) {
+    return rotated(rotations_[transform], x);
   }
-  [[nodiscard]] ExVector3 to_child(std::size_t step, const ExVector3& x) {
-    return rotated(rotations_[step].reversed(), x);
+  [[nodiscard]] ExVector3 to_child(std::size_t transform, const ExVector3& x) {
+    return rotated(rotations_[transform].reversed(), x);
   }
 
-  /// Re-expresses a vector from the child frame of step `from` in the child frame of step `to`;
-  /// none: the world.
+  /// Re-expresses a vector from the child frame of transform `from` in the child frame of transform
+  /// `to`; none: the world.
   [[nodiscard]] ExVector3 turned(const ExVector3& x, std::optional<std::uint32_t> from,
                                  std::optional<std::uint32_t> to);
 
-  /// Angular velocity of a step's child frame relative to its parent frame, in the child frame,
-  /// along a direction s: axis dangle/ds, or 2 (w de - dw e - e x de)/|q|^2 with q = (w, e).
+  /// Angular velocity of a transform's child frame relative to its parent frame, in the child
+  /// frame, along a direction s: axis dangle/ds, or 2 (w de - dw e - e x de)/|q|^2 with q = (w, e).
   [[nodiscard]] ExVector3 relative_spin(std::size_t index, Tangent& along);
 
-  /// Re-expresses a wrench in the parent frame of the step, about the origin of that frame.
+  /// Re-expresses a wrench in the parent frame of the transform, about the origin of that frame.
   [[nodiscard]] SpatialForce before(std::size_t index, const SpatialForce& force);
 
-  /// The total wrench on each step's subtree, from the wrenches on single steps.
-  [[nodiscard]] std::vector<SpatialForce> carried(std::vector<SpatialForce> on_step);
+  /// The total wrench on each transform's subtree, from the wrenches on single transforms.
+  [[nodiscard]] std::vector<SpatialForce> subtree_wrenches(std::vector<SpatialForce> on_step);
 
-  /// Generalised forces on all angles, offsets and rotations, from the wrenches on single steps.
+  /// Generalised forces on all angles, offsets and rotations, from the wrenches on single
+  /// transforms.
   [[nodiscard]] TreeForces pull_back(std::vector<SpatialForce> on_step);
 
   /// Generalised forces of the Lagrangian's wrenches, with `part` applied to every component:
   /// substitution of u = 0, or d/du_j.
   [[nodiscard]] TreeForces wrench_forces(const std::function<GiNaC::ex(const GiNaC::ex&)>& part);
 
-  /// Appends the generalised forces on one step's motion, from the total wrench on its subtree.
-  void weigh(std::size_t index, const SpatialForce& on_step, TreeForces& forces);
+  /// Appends the generalised forces on one transform's motion, from the total wrench on its
+  /// subtree.
+  void append_joint_forces(std::size_t index, const SpatialForce& on_step, TreeForces& forces);
 
   VectorAlgebra algebra;
 
  private:
-  [[nodiscard]] ExVector3 rotated(const StepRotation& r, const ExVector3& x);
+  [[nodiscard]] ExVector3 rotated(const TransformRotation& r, const ExVector3& x);
 
   Derivation& derivation_;
-  std::vector<StepRotation> rotations_;
+  std::vector<TransformRotation> rotations_;
   std::vector<RigidBody> bodies_;
 };
 
 /// The tree of a Derivation, built at the first call.
 [[nodiscard]] Tree& tree_of(Derivation& derivation);
 
-/// For each step, the sum of of(body) over its bodies. Bodies fixed to the world are skipped.
+/// For each transform, the sum of of(body) over its bodies. Bodies fixed to the world are skipped.
 template <class Value, class Of>
-[[nodiscard]] std::vector<Value> on_steps(Tree& tree, const std::vector<RigidBody>& bodies,
-                                          const Of& of) {
+[[nodiscard]] std::vector<Value> sum_over_bodies(Tree& tree, const std::vector<RigidBody>& bodies,
+                                                 const Of& of) {
   std::vector<Value> result(tree.size());
   for (const RigidBody& body : bodies) {
-    if (!body.step) continue;
-    const Telling on_step = tree.telling("", *body.step);
-    accumulate(tree.algebra, of(body), result[*body.step]);
+    if (!body.transform) continue;
+    const NameScope on_step = tree.name_scope("", *body.transform);
+    accumulate(tree.algebra, of(body), result[*body.transform]);
   }
   return result;
 }
 
 /// The same for tree.bodies().
 template <class Value, class Of>
-[[nodiscard]] std::vector<Value> on_steps(Tree& tree, const Of& of) {
-  return on_steps<Value>(tree, tree.bodies(), of);
+[[nodiscard]] std::vector<Value> sum_over_bodies(Tree& tree, const Of& of) {
+  return sum_over_bodies<Value>(tree, tree.bodies(), of);
 }
 
-/// Sums the values of each step's subtree, from the leaves to the root. before(k, x) re-expresses
-/// x in the parent frame of step k.
+/// Sums the values of each transform's subtree, from the leaves to the root. before(k, x)
+/// re-expresses x in the parent frame of transform k.
 template <class Value, class Before>
-[[nodiscard]] std::vector<Value> with_carried(Tree& tree, std::vector<Value> values,
+[[nodiscard]] std::vector<Value> subtree_sums(Tree& tree, std::vector<Value> values,
                                               const Before& before) {
   for (std::size_t k = tree.size(); k-- > 0;) {
-    const Telling of_step = tree.telling("", k);
-    const auto& parent = tree.step(k).parent;
+    const NameScope of_step = tree.name_scope("", k);
+    const auto& parent = tree.transform(k).parent;
     if (parent) accumulate(tree.algebra, before(k, values[k]), values[*parent]);
   }
   return values;
 }
 
 /// The bodies of the Lagrangian. Bodies with rational mass, com and inertia are regrouped into at
-/// most one body per step, about its origin (regroup.cpp); the energies do not change. Symbolic
-/// bodies are not merged, because every call would compute sums of their parameters. Masses on
-/// rotations are lifted: with_lifted_masses().
+/// most one body per transform, about its origin (regroup.cpp); the energies do not change.
+/// Symbolic bodies are not merged, because every call would compute sums of their parameters.
+/// Masses on rotations are lifted: with_lifted_masses().
 [[nodiscard]] std::vector<RigidBody> regrouped(Tree& tree);
 
-/// The bodies, with each mass on a rotation moved to a point mass on the parent step.
+/// The bodies, with each mass on a rotation moved to a point mass on the parent transform.
 [[nodiscard]] std::vector<RigidBody> with_lifted_masses(Tree& tree, std::vector<RigidBody> bodies);
 
 /// h = m c, or `body.moment` if it is set.

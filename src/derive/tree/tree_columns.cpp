@@ -1,6 +1,6 @@
-// A column starts in the parent frame of its step. The axis of a turn has the same components
-// there, and the parent's twist can replace the step's. A column of a rotation starts in the child
-// frame, because its axes turn with the step.
+// A column starts in the parent frame of its transform. The axis of a turn has the same components
+// there, and the parent's twist can replace the transform's. A column of a rotation starts in the
+// child frame, because its axes turn with the transform.
 #include <algorithm>
 
 #include "derive/tree/tree_matrices.hpp"
@@ -11,39 +11,40 @@ using GiNaC::ex;
 
 namespace {
 
-bool moves(const Tree& tree, const ex& value) {
+bool depends_on_coordinates(const Tree& tree, const ex& value) {
   return dependence(tree.derivation().definitions, value).has_any(Opcode::coordinate);
 }
 
 void append_variables(const Tree& tree, std::uint32_t index, TreeVariables& variables) {
-  const TreeStep& step = tree.step(index);
+  const TreeTransform& transform = tree.transform(index);
   TreeVariable variable;
-  variable.step = index;
-  if (step.kind == FrameStepKind::turn) {
-    if (!moves(tree, step.angle)) return;
-    variable.spin = step.vector;
-    variable.value = step.angle;
+  variable.transform = index;
+  if (transform.kind == TransformKind::turn) {
+    if (!depends_on_coordinates(tree, transform.angle)) return;
+    variable.spin = transform.vector;
+    variable.value = transform.angle;
     variables.list.push_back(variable);
     return;
   }
   for (std::size_t i = 0; i < 3; ++i) {
     TreeVariable component = variable;
-    if (step.kind == FrameStepKind::translation) {
-      if (!moves(tree, step.vector[i])) continue;
+    if (transform.kind == TransformKind::translation) {
+      if (!depends_on_coordinates(tree, transform.vector[i])) continue;
       component.velocity[i] = 1;
-      component.value = step.vector[i];
-    } else if (step.rotation) {
+      component.value = transform.vector[i];
+    } else if (transform.rotation) {
       component.spin[i] = 1;
-      component.velocity_index = *step.rotation + static_cast<std::uint32_t>(i);
+      component.velocity_index = *transform.rotation + static_cast<std::uint32_t>(i);
     } else {
       continue;
     }
     variables.list.push_back(component);
   }
-  if (step.kind != FrameStepKind::quaternion || step.rotation) return;
+  if (transform.kind != TransformKind::quaternion || transform.rotation) return;
   variables.is_complete =
-      variables.is_complete && std::none_of(step.quaternion.begin(), step.quaternion.end(),
-                                            [&](const ex& q) { return moves(tree, q); });
+      variables.is_complete &&
+      std::none_of(transform.quaternion.begin(), transform.quaternion.end(),
+                   [&](const ex& q) { return depends_on_coordinates(tree, q); });
 }
 
 }  // namespace
@@ -76,65 +77,68 @@ TreeColumns::TreeColumns(Tree& tree, const std::vector<TreeVariable>& variables,
       algebra_(tree.algebra),
       variables_(variables),
       by_(by),
-      on_step_(tree.size()),
-      has_below_(tree.size(), false),
+      on_transform_(tree.size()),
+      has_ancestor_variables_(tree.size(), false),
       inertias_(composite_inertias(tree)),
-      homes_(tree.size()) {
-  for (std::size_t i = 0; i < variables.size(); ++i) on_step_[variables[i].step].push_back(i);
+      quantities_(tree.size()) {
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    on_transform_[variables[i].transform].push_back(i);
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    const auto& parent = tree.step(k).parent;
-    has_below_[k] = parent && (has_below_[*parent] || !on_step_[*parent].empty());
+    const auto& parent = tree.transform(k).parent;
+    has_ancestor_variables_[k] =
+        parent && (has_ancestor_variables_[*parent] || !on_transform_[*parent].empty());
   }
 }
 
-void TreeColumns::make_motions() {
+void TreeColumns::compute_motions() {
   if (!twists_.empty()) return;
   twists_ = tree_twists(tree_, by_.first);
   rates_ = composite_rates(tree_, twists_);
   motions_ = tree_motions(tree_, by_);
-  carried_ = tree_.carried(inertial_forces_on_steps(tree_, tree_.bodies(), motions_));
+  carried_ = tree_.subtree_wrenches(inertial_forces_on_transforms(tree_, tree_.bodies(), motions_));
 }
 
-TreeColumns::Home TreeColumns::home_after(std::uint32_t step) {
-  Home home;
-  home.inertia = inertias_[step];
+TreeColumns::TransformQuantities TreeColumns::quantities_in_child_frame(std::uint32_t transform) {
+  TransformQuantities home;
+  home.inertia = inertias_[transform];
   if (twists_.empty()) return home;
-  home.rate = rates_[step];
-  home.own = twists_[step];
-  home.carried = carried_[step];
-  const auto& parent = tree_.step(step).parent;
-  const StepMotion from = parent ? motions_[*parent] : base_motion(tree_, by_.with_gravity);
+  home.rate = rates_[transform];
+  home.own = twists_[transform];
+  home.carried = carried_[transform];
+  const auto& parent = tree_.transform(transform).parent;
+  const TransformMotion from = parent ? motions_[*parent] : base_motion(tree_, by_.with_gravity);
   const Twist below = parent ? twists_[*parent] : Twist{};
-  home.below.spin = tree_.to_child(step, below.spin);
-  home.below.velocity = tree_.to_child(step, below.velocity);
-  home.motion.spin_rate = tree_.to_child(step, from.spin_rate);
-  home.motion.acceleration = tree_.to_child(step, from.acceleration);
+  home.parent_twist.spin = tree_.to_child(transform, below.spin);
+  home.parent_twist.velocity = tree_.to_child(transform, below.velocity);
+  home.motion.spin_rate = tree_.to_child(transform, from.spin_rate);
+  home.motion.acceleration = tree_.to_child(transform, from.acceleration);
   return home;
 }
 
-TreeColumns::Home TreeColumns::home_before(std::uint32_t step) {
-  Home home;
-  home.inertia = to_parent(tree_, step, inertias_[step]);
+TreeColumns::TransformQuantities TreeColumns::quantities_in_parent_frame(std::uint32_t transform) {
+  TransformQuantities home;
+  home.inertia = to_parent(tree_, transform, inertias_[transform]);
   if (twists_.empty()) return home;
-  home.rate = to_parent(tree_, step, rates_[step]);
-  home.carried = tree_.before(step, carried_[step]);
-  const auto& parent = tree_.step(step).parent;
+  home.rate = to_parent(tree_, transform, rates_[transform]);
+  home.carried = tree_.before(transform, carried_[transform]);
+  const auto& parent = tree_.transform(transform).parent;
   home.motion = parent ? motions_[*parent] : base_motion(tree_, by_.with_gravity);
   // A turn adds a spin parallel to S, a translation adds none: both twists have the same v x S.
-  home.own = home.below = parent ? twists_[*parent] : Twist{};
+  home.own = home.parent_twist = parent ? twists_[*parent] : Twist{};
   return home;
 }
 
-const TreeColumns::Home& TreeColumns::home(const TreeVariable& variable) {
-  std::optional<Home>& known = homes_[variable.step];
+const TreeColumns::TransformQuantities& TreeColumns::quantities(const TreeVariable& variable) {
+  std::optional<TransformQuantities>& known = quantities_[variable.transform];
   if (!known) {
-    known = variable.velocity_index ? home_after(variable.step) : home_before(variable.step);
+    known = variable.velocity_index ? quantities_in_child_frame(variable.transform)
+                                    : quantities_in_parent_frame(variable.transform);
   }
   return *known;
 }
 
 /// Cross product of twists: (w; v) x (s; u) = (w x s; v x s + w x u)
-Twist TreeColumns::crossed(const Twist& twist, const Twist& with) {
+Twist TreeColumns::twist_cross(const Twist& twist, const Twist& with) {
   Twist result;
   result.spin = algebra_.cross(twist.spin, with.spin);
   const ExVector3 of_spin = algebra_.cross(twist.velocity, with.spin);
@@ -146,8 +150,8 @@ Twist TreeColumns::crossed(const Twist& twist, const Twist& with) {
 /// R2 = a x S + v x (v x S). With the acceleration b of the origin, a = (w'; b - w x v), and R2 is
 ///     (w' x s + w x (w x s); b x s + 2 v x (w x s))    for turns and rotations, S = (s; 0)
 ///     (0; w' x u + w x (w x u))                        for translations, S = (0; u)
-Twist TreeColumns::second(const Home& home, const TreeVariable& variable) {
-  const ExVector3& w = home.below.spin;
+Twist TreeColumns::second(const TransformQuantities& home, const TreeVariable& variable) {
+  const ExVector3& w = home.parent_twist.spin;
   const bool is_shift = is_zero(variable.spin);
   const ExVector3& s = is_shift ? variable.velocity : variable.spin;
   const ExVector3 first = algebra_.cross(w, s);
@@ -157,7 +161,7 @@ Twist TreeColumns::second(const Home& home, const TreeVariable& variable) {
   (is_shift ? result.velocity : result.spin) = algebra_.add(of_rate, of_square);
   if (is_shift) return result;
   const ExVector3 of_acceleration = algebra_.cross(home.motion.acceleration, s);
-  const ExVector3 of_velocity = algebra_.cross(home.below.velocity, first);
+  const ExVector3 of_velocity = algebra_.cross(home.parent_twist.velocity, first);
   result.velocity = algebra_.add(of_acceleration, algebra_.scaled(2, of_velocity));
   return result;
 }
@@ -168,22 +172,22 @@ Twist TreeColumns::motion(UnitKind kind, const TreeVariable& variable) {
     case UnitKind::unit:
       return unit;
     case UnitKind::rate:
-      return crossed(home(variable).own, unit);
+      return twist_cross(quantities(variable).own, unit);
     case UnitKind::first:
-      return crossed(home(variable).below, unit);
+      return twist_cross(quantities(variable).parent_twist, unit);
     case UnitKind::second:
       break;
   }
-  return second(home(variable), variable);
+  return second(quantities(variable), variable);
 }
 
-SpatialForce TreeColumns::of_inertia(const TreeVariable& variable, const Twist& twist) {
-  return momentum(algebra_, home(variable).inertia, twist.spin, twist.velocity);
+SpatialForce TreeColumns::inertia_product(const TreeVariable& variable, const Twist& twist) {
+  return momentum(algebra_, quantities(variable).inertia, twist.spin, twist.velocity);
 }
 
 /// B (s; u) = (A s; s x P)
-SpatialForce TreeColumns::of_rate(const TreeVariable& variable, const Twist& twist) {
-  const CompositeRate& rate = home(variable).rate;
+SpatialForce TreeColumns::rate_product(const TreeVariable& variable, const Twist& twist) {
+  const CompositeRate& rate = quantities(variable).rate;
   const ExVector3& s = twist.spin;
   SpatialForce result;
   result.moment = algebra_.product(rate.a, s);
@@ -192,8 +196,8 @@ SpatialForce TreeColumns::of_rate(const TreeVariable& variable, const Twist& twi
 }
 
 /// B^T (s; u) = (A^T s + P x u; 0)
-SpatialForce TreeColumns::of_rate_transposed(const TreeVariable& variable) {
-  const CompositeRate& rate = home(variable).rate;
+SpatialForce TreeColumns::transposed_rate_product(const TreeVariable& variable) {
+  const CompositeRate& rate = quantities(variable).rate;
   SpatialForce result;
   result.moment = algebra_.product(transposed(rate.a), variable.spin);
   const ExVector3 of_shift = algebra_.cross(rate.momentum, variable.velocity);
@@ -203,29 +207,29 @@ SpatialForce TreeColumns::of_rate_transposed(const TreeVariable& variable) {
 
 SpatialForce TreeColumns::column(ColumnKind kind, const TreeVariable& variable) {
   const Twist unit{variable.spin, variable.velocity};
-  if (kind == ColumnKind::inertia) return of_inertia(variable, unit);
-  if (kind == ColumnKind::transposed) return of_rate_transposed(variable);
+  if (kind == ColumnKind::inertia) return inertia_product(variable, unit);
+  if (kind == ColumnKind::transposed) return transposed_rate_product(variable);
   if (kind == ColumnKind::rate) {
-    SpatialForce sum = of_inertia(variable, motion(UnitKind::rate, variable));
-    accumulate(algebra_, of_rate(variable, unit), sum);
+    SpatialForce sum = inertia_product(variable, motion(UnitKind::rate, variable));
+    accumulate(algebra_, rate_product(variable, unit), sum);
     return sum;
   }
   const Twist first = motion(UnitKind::first, variable);
   const Twist& of_b = kind == ColumnKind::by_position ? first : unit;
-  const SpatialForce half = of_rate(variable, of_b);
+  const SpatialForce half = rate_product(variable, of_b);
   SpatialForce twice = half;
   accumulate(algebra_, half, twice);
   if (kind == ColumnKind::by_velocity) {
     const Twist rate = motion(UnitKind::rate, variable);
     const ExVector3 spin = algebra_.add(first.spin, rate.spin);
     const ExVector3 velocity = algebra_.add(first.velocity, rate.velocity);
-    SpatialForce sum = of_inertia(variable, {spin, velocity});
+    SpatialForce sum = inertia_product(variable, {spin, velocity});
     accumulate(algebra_, twice, sum);
     return sum;
   }
-  SpatialForce sum = of_inertia(variable, motion(UnitKind::second, variable));
+  SpatialForce sum = inertia_product(variable, motion(UnitKind::second, variable));
   // S x* f = (s x n + u x f; s x f)
-  const SpatialForce& f = home(variable).carried;
+  const SpatialForce& f = quantities(variable).carried;
   SpatialForce moved;
   const ExVector3 turned = algebra_.cross(variable.spin, f.moment);
   const ExVector3 shifted = algebra_.cross(variable.velocity, f.force);
@@ -239,35 +243,36 @@ SpatialForce TreeColumns::column(ColumnKind kind, const TreeVariable& variable) 
 void TreeColumns::for_each_pair(const std::vector<ColumnKind>& kinds,
                                 const std::function<void(const ColumnPair&)>& visit) {
   for (const ColumnKind kind : kinds) {
-    if (kind != ColumnKind::inertia) make_motions();
+    if (kind != ColumnKind::inertia) compute_motions();
   }
   for (std::size_t upper = 0; upper < variables_.size(); ++upper) {
-    const std::uint32_t step = variables_[upper].step;
-    const Telling of_upper = tree_.telling("column_" + tree_.step(step).name, step);
+    const std::uint32_t transform = variables_[upper].transform;
+    const NameScope of_upper =
+        tree_.name_scope("column_" + tree_.transform(transform).name, transform);
     std::vector<SpatialForce> columns;
     for (const ColumnKind kind : kinds) columns.push_back(column(kind, variables_[upper]));
-    for (const std::size_t other : on_step_[step]) {
+    for (const std::size_t other : on_transform_[transform]) {
       visit({upper, other, other != upper, columns});
     }
-    visit_below(upper, std::move(columns), visit);
+    visit_ancestors(upper, std::move(columns), visit);
   }
 }
 
-void TreeColumns::visit_below(std::size_t upper, std::vector<SpatialForce> columns,
-                              const std::function<void(const ColumnPair&)>& visit) {
-  const auto pass = [&](std::uint32_t step) {
-    for (SpatialForce& column : columns) column = tree_.before(step, column);
+void TreeColumns::visit_ancestors(std::size_t upper, std::vector<SpatialForce> columns,
+                                  const std::function<void(const ColumnPair&)>& visit) {
+  const auto pass = [&](std::uint32_t transform) {
+    for (SpatialForce& column : columns) column = tree_.before(transform, column);
   };
-  std::uint32_t step = variables_[upper].step;
-  if (!has_below_[step]) return;
-  if (variables_[upper].velocity_index) pass(step);
-  while (has_below_[step]) {
-    step = *tree_.step(step).parent;
-    const Telling at_lower = tree_.telling("", step);
-    const bool is_rotation = tree_.step(step).rotation.has_value();
-    if (!is_rotation) pass(step);
-    for (const std::size_t lower : on_step_[step]) visit({upper, lower, false, columns});
-    if (is_rotation) pass(step);
+  std::uint32_t transform = variables_[upper].transform;
+  if (!has_ancestor_variables_[transform]) return;
+  if (variables_[upper].velocity_index) pass(transform);
+  while (has_ancestor_variables_[transform]) {
+    transform = *tree_.transform(transform).parent;
+    const NameScope at_lower = tree_.name_scope("", transform);
+    const bool is_rotation = tree_.transform(transform).rotation.has_value();
+    if (!is_rotation) pass(transform);
+    for (const std::size_t lower : on_transform_[transform]) visit({upper, lower, false, columns});
+    if (is_rotation) pass(transform);
   }
 }
 

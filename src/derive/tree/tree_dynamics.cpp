@@ -14,7 +14,7 @@ namespace {
 
 const ex half = GiNaC::numeric(1, 2);
 
-/// I w, about the reference point of the inertia: the com, or the origin of the step.
+/// I w, about the reference point of the inertia: the com, or the origin of the transform.
 ExVector3 spin_momentum(VectorAlgebra& algebra, const RigidBody& body, const ExVector3& w) {
   if (body.inertia.empty()) return {0, 0, 0};
   Symmetric3 inertia;
@@ -22,8 +22,8 @@ ExVector3 spin_momentum(VectorAlgebra& algebra, const RigidBody& body, const ExV
   return product(algebra, inertia, w);
 }
 
-/// U = [w']x + w w^T - (w.w) 1, row-major. A point at c, fixed to the step, has the acceleration
-/// a + U c.
+/// U = [w']x + w w^T - (w.w) 1, row-major. A point at c, fixed to the transform, has the
+/// acceleration a + U c.
 ExMatrix3 acceleration_gradient(VectorAlgebra& algebra, const ExVector3& w, const ExVector3& rate) {
   ExMatrix3 u;
   std::array<ex, 3> squares;
@@ -44,7 +44,7 @@ ExVector3 sum(const ExVector3& a, const ExVector3& b) {
 /// I w' + w x I w, from the entries of U that are known already. The x component, and cyclically:
 ///     Ixx w'_x + (Izz - Iyy) w_y w_z - Ixy U_zx + Ixz U_yx + Iyz (U_yy - U_zz)
 ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia,
-                          const StepMotion& motion) {
+                          const TransformMotion& motion) {
   static constexpr std::array<std::array<std::size_t, 3>, 3> place{
       {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}}};
   const auto entry = [&](std::size_t i, std::size_t j) { return inertia[place[i][j]]; };
@@ -64,24 +64,24 @@ class MotionRecursion {
   MotionRecursion(Tree& tree, const Acceleration& acceleration)
       : tree_(tree), algebra_(tree.algebra), by_(acceleration) {}
 
-  std::vector<StepMotion> run() {
-    std::vector<StepMotion> motions;
+  std::vector<TransformMotion> run() {
+    std::vector<TransformMotion> motions;
     for (std::size_t k = 0; k < tree_.size(); ++k) {
-      const Telling motion = tree_.telling("motion", k);
-      const auto& parent = tree_.step(k).parent;
-      const StepMotion from = parent ? motions[*parent] : base_motion(tree_, by_.with_gravity);
-      motions.push_back(tree_.step(k).kind == FrameStepKind::translation ? translated(k, from)
-                                                                         : turned(k, from));
+      const NameScope motion = tree_.name_scope("motion", k);
+      const auto& parent = tree_.transform(k).parent;
+      const TransformMotion from = parent ? motions[*parent] : base_motion(tree_, by_.with_gravity);
+      motions.push_back(tree_.transform(k).kind == TransformKind::translation ? translated(k, from)
+                                                                              : turned(k, from));
     }
     return motions;
   }
 
  private:
-  StepMotion translated(std::size_t k, const StepMotion& from) {
-    const ExVector3& p = tree_.step(k).vector;
+  TransformMotion translated(std::size_t k, const TransformMotion& from) {
+    const ExVector3& p = tree_.transform(k).vector;
     const ExVector3 rate = algebra_.rate(p, by_.first);
     const ExVector3 second_rate = algebra_.rate(rate, by_.second);
-    StepMotion motion = from;
+    TransformMotion motion = from;
     const ExVector3 carried = algebra_.product(from.gradient, p);
     const ExVector3 coriolis = algebra_.scaled(2, algebra_.cross(from.spin, rate));
     const ExVector3 own = algebra_.add(coriolis, second_rate);
@@ -89,18 +89,18 @@ class MotionRecursion {
     return motion;
   }
 
-  StepMotion turned(std::size_t k, const StepMotion& from) {
-    const TreeStep& step = tree_.step(k);
-    const ExVector3 own = own_spin(tree_, k, by_.first);
+  TransformMotion turned(std::size_t k, const TransformMotion& from) {
+    const TreeTransform& transform = tree_.transform(k);
+    const ExVector3 own = joint_spin(tree_, k, by_.first);
     const ExVector3 own_rate = algebra_.rate(own, by_.second);
-    StepMotion motion;
+    TransformMotion motion;
     const ExVector3 carried = tree_.to_child(k, from.spin);
-    motion.spin = algebra_.define(sum(carried, own), step.name + "_spin", step.origin);
+    motion.spin = algebra_.define(sum(carried, own), transform.name + "_spin", transform.origin);
     const ExVector3 carried_rate = tree_.to_child(k, from.spin_rate);
     const ExVector3 across = algebra_.cross(carried, own);
     const ExVector3 relative = algebra_.add(across, own_rate);
-    motion.spin_rate =
-        algebra_.define(sum(carried_rate, relative), step.name + "_spin_rate", step.origin);
+    motion.spin_rate = algebra_.define(sum(carried_rate, relative), transform.name + "_spin_rate",
+                                       transform.origin);
     motion.acceleration = tree_.to_child(k, from.acceleration);
     motion.gradient = acceleration_gradient(algebra_, motion.spin, motion.spin_rate);
     for (const auto& [axis, i, j] : cyclic_axes) {
@@ -114,10 +114,10 @@ class MotionRecursion {
   const Acceleration& by_;
 };
 
-/// F and N about the origin of the step.
+/// F and N about the origin of the transform.
 SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
-                            const StepMotion& motion) {
-  const Telling inertial = algebra.telling("inertial");
+                            const TransformMotion& motion) {
+  const NameScope inertial = algebra.name_scope("inertial");
   SpatialForce result;
   if (!body.inertia.empty()) result.moment = inertial_moment(algebra, body.inertia, motion);
   if (!has_mass(body)) return result;
@@ -134,19 +134,19 @@ SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
   return result;
 }
 
-/// Gravity in the child frame of each step.
-std::vector<ExVector3> gravity_by_step(Tree& tree) {
+/// Gravity in the child frame of each transform.
+std::vector<ExVector3> gravity_by_transform(Tree& tree) {
   const ExVector3& g = *tree.derivation().lagrangian.gravity;
   std::vector<ExVector3> result;
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    const Telling gravity = tree.telling("gravity", k);
-    const auto& parent = tree.step(k).parent;
+    const NameScope gravity = tree.name_scope("gravity", k);
+    const auto& parent = tree.transform(k).parent;
     result.push_back(tree.to_child(k, parent ? result[*parent] : g));
   }
   return result;
 }
 
-/// Mass and first moment of a step's subtree, in the step's child frame.
+/// Mass and first moment of a transform's subtree, in the transform's child frame.
 struct MassMoment {
   ex mass = 0;
   ExVector3 moment{0, 0, 0};
@@ -157,32 +157,32 @@ void accumulate(VectorAlgebra& algebra, const MassMoment& from, MassMoment& to) 
   to.moment = algebra.add(to.moment, from.moment);
 }
 
-/// Re-expressed in the parent frame of the step, about its origin.
+/// Re-expressed in the parent frame of the transform, about its origin.
 MassMoment to_parent(Tree& tree, std::size_t index, const MassMoment& c) {
   MassMoment result{c.mass, tree.to_parent(index, c.moment)};
-  const TreeStep& step = tree.step(index);
-  if (step.kind == FrameStepKind::translation) {
-    result.moment = tree.algebra.add(result.moment, tree.algebra.scaled(c.mass, step.vector));
+  const TreeTransform& transform = tree.transform(index);
+  if (transform.kind == TransformKind::translation) {
+    result.moment = tree.algebra.add(result.moment, tree.algebra.scaled(c.mass, transform.vector));
   }
   return result;
 }
 
 std::vector<MassMoment> mass_moments(Tree& tree) {
-  const Telling moments = tree.algebra.telling("mass");
-  auto own = on_steps<MassMoment>(tree, [&](const RigidBody& body) {
+  const NameScope moments = tree.algebra.name_scope("mass");
+  auto own = sum_over_bodies<MassMoment>(tree, [&](const RigidBody& body) {
     return MassMoment{body.mass, first_moment(tree.algebra, body)};
   });
-  return with_carried(tree, std::move(own), [&](std::size_t k, const MassMoment& carried) {
+  return subtree_sums(tree, std::move(own), [&](std::size_t k, const MassMoment& carried) {
     return to_parent(tree, k, carried);
   });
 }
 
 }  // namespace
 
-ExVector3 own_spin(Tree& tree, std::size_t k, Tangent& along) {
-  const auto& rotation = tree.step(k).rotation;
+ExVector3 joint_spin(Tree& tree, std::size_t k, Tangent& along) {
+  const auto& rotation = tree.transform(k).rotation;
   if (!rotation) return tree.relative_spin(k, along);
-  if (along(tree.step(k).quaternion[0]).is_zero()) return {0, 0, 0};
+  if (along(tree.transform(k).quaternion[0]).is_zero()) return {0, 0, 0};
   const auto& v = tree.derivation().symbols.v;
   return {v[*rotation], v[*rotation + 1], v[*rotation + 2]};
 }
@@ -205,16 +205,16 @@ std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
   VectorAlgebra& algebra = tree.algebra;
   std::vector<Twist> twists;
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    const Telling velocity = tree.telling("velocity", k);
-    const TreeStep& step = tree.step(k);
-    const Twist from = step.parent ? twists[*step.parent] : Twist{};
+    const NameScope velocity = tree.name_scope("velocity", k);
+    const TreeTransform& transform = tree.transform(k);
+    const Twist from = transform.parent ? twists[*transform.parent] : Twist{};
     Twist twist = from;
-    if (step.kind == FrameStepKind::translation) {
-      const ExVector3 rate = algebra.rate(step.vector, along);
-      const ExVector3 carried = algebra.cross(from.spin, step.vector);
+    if (transform.kind == TransformKind::translation) {
+      const ExVector3 rate = algebra.rate(transform.vector, along);
+      const ExVector3 carried = algebra.cross(from.spin, transform.vector);
       twist.velocity = algebra.add(from.velocity, algebra.add(carried, rate));
     } else {
-      const ExVector3 own = own_spin(tree, k, along);
+      const ExVector3 own = joint_spin(tree, k, along);
       twist.spin = algebra.add(tree.to_child(k, from.spin), own);
       twist.velocity = tree.to_child(k, from.velocity);
     }
@@ -225,10 +225,10 @@ std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
 
 TreeForces tree_momentum(Tree& tree) {
   VectorAlgebra& algebra = tree.algebra;
-  const std::vector<Twist> twists = tree_twists(tree, tree.derivation().coasting);
-  const Telling momenta = algebra.telling("momentum");
-  return tree.pull_back(on_steps<SpatialForce>(tree, [&](const RigidBody& body) {
-    const Twist& twist = twists[*body.step];
+  const std::vector<Twist> twists = tree_twists(tree, tree.derivation().zero_acceleration);
+  const NameScope momenta = algebra.name_scope("momentum");
+  return tree.pull_back(sum_over_bodies<SpatialForce>(tree, [&](const RigidBody& body) {
+    const Twist& twist = twists[*body.transform];
     // I w is about the com if the inertia is; the lever term then refers it to the origin.
     SpatialForce momentum;
     momentum.moment = spin_momentum(algebra, body, twist.spin);
@@ -246,9 +246,9 @@ Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
   const std::vector<Twist> twists = tree_twists(tree, along);
   Terms terms;
   for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) continue;
-    const Telling energy = tree.telling("kinetic", *body.step);
-    const Twist& twist = twists[*body.step];
+    if (!body.transform) continue;
+    const NameScope energy = tree.name_scope("kinetic", *body.transform);
+    const Twist& twist = twists[*body.transform];
     const ExVector3 spin = spin_momentum(algebra, body, twist.spin);
     terms.push_back(half * algebra.dot(spin, twist.spin));
     if (!has_mass(body)) continue;
@@ -266,42 +266,42 @@ Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
   return terms;
 }
 
-StepMotion base_motion(Tree& tree, bool with_gravity) {
-  StepMotion motion;
+TransformMotion base_motion(Tree& tree, bool with_gravity) {
+  TransformMotion motion;
   const auto& g = tree.derivation().lagrangian.gravity;
   if (with_gravity && g) motion.acceleration = {-(*g)[0], -(*g)[1], -(*g)[2]};
   return motion;
 }
 
-std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleration) {
+std::vector<TransformMotion> tree_motions(Tree& tree, const Acceleration& acceleration) {
   return MotionRecursion(tree, acceleration).run();
 }
 
-std::vector<SpatialForce> inertial_forces_on_steps(Tree& tree, const std::vector<RigidBody>& bodies,
-                                                   const std::vector<StepMotion>& motions) {
-  return on_steps<SpatialForce>(tree, bodies, [&](const RigidBody& body) {
-    return inertial_force(tree.algebra, body, motions[*body.step]);
+std::vector<SpatialForce> inertial_forces_on_transforms(
+    Tree& tree, const std::vector<RigidBody>& bodies, const std::vector<TransformMotion>& motions) {
+  return sum_over_bodies<SpatialForce>(tree, bodies, [&](const RigidBody& body) {
+    return inertial_force(tree.algebra, body, motions[*body.transform]);
   });
 }
 
 TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration) {
-  const std::vector<StepMotion> motions = tree_motions(tree, acceleration);
-  return tree.pull_back(inertial_forces_on_steps(tree, tree.bodies(), motions));
+  const std::vector<TransformMotion> motions = tree_motions(tree, acceleration);
+  return tree.pull_back(inertial_forces_on_transforms(tree, tree.bodies(), motions));
 }
 
 TreeForces tree_gravity(Tree& tree) {
   TreeForces forces;
   if (!tree.derivation().lagrangian.gravity) return forces;
-  const std::vector<ExVector3> g = gravity_by_step(tree);
+  const std::vector<ExVector3> g = gravity_by_transform(tree);
   const std::vector<MassMoment> carried = mass_moments(tree);
   VectorAlgebra& algebra = tree.algebra;
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    const Telling weight = tree.telling("weight", k);
-    // Minus the weight, and its moment about the origin of the step.
+    const NameScope weight = tree.name_scope("weight", k);
+    // Minus the weight, and its moment about the origin of the transform.
     SpatialForce lift;
     lift.force = algebra.scaled(-carried[k].mass, g[k]);
     lift.moment = algebra.cross(g[k], carried[k].moment);
-    tree.weigh(k, lift, forces);
+    tree.append_joint_forces(k, lift, forces);
   }
   return forces;
 }
@@ -313,10 +313,10 @@ Terms tree_potential_energy(Tree& tree) {
   const ExVector3 g = *tree.derivation().lagrangian.gravity;
   const std::vector<MassMoment> carried = mass_moments(tree);
   for (const RigidBody& body : tree.bodies()) {
-    if (!body.step) terms.push_back(-algebra.dot(g, first_moment(algebra, body)));
+    if (!body.transform) terms.push_back(-algebra.dot(g, first_moment(algebra, body)));
   }
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    if (tree.step(k).parent) continue;
+    if (tree.transform(k).parent) continue;
     terms.push_back(-algebra.dot(g, to_parent(tree, k, carried[k]).moment));
   }
   return terms;

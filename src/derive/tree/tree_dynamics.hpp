@@ -1,7 +1,7 @@
 // Twists, momenta, kinetic energies, inertial forces and weights of bodies in frames. The cost of
-// each is linear in the number of steps. All vectors are in the child frame of their step: w is
-// the angular velocity, v the velocity of the origin, and a its acceleration less gravity (uniform
-// gravity is equivalent to an upward acceleration of the base):
+// each is linear in the number of transforms. All vectors are in the child frame of their
+// transform: w is the angular velocity, v the velocity of the origin, and a its acceleration less
+// gravity (uniform gravity is equivalent to an upward acceleration of the base):
 //
 //     turn          w = R^T w_p + s,   w' = R^T w_p' + (R^T w_p) x s + s'
 //                   v = R^T v_p,       a = R^T a_p              s: spin of the joint
@@ -19,17 +19,17 @@
 
 namespace elgen {
 
-/// Angular velocity of a step's child frame, and velocity of its origin. tree_twists() has one
-/// twist per step, along a direction of motion.
+/// Angular velocity of a transform's child frame, and velocity of its origin. tree_twists() has one
+/// twist per transform, along a direction of motion.
 struct Twist {
   ExVector3 spin{0, 0, 0};
   ExVector3 velocity{0, 0, 0};
 };
 [[nodiscard]] std::vector<Twist> tree_twists(Tree& tree, Tangent& along);
 
-/// Angular velocity of step k relative to its parent: the velocities of a rotation (0 if `along`
-/// does not move it), else relative_spin().
-[[nodiscard]] ExVector3 own_spin(Tree& tree, std::size_t k, Tangent& along);
+/// Angular velocity of transform k relative to its parent: the velocities of a rotation (0 if
+/// `along` does not move it), else relative_spin().
+[[nodiscard]] ExVector3 joint_spin(Tree& tree, std::size_t k, Tangent& along);
 
 /// dT/dv of the bodies, in the layout of generalised forces.
 [[nodiscard]] TreeForces tree_momentum(Tree& tree);
@@ -51,37 +51,38 @@ struct Acceleration {
   bool with_gravity = false;
 };
 
-/// Motion of a step's child frame, expressed in that frame.
-struct StepMotion {
+/// Motion of a transform's child frame, expressed in that frame.
+struct TransformMotion {
   ExVector3 spin{0, 0, 0};
   ExVector3 spin_rate{0, 0, 0};
   ExVector3 acceleration{0, 0, 0};                   ///< of the origin, less gravity
   ExMatrix3 gradient = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< U, row-major
   ExVector3 products{0, 0, 0};                       ///< w_y w_z, w_z w_x, w_x w_y
 };
-[[nodiscard]] std::vector<StepMotion> tree_motions(Tree& tree, const Acceleration& acceleration);
+[[nodiscard]] std::vector<TransformMotion> tree_motions(Tree& tree,
+                                                        const Acceleration& acceleration);
 
 /// Motion of the world: at rest, with the acceleration -gravity if `with_gravity` is set.
-[[nodiscard]] StepMotion base_motion(Tree& tree, bool with_gravity);
+[[nodiscard]] TransformMotion base_motion(Tree& tree, bool with_gravity);
 
-/// The sums of F and N over the bodies of each step.
-[[nodiscard]] std::vector<SpatialForce> inertial_forces_on_steps(
-    Tree& tree, const std::vector<RigidBody>& bodies, const std::vector<StepMotion>& motions);
+/// The sums of F and N over the bodies of each transform.
+[[nodiscard]] std::vector<SpatialForce> inertial_forces_on_transforms(
+    Tree& tree, const std::vector<RigidBody>& bodies, const std::vector<TransformMotion>& motions);
 
 /// Generalised inertial forces of the bodies, less the weights if with_gravity is set.
 [[nodiscard]] TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration);
 
-/// dV/dq of the bodies' weights. For the subtree of each step, in the step's child frame, mu is
-/// the mass, h the first moment, and g gravity:
+/// dV/dq of the bodies' weights. For the subtree of each transform, in the transform's child frame,
+/// mu is the mass, h the first moment, and g gravity:
 ///
 ///     parent   mu_p += mu,   h_p += R h + mu p
 ///     weight   F = -mu g,    N = g x h        (on the side of M a)
 ///
-/// The generalised force is the component of (F, N) along the motion of the step.
+/// The generalised force is the component of (F, N) along the motion of the transform.
 [[nodiscard]] TreeForces tree_gravity(Tree& tree);
 
-/// Terms of V = -sum m gravity.p: one for each step without parent, and one for each body fixed to
-/// the world.
+/// Terms of V = -sum m gravity.p: one for each transform without parent, and one for each body
+/// fixed to the world.
 [[nodiscard]] Terms tree_potential_energy(Tree& tree);
 
 }  // namespace elgen

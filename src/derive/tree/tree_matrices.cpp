@@ -26,7 +26,7 @@ class VelocityProjection {
 
   /// Adds J^T E dJ/dt; the only non-zero entry of E is `entry` at (k, l).
   void add_rate(std::size_t k, std::size_t l, const ex& entry) {
-    Tangent& frozen = tree_.derivation().frozen;
+    Tangent& frozen = tree_.derivation().fixed_time;
     for (const Coefficient& column : rows_[l]) {
       const ex rate = tree_.algebra.define(frozen(column.value));
       if (rate.is_zero() || entry.is_zero()) continue;
@@ -50,13 +50,13 @@ class VelocityProjection {
 
 }  // namespace
 
-void add(const SparseMatrix& matrix, Vector& entries, std::size_t n) {
+void add_to_dense(const SparseMatrix& matrix, Vector& entries, std::size_t n) {
   for (const auto& [place, entry] : matrix) entries[place.first * n + place.second] += entry;
 }
 
 SparseMatrix tree_mass_matrix(Tree& tree) {
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
-  Tangent& frozen = tree.derivation().frozen;
+  Tangent& frozen = tree.derivation().fixed_time;
   TreeColumns columns(tree, variables, {frozen, frozen});
   VelocityProjection projection(tree, variables);
   columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
@@ -71,7 +71,7 @@ SparseMatrix tree_mass_matrix(Tree& tree) {
 
 SparseMatrix tree_coriolis_matrix(Tree& tree) {
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
-  Tangent& frozen = tree.derivation().frozen;
+  Tangent& frozen = tree.derivation().fixed_time;
   TreeColumns columns(tree, variables, {frozen, frozen});
   VelocityProjection projection(tree, variables);
   const std::vector kinds{ColumnKind::rate, ColumnKind::inertia, ColumnKind::transposed};
@@ -101,7 +101,7 @@ bool has_linear_variables(Tree& tree) {
 
 TreeDerivatives tree_derivatives(Tree& tree, Tangent& second) {
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
-  TreeColumns columns(tree, variables, {tree.derivation().coasting, second, true});
+  TreeColumns columns(tree, variables, {tree.derivation().zero_acceleration, second, true});
   VelocityProjection by_position(tree, variables);
   VelocityProjection by_velocity(tree, variables);
   const std::vector kinds{ColumnKind::inertia, ColumnKind::transposed, ColumnKind::by_position,

@@ -2,7 +2,7 @@
 // composite inertias.
 //
 // A variable x of the tree (an angle, a component of an offset, or a velocity of a rotation) moves
-// the subtree of its step with the unit twist S. With the composites I and B of that subtree:
+// the subtree of its transform with the unit twist S. With the composites I and B of that subtree:
 //
 //     M_kl = S_l . (I_k S_k)                                     l an ancestor of k
 //     C_lk = S_l . (I_k S'_k + B_k S_k),   C_kl = (I_k S_k) . S'_l + (B_k^T S_k) . S_l
@@ -27,9 +27,9 @@
 
 namespace elgen {
 
-/// A variable of the tree, and its unit twist (spin; velocity) in the child frame of its step.
+/// A variable of the tree, and its unit twist (spin; velocity) in the child frame of its transform.
 struct TreeVariable {
-  std::uint32_t step = 0;
+  std::uint32_t transform = 0;
   ExVector3 spin{0, 0, 0};
   ExVector3 velocity{0, 0, 0};
   GiNaC::ex value = 0;                               ///< x(q, t)
@@ -42,8 +42,8 @@ struct Coefficient {
   GiNaC::ex value = 0;
 };
 
-/// Variables that depend on coordinates, by ascending step. A quaternion given by expressions of
-/// coordinates has no variables: `is_complete` is then false, and matrices come from forces.
+/// Variables that depend on coordinates, by ascending transform. A quaternion given by expressions
+/// of coordinates has no variables: `is_complete` is then false, and matrices come from forces.
 struct TreeVariables {
   std::vector<TreeVariable> list = {};
   bool is_complete = true;
@@ -58,7 +58,8 @@ struct TreeVariables {
 [[nodiscard]] bool is_constant(const Definitions& definitions, const std::vector<Coefficient>& row);
 
 /// S is the unit twist of a variable; I, B and f are the composites of its subtree and the wrench
-/// on it; v and a are the twist and acceleration of the parent step, v_own the twist of the step:
+/// on it; v and a are the twist and acceleration of the parent transform, v_own the twist of the
+/// transform:
 ///
 ///     S'  = v_own x S    rate of S             R1 = v x S,   R2 = a x S + v x R1
 enum class ColumnKind : unsigned char {
@@ -78,7 +79,7 @@ enum class UnitKind : unsigned char {
 };
 
 /// Columns of variable `upper`, passed towards the root as far as variable `lower`, in the frame of
-/// the Home of `lower`. `is_mutual`: two variables of one step, visited in both orders.
+/// the quantities of `lower`. `is_mutual`: two variables of one transform, visited in both orders.
 struct ColumnPair {
   std::size_t upper = 0;
   std::size_t lower = 0;
@@ -90,8 +91,8 @@ class TreeColumns {
  public:
   TreeColumns(Tree& tree, const std::vector<TreeVariable>& variables, const Acceleration& by);
 
-  /// Visits each variable with itself, with the other variables of its step, and with the variables
-  /// of all ancestor steps.
+  /// Visits each variable with itself, with the other variables of its transform, and with the
+  /// variables of all ancestor transforms.
   void for_each_pair(const std::vector<ColumnKind>& kinds,
                      const std::function<void(const ColumnPair&)>& visit);
 
@@ -99,51 +100,51 @@ class TreeColumns {
   [[nodiscard]] GiNaC::ex along(std::size_t variable, UnitKind kind, const SpatialForce& column);
 
  private:
-  /// Spatial quantities of a step, expressed in its parent frame, or for rotations in its child
-  /// frame.
-  struct Home {
+  /// Spatial quantities of a transform, expressed in its parent frame, or for rotations in its
+  /// child frame.
+  struct TransformQuantities {
     CompositeInertia inertia = {};
     CompositeRate rate = {};
-    Twist own = {};             ///< of the step itself
-    Twist below = {};           ///< of the parent step
-    StepMotion motion = {};     ///< of the parent step
-    SpatialForce carried = {};  ///< on the subtree
+    Twist own = {};               ///< of the transform itself
+    Twist parent_twist = {};      ///< of the parent transform
+    TransformMotion motion = {};  ///< of the parent transform
+    SpatialForce carried = {};    ///< on the subtree
   };
 
-  [[nodiscard]] const Home& home(const TreeVariable& variable);
-  [[nodiscard]] Home home_after(std::uint32_t step);
-  [[nodiscard]] Home home_before(std::uint32_t step);
-  void make_motions();
+  [[nodiscard]] const TransformQuantities& quantities(const TreeVariable& variable);
+  [[nodiscard]] TransformQuantities quantities_in_child_frame(std::uint32_t transform);
+  [[nodiscard]] TransformQuantities quantities_in_parent_frame(std::uint32_t transform);
+  void compute_motions();
   [[nodiscard]] Twist motion(UnitKind kind, const TreeVariable& variable);
-  [[nodiscard]] Twist crossed(const Twist& twist, const Twist& with);
-  [[nodiscard]] Twist second(const Home& home, const TreeVariable& variable);
+  [[nodiscard]] Twist twist_cross(const Twist& twist, const Twist& with);
+  [[nodiscard]] Twist second(const TransformQuantities& home, const TreeVariable& variable);
   [[nodiscard]] SpatialForce column(ColumnKind kind, const TreeVariable& variable);
-  [[nodiscard]] SpatialForce of_inertia(const TreeVariable& variable, const Twist& twist);
-  [[nodiscard]] SpatialForce of_rate(const TreeVariable& variable, const Twist& twist);
-  [[nodiscard]] SpatialForce of_rate_transposed(const TreeVariable& variable);
-  void visit_below(std::size_t upper, std::vector<SpatialForce> columns,
-                   const std::function<void(const ColumnPair&)>& visit);
+  [[nodiscard]] SpatialForce inertia_product(const TreeVariable& variable, const Twist& twist);
+  [[nodiscard]] SpatialForce rate_product(const TreeVariable& variable, const Twist& twist);
+  [[nodiscard]] SpatialForce transposed_rate_product(const TreeVariable& variable);
+  void visit_ancestors(std::size_t upper, std::vector<SpatialForce> columns,
+                       const std::function<void(const ColumnPair&)>& visit);
 
   Tree& tree_;
   VectorAlgebra& algebra_;
   const std::vector<TreeVariable>& variables_;
   Acceleration by_;
-  std::vector<std::vector<std::size_t>> on_step_;  ///< variables of each step
-  std::vector<bool> has_below_;                    ///< true if an ancestor step has variables
+  std::vector<std::vector<std::size_t>> on_transform_;  ///< variables of each transform
+  std::vector<bool> has_ancestor_variables_;  ///< true if an ancestor transform has variables
   std::vector<CompositeInertia> inertias_;
-  // By step, computed at the first use:
+  // By transform, computed at the first use:
   std::vector<Twist> twists_;
   std::vector<CompositeRate> rates_;
-  std::vector<StepMotion> motions_;
+  std::vector<TransformMotion> motions_;
   std::vector<SpatialForce> carried_;
-  std::vector<std::optional<Home>> homes_;
+  std::vector<std::optional<TransformQuantities>> quantities_;
 };
 
 /// Entries of an n_v x n_v matrix that may differ from zero, by row and column.
 using SparseMatrix = std::map<std::pair<std::size_t, std::size_t>, GiNaC::ex>;
 
 /// entries += matrix; `entries` is row-major with n columns.
-void add(const SparseMatrix& matrix, Vector& entries, std::size_t n);
+void add_to_dense(const SparseMatrix& matrix, Vector& entries, std::size_t n);
 
 [[nodiscard]] SparseMatrix tree_mass_matrix(Tree& tree);
 [[nodiscard]] SparseMatrix tree_coriolis_matrix(Tree& tree);
@@ -152,7 +153,8 @@ void add(const SparseMatrix& matrix, Vector& entries, std::size_t n);
 [[nodiscard]] bool has_linear_variables(Tree& tree);
 
 /// d tau/dq and d tau/dv of the inertial forces and weights, if has_linear_variables(). With
-/// R1 = v x S, R2 = a x S + v x R1 (v, a of the parent step, gravity an acceleration of the base):
+/// R1 = v x S, R2 = a x S + v x R1 (v, a of the parent transform, gravity an acceleration of the
+/// base):
 ///
 ///     dtau_k/dq_l = (I_k S_k).R2_l + 2 (B_k^T S_k).R1_l         l an ancestor of k, or k
 ///     dtau_l/dq_k = S_l.(I_k R2_k + 2 B_k R1_k + S_k x* f_k)

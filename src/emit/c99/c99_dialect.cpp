@@ -38,7 +38,7 @@ std::string pair_text(const std::string& scalar, const std::string& call, const 
   return fmt::format("{}  {};\n", scalar.empty() ? "" : declared, fmt::join(lines, "\n"));
 }
 
-ColumnWords column_words(const std::string& prefix, std::uint32_t count) {
+ColumnLoopTexts column_words(const std::string& prefix, std::uint32_t count) {
   const std::string width = capitals(prefix) + "COLUMNS";
   return {fmt::format("  for (int first = 0; first < {0}; first += {1}) {{\n"
                       "    const int at = first + {1} < {0} ? first : {0} - {1};\n",
@@ -76,7 +76,9 @@ class C99Dialect final : public CompiledDialect {
 
   std::string_view scalar() const override { return scalar_; }
 
-  ColumnWords columns(std::uint32_t count) const override { return column_words(prefix_, count); }
+  ColumnLoopTexts columns(std::uint32_t count) const override {
+    return column_words(prefix_, count);
+  }
 
   std::string target(const Function& function, std::uint32_t at,
                      std::uint32_t index) const override {
@@ -86,9 +88,9 @@ class C99Dialect final : public CompiledDialect {
     return "result->" + field.name + (is_number(function, field) ? "" : element);
   }
 
-  std::string returned(const Function& function, const Function& /*ordered*/,
-                       const FieldTexts& entries) const override {
-    if (!gives_number(function)) return "";
+  std::string return_statement(const Function& function, const Function& /*ordered*/,
+                               const FieldTexts& entries) const override {
+    if (!returns_number(function)) return "";
     const Wrapping wrapping{line_width - 10, "      "};
     const Texts lines = wrap_expression(entries.front().front(), wrapping);
     return fmt::format("  return {};\n", fmt::join(lines, "\n"));
@@ -99,7 +101,7 @@ class C99Dialect final : public CompiledDialect {
                       bool is_part) const override {
     std::vector<std::string_view> names = argument_names_of(function);
     if (is_part) names.emplace_back("w");
-    if (is_part || !gives_number(function)) names.emplace_back("result");
+    if (is_part || !returns_number(function)) names.emplace_back("result");
     std::string lines;
     for (const std::string_view name : names) {
       if (used.variables.count(name) == 0) lines += fmt::format("  (void){};\n", name);
@@ -109,7 +111,7 @@ class C99Dialect final : public CompiledDialect {
 
   std::string signature(const Function& function, const UsedNames& /*used*/) const override {
     Texts arguments = declared_arguments(function);
-    const bool is_returned = gives_number(function);
+    const bool is_returned = returns_number(function);
     if (!is_returned) arguments.push_back(result_argument(function));
     return elgen::signature(fmt::format("static inline {} {}{}", is_returned ? scalar_ : "void",
                                         prefix_, function.name),
@@ -125,8 +127,8 @@ class C99Dialect final : public CompiledDialect {
                             arguments, "");
   }
 
-  std::string calling_body(const Function& function, std::size_t parts) const override {
-    const bool is_returned = gives_number(function);
+  std::string body_with_calls(const Function& function, std::size_t parts) const override {
+    const bool is_returned = returns_number(function);
     std::string body = is_returned ? fmt::format("  {} result[1];\n", scalar_) : "";
     body += fmt::format("  {} w;\n", workspace_name(function));
     for (std::size_t part = 0; part < parts; ++part) {
@@ -172,13 +174,13 @@ class C99Dialect final : public CompiledDialect {
 
   Texts declared_arguments(const Function& function) const;
 
-  bool gives_number(const Function& function) const {
-    return !gives_struct(function) && is_number(function, function.fields.front());
+  bool returns_number(const Function& function) const {
+    return !returns_struct(function) && is_number(function, function.fields.front());
   }
 
   /// "double result[4]", "cart_pole_dynamics_result *result"
   std::string result_argument(const Function& function) const {
-    if (gives_struct(function)) return struct_name(function) + " *result";
+    if (returns_struct(function)) return struct_name(function) + " *result";
     return fmt::format("{} result{}", scalar_, extent(entry_count(function)));
   }
 

@@ -44,7 +44,7 @@ std::string initialiser(const EmissionInput& input, const ParameterArray& array)
 }
 
 /// Ends each line except the last in an aligned backslash, so that they form one macro.
-Texts continued(Texts lines) {
+Texts macro_lines(Texts lines) {
   std::size_t width = 0;
   for (const std::string& line : lines) width = std::max(width, line.size());
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -62,7 +62,7 @@ Texts default_parameters(const EmissionInput& input) {
     lines.insert(lines.end(), wrapped.begin(), wrapped.end());
   }
   lines.emplace_back("  }");
-  return continued(std::move(lines));
+  return macro_lines(std::move(lines));
 }
 
 constexpr std::array<std::string_view, 15> header_names{
@@ -73,10 +73,10 @@ constexpr std::array<std::string_view, 15> header_names{
 /// True if `name` is the result struct, the workspace or a part of the function.
 bool is_helper(const std::string& name, const Function& function) {
   return name == function.name + "_workspace" || name.starts_with(function.name + "_part_") ||
-         (gives_struct(function) && name == function.name + "_result");
+         (returns_struct(function) && name == function.name + "_result");
 }
 
-bool is_taken(const std::string& name, const Model& model, const Program& program) {
+bool is_reserved_name(const std::string& name, const Model& model, const Program& program) {
   const auto is_table = [&name](const DeclaredArray& array) { return array.name == name; };
   if (std::ranges::any_of(declared_arrays(model, program), is_table)) return true;
   const auto takes = [&name](const Function& function) { return is_helper(name, function); };
@@ -114,7 +114,7 @@ bool are_sines_in_line(const EmissionInput& input) {
 TemplateData c99_sines(const EmissionInput& input) {
   const ScalarKind scalar = c99_scalar(input.scene);
   const auto literal = [scalar](double value) { return c99_literal(exact_value(value), scalar); };
-  const auto numbers = sine_numbers(input.scene.numerics, SinesOf::numbers, scalar);
+  const auto numbers = sine_numbers(input.scene.numerics, SineArithmetic::numbers, scalar);
   return section_if(are_sines_in_line(input),
                     sine_data(numbers, scalar, literal, SineSpelling::values));
 }
@@ -147,8 +147,8 @@ std::string c99_header(const EmissionInput& input) {
 Diagnostics c99_check_names(const Model& model, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
-    if (!is_taken(function.name, model, program)) continue;
-    diagnostics.push_back(taken_name(scene, function));
+    if (!is_reserved_name(function.name, model, program)) continue;
+    diagnostics.push_back(reserved_name_error(scene, function));
   }
   return diagnostics;
 }

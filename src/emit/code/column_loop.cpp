@@ -27,16 +27,16 @@ Places operands(const Function& function, std::uint32_t at, std::size_t slot) {
   return all;
 }
 
-bool are_alike(const Places& places) {
+bool are_equal(const Places& places) {
   return std::ranges::all_of(places, [&](std::uint32_t at) { return at == places.front(); });
 }
 
-void add_once(Places& places, std::uint32_t at) {
+void add_unique(Places& places, std::uint32_t at) {
   if (std::ranges::find(places, at) == places.end()) places.push_back(at);
 }
 
 /// " + 60": the offset of a row in its array; "" for row 0.
-std::string start_of(std::size_t row, std::uint32_t count) {
+std::string row_offset(std::size_t row, std::uint32_t count) {
   return row == 0 ? "" : fmt::format(" + {}", row * count);
 }
 
@@ -57,14 +57,14 @@ class LoopBody {
       const bool is_stored = row < loop_.solved.size();
       std::string name = outer_names_[at];
       if (is_stored && name.empty()) name = fmt::format("solved_{}", row + 1);
-      const std::uint32_t place = add(in_body(at, arrays), name);
+      const std::uint32_t place = add(body_instruction(at, arrays), name);
       inner_.push_back(place);
       if (name.empty()) continue;
       text +=
           assignment(fmt::format("  {} {}", words_.value, name), formulas_.definition(place).text);
       if (!is_stored) continue;
       text += fmt::format("    {}({}, {}{} + at);\n", words_.store, name, arrays.solved,
-                          start_of(row, loop_.count));
+                          row_offset(row, loop_.count));
     }
     return text + "  }\n";
   }
@@ -80,7 +80,7 @@ class LoopBody {
     return static_cast<std::uint32_t>(names_.size() - 1);
   }
 
-  Instruction in_body(std::uint32_t at, const ColumnNames& arrays) {
+  Instruction body_instruction(std::uint32_t at, const ColumnNames& arrays) {
     Instruction instruction = function_.instructions[at];
     const std::size_t count = operand_count(instruction);
     if (count > 0) instruction.a = operand(at, 0, arrays);
@@ -91,13 +91,13 @@ class LoopBody {
   std::uint32_t operand(std::uint32_t at, std::size_t slot, const ColumnNames& arrays) {
     const Places all = operands(function_, at, slot);
     if (all.front() >= loop_.first) return inner_[all.front() - loop_.first];
-    if (are_alike(all)) return shared(all.front());
+    if (are_equal(all)) return shared(all.front());
     const auto count = static_cast<std::ptrdiff_t>(loop_.count);
     auto row = loop_.given.begin();
     while (!std::equal(all.begin(), all.end(), row)) row += count;
     const auto start = static_cast<std::size_t>(row - loop_.given.begin());
     return add({}, fmt::format("{}({}{} + at)", words_.load, arrays.given,
-                               start_of(start / loop_.count, loop_.count)));
+                               row_offset(start / loop_.count, loop_.count)));
   }
 
   /// Adds an operand that all columns share: its name, or its expression if it has no name.
@@ -115,7 +115,7 @@ class LoopBody {
   const Function& function_;
   const ColumnLoop& loop_;
   const std::vector<std::string>& outer_names_;
-  const ColumnWords words_;
+  const ColumnLoopTexts words_;
   Function body_ = {};
   std::vector<std::string> names_ = {};  ///< of the instructions of `body_`
   Places inner_ = {};  ///< index in `body_` of each instruction of the first column
@@ -126,14 +126,14 @@ class LoopBody {
 }  // namespace
 
 ColumnLoop column_loop(const Function& function) {
-  ColumnLoop loop{.first = static_cast<std::uint32_t>(first_repeated(function)),
+  ColumnLoop loop{.first = static_cast<std::uint32_t>(first_repeated_instruction(function)),
                   .count = function.repeated.count};
   std::set<Places> known;
   for (std::uint32_t at = loop.first; at < loop.first + function.repeated.length; ++at) {
     for (std::size_t slot = 0; slot < operand_count(function.instructions[at]); ++slot) {
       const Places all = operands(function, at, slot);
       if (all.front() >= loop.first || !known.insert(all).second) continue;
-      if (are_alike(all)) {
+      if (are_equal(all)) {
         loop.shared.push_back(all.front());
       } else {
         loop.given.insert(loop.given.end(), all.begin(), all.end());
@@ -142,7 +142,7 @@ ColumnLoop column_loop(const Function& function) {
   }
   for (const std::uint32_t entry : entries_of(function)) {
     if (entry < loop.first) continue;
-    add_once(loop.solved, loop.first + (entry - loop.first) % function.repeated.length);
+    add_unique(loop.solved, loop.first + (entry - loop.first) % function.repeated.length);
   }
   return loop;
 }

@@ -17,7 +17,7 @@ struct UsedNames {
 };
 
 /// Texts of a loop over columns.
-struct ColumnWords {
+struct ColumnLoopTexts {
   std::string opening = {};  ///< its first lines; they define `at`, the first column of a pass
   std::string value = {};    ///< "const double": declares a value, before its name
   std::string load = {};     ///< name of a function: address of the first number of a pass -> value
@@ -54,7 +54,7 @@ class CompiledDialect : public Dialect {
   [[nodiscard]] virtual std::string_view scalar() const = 0;
 
   /// The texts of a loop over `count` columns.
-  [[nodiscard]] virtual ColumnWords columns(std::uint32_t count) const = 0;
+  [[nodiscard]] virtual ColumnLoopTexts columns(std::uint32_t count) const = 0;
 
   /// "result.gravity[1]": the destination of an entry that is not part of a return statement.
   [[nodiscard]] virtual std::string target(const Function& function, std::uint32_t field,
@@ -63,8 +63,9 @@ class CompiledDialect : public Dialect {
   /// The end of a function in one piece: a return statement, or "" if the caller must assign each
   /// entry to its target. `function` defines the return type; `ordered` and `entries` have storage
   /// order.
-  [[nodiscard]] virtual std::string returned(const Function& function, const Function& ordered,
-                                             const FieldTexts& entries) const = 0;
+  [[nodiscard]] virtual std::string return_statement(const Function& function,
+                                                     const Function& ordered,
+                                                     const FieldTexts& entries) const = 0;
 
   /// The lines before the statements of a body: using-declarations, or casts of unused arguments.
   [[nodiscard]] virtual std::string opening(const Function& function, const UsedNames& used,
@@ -77,8 +78,8 @@ class CompiledDialect : public Dialect {
                                                    const UsedNames& used) const = 0;
 
   /// The body that calls the parts in order.
-  [[nodiscard]] virtual std::string calling_body(const Function& function,
-                                                 std::size_t parts) const = 0;
+  [[nodiscard]] virtual std::string body_with_calls(const Function& function,
+                                                    std::size_t parts) const = 0;
 
   /// "ForwardDynamicsWorkspace": the struct of values that several parts of a function use.
   [[nodiscard]] virtual std::string workspace_name(const Function& function) const = 0;

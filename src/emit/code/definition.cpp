@@ -24,11 +24,11 @@ namespace {
 
 /// True if a body of this many statements is cut into parts. A body with inner instructions is
 /// never cut: all members of a workspace have the same type.
-bool is_cut(const CompiledDialect& dialect, std::size_t statements) {
+bool needs_parts(const CompiledDialect& dialect, std::size_t statements) {
   return statements > longest_body && dialect.inner() == nullptr;
 }
 
-void use(const Instruction& instruction, UsedNames& used) {
+void add_used_names(const Instruction& instruction, UsedNames& used) {
   if (is_leaf(instruction.opcode)) used.variables.insert(leaf_row(instruction.opcode).symbol);
   if (instruction.opcode == Opcode::square_root) used.functions.insert("sqrt");
   if (instruction.opcode != Opcode::call) return;
@@ -37,11 +37,11 @@ void use(const Instruction& instruction, UsedNames& used) {
 }
 
 /// Records the array or struct that a statement writes.
-void use_array(const Entry& /*entry*/, UsedNames& used) { used.variables.insert("result"); }
-void use_array(const Given& /*given*/, UsedNames& used) { used.variables.insert("w"); }
-void use_array(const Assign& /*assign*/, UsedNames& /*used*/) {}
-void use_array(const SineAndCosine& /*pair*/, UsedNames& /*used*/) {}
-void use_array(const Loop& /*loop*/, UsedNames& /*used*/) {}
+void add_used_array(const Entry& /*entry*/, UsedNames& used) { used.variables.insert("result"); }
+void add_used_array(const LoopOperand& /*given*/, UsedNames& used) { used.variables.insert("w"); }
+void add_used_array(const Assign& /*assign*/, UsedNames& /*used*/) {}
+void add_used_array(const SineAndCosine& /*pair*/, UsedNames& /*used*/) {}
+void add_used_array(const Loop& /*loop*/, UsedNames& /*used*/) {}
 
 /// `crosses`: see Sections; empty for a body that is not cut.
 bool any_crosses(const std::vector<std::uint32_t>& instructions, const std::vector<bool>& crosses) {
@@ -54,8 +54,8 @@ UsedNames used_names(const Function& function, const std::vector<Statement>& sta
   UsedNames used;
   for (const Statement& statement : statements) {
     const StatementOperands& operands = operands_of(statement);
-    for (const std::uint32_t at : operands.written) use(function.instructions[at], used);
-    std::visit([&](const auto& of) { use_array(of, used); }, statement);
+    for (const std::uint32_t at : operands.written) add_used_names(function.instructions[at], used);
+    std::visit([&](const auto& of) { add_used_array(of, used); }, statement);
     if (any_crosses(named_by(statement), crosses) || any_crosses(operands.uses, crosses)) {
       used.variables.insert("w");
     }
@@ -70,10 +70,10 @@ class DefinitionWriter {
       : dialect_(dialect),
         program_(program),
         function_(function),
-        ordered_(stored(function, storage)),
+        ordered_(in_storage_order(function, storage)),
         loop_(column_loop(ordered_)),
         names_(local_names(dialect, program, ordered_)),
-        in_loop_{names_},
+        loop_names_{names_},
         formulas_(program, ordered_, dialect, names_) {
     for (std::uint32_t at = loop_.first; at < names_.size(); ++at) {
       names_[at] = solved_name(loop_, ordered_, at);
@@ -83,15 +83,15 @@ class DefinitionWriter {
   FunctionDefinition definition() {
     const Pairing pairing = dialect_.has_pairs() ? Pairing::joint : Pairing::separate;
     const std::vector<Statement> all = statements(ordered_, names_, pairing, loop_);
-    if (!is_cut(dialect_, all.size())) return {short_text(all)};
+    if (!needs_parts(dialect_, all.size())) return {short_text(all)};
     Sections cut = sections(all, section_length);
     if (loop_.count > 0) cut.crosses[loop_.first] = true;
     FunctionDefinition result;
-    result.workspace = {dialect_.workspace_name(function_), take_shared(cut.crosses)};
+    result.workspace = {dialect_.workspace_name(function_), move_to_workspace(cut.crosses)};
     UsedNames passed_on;
     for (const LeafRow& leaf : leaf_table()) passed_on.variables.insert(leaf.symbol);
     result.whole = {dialect_.signature(function_, passed_on),
-                    dialect_.calling_body(function_, cut.parts.size())};
+                    dialect_.body_with_calls(function_, cut.parts.size())};
     for (std::size_t part = 0; part < cut.parts.size(); ++part) {
       result.parts.push_back(part_text(cut, part));
     }
@@ -113,7 +113,7 @@ class DefinitionWriter {
       }
     }
     const UsedNames used = used_names(ordered_, all, {});
-    const std::string returned = dialect_.returned(function_, ordered_, entries);
+    const std::string returned = dialect_.return_statement(function_, ordered_, entries);
     return {dialect_.signature(function_, used),
             dialect_.opening(function_, used, false) + lines +
                 (returned.empty() ? assignments(dialect_, ordered_, entries) : returned)};
@@ -150,13 +150,13 @@ class DefinitionWriter {
                       formulas_.entry(entry.instruction).text);
   }
 
-  [[nodiscard]] std::string text(const Given& given, bool /*is_declared*/) const {
-    return assignment(fmt::format("{}[{}]", in_loop_.given, given.index),
+  [[nodiscard]] std::string text(const LoopOperand& given, bool /*is_declared*/) const {
+    return assignment(fmt::format("{}[{}]", loop_names_.given, given.index),
                       formulas_.entry(given.instruction).text);
   }
 
   [[nodiscard]] std::string text(const Loop& /*loop*/, bool /*is_declared*/) const {
-    return column_lines(dialect_, program_, ordered_, loop_, in_loop_);
+    return column_lines(dialect_, program_, ordered_, loop_, loop_names_);
   }
 
   [[nodiscard]] const CompiledDialect& dialect_of(std::uint32_t at) const {
@@ -167,28 +167,28 @@ class DefinitionWriter {
   /// Returns the members of the workspace: values that cross into other parts, and the arrays of
   /// the loop. From here on `names_` has their names in the workspace; all values of the loop
   /// cross.
-  std::vector<std::string> take_shared(const std::vector<bool>& crosses) {
+  std::vector<std::string> move_to_workspace(const std::vector<bool>& crosses) {
     std::vector<std::string> shared;
     for (std::size_t at = 0; at < std::min<std::size_t>(crosses.size(), loop_.first); ++at) {
       if (!crosses[at]) continue;
       shared.push_back(names_[at]);
-      names_[at] = in_loop_.values[at] = dialect_.shared(names_[at]);
+      names_[at] = loop_names_.values[at] = dialect_.shared(names_[at]);
     }
     for (std::size_t at = loop_.first; at < names_.size(); ++at) {
       if (!names_[at].empty()) names_[at] = dialect_.shared(names_[at]);
     }
     const std::vector<std::string> of_loop = arrays();
     shared.insert(shared.end(), of_loop.begin(), of_loop.end());
-    in_loop_.given = dialect_.shared(in_loop_.given);
-    in_loop_.solved = dialect_.shared(in_loop_.solved);
+    loop_names_.given = dialect_.shared(loop_names_.given);
+    loop_names_.solved = dialect_.shared(loop_names_.solved);
     return shared;
   }
 
   /// "given[60]", "solved[60]": declarators for the arrays of the loop; empty without a loop.
   [[nodiscard]] std::vector<std::string> arrays() const {
     if (loop_.count == 0) return {};
-    return {fmt::format("{}[{}]", in_loop_.given, loop_.given.size()),
-            fmt::format("{}[{}]", in_loop_.solved, loop_.solved.size() * loop_.count)};
+    return {fmt::format("{}[{}]", loop_names_.given, loop_.given.size()),
+            fmt::format("{}[{}]", loop_names_.solved, loop_.solved.size() * loop_.count)};
   }
 
   const CompiledDialect& dialect_;
@@ -197,7 +197,7 @@ class DefinitionWriter {
   const Function ordered_;
   const ColumnLoop loop_;
   std::vector<std::string> names_;
-  ColumnNames in_loop_;
+  ColumnNames loop_names_;
   const FunctionFormulas formulas_;
 };
 

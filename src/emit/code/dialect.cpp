@@ -11,7 +11,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::array<std::string_view, 4> names_of_loops{"given", "solved", "first", "at"};
+constexpr std::array<std::string_view, 4> loop_names{"given", "solved", "first", "at"};
 
 }  // namespace
 
@@ -33,7 +33,7 @@ std::string Dialect::temporary(const std::string& name) const {
   const bool is_argument = std::ranges::any_of(leaf_table(), [&](const LeafRow& leaf) {
     return leaf.symbol == name && is_passed(program_.leaves, leaf.id);
   });
-  const bool is_of_loop = std::ranges::count(names_of_loops, name) > 0;
+  const bool is_of_loop = std::ranges::count(loop_names, name) > 0;
   const bool hides = is_argument || is_of_loop || name == "w" || name == "result" ||
                      is_function(name) || is_reserved(name);
   return hides ? name + "_" : name;

@@ -18,9 +18,10 @@ struct BodyRules {
   /// A parameter that is read more than once gets a local name: in interpreted code, reading a
   /// member costs as much as an operation.
   bool names_parameters = false;
-  std::size_t deepest = 0;       ///< nested brackets that the language can parse; 0: any number
-  std::size_t longest_name = 0;  ///< characters of a name that the language accepts; 0: any number
-  CommentMarks comments = {};    ///< marks around the documentation of members
+  std::size_t deepest = 0;  ///< nested brackets that the language can parse; 0: any number
+  std::size_t max_name_length =
+      0;                       ///< characters of a name that the language accepts; 0: any number
+  CommentMarks comments = {};  ///< marks around the documentation of members
 };
 
 /// The entries of each field, row-major.
@@ -59,7 +60,7 @@ class Dialect : public Vocabulary {
   [[nodiscard]] virtual BodyRules rules() const { return {}; }
 
   /// Lines of documentation, escaped for a comment of the language.
-  [[nodiscard]] virtual std::vector<std::string> documented(std::vector<std::string> lines) const {
+  [[nodiscard]] virtual std::vector<std::string> escape_docs(std::vector<std::string> lines) const {
     return lines;
   }
 

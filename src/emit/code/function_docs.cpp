@@ -82,7 +82,7 @@ Lines matrix_lines(const Field& field, const std::vector<std::string>& entries) 
 
 void append(Lines& to, const Lines& from) { to.insert(to.end(), from.begin(), from.end()); }
 
-Lines wrapped(const std::string& line) { return wrap_expression(line, {listing_width, "    "}); }
+Lines wrap_line(const std::string& line) { return wrap_expression(line, {listing_width, "    "}); }
 
 /// "[0, 1] = l*m*cos(theta)"
 Lines indexed_lines(const Field& field, const std::vector<std::string>& entries,
@@ -92,14 +92,14 @@ Lines indexed_lines(const Field& field, const std::vector<std::string>& entries,
     const std::string index = field.columns > 1 ? fmt::format("[{}, {}]", first + i / field.columns,
                                                               first + i % field.columns)
                                                 : fmt::format("[{}]", first + i);
-    append(lines, wrapped(fmt::format("{} = {}", index, entries[i])));
+    append(lines, wrap_line(fmt::format("{} = {}", index, entries[i])));
   }
   return lines;
 }
 
 Lines listed_entries(const Field& field, const std::vector<std::string>& entries,
                      std::size_t first) {
-  if (entries.size() == 1) return wrapped("= " + entries.front());
+  if (entries.size() == 1) return wrap_line("= " + entries.front());
   const Lines matrix = matrix_lines(field, entries);
   return matrix.empty() ? indexed_lines(field, entries, first) : matrix;
 }
@@ -110,7 +110,7 @@ Lines listing(const FunctionText& text) {
       language_row(language).is_interpreted ? source_spelling(language).first_index : 0;
   Lines lines;
   for (const auto& [name, value] : text.equations.definitions) {
-    append(lines, wrapped(text_of(name) + " = " + text_of(value)));
+    append(lines, wrap_line(text_of(name) + " = " + text_of(value)));
     if (lines.size() > longest_listing) return lines;
   }
   if (!lines.empty()) lines.emplace_back();
@@ -125,7 +125,7 @@ Lines listing(const FunctionText& text) {
 /// "q1, q2": names of rows that no list of the model contains; "" if the list is too long to help.
 std::string rows_text(const Model& model, OutputKind kind, const Field& field) {
   const Extent rows = field_row(kind, field.name).rows;
-  const std::string list = fmt::format("{}", fmt::join(unlisted_names(model, rows), ", "));
+  const std::string list = fmt::format("{}", fmt::join(names_without_leaf(model, rows), ", "));
   return list.size() <= longest_units ? list : "";
 }
 
@@ -138,26 +138,26 @@ Lines step_lines(const StepSpec& step, const Model& model) {
   const auto equation = fmt::runtime(step_row(step.method).equation);
   std::istringstream text(fmt::format(equation, step.iterations));
   Lines lines;
-  for (std::string line; std::getline(text, line);) append(lines, wrapped(line));
+  for (std::string line; std::getline(text, line);) append(lines, wrap_line(line));
   if (step.projects) {
     const OutputRow& projected = output_row(OutputKind::projected);
-    append(lines, wrapped(fmt::format("then, at t + h, {}",
-                                      equation_of(projected, setting_of(model)).text)));
+    append(lines, wrap_line(fmt::format("then, at t + h, {}",
+                                        equation_of(projected, setting_of(model)).text)));
   }
   if (step.composed_order == 0) return lines;
   std::vector<std::string> parts;
-  for (const cln::cl_RA& part : step_parts(step.composed_order)) {
+  for (const cln::cl_RA& part : composition_coefficients(step.composed_order)) {
     parts.push_back(fmt::format("{:.6g} h", cln::double_approx(part)));
   }
   const char* const residual =
       step.iterations > 0 ? "; `residual` belongs to the longest of them" : "";
-  append(lines, wrapped(fmt::format("in sequence over {}{}", fmt::join(parts, ", "), residual)));
+  append(lines, wrap_line(fmt::format("in sequence over {}{}", fmt::join(parts, ", "), residual)));
   return lines;
 }
 
 Lines shown_equations(const FunctionText& text) {
   const OutputRow& row = output_row(text.function.kind);
-  if (row.repeats) return {};
+  if (row.is_summary) return {};
   if (row.steps) return step_lines(*text.function.step, text.model);
   const Lines all = listing(text);
   Lines lines = {equation_text(text.function, text.model), ""};
@@ -203,7 +203,7 @@ std::string field_summary(const FunctionText& text, const Field& field) {
 
 std::string function_heading(const FunctionText& text) {
   const std::string doc = comment_text(output_doc(text.model, text.function)) + ordering_note(text);
-  if (gives_struct(text.function)) return doc;
+  if (returns_struct(text.function)) return doc;
   return doc + " " + field_summary(text, text.function.fields.front()) + ".";
 }
 

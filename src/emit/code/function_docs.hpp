@@ -39,7 +39,7 @@ struct FunctionText {
 [[nodiscard]] std::string units_text(const Model& model, OutputKind kind, const Field& field);
 
 /// "2 x 2, row-major [kg]", "2 entries [N], of x, y": the shape and the units of a field, and
-/// unlisted_names() of its rows unless the list is too long to help.
+/// names_without_leaf() of its rows unless the list is too long to help.
 [[nodiscard]] std::string field_summary(const FunctionText& text, const Field& field);
 
 /// "cart mass [kg] in [0, 2]"; the name if the array has no documentation, unit or range.

@@ -22,13 +22,13 @@ class FunctionFormulas::Rules {
     return {vocabulary_.leaf(kind, number)};
   }
   [[nodiscard]] FormulaText add(std::uint32_t x, std::uint32_t y) const {
-    return sum({{entry(x)}, {entry(y)}});
+    return sum_text({{entry(x)}, {entry(y)}});
   }
   [[nodiscard]] FormulaText subtract(std::uint32_t x, std::uint32_t y) const {
-    return sum({{entry(x)}, {entry(y), true}});
+    return sum_text({{entry(x)}, {entry(y), true}});
   }
   [[nodiscard]] FormulaText multiply(std::uint32_t x, std::uint32_t y) const {
-    return product(code_spelling, {entry(x), entry(y)});
+    return product_text(code_spelling, {entry(x), entry(y)});
   }
   [[nodiscard]] FormulaText divide(std::uint32_t x, std::uint32_t y) const {
     return quotient(code_spelling, entry(x), entry(y));
@@ -41,7 +41,7 @@ class FunctionFormulas::Rules {
   [[nodiscard]] FormulaText call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
     std::vector<FormulaText> arguments = {entry(x)};
     if (function == FunctionId::stumpff) {
-      arguments.push_back({std::to_string(order_at(all_.program_, all_.function_, y))});
+      arguments.push_back({std::to_string(stumpff_order(all_.program_, all_.function_, y))});
     } else if (function_row(function).arity > 1) {
       arguments.push_back(entry(y));
     }
@@ -66,7 +66,7 @@ FormulaText FunctionFormulas::operand(std::uint32_t user, std::uint32_t at) cons
   if (i.opcode == Opcode::constant && names_[at].empty()) {
     return words.constant(program_.constants[i.a]);
   }
-  return &words == &vocabulary_of(at) ? entry(at) : words.converted(entry(at));
+  return &words == &vocabulary_of(at) ? entry(at) : words.convert(entry(at));
 }
 
 const Vocabulary& FunctionFormulas::vocabulary_of(std::uint32_t at) const {
@@ -76,7 +76,7 @@ const Vocabulary& FunctionFormulas::vocabulary_of(std::uint32_t at) const {
 
 FormulaText FunctionFormulas::definition(std::uint32_t at) const {
   const Rules rules(*this, at);
-  return folded(rules, program_, function_.instructions[at], rules);
+  return fold_instruction(rules, program_, function_.instructions[at], rules);
 }
 
 }  // namespace elgen

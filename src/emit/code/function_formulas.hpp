@@ -27,7 +27,7 @@ class Vocabulary {
   /// The vocabulary of inner instructions; null if this vocabulary writes them too.
   [[nodiscard]] virtual const Vocabulary* inner() const { return nullptr; }
   /// Converts a value of the other vocabulary to a number of this vocabulary.
-  [[nodiscard]] virtual FormulaText converted(const FormulaText& value) const { return value; }
+  [[nodiscard]] virtual FormulaText convert(const FormulaText& value) const { return value; }
 };
 
 class FunctionFormulas {

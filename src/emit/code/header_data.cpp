@@ -46,13 +46,13 @@ TemplateData function_data(const EmissionInput& input, const Dialect& dialect, s
                           input.equations[index],
                           input.scene.base_name + ".equations.json",
                           input.scene.emission};
-  const bool has_struct = gives_struct(function);
+  const bool has_struct = returns_struct(function);
   const FunctionDefinition written = dialect.definition(function, input.scene.emission.storage);
   const bool has_parts = !written.parts.empty();
   return TemplateRow{
       {"struct", section_if(has_struct, has_struct ? struct_data(text, dialect) : TemplateData())},
       {"summary", function_heading(text)},
-      {"documentation", lines_data(dialect.documented(function_docs(text)))},
+      {"documentation", lines_data(dialect.escape_docs(function_docs(text)))},
       {"parts", section_if(has_parts, has_parts ? parts_data(function, written) : TemplateData())},
       {"signature", written.whole.signature},
       {"body", written.whole.body}};
@@ -82,7 +82,7 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
 
 /// Removes blanks at line ends and keeps at most `most_empty` empty lines in a row: kainjow leaves
 /// an empty line for each section that is not rendered.
-std::string tidied(const std::string& text, std::size_t most_empty) {
+std::string without_extra_blanks(const std::string& text, std::size_t most_empty) {
   const std::string ends(most_empty + 1, '\n');
   std::string result;
   for (const char c : text) {
@@ -101,7 +101,7 @@ bool has_negative_order(const Program& program) {
   return std::ranges::any_of(program.functions, [&program](const Function& function) {
     return std::ranges::any_of(function.instructions, [&](const Instruction& i) {
       const bool is_series = i.opcode == Opcode::call && i.function == FunctionId::stumpff;
-      return is_series && order_at(program, function, i.b) < 0;
+      return is_series && stumpff_order(program, function, i.b) < 0;
     });
   });
 }
@@ -124,7 +124,7 @@ void set_regular(TemplateData& data, const EmissionInput& input) {
   data.set("what_is_regular",
            std::string(constraints > 0 ? "and A M^-1 A^T are regular" : "is regular"));
   data.set("unseen", section_if(constraints > 0));
-  data.set("regular", section_if(gives_pivots(input.program)));
+  data.set("regular", section_if(returns_pivots(input.program)));
 }
 
 bool has_loops(const Program& program) {
@@ -136,8 +136,8 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   TemplateData data = stamp_data(input);
   set_counts(data, input);
   data.set("introduction",
-           lines_data(dialect.documented(introduction(input.model, input.scene, input.program))));
-  data.set("operation_table", lines_data(dialect.documented(operation_table(input.program))));
+           lines_data(dialect.escape_docs(introduction(input.model, input.scene, input.program))));
+  data.set("operation_table", lines_data(dialect.escape_docs(operation_table(input.program))));
   const auto has = [&input](FunctionId function) { return calls(input.program, function); };
   const bool has_kinks = has(FunctionId::sign) || has(FunctionId::min) || has(FunctionId::max);
   data.set("kinks", section_if(has_kinks));
@@ -189,7 +189,7 @@ std::vector<std::string> wrapped_notes(const std::vector<std::string>& notes) {
 }
 
 std::string header_text(std::string_view path, const TemplateData& data, std::size_t most_empty) {
-  return stamped(tidied(fill_template(path, data), most_empty));
+  return with_body_hash(without_extra_blanks(fill_template(path, data), most_empty));
 }
 
 }  // namespace elgen

@@ -59,15 +59,15 @@ std::vector<std::string> local_names(const Dialect& dialect, const Program& prog
   std::vector<std::string> names = temporary_names(program, function);
   const BodyRules rules = dialect.rules();
   if (rules.names_parameters) name_parameters(program, function, names);
-  std::set<std::string> taken;
+  std::set<std::string> used;
   for (std::string& name : names) {
     if (name.empty()) continue;
     name = dialect.temporary(name);
-    const bool is_long = rules.longest_name > 0 && name.size() > rules.longest_name;
-    if (is_long) name = fmt::format("{}_{}", name.substr(0, kept_of_long_name), taken.size());
-    while (!taken.insert(name).second) name += '_';
+    const bool is_long = rules.max_name_length > 0 && name.size() > rules.max_name_length;
+    if (is_long) name = fmt::format("{}_{}", name.substr(0, kept_of_long_name), used.size());
+    while (!used.insert(name).second) name += '_';
   }
-  if (rules.deepest > 0) name_deep_values(function, {rules.deepest, taken}, names);
+  if (rules.deepest > 0) name_deep_values(function, {rules.deepest, used}, names);
   return names;
 }
 

@@ -95,7 +95,7 @@ TemplateRow sine_data(const std::vector<SineNumber>& numbers, ScalarKind scalar,
   return row;
 }
 
-TemplateData trigonometry_tables(const Numerics& numerics, SinesOf arithmetic,
+TemplateData trigonometry_tables(const Numerics& numerics, SineArithmetic arithmetic,
                                  const std::vector<ScalarKind>& scalars) {
   const TemplateData elements = rows_data(scalars, [&](ScalarKind scalar) {
     const auto literal = [scalar](double value) {

@@ -23,7 +23,7 @@ using SineLiteral = std::function<std::string(double)>;
                                     const SineLiteral& literal, SineSpelling spelling);
 
 /// Section `tables` of C++ headers; absent if `scalars` is empty.
-[[nodiscard]] TemplateData trigonometry_tables(const Numerics& numerics, SinesOf arithmetic,
+[[nodiscard]] TemplateData trigonometry_tables(const Numerics& numerics, SineArithmetic arithmetic,
                                                const std::vector<ScalarKind>& scalars);
 
 }  // namespace elgen

@@ -21,18 +21,19 @@ class OperandWalk {
   /// Walks the definition of an instruction, even if the instruction has a name.
   StatementOperands definition(std::uint32_t at) {
     write_out(at);
-    return found();
+    return finish();
   }
 
   StatementOperands values(const std::vector<std::uint32_t>& all) {
     for (const std::uint32_t at : all) read(at);
-    return found();
+    return finish();
   }
 
  private:
   void read(std::uint32_t at) {
     if (names_[at].empty()) return write_out(at);
-    operands_.uses.push_back(std::min(at, static_cast<std::uint32_t>(first_repeated(function_))));
+    operands_.uses.push_back(
+        std::min(at, static_cast<std::uint32_t>(first_repeated_instruction(function_))));
   }
 
   void write_out(std::uint32_t at) {
@@ -42,7 +43,7 @@ class OperandWalk {
     if (operand_count(i) > 1) read(i.b);
   }
 
-  StatementOperands found() {
+  StatementOperands finish() {
     std::vector<std::uint32_t>& uses = operands_.uses;
     std::sort(uses.begin(), uses.end());
     uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
@@ -59,11 +60,11 @@ using Named = std::vector<std::uint32_t>;
 Named names_of(const Assign& assign) { return {assign.instruction}; }
 Named names_of(const SineAndCosine& pair) { return {pair.sine, pair.cosine}; }
 Named names_of(const Entry& /*entry*/) { return {}; }
-Named names_of(const Given& /*given*/) { return {}; }
+Named names_of(const LoopOperand& /*given*/) { return {}; }
 Named names_of(const Loop& loop) { return {loop.first}; }
 
 /// Sort key: named values in order of evaluation, an entry after the last value that it uses.
-std::uint64_t place_of(const Statement& statement) {
+std::uint64_t sort_key(const Statement& statement) {
   const Named named = named_by(statement);
   if (!named.empty()) return 2 * (std::uint64_t{named.front()} + 1);
   const std::vector<std::uint32_t>& uses = operands_of(statement).uses;
@@ -73,7 +74,7 @@ std::uint64_t place_of(const Statement& statement) {
 /// Statements with equal keys keep their order.
 std::multimap<std::uint64_t, Statement> ordered(const std::vector<Statement>& statements) {
   std::multimap<std::uint64_t, Statement> by_place;
-  for (const Statement& statement : statements) by_place.emplace(place_of(statement), statement);
+  for (const Statement& statement : statements) by_place.emplace(sort_key(statement), statement);
   return by_place;
 }
 
@@ -124,7 +125,7 @@ std::vector<Statement> statements(const Function& function, const std::vector<st
                                   Pairing pairing, const ColumnLoop& loop) {
   OperandWalk walk(function, names);
   std::vector<Statement> all;
-  for (std::uint32_t at = 0; at < first_repeated(function); ++at) {
+  for (std::uint32_t at = 0; at < first_repeated_instruction(function); ++at) {
     if (names[at].empty()) continue;
     if (pairing == Pairing::joint && is_sine_with_cosine(function, at)) {
       all.emplace_back(SineAndCosine{at, at + 1, walk.values({function.instructions[at].a})});
@@ -134,7 +135,7 @@ std::vector<Statement> statements(const Function& function, const std::vector<st
     }
   }
   for (std::uint32_t index = 0; index < loop.given.size(); ++index) {
-    all.emplace_back(Given{loop.given[index], index, walk.values({loop.given[index]})});
+    all.emplace_back(LoopOperand{loop.given[index], index, walk.values({loop.given[index]})});
   }
   if (loop.count > 0) all.emplace_back(Loop{loop.first, walk.values(loop.shared)});
   for (std::uint32_t field = 0; field < function.fields.size(); ++field) {

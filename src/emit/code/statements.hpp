@@ -45,7 +45,7 @@ struct Entry {
 };
 
 /// Stores an operand of the loop over columns in the array `given`.
-struct Given {
+struct LoopOperand {
   std::uint32_t instruction = 0;
   std::uint32_t index = 0;
   StatementOperands operands = {};
@@ -59,7 +59,7 @@ struct Loop {
 
 /// Code that writes or sorts statements has an overload for each kind, so that the compiler reports
 /// a missing overload.
-using Statement = std::variant<Assign, SineAndCosine, Entry, Given, Loop>;
+using Statement = std::variant<Assign, SineAndCosine, Entry, LoopOperand, Loop>;
 
 [[nodiscard]] const StatementOperands& operands_of(const Statement& statement);
 

@@ -26,7 +26,7 @@ Texts notes(const EmissionInput& input) {
   Texts lines;
   for (const ScalarKind scalar : input.scene.numerics.scalars) {
     const double error =
-        cln::double_approx(sine_error(input.scene.numerics, SinesOf::packs, scalar));
+        cln::double_approx(sine_error(input.scene.numerics, SineArithmetic::packs, scalar));
     lines.push_back(
         fmt::format(" In {}, sines and cosines are off by at most {:.3g} for angles up to {:g}; "
                     "for larger angles they are NaN.",
@@ -68,7 +68,7 @@ std::string batch_signature(const std::string& type, const std::string& paramete
   return signature(type + " " + function.name, arguments, "");
 }
 
-std::string loaded(Opcode argument) {
+std::string load_expression(Opcode argument) {
   const LeafRow& leaf = leaf_row(argument);
   if (argument == Opcode::parameter) return "constants";
   if (is_single(argument)) {
@@ -78,7 +78,7 @@ std::string loaded(Opcode argument) {
 }
 
 /// One store statement per field.
-std::string stores(const Function& function) {
+std::string store_statements(const Function& function) {
   std::string lines;
   std::size_t before = 0;
   for (const Field& field : function.fields) {
@@ -94,11 +94,11 @@ std::string stores(const Function& function) {
 std::string statements(const EmissionInput& input, const Function& function) {
   Texts arguments;
   for (const Opcode argument : arguments_of(input.model, function)) {
-    arguments.push_back(loaded(argument));
+    arguments.push_back(load_expression(argument));
   }
   return fmt::format("    const auto values = ::{}::{}<Scalar>(\n        {});\n{}",
                      name_space(input.scene), function.name, fmt::join(arguments, ",\n        "),
-                     stores(function));
+                     store_statements(function));
 }
 
 TemplateData functions(const EmissionInput& input) {
@@ -131,10 +131,10 @@ std::string batch_header(const EmissionInput& input) {
   data.set("header", input.scene.base_name + ".hpp");
   data.set("notes", lines_data(notes(input)));
   const Numerics& numerics = input.scene.numerics;
-  const bool has_tables = has_tables_of_packs(input.scene, input.program);
+  const bool has_tables = has_batch_tables(input.scene, input.program);
   const std::vector<ScalarKind> none;
-  data.set("tables",
-           trigonometry_tables(numerics, SinesOf::packs, has_tables ? numerics.scalars : none));
+  data.set("tables", trigonometry_tables(numerics, SineArithmetic::packs,
+                                         has_tables ? numerics.scalars : none));
   data.set("trigonometry",
            has_tables ? "Trigonometry" : "::" + name_space(input.scene) + "::detail::Trigonometry");
   data.set("calls", calls_data(input.program, 1));
@@ -148,9 +148,10 @@ std::string batch_header(const EmissionInput& input) {
 Diagnostics batch_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
-    const bool is_taken = std::ranges::count(batch_names, function.name) > 0 ||
-                          (gives_struct(function) && camel_case(function.name) == batch_names[0]);
-    if (is_taken) diagnostics.push_back(taken_name(scene, function));
+    const bool is_reserved =
+        std::ranges::count(batch_names, function.name) > 0 ||
+        (returns_struct(function) && camel_case(function.name) == batch_names[0]);
+    if (is_reserved) diagnostics.push_back(reserved_name_error(scene, function));
   }
   return diagnostics;
 }

@@ -65,17 +65,17 @@ std::string part_name(const Function& function, std::size_t part) {
 }
 
 /// Omits the name of an argument that the body does not use.
-std::string name_if(const UsedNames& used, std::string_view blank_and_name) {
+std::string name_if_used(const UsedNames& used, std::string_view blank_and_name) {
   return std::string(used.variables.count(blank_and_name.substr(1)) > 0 ? blank_and_name : "");
 }
 
 /// "const auto [sin_x, cos_x]", "std::tie(w.sin_x, w.cos_x)": the left-hand side for both values.
-std::string both(const std::string& sine, const std::string& cosine, bool is_declared) {
+std::string pair_target(const std::string& sine, const std::string& cosine, bool is_declared) {
   return is_declared ? fmt::format("const auto [{}, {}]", sine, cosine)
                      : fmt::format("std::tie({}, {})", sine, cosine);
 }
 
-ColumnWords column_words(std::string_view scope, std::uint32_t count) {
+ColumnLoopTexts column_words(std::string_view scope, std::uint32_t count) {
   return {fmt::format("  using Columns = {0}detail::Columns<Scalar>;\n"
                       "  for (std::size_t first = 0; first < {1}; first += Columns::size) {{\n"
                       "    const std::size_t at = first + Columns::size < {1} ? first : {1} - "
@@ -106,10 +106,12 @@ class CppDialect : public CompiledDialect {
   std::string pair(const std::string& sine, const std::string& cosine, const FormulaText& angle,
                    bool is_declared) const override {
     const std::string name = fmt::format("{}detail::SineCosine<{}>::of", scope(), scalar());
-    return assignment(both(sine, cosine, is_declared), called(name, {angle}).text);
+    return assignment(pair_target(sine, cosine, is_declared), called(name, {angle}).text);
   }
 
-  ColumnWords columns(std::uint32_t count) const override { return column_words(scope(), count); }
+  ColumnLoopTexts columns(std::uint32_t count) const override {
+    return column_words(scope(), count);
+  }
 
   std::string target(const Function& function, std::uint32_t at,
                      std::uint32_t index) const override {
@@ -118,10 +120,10 @@ class CppDialect : public CompiledDialect {
     return "result" + member + (is_number(function, field) ? "" : element(index));
   }
 
-  std::string returned(const Function& function, const Function& ordered,
-                       const FieldTexts& entries) const override {
+  std::string return_statement(const Function& function, const Function& ordered,
+                               const FieldTexts& entries) const override {
     if (!is_returned(function)) return "";
-    const bool is_struct = gives_struct(function);
+    const bool is_struct = returns_struct(function);
     Texts values;
     for (std::size_t i = 0; i < function.fields.size(); ++i) {
       const bool is_plain = is_number(function, function.fields[i]);
@@ -155,15 +157,15 @@ class CppDialect : public CompiledDialect {
 
   std::string part_signature(const Function& function, std::size_t part,
                              const UsedNames& used) const override {
-    Texts arguments = {result_type(function) + "&" + name_if(used, " result"),
-                       workspace_name(function) + "<Scalar>&" + name_if(used, " w")};
+    Texts arguments = {result_type(function) + "&" + name_if_used(used, " result"),
+                       workspace_name(function) + "<Scalar>&" + name_if_used(used, " w")};
     const Texts own = declared_arguments(function, used);
     arguments.insert(arguments.end(), own.begin(), own.end());
     const std::string start = fmt::format("{}void {}", function_macro(), part_name(function, part));
     return elgen::signature(start, arguments, " noexcept");
   }
 
-  std::string calling_body(const Function& function, std::size_t parts) const override {
+  std::string body_with_calls(const Function& function, std::size_t parts) const override {
     std::string body;
     if (is_returned(function)) body += fmt::format("  {} result;\n", result_type(function));
     body += fmt::format("  detail::{}<Scalar> w;\n", workspace_name(function));
@@ -190,7 +192,7 @@ class CppDialect : public CompiledDialect {
  protected:
   /// "Forces<Scalar>", "ForwardDynamics<Scalar>": the return type of a function.
   std::string result_type(const Function& function) const {
-    if (gives_struct(function)) return camel_case(function.name) + "<Scalar>";
+    if (returns_struct(function)) return camel_case(function.name) + "<Scalar>";
     return type_of_field(function.kind, function.fields.front());
   }
 
@@ -229,7 +231,7 @@ class CppDialect : public CompiledDialect {
     Texts texts;
     for (const Opcode argument : arguments_of(model(), function)) {
       texts.push_back(type_of_argument(argument) +
-                      name_if(used, fmt::format(" {}", leaf_row(argument).symbol)));
+                      name_if_used(used, fmt::format(" {}", leaf_row(argument).symbol)));
     }
     return texts;
   }
@@ -243,10 +245,11 @@ class EigenDialect final : public CppDialect {
 
   /// Double braces initialise an Eigen matrix differently from std::array, so each entry is
   /// assigned.
-  std::string returned(const Function& function, const Function& ordered,
-                       const FieldTexts& entries) const override {
-    const bool is_plain = !gives_struct(function) && is_number(function, function.fields.front());
-    if (is_plain || !is_returned(function)) return CppDialect::returned(function, ordered, entries);
+  std::string return_statement(const Function& function, const Function& ordered,
+                               const FieldTexts& entries) const override {
+    const bool is_plain = !returns_struct(function) && is_number(function, function.fields.front());
+    if (is_plain || !is_returned(function))
+      return CppDialect::return_statement(function, ordered, entries);
     return fmt::format("  {} result;\n{}  return result;\n", result_type(function),
                        assignments(*this, ordered, entries));
   }
@@ -286,7 +289,7 @@ class TypedDialect : public WideDialect {
                const std::string& name_space)
       : WideDialect(model, program), scalar_(scalar), scope_("::" + name_space + "::") {}
 
-  FormulaText converted(const FormulaText& value) const override {
+  FormulaText convert(const FormulaText& value) const override {
     return {fmt::format("static_cast<{}>({})", scalar_, value.text)};
   }
 

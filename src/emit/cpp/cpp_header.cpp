@@ -47,7 +47,7 @@ Texts parameter_values(const Model& model, const ParameterArray& array) {
   return texts;
 }
 
-bool is_filled(const Model& model, const ParameterArray& array) {
+bool has_equal_elements(const Model& model, const ParameterArray& array) {
   const Texts values = parameter_values(model, array);
   const auto is_first = [&values](const std::string& value) { return value == values.front(); };
   return array.is_array && array.count > 1 && std::all_of(values.begin(), values.end(), is_first);
@@ -57,7 +57,7 @@ std::string member_declaration(const Model& model, const ParameterArray& array) 
   const Texts values = parameter_values(model, array);
   if (!array.is_array) return fmt::format("Scalar {} = {};", array.name, values.front());
   const std::string start = fmt::format("std::array<Scalar, {}> {} = ", array.count, array.name);
-  if (is_filled(model, array)) {
+  if (has_equal_elements(model, array)) {
     return fmt::format("{}detail::filled<{}>({});", start, array.count, values.front());
   }
   return fmt::format("{}{{{{\n      {},\n  }}}};", start, fmt::join(values, ",\n      "));
@@ -76,7 +76,7 @@ std::vector<Member> declared_parameters(const Model& model,
 /// True if an array parameter has one value for all elements, so that detail::filled constructs it.
 bool has_filled_array(const Model& model, const std::vector<ParameterArray>& arrays) {
   return std::any_of(arrays.begin(), arrays.end(),
-                     [&](const ParameterArray& array) { return is_filled(model, array); });
+                     [&](const ParameterArray& array) { return has_equal_elements(model, array); });
 }
 
 bool has_long_constants(const Program& program) {
@@ -118,7 +118,7 @@ TemplateData sine_cosine_calls(const Numerics& numerics) {
 
 /// The built-in scalars for which the predicate is true.
 template <class Predicate>
-std::vector<ScalarKind> scalars_that(const Predicate& is_wanted) {
+std::vector<ScalarKind> scalars_if(const Predicate& is_wanted) {
   std::vector<ScalarKind> scalars;
   for (const ScalarRow& row : scalar_table) {
     if (is_wanted(row.kind)) scalars.push_back(row.kind);
@@ -130,19 +130,20 @@ std::vector<ScalarKind> scalars_that(const Predicate& is_wanted) {
 /// header has no tables.
 TemplateData sines_in_line(const EmissionInput& input) {
   const Scene& scene = input.scene;
-  const bool has_packs = scene.emission.batch && !has_tables_of_packs(input.scene, input.program);
+  const bool has_packs = scene.emission.batch && !has_batch_tables(input.scene, input.program);
   const auto in_line =
-      scalars_that([&](ScalarKind scalar) { return has_sines_in_line(scene, scalar); });
-  const auto in_tables = scalars_that([&](ScalarKind scalar) {
+      scalars_if([&](ScalarKind scalar) { return has_sines_in_line(scene, scalar); });
+  const auto in_tables = scalars_if([&](ScalarKind scalar) {
     const bool is_named = std::ranges::count(scene.numerics.scalars, scalar) > 0;
     return has_sines_in_line(scene, scalar) || (has_packs && is_named);
   });
   const TemplateData names = rows_data(in_line, [](ScalarKind scalar) {
     return TemplateData("scalar", std::string(name_of(scalar)));
   });
-  return TemplateRow{{"scalars", sine_cosine_calls(scene.numerics)},
-                     {"tables", trigonometry_tables(scene.numerics, SinesOf::numbers, in_tables)},
-                     {"in_line", section_if(!in_line.empty(), TemplateRow{{"scalars", names}})}};
+  return TemplateRow{
+      {"scalars", sine_cosine_calls(scene.numerics)},
+      {"tables", trigonometry_tables(scene.numerics, SineArithmetic::numbers, in_tables)},
+      {"in_line", section_if(!in_line.empty(), TemplateRow{{"scalars", names}})}};
 }
 
 }  // namespace

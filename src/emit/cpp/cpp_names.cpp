@@ -67,23 +67,25 @@ constexpr std::string_view system_names =
 #include "emit/cpp/library_names.def"
     ;
 
-constexpr std::array<std::string_view, 16> kept_prefixes{
+constexpr std::array<std::string_view, 16> reserved_prefixes{
     "aio_",   "epoll_",   "eventfd_", "inet_", "inet6_",    "inotify_", "isw", "mq_",
     "posix_", "pthread_", "sched_",   "sem_",  "sockaddr_", "timerfd_", "wcs", "wmem"};
-constexpr std::array<std::string_view, 3> kept_suffixes{"_t", "printf", "scanf"};
+constexpr std::array<std::string_view, 3> reserved_suffixes{"_t", "printf", "scanf"};
 
 bool is_declared(std::string_view name) { return has_word(library_names, name); }
 
 /// True if C or POSIX reserves all names of this form, for types or for functions.
-bool is_kept(std::string_view name) {
-  return std::ranges::any_of(kept_suffixes, [&](auto suffix) { return name.ends_with(suffix); }) ||
-         std::ranges::any_of(kept_prefixes, [&](auto prefix) { return name.starts_with(prefix); });
+bool is_reserved_family(std::string_view name) {
+  return std::ranges::any_of(reserved_suffixes,
+                             [&](auto suffix) { return name.ends_with(suffix); }) ||
+         std::ranges::any_of(reserved_prefixes,
+                             [&](auto prefix) { return name.starts_with(prefix); });
 }
 
 /// True for names that a header of C or POSIX declares: no namespace can have them.
 bool is_library_name(std::string_view name) {
   const bool has_suffix = name.ends_with('f') || name.ends_with('l');
-  return is_kept(name) || is_declared(name) || has_word(system_names, name) ||
+  return is_reserved_family(name) || is_declared(name) || has_word(system_names, name) ||
          (has_suffix && is_declared(name.substr(0, name.size() - 1)));
 }
 
@@ -104,30 +106,30 @@ Diagnostics check_constant_names(const Program& program) {
 
 }  // namespace
 
-bool is_taken_outside(std::string_view name) { return name == "std" || is_library_name(name); }
+bool is_reserved_by_system(std::string_view name) { return name == "std" || is_library_name(name); }
 
 Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Program& program) {
   Diagnostics diagnostics = check_constant_names(program);
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     if (contains(hidden_by_members, array.name)) {
-      diagnostics.push_back(taken_name(array.name, "parameter", array.span));
+      diagnostics.push_back(reserved_name_error(array.name, "parameter", array.span));
     }
   }
   std::map<std::string, std::string> structs;
   for (const Function& function : program.functions) {
     const std::string type = camel_case(function.name);
-    const bool collides = gives_struct(function) &&
+    const bool collides = returns_struct(function) &&
                           (is_emitted_name(type) || !structs.emplace(type, function.name).second);
     if (collides || is_emitted_name(function.name)) {
-      diagnostics.push_back(taken_name(scene, function));
+      diagnostics.push_back(reserved_name_error(scene, function));
     }
   }
   const std::string& outermost = name_space(scene);
-  if (is_taken_outside(outermost)) {
+  if (is_reserved_by_system(outermost)) {
     diagnostics.push_back(
         {Code::E701, scene.emission.name_space_span,
          fmt::format("`{}` cannot name a namespace: C or POSIX {}", outermost,
-                     is_kept(outermost) ? "reserves names like it" : "declares it"),
+                     is_reserved_family(outermost) ? "reserves names like it" : "declares it"),
          "choose another with `[emit] namespace` of a scene"});
   }
   return diagnostics;
@@ -136,9 +138,9 @@ Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Progra
 Diagnostics eigen_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
-    const bool takes_struct = gives_struct(function) && is_eigen_name(camel_case(function.name));
+    const bool takes_struct = returns_struct(function) && is_eigen_name(camel_case(function.name));
     if (!takes_struct && !is_eigen_name(function.name)) continue;
-    diagnostics.push_back(taken_name(scene, function));
+    diagnostics.push_back(reserved_name_error(scene, function));
   }
   return diagnostics;
 }

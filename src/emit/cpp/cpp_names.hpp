@@ -10,7 +10,7 @@ namespace elgen {
 [[nodiscard]] bool is_emitted_name(std::string_view name);
 
 /// True for `std` and for names of C and POSIX: no namespace, and so no model, can have them.
-[[nodiscard]] bool is_taken_outside(std::string_view name);
+[[nodiscard]] bool is_reserved_by_system(std::string_view name);
 
 /// True if templates/cpp/eigen.hpp.mustache uses the name.
 [[nodiscard]] bool is_eigen_name(const std::string& name);

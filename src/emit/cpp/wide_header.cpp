@@ -20,7 +20,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-constexpr std::array<std::string_view, 2> names_of_wide{"wide", "Inner"};
+constexpr std::array<std::string_view, 2> wide_names{"wide", "Inner"};
 
 /// "{widened(p.M), widened(p.m)}": all members in order, so that no default value is computed.
 std::string widened_parameters(const EmissionInput& input) {
@@ -45,8 +45,8 @@ std::string call_with_widened(const EmissionInput& input, const Function& functi
   return signature(callee, arguments, end);
 }
 
-std::string body_of_wide(const EmissionInput& input, const Function& function) {
-  if (!gives_struct(function)) {
+std::string wide_body(const EmissionInput& input, const Function& function) {
+  if (!returns_struct(function)) {
     return call_with_widened(input, function, "  return detail::rounded(", ");\n");
   }
   Texts fields;
@@ -65,7 +65,7 @@ TemplateRow mixed_step(const EmissionInput& input, const Function& function) {
   return {{"signature", step.signature}, {"body", step.body}};
 }
 
-TemplateData functions_of_wide(const EmissionInput& input) {
+TemplateData wide_functions(const EmissionInput& input) {
   const auto dialect = wide_dialect(input.model, input.program);
   TemplateData list(TemplateData::type::list);
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
@@ -80,14 +80,14 @@ TemplateData functions_of_wide(const EmissionInput& input) {
     const bool is_mixed = input.scene.numerics.inner == InnerScalar::single_precision;
     TemplateRow row = is_mixed ? mixed_step(input, function)
                                : TemplateRow{{"signature", dialect->signature(function, all)},
-                                             {"body", body_of_wide(input, function)}};
+                                             {"body", wide_body(input, function)}};
     row["summary"] = function_heading(text);
     list << row;
   }
   return list;
 }
 
-Texts notes_of_wide(const EmissionInput& input) {
+Texts wide_notes(const EmissionInput& input) {
   Texts notes;
   for (const Function& function : input.program.functions) {
     if (!is_returned(function)) notes.push_back(left_out_note(function));
@@ -104,11 +104,11 @@ std::string wide_header(const EmissionInput& input) {
   const bool is_mixed = inner.kind == InnerScalar::single_precision;
   data.set("inner", is_mixed ? "double, the accelerations in float" : std::string(inner.name));
   data.set("type", std::string(inner.type));
-  data.set("notes", lines_data(notes_of_wide(input)));
+  data.set("notes", lines_data(wide_notes(input)));
   data.set("double_double", section_if(inner.kind == InnerScalar::double_double));
   data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));
   data.set("widened_parameters", widened_parameters(input));
-  data.set("functions", functions_of_wide(input));
+  data.set("functions", wide_functions(input));
   set_regular(data, input);
   return header_text("cpp/wide.hpp.mustache", data);
 }
@@ -116,10 +116,10 @@ std::string wide_header(const EmissionInput& input) {
 Diagnostics wide_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
-    const bool is_taken =
-        std::ranges::count(names_of_wide, function.name) > 0 ||
-        (gives_struct(function) && camel_case(function.name) == names_of_wide.back());
-    if (is_taken) diagnostics.push_back(taken_name(scene, function));
+    const bool is_reserved =
+        std::ranges::count(wide_names, function.name) > 0 ||
+        (returns_struct(function) && camel_case(function.name) == wide_names.back());
+    if (is_reserved) diagnostics.push_back(reserved_name_error(scene, function));
   }
   return diagnostics;
 }

@@ -99,7 +99,7 @@ std::vector<ParameterArray> emitted_parameters(const Model& model, const Program
   return result;
 }
 
-std::string spelt_name(LanguageId language, std::string_view name) {
+std::string name_in_language(LanguageId language, std::string_view name) {
   const bool is_word =
       language_row(language).is_interpreted && has_word(source_spelling(language).reserved, name);
   return std::string(name) + (is_word ? "_" : "");
@@ -135,14 +135,14 @@ std::vector<std::string> parameter_members(const Model& model, const LeafNames& 
 std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
   if (row.takes_parameters_alone) return {Opcode::parameter};
-  LeafSet taken = Opcode::parameter | Opcode::coordinate | row.takes;
-  if (row.of_user) taken |= model.outputs[function.user].takes;
-  if (row.is_of_mass && !model.quadratic) taken |= Opcode::velocity;
-  if (model.uses_time) taken |= Opcode::time;
-  if (!model.open_values.empty()) taken |= Opcode::open_value;
+  LeafSet leaves = Opcode::parameter | Opcode::coordinate | row.takes;
+  if (row.of_user) leaves |= model.outputs[function.user].takes;
+  if (row.is_of_mass && !model.quadratic) leaves |= Opcode::velocity;
+  if (model.uses_time) leaves |= Opcode::time;
+  if (!model.open_values.empty()) leaves |= Opcode::open_value;
   std::vector<Opcode> list;
   for (const LeafRow& leaf : leaf_table()) {
-    if (taken.has_any(leaf.id)) list.push_back(leaf.id);
+    if (leaves.has_any(leaf.id)) list.push_back(leaf.id);
   }
   return list;
 }
@@ -213,7 +213,7 @@ bool calls_sines(const Program& program) {
   return calls(program, FunctionId::sin) || calls(program, FunctionId::cos);
 }
 
-bool has_tables_of_packs(const Scene& scene, const Program& program) {
+bool has_batch_tables(const Scene& scene, const Program& program) {
   return scene.numerics.trigonometry_error || !calls_sines(program);
 }
 
@@ -245,17 +245,17 @@ bool has_sine_with_cosine(const Program& program) {
   });
 }
 
-bool gives_pivots(const Program& program) {
+bool returns_pivots(const Program& program) {
   return std::any_of(program.functions.begin(), program.functions.end(),
                      [](const Function& f) { return has_pivots(f); });
 }
 
-bool gives_struct(const Function& function) {
+bool returns_struct(const Function& function) {
   return function.fields.size() != 1 || !function.fields.front().name.empty();
 }
 
 OutputKind kind_of_field(const Program& program, const Function& function, const Field& field) {
-  if (!output_row(function.kind).repeats) return function.kind;
+  if (!output_row(function.kind).is_summary) return function.kind;
   for (const Function& candidate : program.functions) {
     if (candidate.name == field.name) return candidate.kind;
   }
@@ -264,7 +264,7 @@ OutputKind kind_of_field(const Program& program, const Function& function, const
 }
 
 bool is_scalar(OutputKind kind, const Field& field) {
-  return may_be_number(field_row(kind, field.name)) && field.rows == 1 && field.columns == 1;
+  return may_be_scalar(field_row(kind, field.name)) && field.rows == 1 && field.columns == 1;
 }
 
 bool is_scalar(const Program& program, const Function& function, const Field& field) {
@@ -291,7 +291,7 @@ std::string eigen_type(OutputKind kind, const Field& field) {
   return fmt::format("Matrix<Scalar, {}, {}>", field.rows, field.columns);
 }
 
-Function stored(const Function& function, Storage storage) {
+Function in_storage_order(const Function& function, Storage storage) {
   Function result = function;
   if (storage == Storage::row_major) return result;
   for (Field& field : result.fields) {

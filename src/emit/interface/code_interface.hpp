@@ -33,7 +33,7 @@ namespace elgen {
 
 /// "lambda_" for "lambda" in Python: appends an underscore to a reserved word of an interpreted
 /// language.
-[[nodiscard]] std::string spelt_name(LanguageId language, std::string_view name);
+[[nodiscard]] std::string name_in_language(LanguageId language, std::string_view name);
 
 /// The member of the emitted parameters for a parameter leaf, and the index if it is an array.
 struct ParameterMember {
@@ -107,13 +107,13 @@ struct DeclaredArray {
 
 /// True if the batch header has its own tables of sines; otherwise it uses the tables of the main
 /// header.
-[[nodiscard]] bool has_tables_of_packs(const Scene& scene, const Program& program);
+[[nodiscard]] bool has_batch_tables(const Scene& scene, const Program& program);
 
 /// True if some function returns the pivots of M.
-[[nodiscard]] bool gives_pivots(const Program& program);
+[[nodiscard]] bool returns_pivots(const Program& program);
 
 /// True if the function returns a struct: it has several fields, or a field with a name.
-[[nodiscard]] bool gives_struct(const Function& function);
+[[nodiscard]] bool returns_struct(const Function& function);
 
 /// The output kind of a field. `dynamics` has fields of other outputs; a field of any other
 /// function has the kind of the function.
@@ -142,7 +142,7 @@ struct DeclaredArray {
 /// becomes its transpose, row by row:
 ///
 ///     2 x 3: a b c d e f   ->   3 x 2: a d b e c f
-[[nodiscard]] Function stored(const Function& function, Storage storage);
+[[nodiscard]] Function in_storage_order(const Function& function, Storage storage);
 
 /// An output with more entries is not returned by value: it would overflow the stack.
 inline constexpr std::size_t largest_returned = 4096;

@@ -25,7 +25,7 @@ std::string markdown(const EmissionInput& input) {
   const ReadableSteps* const opening = input.book.steps ? &*input.book.steps : nullptr;
   const Page page =
       model_page(input.model, input.scene, input.book.program, {false, most_entries, opening});
-  return stamped(stamp + markdown_page(page) + "\n" + operations(input.program));
+  return with_body_hash(stamp + markdown_page(page) + "\n" + operations(input.program));
 }
 
 }  // namespace elgen

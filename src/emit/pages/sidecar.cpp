@@ -14,7 +14,7 @@ namespace elgen {
 namespace {
 
 /// "\"key\": " before a value of an object; "" before a value of a list.
-std::string start_of(const Json& list, std::string_view key) {
+std::string key_prefix(const Json& list, std::string_view key) {
   return list.is_object() ? Json(key).dump() + ": " : "";
 }
 
@@ -22,12 +22,12 @@ std::string on_one_line(const Json& json) {
   if (!json.is_structured()) return json.dump();
   std::string text;
   for (const auto& [key, value] : json.items()) {
-    text += (text.empty() ? "" : ", ") + start_of(json, key) + on_one_line(*value);
+    text += (text.empty() ? "" : ", ") + key_prefix(json, key) + on_one_line(*value);
   }
   return json.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
-std::string printed(const Json& json, std::size_t column, std::size_t indent) {
+std::string json_text(const Json& json, std::size_t column, std::size_t indent) {
   const std::string line = on_one_line(json);
   const bool is_nested = indent == 0;
   if (!json.is_structured() || (!is_nested && column + line.size() < line_width)) return line;
@@ -35,8 +35,8 @@ std::string printed(const Json& json, std::size_t column, std::size_t indent) {
   std::string text;
   for (const auto& [key, value] : json.items()) {
     text += text.empty() ? "\n" : ",\n";
-    const std::string start = margin + start_of(json, key);
-    text += start + printed(*value, start.size(), indent + 2);
+    const std::string start = margin + key_prefix(json, key);
+    text += start + json_text(*value, start.size(), indent + 2);
   }
   const char* const brackets = json.is_object() ? "{}" : "[]";
   return brackets[0] + text + "\n" + std::string(indent, ' ') + brackets[1];
@@ -44,14 +44,14 @@ std::string printed(const Json& json, std::size_t column, std::size_t indent) {
 
 /// A JSON list with `json_of` of each element.
 template <class Elements, class F>
-Json listed(const Elements& elements, const F& json_of) {
+Json json_list(const Elements& elements, const F& json_of) {
   Json list = Json::array();
   for (const auto& element : elements) list.push_back(json_of(element));
   return list;
 }
 
 /// A name with its unit, if it has one.
-Json named(const std::string& name, const std::string& unit) {
+Json named_json(const std::string& name, const std::string& unit) {
   Json json = {{"name", name}};
   if (!unit.empty()) json["unit"] = unit;
   return json;
@@ -60,7 +60,7 @@ Json named(const std::string& name, const std::string& unit) {
 /// Adds the name in each language that spells it differently: {"python": "lambda_"}.
 void add_spellings(Json& json, const std::string& name) {
   for (const LanguageRow& language : language_table) {
-    const std::string spelt = spelt_name(language.id, name);
+    const std::string spelt = name_in_language(language.id, name);
     if (spelt != name) json["spelt"][std::string(language.name)] = spelt;
   }
 }
@@ -77,8 +77,8 @@ void add_rate(Json& json, const Velocity& velocity) {
 
 /// Without rotations a coordinate also lists the range and start of its rate.
 Json coordinates(const Model& model) {
-  return listed(model.coordinates, [&](const Coordinate& coordinate) {
-    Json json = named(coordinate.name, coordinate.unit_text);
+  return json_list(model.coordinates, [&](const Coordinate& coordinate) {
+    Json json = named_json(coordinate.name, coordinate.unit_text);
     add_interval(json, "range", coordinate.range);
     json["start"] = exact_text(coordinate.start_value);
     if (coordinate.wrap) json["wrap"] = true;
@@ -88,16 +88,16 @@ Json coordinates(const Model& model) {
 }
 
 Json velocities(const Model& model) {
-  return listed(model.velocities, [&](const Velocity& velocity) {
-    Json json = named(velocity.name, velocity_unit(model, velocity));
+  return json_list(model.velocities, [&](const Velocity& velocity) {
+    Json json = named_json(velocity.name, velocity_unit(model, velocity));
     add_rate(json, velocity);
     return json;
   });
 }
 
 Json inputs(const Model& model) {
-  return listed(model.inputs, [](const Input& input) {
-    Json json = named(input.name, input.unit_text);
+  return json_list(model.inputs, [](const Input& input) {
+    Json json = named_json(input.name, input.unit_text);
     add_interval(json, "limits", input.limits);
     return json;
   });
@@ -105,8 +105,8 @@ Json inputs(const Model& model) {
 
 /// Constraints `value` = 0 on positions or velocities.
 Json constraints(const Model& model) {
-  return listed(model.constraints, [&](const Constraint& constraint) {
-    Json json = named(constraint.name, constraint.unit ? to_string(*constraint.unit) : "");
+  return json_list(model.constraints, [&](const Constraint& constraint) {
+    Json json = named_json(constraint.name, constraint.unit ? to_string(*constraint.unit) : "");
     json["kind"] = constraint.is_position ? "position" : "velocity";
     json["value"] = to_string(model, constraint.value);
     return json;
@@ -116,9 +116,9 @@ Json constraints(const Model& model) {
 /// Open functions; their arguments are expressions of the model language.
 Json open_functions(const Model& model) {
   const auto text = [&model](ExpressionId argument) { return to_string(model, argument); };
-  return listed(model.functions, [&](const OpenFunction& function) {
-    Json json = named(function.name, function.unit_text);
-    json["of"] = listed(function.arguments, text);
+  return json_list(model.functions, [&](const OpenFunction& function) {
+    Json json = named_json(function.name, function.unit_text);
+    json["of"] = json_list(function.arguments, text);
     return json;
   });
 }
@@ -126,20 +126,21 @@ Json open_functions(const Model& model) {
 /// Values and derivatives of open functions. `by` counts arguments from 1.
 Json open_values(const Model& model) {
   const auto count = [](std::uint32_t argument) { return argument + 1; };
-  return listed(model.open_values, [&](const OpenValue& value) {
-    Json json = named(value.name, value.unit_text);
+  return json_list(model.open_values, [&](const OpenValue& value) {
+    Json json = named_json(value.name, value.unit_text);
     json["function"] = model.functions[value.function].name;
-    json["by"] = listed(value.by, count);
+    json["by"] = json_list(value.by, count);
     return json;
   });
 }
 
 Json parameters(const Model& model, const Program& program) {
-  return listed(emitted_parameters(model, program), [&](const ParameterArray& array) {
+  return json_list(emitted_parameters(model, program), [&](const ParameterArray& array) {
     const std::vector<cln::cl_R> values = values_of(model, array);
-    Json json = named(array.name, array.unit_text);
+    Json json = named_json(array.name, array.unit_text);
     if (array.is_array) json["size"] = array.count;
-    json["value"] = array.is_array ? listed(values, &exact_text) : Json(exact_text(values.front()));
+    json["value"] =
+        array.is_array ? json_list(values, &exact_text) : Json(exact_text(values.front()));
     add_interval(json, "range", array.range);
     const Assumption assumption = model.parameters[array.first].assumption;
     if (assumption != Assumption::none) {
@@ -158,7 +159,7 @@ Json operations(const Function& function) {
 }
 
 Json definitions(const FunctionEquations& equations) {
-  return listed(equations.definitions, [](const NamedFormula& line) {
+  return json_list(equations.definitions, [](const NamedFormula& line) {
     return Json{{"name", text_of(line.name)}, {"value", text_of(line.value)}};
   });
 }
@@ -166,8 +167,8 @@ Json definitions(const FunctionEquations& equations) {
 /// The arguments of the function; their order is the same in all languages.
 Json arguments(const EmissionInput& input, const Function& function) {
   const LanguageId language = input.scene.emission.language;
-  return listed(arguments_of(input.model, function, input.program, language),
-                [](Opcode argument) { return leaf_row(argument).symbol; });
+  return json_list(arguments_of(input.model, function, input.program, language),
+                   [](Opcode argument) { return leaf_row(argument).symbol; });
 }
 
 /// The shape, the names of rows and columns that no list of the model contains, and the entries if
@@ -176,8 +177,8 @@ Json field(const Model& model, const OutputRow& row, const FunctionEquations& eq
            const Field& field, std::size_t at) {
   Json json{{"shape", {field.rows, field.columns}}};
   const FieldRow& declared = field_row(row.kind, field.name);
-  const auto rows = unlisted_names(model, declared.rows);
-  const auto columns = unlisted_names(model, declared.columns);
+  const auto rows = names_without_leaf(model, declared.rows);
+  const auto columns = names_without_leaf(model, declared.columns);
   if (!rows.empty()) json["rows"] = rows;
   if (!columns.empty()) json["columns"] = columns;
   if (has_equations(row)) json["entries"] = texts_of(equations.entries[at]);
@@ -194,7 +195,7 @@ Json output(const EmissionInput& input, const Function& function,
   if (has_equations(row) && !equations.definitions.empty()) {
     json["definitions"] = definitions(equations);
   }
-  if (gives_struct(function)) {
+  if (returns_struct(function)) {
     for (std::size_t i = 0; i < function.fields.size(); ++i) {
       const Field& each = function.fields[i];
       json["fields"][each.name] = field(input.model, row, equations, each, i);
@@ -219,7 +220,7 @@ Json outputs(const EmissionInput& input) {
 /// {"linearization": "too many entries"}
 Json left_out(const Scene& scene) {
   Json json = Json::object();
-  for (const LeftOut& each : scene.left_out) {
+  for (const OmittedOutputs& each : scene.left_out) {
     for (const std::string& output : each.outputs) json[output] = name_of(each.reason);
   }
   return json;
@@ -255,7 +256,7 @@ std::string sidecar(const EmissionInput& input) {
   json["hash"] = {{"model", input.model_hash},
                   {"scene", input.scene_hash},
                   {"body", std::string(blank_hash())}};
-  return stamped(visible_json(printed(json, 0, 0)) + "\n");
+  return with_body_hash(visible_json(json_text(json, 0, 0)) + "\n");
 }
 
 }  // namespace elgen

@@ -34,9 +34,7 @@ std::string fraction(const cln::cl_RA& number, const char* more) {
                      integer_text(cln::denominator(number)), more);
 }
 
-double nearest_double(const cln::cl_R& value) {
-  return ScalarTraits<double>::from_real(cln::abs(value));
-}
+double nearest_double(const cln::cl_R& value) { return to_double(cln::abs(value)); }
 
 std::string digits_of(const cln::cl_R& value) {
   return literal_text(rounded_decimal(cln::abs(value), digits_of_decimals));
@@ -87,7 +85,7 @@ ExactNumbers::ExactNumbers(const Model& model, const Program& program,
   note_folded(program);
   name_numbers(spelling);
   for (const ParameterArray& array : parameters) {
-    const std::string name = "p." + spelt_name(spelling.language, array.name);
+    const std::string name = "p." + name_in_language(spelling.language, array.name);
     std::size_t number = 0;
     for (const cln::cl_R& value : values_of(model, array)) {
       add_parameter(array.is_array ? fmt::format("{}[{}]", name, ++number) : name, value);

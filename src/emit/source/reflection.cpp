@@ -60,7 +60,7 @@ Texts branching_functions(const EmissionInput& input) {
 Texts names_of_functions(const EmissionInput& input) {
   Texts names = branching_functions(input);
   for (const Function& function : input.program.functions) {
-    names.push_back(spelt_name(input.scene.emission.language, function.name));
+    names.push_back(name_in_language(input.scene.emission.language, function.name));
   }
   return names;
 }

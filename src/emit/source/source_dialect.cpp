@@ -21,7 +21,7 @@ std::string filled(std::string_view pattern, std::string_view name, const std::s
 }
 
 /// Whether brackets enclose a value; lines may break only inside brackets.
-enum class Brackets : std::uint8_t { there, needed };
+enum class Brackets : std::uint8_t { present, needed };
 
 std::string statement_text(const SourceSpelling& spelling, const std::string& start,
                            const std::string& value, Brackets brackets) {
@@ -52,12 +52,13 @@ std::string documentation_line(const SourceSpelling& spelling, std::string_view 
 }
 
 /// Every interpreted language must have a name for every C function. If the module defines the
-/// function itself, `spelling.taken` must reserve the name. The assertion fails for a new function
-/// until spellings.def has its rows.
+/// function itself, `spelling.used_names` must reserve the name. The assertion fails for a new
+/// function until spellings.def has its rows.
 constexpr bool is_written_everywhere(FunctionId function, std::string_view name) {
   return std::ranges::all_of(spelling_table, [&](const SourceSpelling& spelling) {
     const auto found = function_spelling(spelling, function, name);
-    return found && (found->home == FunctionHome::library || has_word(spelling.taken, found->name));
+    return found && (found->provider == FunctionProvider::library ||
+                     has_word(spelling.used_names, found->name));
   });
 }
 #define ELGEN_FUNCTION(name, arity)                             \
@@ -82,7 +83,7 @@ class SourceDialect final : public Dialect {
       return is_single(kind) ? std::string(name) : element(std::string(name), number);
     }
     const auto& [name, place] = members_[number];
-    const std::string member = "p." + spelt_name(spelling_.language, name);
+    const std::string member = "p." + name_in_language(spelling_.language, name);
     return place ? element(member, *place) : member;
   }
 
@@ -97,13 +98,13 @@ class SourceDialect final : public Dialect {
   BodyRules rules() const override {
     return {true,
             spelling_.deepest,
-            spelling_.longest_name,
+            spelling_.max_name_length,
             {spelling_.member_comment, spelling_.member_comment}};
   }
 
   /// Assigns the named values, then returns all entries.
   FunctionDefinition definition(const Function& function, Storage storage) const override {
-    Function ordered = stored(function, storage);
+    Function ordered = in_storage_order(function, storage);
     ordered.repeated = {};  // every repetition is written out
     const Texts names = local_names(*this, program(), ordered);
     const FunctionFormulas formulas(program(), ordered, *this, names);
@@ -120,20 +121,20 @@ class SourceDialect final : public Dialect {
         entries.back().push_back(formulas.entry(at).text);
       }
     }
-    return {{signature(function), lines + returned(function, entries)}};
+    return {{signature(function), lines + return_statement(function, entries)}};
   }
 
   /// "acceleration: list"
   std::string member(const Function& function, const Field& field) const override {
     return filled(is_number(function, field) ? spelling_.number_member : spelling_.array_member,
-                  spelt_name(spelling_.language, field.name));
+                  name_in_language(spelling_.language, field.name));
   }
 
   std::string struct_name(const Function& function) const override {
     return camel_case(function.name);
   }
 
-  Texts documented(Texts lines) const override {
+  Texts escape_docs(Texts lines) const override {
     for (std::string& line : lines) line = documentation_line(spelling_, line);
     return lines;
   }
@@ -141,30 +142,32 @@ class SourceDialect final : public Dialect {
  private:
   [[nodiscard]] std::string signature(const Function& function) const {
     const std::string arguments = fmt::format("{}", fmt::join(argument_names_of(function), ", "));
-    return filled(spelling_.definition, spelt_name(spelling_.language, function.name), arguments);
+    return filled(spelling_.definition, name_in_language(spelling_.language, function.name),
+                  arguments);
   }
 
-  [[nodiscard]] std::string returned(const Function& function, const FieldTexts& entries) const {
-    if (!gives_struct(function)) {
+  [[nodiscard]] std::string return_statement(const Function& function,
+                                             const FieldTexts& entries) const {
+    if (!returns_struct(function)) {
       return statement(
           std::string(spelling_.result),
           value_of(function, function.fields.front(), entries.front()),
-          is_number(function, function.fields.front()) ? Brackets::needed : Brackets::there);
+          is_number(function, function.fields.front()) ? Brackets::needed : Brackets::present);
     }
     Texts values;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const Field& field = function.fields[i];
-      values.push_back(filled(spelling_.field, spelt_name(spelling_.language, field.name)) +
+      values.push_back(filled(spelling_.field, name_in_language(spelling_.language, field.name)) +
                        value_of(function, field, entries[i]));
     }
     if (spelling_.results.empty()) {
       std::string lines;
-      for (const std::string& value : values) lines += statement("", value, Brackets::there);
+      for (const std::string& value : values) lines += statement("", value, Brackets::present);
       return lines;
     }
     const std::string all = fmt::format("{}", fmt::join(values, ", "));
     return statement(std::string(spelling_.result),
-                     filled(spelling_.results, struct_name(function), all), Brackets::there);
+                     filled(spelling_.results, struct_name(function), all), Brackets::present);
   }
 
   [[nodiscard]] std::string statement(const std::string& start, const std::string& value,
@@ -191,7 +194,7 @@ class SourceDialect final : public Dialect {
   }
 
   bool is_reserved(const std::string& name) const override {
-    return has_word(spelling_.reserved, name) || has_word(spelling_.taken, name) ||
+    return has_word(spelling_.reserved, name) || has_word(spelling_.used_names, name) ||
            name == scene_.base_name;
   }
 
@@ -217,7 +220,7 @@ std::optional<std::string_view> library_name(const SourceSpelling& spelling,
   const FunctionRow* const row = find_function(name);
   if (row == nullptr) return name;
   const auto found = function_spelling(spelling, row->id, name);
-  if (!found || found->home == FunctionHome::module) return std::nullopt;
+  if (!found || found->provider == FunctionProvider::module) return std::nullopt;
   return found->name;
 }
 
@@ -237,7 +240,7 @@ std::string source_text(const SourceSpelling& spelling, std::string_view text) {
 std::string source_list(const ListSpelling& list, const Texts& values, std::size_t columns) {
   if (values.empty()) return fmt::format(fmt::runtime(list.empty), columns);
   return fmt::format("{}{}{}{}", list.opening, fmt::join(values, list.between),
-                     values.size() == 1 ? list.behind_one : "", list.closing);
+                     values.size() == 1 ? list.after_single : "", list.closing);
 }
 
 std::string source_lines(const SourceSpelling& spelling, const std::string& text,

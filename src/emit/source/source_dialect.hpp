@@ -25,7 +25,7 @@ namespace elgen {
     if (other.language == spelling.language && other.function == function) return other;
   }
   if (!has_word(spelling.functions, name)) return std::nullopt;
-  return FunctionSpelling{spelling.language, function, name, FunctionHome::library};
+  return FunctionSpelling{spelling.language, function, name, FunctionProvider::library};
 }
 
 /// The name of a library function or of sqrt; none if the module defines the function itself.

@@ -63,7 +63,7 @@ std::vector<Member> parameter_members(const EmissionInput& input) {
     const Texts values = literals(input.model, array);
     const auto pattern =
         fmt::runtime(array.is_array ? spelling.array_value : spelling.number_value);
-    const std::string start = fmt::format(pattern, spelt_name(spelling.language, array.name));
+    const std::string start = fmt::format(pattern, name_in_language(spelling.language, array.name));
     const std::string value =
         (array.is_array ? source_list(spelling.numbers, values) : values.front()) +
         std::string(spelling.end_of_value);
@@ -108,14 +108,14 @@ void check_module_name(const Model& model, const Scene& scene, const Program& pr
   const std::string& name = scene.base_name;
   const Span& span = scene.emission.name_space_span;
   const auto arrays = all_arrays(model, program);
-  if (has_word(spelling.unnameable, name) || has_word(spelling.reserved, name)) {
+  if (has_word(spelling.forbidden_names, name) || has_word(spelling.reserved, name)) {
     diagnostics.push_back({Code::E701, span,
                            fmt::format("`{}` cannot name a module: {} uses the name itself", name,
                                        language_row(spelling.language).name),
                            "rename the model or scene"});
-  } else if (is_class(spelling) && (has_word(spelling.taken, name) ||
+  } else if (is_class(spelling) && (has_word(spelling.used_names, name) ||
                                     std::ranges::count(arrays, name, &DeclaredArray::name) > 0)) {
-    diagnostics.push_back(taken_name(name, "module", span));
+    diagnostics.push_back(reserved_name_error(name, "module", span));
   }
 }
 
@@ -123,12 +123,13 @@ void check_module_name(const Model& model, const Scene& scene, const Program& pr
 void check_length(const Scene& scene, const std::string& name, const Span& span,
                   Diagnostics& diagnostics) {
   const LanguageId language = scene.emission.language;
-  const std::size_t longest = source_spelling(language).longest_name;
-  const std::string spelt = spelt_name(language, name);
-  if (longest == 0 || spelt.size() <= longest) return;
-  diagnostics.push_back({Code::E701, span,
-                         fmt::format("`{}` has {} characters: names in {} have {} at most", spelt,
-                                     spelt.size(), language_row(language).name, longest)});
+  const std::size_t longest = source_spelling(language).max_name_length;
+  const std::string emitted_name = name_in_language(language, name);
+  if (longest == 0 || emitted_name.size() <= longest) return;
+  diagnostics.push_back(
+      {Code::E701, span,
+       fmt::format("`{}` has {} characters: names in {} have {} at most", emitted_name,
+                   emitted_name.size(), language_row(language).name, longest)});
 }
 
 /// An `exported` module has documentation and lists the names that other modules may import.
@@ -137,7 +138,7 @@ std::string filled_module(const EmissionInput& input, bool exported) {
   const LanguageRow& language = language_row(input.scene.emission.language);
   const SourceSpelling& spelling = source_spelling(language.id);
   for (const FunctionSpelling& function : function_spelling_table) {
-    if (function.language != language.id || function.home != FunctionHome::module) continue;
+    if (function.language != language.id || function.provider != FunctionProvider::module) continue;
     data.set(std::string(function_row(function.function).name),
              section_if(calls(input.program, function.function)));
   }
@@ -154,7 +155,7 @@ std::string filled_module(const EmissionInput& input, bool exported) {
     set_reflection(data, input, std::ranges::any_of(arrays, has_unbounded));
   }
   return header_text(fmt::format("{}/module.{}.mustache", language.name, language.ending), data,
-                     spelling.most_empty);
+                     spelling.max_empty_lines);
 }
 
 }  // namespace
@@ -172,20 +173,20 @@ Diagnostics source_check_names(const Model& model, const Scene& scene, const Pro
   std::set<std::string> names;
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     check_length(scene, array.name, array.span, diagnostics);
-    if (names.insert(spelt_name(language, array.name)).second) continue;
-    diagnostics.push_back(taken_name(array.name, "parameter", array.span));
+    if (names.insert(name_in_language(language, array.name)).second) continue;
+    diagnostics.push_back(reserved_name_error(array.name, "parameter", array.span));
   }
   names = names_in_module(model, scene, program);
   for (const Function& function : program.functions) {
     const OutputRequest* const request = find_request(scene, function.name);
     check_length(scene, function.name, request == nullptr ? Span{} : request->span, diagnostics);
-    const std::string name = spelt_name(language, function.name);
+    const std::string name = name_in_language(language, function.name);
     const std::string type = camel_case(function.name);
-    const bool has_type = gives_struct(function) && spelling.results.starts_with("{0}");
-    const bool is_taken =
-        has_word(spelling.taken, name) || !names.insert(name).second ||
-        (has_type && (has_word(spelling.taken, type) || !names.insert(type).second));
-    if (is_taken) diagnostics.push_back(taken_name(scene, function));
+    const bool has_type = returns_struct(function) && spelling.results.starts_with("{0}");
+    const bool is_reserved =
+        has_word(spelling.used_names, name) || !names.insert(name).second ||
+        (has_type && (has_word(spelling.used_names, type) || !names.insert(type).second));
+    if (is_reserved) diagnostics.push_back(reserved_name_error(scene, function));
   }
   return diagnostics;
 }

@@ -43,14 +43,15 @@ Span place_of(const Model& model, const cln::cl_R& value) {
 
 }  // namespace
 
-Diagnostic taken_name(const std::string& name, const char* what, const Span& span) {
+Diagnostic reserved_name_error(const std::string& name, const char* what, const Span& span) {
   return {Code::E701, span,
           fmt::format("`{}` cannot name a {}: the emitted code uses this name", name, what)};
 }
 
-Diagnostic taken_name(const Scene& scene, const Function& function) {
+Diagnostic reserved_name_error(const Scene& scene, const Function& function) {
   const OutputRequest* request = find_request(scene, function.name);
-  return taken_name(function.name, "function", request == nullptr ? Span{} : request->span);
+  return reserved_name_error(function.name, "function",
+                             request == nullptr ? Span{} : request->span);
 }
 
 Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Program& program) {

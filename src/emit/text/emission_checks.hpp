@@ -12,10 +12,11 @@
 namespace elgen {
 
 /// E701 at the span of the parameter, function or module that has the name.
-[[nodiscard]] Diagnostic taken_name(const std::string& name, const char* what, const Span& span);
+[[nodiscard]] Diagnostic reserved_name_error(const std::string& name, const char* what,
+                                             const Span& span);
 
 /// The same for a function, at its request in the scene; without a span for the scene `full`.
-[[nodiscard]] Diagnostic taken_name(const Scene& scene, const Function& function);
+[[nodiscard]] Diagnostic reserved_name_error(const Scene& scene, const Function& function);
 
 /// E702 for values of run-time parameters and for constants of the equations. A value that becomes
 /// subnormal has lost digits and counts as vanished.

@@ -87,7 +87,7 @@ EmissionInput emission_input(const Model& model, const Scene& scene, const Progr
 
 std::string_view blank_hash() { return "0000000000000000"; }
 
-std::string stamped(std::string text) {
+std::string with_body_hash(std::string text) {
   const std::size_t at = find_body_hash(text);
   if (at == std::string::npos) return text;
   const std::string hash = content_hash(text);

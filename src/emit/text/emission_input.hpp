@@ -39,7 +39,7 @@ struct EmissionInput {
 
 /// Replaces the blank body hash by the hash of `text`, computed with the blank in place. The blank
 /// must be at a position that body_hash() examines.
-[[nodiscard]] std::string stamped(std::string text);
+[[nodiscard]] std::string with_body_hash(std::string text);
 
 // The writers. Each text states its body hash.
 [[nodiscard]] std::string cpp_header(const EmissionInput& input);

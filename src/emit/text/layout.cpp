@@ -67,8 +67,8 @@ std::string without_continuations(std::string_view text) {
 /// Breaks lines at the position that `space_in` returns for the remaining text and the width of the
 /// line; npos: no more breaks.
 template <class SpaceIn>
-std::vector<std::string> wrapped(std::string_view text, const Wrapping& wrapping,
-                                 const SpaceIn& space_in) {
+std::vector<std::string> wrap_lines(std::string_view text, const Wrapping& wrapping,
+                                    const SpaceIn& space_in) {
   std::vector<std::string> lines;
   std::size_t width = wrapping.first - wrapping.end.size();
   std::string indent;
@@ -87,7 +87,7 @@ std::vector<std::string> wrapped(std::string_view text, const Wrapping& wrapping
 }  // namespace
 
 std::vector<std::string> wrap_expression(std::string_view text, const Wrapping& wrapping) {
-  return wrapped(text, wrapping, [](std::string_view rest, std::size_t width) {
+  return wrap_lines(text, wrapping, [](std::string_view rest, std::size_t width) {
     const std::optional<Break> found = best_break(rest, width);
     return found ? found->at : std::string_view::npos;
   });
@@ -102,7 +102,7 @@ std::string assignment(const std::string& target, const std::string& value) {
 }
 
 std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping) {
-  return wrapped(text, wrapping, [](std::string_view rest, std::size_t width) {
+  return wrap_lines(text, wrapping, [](std::string_view rest, std::size_t width) {
     const std::size_t last = rest.rfind(' ', width);
     return last == std::string_view::npos ? rest.find(' ', width) : last;
   });

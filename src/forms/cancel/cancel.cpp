@@ -13,16 +13,16 @@ namespace {
 
 using Places = std::vector<std::uint32_t>;  ///< instruction numbers
 
-std::vector<bool> marked(const Function& function, const Places& places) {
+std::vector<bool> flags_at(const Function& function, const Places& places) {
   std::vector<bool> result(function.instructions.size(), false);
   for (const std::uint32_t at : places) result[at] = true;
   return result;
 }
 
 /// The `zeros` that are entries or operands of nonzero values.
-Places outermost(const Function& function, const Places& zeros) {
-  const std::vector<bool> is_zero = marked(function, zeros);
-  std::vector<bool> used = marked(function, entries_of(function));
+Places outermost_zeros(const Function& function, const Places& zeros) {
+  const std::vector<bool> is_zero = flags_at(function, zeros);
+  std::vector<bool> used = flags_at(function, entries_of(function));
   for (std::size_t at = 0; at < used.size(); ++at) {
     const Instruction& i = function.instructions[at];
     if (is_zero[at]) continue;
@@ -38,7 +38,7 @@ Places outermost(const Function& function, const Places& zeros) {
 /// Instructions of a function that are 0, by kind of evidence.
 struct Zeros {
   Places proved = {};   ///< the closed form is the empty sum
-  Places sampled = {};  ///< analytic, and 0 at `zero_points` points
+  Places sampled = {};  ///< analytic, and 0 at `zero_sample_count` points
 
   [[nodiscard]] Places all() const {
     Places places = proved;
@@ -47,10 +47,10 @@ struct Zeros {
   }
 };
 
-Zeros told_apart(const Program& program, const Function& function, const Places& places) {
+Zeros classify_zeros(const Program& program, const Function& function, const Places& places) {
   Zeros zeros;
   Places open;
-  const std::vector<ZeroProof> proofs = proved_zeros(program, with_entries(function, places));
+  const std::vector<ZeroProof> proofs = prove_zeros(program, with_entries(function, places));
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (proofs[i] == ZeroProof::zero) zeros.proved.push_back(places[i]);
     if (proofs[i] == ZeroProof::open) open.push_back(places[i]);
@@ -64,13 +64,13 @@ Zeros told_apart(const Program& program, const Function& function, const Places&
 
 /// The outermost zeros. If an outermost candidate turns out not to be 0, its operands may be, so
 /// all candidates are judged.
-Zeros found_zeros(const Program& program, const Function& function) {
+Zeros find_zeros(const Program& program, const Function& function) {
   const Places candidates = vanishing(program, function);
-  const Places places = outermost(function, candidates);
-  Zeros zeros = told_apart(program, function, places);
+  const Places places = outermost_zeros(function, candidates);
+  Zeros zeros = classify_zeros(program, function, places);
   if (zeros.proved.size() + zeros.sampled.size() == places.size()) return zeros;
-  zeros = told_apart(program, function, candidates);
-  const std::vector<bool> is_outermost = marked(function, outermost(function, zeros.all()));
+  zeros = classify_zeros(program, function, candidates);
+  const std::vector<bool> is_outermost = flags_at(function, outermost_zeros(function, zeros.all()));
   const auto is_inside = [&is_outermost](std::uint32_t at) { return !is_outermost[at]; };
   std::erase_if(zeros.proved, is_inside);
   std::erase_if(zeros.sampled, is_inside);
@@ -78,8 +78,8 @@ Zeros found_zeros(const Program& program, const Function& function) {
 }
 
 /// The indices, over all fields, of the entries that depend on one of `places`.
-Places resting_on(const Function& function, const Places& places) {
-  std::vector<bool> rests = marked(function, places);
+Places dependent_entries(const Function& function, const Places& places) {
+  std::vector<bool> rests = flags_at(function, places);
   for (std::size_t at = 0; at < rests.size(); ++at) {
     const Instruction& i = function.instructions[at];
     if (operand_count(i) > 0 && rests[i.a]) rests[at] = true;
@@ -107,12 +107,12 @@ Network network_of(const Expressions& expressions, const Function& function) {
 }
 
 /// Lowers the function again, with 0 in place of `zeros`.
-Function without(const Zeros& zeros, const Function& function, Program& program) {
+Function lower_without(const Zeros& zeros, const Function& function, Program& program) {
   const Expressions expressions =
-      from_program(program, function, entries_of(function), marked(function, zeros.all()));
-  Function result = unfilled(function);
+      from_program(program, function, entries_of(function), flags_at(function, zeros.all()));
+  Function result = without_instructions(function);
   linearise(network_of(expressions, result), program, result);
-  result.sampled_zeros = resting_on(function, zeros.sampled);
+  result.sampled_zeros = dependent_entries(function, zeros.sampled);
   return result;
 }
 
@@ -120,9 +120,9 @@ Function without(const Zeros& zeros, const Function& function, Program& program)
 
 Program cancel(Program program) {
   for (Function& function : program.functions) {
-    const Zeros zeros = found_zeros(program, function);
+    const Zeros zeros = find_zeros(program, function);
     if (zeros.proved.empty() && zeros.sampled.empty()) continue;
-    function = without(zeros, function, program);
+    function = lower_without(zeros, function, program);
   }
   require_invariants(program);
   return program;

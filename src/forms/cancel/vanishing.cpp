@@ -24,7 +24,7 @@ bool is_below(const Real& x, const Real& y, const Real& share) {
   return abs(x).value() <= (abs(y) * share).value();
 }
 
-Number drawn(const cln::cl_RA& value) { return running_leaf(value, rounding<double>()); }
+Number random_value(const cln::cl_RA& value) { return running_leaf(value, rounding<double>()); }
 
 /// Marks calls of functions with kinks, which may be 0 in a whole region. Roots are computed.
 std::vector<bool> kinks(const Function& function) {
@@ -37,7 +37,7 @@ std::vector<bool> kinks(const Function& function) {
 
 /// True if 20 digits are lost: the smaller term of a sum disappears in the larger one, a function
 /// hardly depends on its argument, or it depends so much that its own digits are wrong.
-bool hides_something(const Instruction& i, const Values& values, const Number& x) {
+bool hides_digits(const Instruction& i, const Values& values, const Number& x) {
   static const Real hidden(power_of_ten(-20));
   if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
     const Number& a = values[i.a];
@@ -51,7 +51,7 @@ bool hides_something(const Instruction& i, const Values& values, const Number& x
 }
 
 /// True if the rounding error that a zero may hide is small compared with the terms.
-bool is_sharp(const Instruction& i, const Values& values, const Real& noise) {
+bool has_small_noise(const Instruction& i, const Values& values, const Real& noise) {
   static const Real hidden(power_of_ten(-20));
   Real terms = abs(values[i.a].value);
   if (operand_count(i) > 1) terms = max(terms, abs(values[i.b].value));
@@ -59,27 +59,29 @@ bool is_sharp(const Instruction& i, const Values& values, const Real& noise) {
 }
 
 /// The value at the point: exactly 0 if it vanishes, lost if its digits do not decide.
-Number settled(const Instruction& i, const Values& values, Number x) {
+Number round_to_zero(const Instruction& i, const Values& values, Number x) {
   static const Real vanished(power_of_ten(-40));
   if (!x.value.is_defined() || operand_count(i) == 0) return x;
-  x.is_lost = x.is_lost || hides_something(i, values, x);
-  const bool vanishes =
-      !x.is_lost && is_below(x.value, x.error, vanished) && is_sharp(i, values, x.error * vanished);
+  x.is_lost = x.is_lost || hides_digits(i, values, x);
+  const bool vanishes = !x.is_lost && is_below(x.value, x.error, vanished) &&
+                        has_small_noise(i, values, x.error * vanished);
   return vanishes ? Number{} : x;
 }
 
 /// Evaluates the `needed` instructions at the next random point. Instructions in `variables` get
 /// random values.
-Values run(const Program& program, const Function& function, const std::vector<bool>& needed,
-           const std::vector<bool>& variables, Sampler& draw) {
-  const LeafValues<Number> point = map_leaves(drawn, draw.point(program.leaves));
+Values evaluate_at_random(const Program& program, const Function& function,
+                          const std::vector<bool>& needed, const std::vector<bool>& variables,
+                          Sampler& draw) {
+  const LeafValues<Number> point = map_leaves(random_value, draw.point(program.leaves));
   const RunningErrorRules<Real> rules{point};
   Values values(function.instructions.size(), Number{});
   for (std::size_t at = 0; at < values.size(); ++at) {
     if (!needed[at]) continue;
     const Instruction& i = function.instructions[at];
-    values[at] = variables[at] ? drawn(cln::abs(draw.number()))
-                               : settled(i, values, folded(rules, program, i, values));
+    values[at] = variables[at]
+                     ? random_value(cln::abs(draw.number()))
+                     : round_to_zero(i, values, fold_instruction(rules, program, i, values));
   }
   return values;
 }
@@ -91,15 +93,15 @@ std::vector<bool> needed_for_undefined(const Function& function, const Values& v
   for (std::uint32_t at = 0; at < values.size(); ++at) {
     if (needed[at] && !values[at].value.is_defined()) undefined.push_back(at);
   }
-  return needed_for(function, undefined);
+  return needed_instructions(function, undefined);
 }
 
 /// The `candidates` that also vanish at the next random point.
-std::vector<std::uint32_t> still_vanishing(const Program& program, const Function& function,
-                                           const std::vector<std::uint32_t>& candidates,
-                                           const std::vector<bool>& variables, Sampler& draw) {
-  const std::vector<bool> needed = needed_for(function, candidates);
-  const Values values = run(program, function, needed, variables, draw);
+std::vector<std::uint32_t> keep_vanishing(const Program& program, const Function& function,
+                                          const std::vector<std::uint32_t>& candidates,
+                                          const std::vector<bool>& variables, Sampler& draw) {
+  const std::vector<bool> needed = needed_instructions(function, candidates);
+  const Values values = evaluate_at_random(program, function, needed, variables, draw);
   const std::vector<bool> excluded = needed_for_undefined(function, values, needed);
   std::vector<std::uint32_t> result;
   for (const std::uint32_t at : candidates) {
@@ -117,7 +119,7 @@ std::vector<std::uint32_t> vanishing(const Program& program, const Function& fun
     if (operand_count(function.instructions[at]) > 0) operations.push_back(at);
   }
   Sampler draw(first_seed);
-  return still_vanishing(program, function, operations, kinks(function), draw);
+  return keep_vanishing(program, function, operations, kinks(function), draw);
 }
 
 std::vector<bool> vanishing_elsewhere(const Program& program, const Function& function) {
@@ -125,8 +127,8 @@ std::vector<bool> vanishing_elsewhere(const Program& program, const Function& fu
   const std::vector<bool> variables = unknowns(program, function);
   std::vector<std::uint32_t> left = entries;
   Sampler draw(other_seed);
-  for (std::size_t i = 1; i < zero_points && !left.empty(); ++i) {
-    left = still_vanishing(program, function, left, variables, draw);
+  for (std::size_t i = 1; i < zero_sample_count && !left.empty(); ++i) {
+    left = keep_vanishing(program, function, left, variables, draw);
   }
   std::vector<bool> result;
   for (const std::uint32_t at : entries) {

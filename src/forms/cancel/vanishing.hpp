@@ -15,7 +15,7 @@ namespace elgen {
                                                    const Function& function);
 
 /// For each entry, in the order of the fields: true if it also vanishes at the other points,
-/// `zero_points` in all, with random numbers for values that are not analytic
+/// `zero_sample_count` in all, with random numbers for values that are not analytic
 /// (program/network/analytic.hpp). It is then 0 at every state.
 [[nodiscard]] std::vector<bool> vanishing_elsewhere(const Program& program,
                                                     const Function& function);

@@ -73,12 +73,12 @@ Value Arithmetic::whole_sum(std::uint32_t index, const Fraction& form) {
   return atom({.kind = AtomKind::sum, .index = index, .arguments = {form}});
 }
 
-Value Arithmetic::limited(Fraction x) const {
+Value Arithmetic::within_term_limit(Fraction x) const {
   if (x.numerator.size() > terms_) return std::nullopt;
   return x;
 }
 
-std::optional<Polynomial> Arithmetic::multiplied(const Polynomial& x, const Polynomial& y) {
+std::optional<Polynomial> Arithmetic::multiply_sums(const Polynomial& x, const Polynomial& y) {
   const std::size_t products = x.size() * y.size();
   if (products > work_) {
     work_ = 0;
@@ -92,7 +92,7 @@ std::optional<Polynomial> Arithmetic::multiplied(const Polynomial& x, const Poly
 std::optional<Polynomial> Arithmetic::times_factor(Polynomial x, std::uint32_t factor,
                                                    std::int32_t exponent) {
   for (std::int32_t i = 0; i < exponent; ++i) {
-    auto next = multiplied(x, algebra_.factors[factor].shown);
+    auto next = multiply_sums(x, algebra_.factors[factor].shown);
     if (!next) return std::nullopt;
     x = std::move(*next);
   }
@@ -100,7 +100,7 @@ std::optional<Polynomial> Arithmetic::times_factor(Polynomial x, std::uint32_t f
 }
 
 /// The numerator of x over `denominator`, which must be a multiple of x's own denominator.
-std::optional<Polynomial> Arithmetic::over(
+std::optional<Polynomial> Arithmetic::numerator_over(
     const Fraction& x, const std::map<std::uint32_t, std::int32_t>& denominator) {
   std::optional<Polynomial> result = x.numerator;
   for (const auto& [factor, exponent] : denominator) {
@@ -115,16 +115,17 @@ Value Arithmetic::add(const Value& x, const Value& y) {
   if (!x || !y) return std::nullopt;
   if (x->denominator == y->denominator) {
     Fraction result{sum(x->numerator, y->numerator), x->denominator};
-    return result.denominator.empty() ? limited(std::move(result)) : cancelled(std::move(result));
+    return result.denominator.empty() ? within_term_limit(std::move(result))
+                                      : cancel_factors(std::move(result));
   }
   std::map<std::uint32_t, std::int32_t> common = x->denominator;
   for (const auto& [factor, exponent] : y->denominator) {
     common[factor] = std::max(common[factor], exponent);
   }
-  const auto left = over(*x, common);
-  const auto right = over(*y, common);
+  const auto left = numerator_over(*x, common);
+  const auto right = numerator_over(*y, common);
   if (!left || !right) return std::nullopt;
-  return reduced_roots({sum(*left, *right), common});
+  return reduce_roots({sum(*left, *right), common});
 }
 
 Value Arithmetic::negate(const Value& x) const {
@@ -134,21 +135,21 @@ Value Arithmetic::negate(const Value& x) const {
 
 Value Arithmetic::multiply(const Value& x, const Value& y) {
   if (!x || !y) return std::nullopt;
-  auto numerator = multiplied(x->numerator, y->numerator);
+  auto numerator = multiply_sums(x->numerator, y->numerator);
   if (!numerator) return std::nullopt;
   Fraction result{std::move(*numerator), x->denominator};
   for (const auto& [factor, exponent] : y->denominator) result.denominator[factor] += exponent;
-  return reduced_roots(std::move(result));
+  return reduce_roots(std::move(result));
 }
 
-Value Arithmetic::cancelled(Fraction x) {
+Value Arithmetic::cancel_factors(Fraction x) {
   if (x.numerator.empty()) return Fraction{};
   divide_out(x, algebra_, work_);
-  return limited(std::move(x));
+  return within_term_limit(std::move(x));
 }
 
 /// Replaces sqrt(r)^k by sqrt(r)^(k mod 2) r^(k div 2).
-Value Arithmetic::reduced_roots(Fraction x) {
+Value Arithmetic::reduce_roots(Fraction x) {
   const auto excess = [&](const AtomPower& factor) {
     return algebra_.atoms[factor.atom].kind == AtomKind::root &&
            (factor.exponent < 0 || factor.exponent > 1);
@@ -157,7 +158,7 @@ Value Arithmetic::reduced_roots(Fraction x) {
     return std::any_of(term.first.begin(), term.first.end(), excess);
   };
   if (std::none_of(x.numerator.begin(), x.numerator.end(), is_reducible)) {
-    return cancelled(std::move(x));
+    return cancel_factors(std::move(x));
   }
   Value result = Fraction{};
   Fraction reduced;
@@ -183,7 +184,7 @@ Value Arithmetic::reduced_roots(Fraction x) {
   result = add(result, reduced);
   if (!result) return std::nullopt;
   for (const auto& [factor, exponent] : x.denominator) result->denominator[factor] += exponent;
-  return cancelled(std::move(*result));
+  return cancel_factors(std::move(*result));
 }
 
 /// The index of the factor that equals `polynomial` up to a monomial; adds a new factor if none is
@@ -254,7 +255,7 @@ Value Arithmetic::reciprocal(const Fraction& x) {
     if (!numerator) return std::nullopt;
     result.numerator = std::move(*numerator);
   }
-  return reduced_roots(std::move(result));
+  return reduce_roots(std::move(result));
 }
 
 Value Arithmetic::divide(const Value& x, const Value& y) {

@@ -48,13 +48,13 @@ class Arithmetic {
 
  private:
   Fraction atom(Atom wanted);
-  [[nodiscard]] Value limited(Fraction x) const;
-  std::optional<Polynomial> multiplied(const Polynomial& x, const Polynomial& y);
+  [[nodiscard]] Value within_term_limit(Fraction x) const;
+  std::optional<Polynomial> multiply_sums(const Polynomial& x, const Polynomial& y);
   std::optional<Polynomial> times_factor(Polynomial x, std::uint32_t factor, std::int32_t exponent);
-  std::optional<Polynomial> over(const Fraction& x,
-                                 const std::map<std::uint32_t, std::int32_t>& denominator);
-  Value cancelled(Fraction x);
-  Value reduced_roots(Fraction x);
+  std::optional<Polynomial> numerator_over(
+      const Fraction& x, const std::map<std::uint32_t, std::int32_t>& denominator);
+  Value cancel_factors(Fraction x);
+  Value reduce_roots(Fraction x);
   Value reciprocal(const Fraction& x);
   void note_circular_factors(const Polynomial& rest);
   bool split_factors(Polynomial& rest, std::map<std::uint32_t, std::int32_t>& denominator);

@@ -28,7 +28,7 @@ class ModelExpressions {
     while (!pending.empty()) {
       const ExpressionId id = pending.back();
       const std::size_t before = pending.size();
-      for (const ExpressionId operand : needs(id)) {
+      for (const ExpressionId operand : dependencies_of(id)) {
         if (!known_[operand].done) pending.push_back(operand);
       }
       if (pending.size() > before) continue;
@@ -45,7 +45,7 @@ class ModelExpressions {
   };
 
   /// The operands; for a fixed parameter the expression of its value, if it has one.
-  [[nodiscard]] std::vector<ExpressionId> needs(ExpressionId id) const {
+  [[nodiscard]] std::vector<ExpressionId> dependencies_of(ExpressionId id) const {
     const Expression& e = model_.expressions[id];
     if (!is_leaf(e, Opcode::parameter)) return references(model_, id);
     const auto fixed = fixed_.find(e.index);
@@ -72,13 +72,13 @@ class ModelExpressions {
       case ExpressionKind::leaf:
         return e.leaf == Opcode::parameter ? parameter(e.index) : arithmetic_.leaf(e.leaf, e.index);
       case ExpressionKind::named:
-        return known_[needs(id).front()].form;
+        return known_[dependencies_of(id).front()].form;
       case ExpressionKind::negate:
         return arithmetic_.negate(operand(0));
       case ExpressionKind::add:
-        return joined(e, Fraction{}, &Arithmetic::add);
+        return fold_operands(e, Fraction{}, &Arithmetic::add);
       case ExpressionKind::multiply:
-        return joined(e, fraction_of(cl_RA(1)), &Arithmetic::multiply);
+        return fold_operands(e, fraction_of(cl_RA(1)), &Arithmetic::multiply);
       case ExpressionKind::divide:
         return arithmetic_.divide(operand(0), operand(1));
       case ExpressionKind::power:
@@ -94,7 +94,7 @@ class ModelExpressions {
   using Join = Value (Arithmetic::*)(const Value&, const Value&);
 
   /// Folds the operands into `total`, which starts as the neutral element.
-  Value joined(const Expression& e, Value total, Join join) {
+  Value fold_operands(const Expression& e, Value total, Join join) {
     for (const ExpressionId id : e.operands) total = (arithmetic_.*join)(total, known_[id].form);
     return total;
   }

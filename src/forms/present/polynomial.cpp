@@ -60,7 +60,7 @@ namespace {
 
 /// The sum of two ascending ranges; terms with equal monomials are added.
 template <class Iterator>
-Polynomial merged(Iterator i, Iterator i_end, Iterator j, Iterator j_end) {
+Polynomial merge_terms(Iterator i, Iterator i_end, Iterator j, Iterator j_end) {
   Polynomial::Terms terms;
   terms.reserve(static_cast<std::size_t>((i_end - i) + (j_end - j)));
   while (i != i_end && j != j_end) {
@@ -89,14 +89,14 @@ Polynomial product_of(Polynomial::const_iterator first, Polynomial::const_iterat
   const auto middle = first + (last - first) / 2;
   Polynomial x = product_of(first, middle, y);
   Polynomial z = product_of(middle, last, y);
-  return merged(std::make_move_iterator(x.begin()), std::make_move_iterator(x.end()),
-                std::make_move_iterator(z.begin()), std::make_move_iterator(z.end()));
+  return merge_terms(std::make_move_iterator(x.begin()), std::make_move_iterator(x.end()),
+                     std::make_move_iterator(z.begin()), std::make_move_iterator(z.end()));
 }
 
 }  // namespace
 
 Polynomial sum(const Polynomial& x, const Polynomial& y) {
-  return merged(x.begin(), x.end(), y.begin(), y.end());
+  return merge_terms(x.begin(), x.end(), y.begin(), y.end());
 }
 
 Polynomial product(const Polynomial& x, const Polynomial& y) {
@@ -150,14 +150,15 @@ std::vector<AtomId> atoms_of(const Polynomial& sum) {
   return atoms;
 }
 
-std::map<Monomial, Polynomial, MonomialLess> parts_by(const Algebra& algebra, const Polynomial& sum,
-                                                      bool (*is_of_key)(const Atom&)) {
+std::map<Monomial, Polynomial, MonomialLess> group_terms_by(const Algebra& algebra,
+                                                            const Polynomial& sum,
+                                                            bool (*is_key_atom)(const Atom&)) {
   std::map<Monomial, Polynomial, MonomialLess> parts;
   for (const auto& [monomial, coefficient] : sum) {
     Monomial key;
     Monomial rest;
     for (const AtomPower& power : monomial) {
-      (is_of_key(algebra.atoms[power.atom]) ? key : rest).push_back(power);
+      (is_key_atom(algebra.atoms[power.atom]) ? key : rest).push_back(power);
     }
     parts[key].try_emplace(rest, coefficient);
   }
@@ -167,7 +168,7 @@ std::map<Monomial, Polynomial, MonomialLess> parts_by(const Algebra& algebra, co
 namespace {
 
 /// Replaces each square of `atom` by one + other^2.
-Polynomial without_squares(const Polynomial& sum, AtomId atom, AtomId other, int one) {
+Polynomial replace_squares(const Polynomial& sum, AtomId atom, AtomId other, int one) {
   Polynomial result;
   for (const auto& [monomial, coefficient] : sum) {
     Polynomial term{{Monomial{}, coefficient}};
@@ -191,7 +192,7 @@ bool is_one(const Polynomial& sum) {
   return sum.size() == 1 && sum.begin()->first.empty() && sum.begin()->second.real == 1;
 }
 
-Polynomial by_hyperbolic_squares(const Algebra& algebra, Polynomial sum) {
+Polynomial reduce_hyperbolic_squares(const Algebra& algebra, Polynomial sum) {
   std::vector<AtomId> cosines;
   std::vector<AtomId> sines;
   for (AtomId id = 0; id < algebra.atoms.size(); ++id) {
@@ -204,7 +205,7 @@ Polynomial by_hyperbolic_squares(const Algebra& algebra, Polynomial sum) {
     for (const AtomId sine : sines) {
       if (algebra.atoms[cosine].arguments != algebra.atoms[sine].arguments) continue;
       for (Polynomial other :
-           {without_squares(sum, sine, cosine, -1), without_squares(sum, cosine, sine, 1)}) {
+           {replace_squares(sum, sine, cosine, -1), replace_squares(sum, cosine, sine, 1)}) {
         if (other.size() < sum.size()) sum = std::move(other);
       }
     }

@@ -51,7 +51,7 @@ void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
 [[nodiscard]] bool is_one(const Polynomial& sum);
 
 /// Applies cosh^2 = 1 + sinh^2 in the direction that gives fewer terms.
-[[nodiscard]] Polynomial by_hyperbolic_squares(const Algebra& algebra, Polynomial sum);
+[[nodiscard]] Polynomial reduce_hyperbolic_squares(const Algebra& algebra, Polynomial sum);
 
 /// The product whose square is x; none if an exponent is odd.
 [[nodiscard]] std::optional<Monomial> square_root(Monomial x);
@@ -100,9 +100,8 @@ struct SplitMonomial {
 
 [[nodiscard]] SplitMonomial split(const Algebra& algebra, const Monomial& monomial);
 
-/// Groups the terms by their factors with `is_of_key`: key -> sum of the remaining factors.
-[[nodiscard]] std::map<Monomial, Polynomial, MonomialLess> parts_by(const Algebra& algebra,
-                                                                    const Polynomial& sum,
-                                                                    bool (*is_of_key)(const Atom&));
+/// Groups the terms by their factors with `is_key_atom`: key -> sum of the remaining factors.
+[[nodiscard]] std::map<Monomial, Polynomial, MonomialLess> group_terms_by(
+    const Algebra& algebra, const Polynomial& sum, bool (*is_key_atom)(const Atom&));
 
 }  // namespace elgen

@@ -69,7 +69,7 @@ void present_functions(const Program& program, const PresentBudget& budget, Clos
   std::size_t left = budget.products;
   for (const Function& function : program.functions) {
     ClosedFunction& closed = forms.functions.emplace_back();
-    if (repeats == Repeats::left_out && output_row(function.kind).repeats) continue;
+    if (repeats == Repeats::left_out && output_row(function.kind).is_summary) continue;
     const std::size_t share = std::min(left, budget_of(function, budget));
     Arithmetic arithmetic(forms.algebra, share, budget.terms);
     // A function with a repeated block gets no closed forms: they would contain M^-1.
@@ -95,7 +95,7 @@ ClosedForms present_over(Algebra algebra, const Program& program, const PresentB
 }
 
 /// A value: expanded, and with whole sums.
-struct Both {
+struct PlainAndWhole {
   Value plain = {};
   Value whole = {};
 };
@@ -106,38 +106,43 @@ class WholeArithmetic {
   WholeArithmetic(Arithmetic& arithmetic, const std::vector<Value>& sums)
       : arithmetic_(arithmetic), sums_(sums) {}
 
-  [[nodiscard]] Both constant(const Constant& value) { return alike(arithmetic_.constant(value)); }
-  [[nodiscard]] Both leaf(Opcode kind, std::uint32_t number) {
-    return alike(arithmetic_.leaf(kind, number));
+  [[nodiscard]] PlainAndWhole constant(const Constant& value) {
+    return same_in_both(arithmetic_.constant(value));
   }
-  [[nodiscard]] Both negate(const Both& x) {
+  [[nodiscard]] PlainAndWhole leaf(Opcode kind, std::uint32_t number) {
+    return same_in_both(arithmetic_.leaf(kind, number));
+  }
+  [[nodiscard]] PlainAndWhole negate(const PlainAndWhole& x) {
     return {arithmetic_.negate(x.plain), arithmetic_.negate(x.whole)};
   }
-  [[nodiscard]] Both add(const Both& x, const Both& y) {
+  [[nodiscard]] PlainAndWhole add(const PlainAndWhole& x, const PlainAndWhole& y) {
     return shorter({arithmetic_.add(x.plain, y.plain), arithmetic_.add(x.whole, y.whole)});
   }
-  [[nodiscard]] Both subtract(const Both& x, const Both& y) { return add(x, negate(y)); }
-  [[nodiscard]] Both multiply(const Both& x, const Both& y) {
+  [[nodiscard]] PlainAndWhole subtract(const PlainAndWhole& x, const PlainAndWhole& y) {
+    return add(x, negate(y));
+  }
+  [[nodiscard]] PlainAndWhole multiply(const PlainAndWhole& x, const PlainAndWhole& y) {
     return {arithmetic_.multiply(x.plain, y.plain), arithmetic_.multiply(x.whole, y.whole)};
   }
-  [[nodiscard]] Both divide(const Both& x, const Both& y) {
+  [[nodiscard]] PlainAndWhole divide(const PlainAndWhole& x, const PlainAndWhole& y) {
     return {arithmetic_.divide(x.plain, y.plain), arithmetic_.divide(x.whole, y.whole)};
   }
-  [[nodiscard]] Both square_root(const Both& x) {
+  [[nodiscard]] PlainAndWhole square_root(const PlainAndWhole& x) {
     return {arithmetic_.square_root(x.plain), arithmetic_.square_root(x.whole)};
   }
-  [[nodiscard]] Both call(FunctionId function, const Both& x, const Both& y) {
+  [[nodiscard]] PlainAndWhole call(FunctionId function, const PlainAndWhole& x,
+                                   const PlainAndWhole& y) {
     return {arithmetic_.call(function, x.plain, y.plain),
             arithmetic_.call(function, x.whole, y.whole)};
   }
 
  private:
-  static Both alike(const Value& x) { return {x, x}; }
+  static PlainAndWhole same_in_both(const Value& x) { return {x, x}; }
 
   /// Replaces x.whole by a multiple of one whole sum if x is such a multiple, and otherwise by
   /// x.plain if that has fewer terms.
-  Both shorter(Both x) {
-    if (!x.plain || x.plain->numerator.empty()) return alike(x.plain);
+  PlainAndWhole shorter(PlainAndWhole x) {
+    if (!x.plain || x.plain->numerator.empty()) return same_in_both(x.plain);
     for (std::uint32_t i = 0; i < sums_.size(); ++i) {
       if (!sums_[i] || sums_[i]->denominator != x.plain->denominator) continue;
       const auto ratio = ratio_of(x.plain->numerator, sums_[i]->numerator);
@@ -183,7 +188,7 @@ ClosedForms present_for_proofs(const Program& program, const PresentBudget& budg
   return present_over(algebra_of_proofs(), program, budget);
 }
 
-bool is_taken_apart(FunctionId function) {
+bool is_rewritten_for_proofs(FunctionId function) {
   return function == FunctionId::stumpff || function == FunctionId::expm1 ||
          has_exponential_form(function);
 }
@@ -195,7 +200,8 @@ ClosedForms present(const Program& program, Program whole_sums, const PresentBud
   forms.algebra.sums = std::make_shared<const Program>(std::move(whole_sums));
   present_functions(program, budget, forms, [&](Arithmetic& arithmetic, const Function& function) {
     std::vector<Value> values;
-    for (const Both& both : fold<Both>(WholeArithmetic(arithmetic, sums), program, function)) {
+    for (const PlainAndWhole& both :
+         fold<PlainAndWhole>(WholeArithmetic(arithmetic, sums), program, function)) {
       values.push_back(both.whole);
     }
     return values;
@@ -203,14 +209,14 @@ ClosedForms present(const Program& program, Program whole_sums, const PresentBud
   return forms;
 }
 
-bool proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y) {
+bool is_proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y) {
   Arithmetic arithmetic(forms.algebra, PresentBudget{}.products_per_function);
   const Value difference = arithmetic.subtract(x, y);
   return difference && difference->numerator.empty();
 }
 
-std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
-                                    const PresentBudget& budget) {
+std::vector<ZeroProof> prove_zeros(const Program& program, Function function,
+                                   const PresentBudget& budget) {
   const Program alone{program.leaves, program.constants, {std::move(function)}};
   const auto proofs = [&](const Algebra& algebra) {
     return proofs_of(present_over(algebra, alone, budget, Repeats::presented));
@@ -218,7 +224,7 @@ std::vector<ZeroProof> proved_zeros(const Program& program, Function function,
   std::vector<ZeroProof> result = proofs({});
   const bool is_open = std::ranges::find(result, ZeroProof::open) != result.end();
   const bool has_other_forms = std::ranges::any_of(function_table(), [&](const FunctionRow& row) {
-    return is_taken_apart(row.id) && calls(alone, row.id);
+    return is_rewritten_for_proofs(row.id) && calls(alone, row.id);
   });
   if (!is_open || !has_other_forms) return result;
   const std::vector<ZeroProof> others = proofs(algebra_of_proofs());

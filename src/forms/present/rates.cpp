@@ -73,7 +73,7 @@ class Rates {
       : arithmetic_(arithmetic), algebra_(algebra), motion_(motion) {}
 
   Value of(const Fraction& x) {
-    Value result = arithmetic_.multiply(of(x.numerator), over(x));
+    Value result = arithmetic_.multiply(of(x.numerator), reciprocal_denominator(x));
     // (1/d^k)' = -k d'/d^(k+1)
     for (const auto& [factor, exponent] : x.denominator) {
       const Polynomial shown = algebra_.factors[factor].shown;
@@ -85,13 +85,13 @@ class Rates {
   }
 
  private:
-  static Fraction over(const Fraction& x) { return {constant(1), x.denominator}; }
+  static Fraction reciprocal_denominator(const Fraction& x) { return {constant(1), x.denominator}; }
 
   Value of(const Polynomial& sum) {
     Value result = Fraction{};
     for (const auto& [monomial, coefficient] : sum) {
       for (const AtomPower& power : monomial) {
-        const Value own = of_atom(power.atom);
+        const Value own = atom_rate(power.atom);
         if (!own) return std::nullopt;
         if (own->numerator.empty()) continue;
         // n x^(n-1) x'
@@ -104,7 +104,7 @@ class Rates {
     return result;
   }
 
-  Value of_atom(AtomId id) {
+  Value atom_rate(AtomId id) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
     const Atom atom = algebra_.atoms[id];  // a copy, because atoms may be added
     const Value rate = rate_of(atom, fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}}));
@@ -115,7 +115,7 @@ class Rates {
   Value rate_of(const Atom& atom, const Fraction& itself) {
     switch (atom.kind) {
       case AtomKind::leaf:
-        return of_leaf(atom);
+        return leaf_rate(atom);
       case AtomKind::pi:
         return Fraction{};
       case AtomKind::circular: {
@@ -130,14 +130,14 @@ class Rates {
       case AtomKind::sum:
         return of(atom.arguments[0]);
       case AtomKind::call:
-        return of_call(atom, itself);
+        return call_rate(atom, itself);
     }
     return std::nullopt;
   }
 
   /// df(x, y)/dt = df/dx x' + df/dy y'. Constant arguments are skipped, so a function with a kink
   /// has the rate 0 if its arguments are constant.
-  Value of_call(const Atom& atom, const Fraction& itself) {
+  Value call_rate(const Atom& atom, const Fraction& itself) {
     std::vector<Value> slopes;
     Value result = Fraction{};
     for (std::size_t i = 0; i < atom.arguments.size(); ++i) {
@@ -149,13 +149,13 @@ class Rates {
     return result;
   }
 
-  Value of_leaf(const Atom& atom) {
+  Value leaf_rate(const Atom& atom) {
     const auto given = [&atom](const std::vector<Fraction>& rates) -> Value {
       return atom.index < rates.size() ? Value(rates[atom.index]) : std::nullopt;
     };
     if (atom.leaf == Opcode::parameter) return Fraction{};
     if (atom.leaf == Opcode::time) return motion_.time;
-    if (atom.leaf == Opcode::open_value) return of_open_value(atom.index);
+    if (atom.leaf == Opcode::open_value) return open_value_rate(atom.index);
     if (atom.leaf == Opcode::velocity) return given(motion_.velocities);
     if (atom.leaf == Opcode::acceleration) return given(motion_.accelerations);
     if (atom.leaf != Opcode::coordinate) return std::nullopt;
@@ -163,7 +163,7 @@ class Rates {
     return arithmetic_.leaf(Opcode::velocity, atom.index);
   }
 
-  Value of_open_value(std::uint32_t index) {
+  Value open_value_rate(std::uint32_t index) {
     if (index >= motion_.open_values.size() || motion_.open_values[index].empty()) {
       return std::nullopt;
     }

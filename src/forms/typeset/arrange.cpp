@@ -50,7 +50,7 @@ struct RateGroup {
 std::vector<RateGroup> rate_groups(const Algebra& algebra, const Polynomial& sum,
                                    std::optional<std::uint32_t> own) {
   std::vector<RateGroup> groups;
-  for (auto& [rates, rest] : parts_by(algebra, sum, is_moving))
+  for (auto& [rates, rest] : group_terms_by(algebra, sum, is_moving))
     groups.push_back({rates, std::move(rest)});
   std::ranges::stable_sort(groups, {}, [&](const RateGroup& group) {
     return std::pair(rank_of_rates(algebra, group.rates, own), numbers_of(algebra, group.rates));
@@ -77,7 +77,7 @@ bool hides_leading_factors(const BookProduct& product) {
 }  // namespace
 
 BookSum Arranger::terms_without_rates(const Polynomial& sum) {
-  BookSum typed = in_front_of_typed({sum, {}});
+  BookSum typed = product_with_typed_sum({sum, {}});
   return typed.terms.empty() ? collected(mixed(sum)) : typed;
 }
 
@@ -88,7 +88,7 @@ BookSum Arranger::terms(const Polynomial& sum, std::optional<std::uint32_t> own)
       append(result, terms_without_rates(rest));
       continue;
     }
-    result.terms.push_back(product(rest));
+    result.terms.push_back(book_product(rest));
     multiply(result.terms.back(), rates);
   }
   return result;
@@ -100,54 +100,54 @@ BookSum Arranger::parts(const Fraction& form, std::optional<std::uint32_t> own) 
   for (auto& [rates, rest] : rate_groups(algebra_, form.numerator, own)) {
     Fraction part{std::move(rest), form.denominator};
     divide_out(part, algebra_, work_);
-    result.terms.push_back(product(part));
+    result.terms.push_back(book_product(part));
     multiply(result.terms.back(), rates);
   }
   return result;
 }
 
-BookSum Arranger::by_motion(const Fraction& form) {
+BookSum Arranger::split_by_motion(const Fraction& form) {
   Fraction moving{{}, form.denominator};
   Fraction resting{{}, form.denominator};
   for (const auto& [monomial, coefficient] : form.numerator) {
     (moves(algebra_, monomial) ? moving : resting).numerator.try_emplace(monomial, coefficient);
   }
-  if (moving.numerator.empty() || resting.numerator.empty()) return in_front(form);
-  BookSum typed = in_front_of_typed(form);
+  if (moving.numerator.empty() || resting.numerator.empty()) return factor_out(form);
+  BookSum typed = product_with_typed_sum(form);
   if (!typed.terms.empty()) return typed;
   divide_out(moving, algebra_, work_);
   divide_out(resting, algebra_, work_);
-  BookSum result = in_front(moving);
-  append(result, in_front(resting));
+  BookSum result = factor_out(moving);
+  append(result, factor_out(resting));
   return result;
 }
 
 /// One product if a typed sum divides the form; otherwise empty.
-BookSum Arranger::in_front_of_typed(const Fraction& form) {
-  Taken whole{{1, {}}, form.numerator};
+BookSum Arranger::product_with_typed_sum(const Fraction& form) {
+  SplitSum whole{{1, {}}, form.numerator};
   if (!form.denominator.empty() || !take_typed(whole.rest, whole.front)) return {};
   take_monomial(whole.rest, whole.front);
-  return {{product(whole)}};
+  return {{book_product(whole)}};
 }
 
-BookSum Arranger::each_in_front(const std::vector<Fraction>& summands) {
+BookSum Arranger::factor_out_each(const std::vector<Fraction>& summands) {
   BookSum result;
-  for (const Fraction& form : summands) append(result, in_front(form));
+  for (const Fraction& form : summands) append(result, factor_out(form));
   return result;
 }
 
-BookSum Arranger::in_front(const Fraction& form) {
+BookSum Arranger::factor_out(const Fraction& form) {
   if (form.numerator.empty()) return {};
-  Taken whole = taken(form.numerator);
+  SplitSum whole = split_sum(form.numerator);
   if (form.denominator.empty()) {
     if (whole.front.factors.empty()) return positive_first(terms(whole.rest));
     if (divides_only(whole.front)) return terms(form.numerator);
-    BookProduct product = this->product(whole);
+    BookProduct product = this->book_product(whole);
     if (hides_leading_factors(product)) return terms(form.numerator);
     return {{std::move(product)}};
   }
-  const std::vector<Fraction> roots = by_roots(algebra_, form);
-  if (roots.size() > 1) return each_in_front(roots);
+  const std::vector<Fraction> roots = split_by_roots(algebra_, form);
+  if (roots.size() > 1) return factor_out_each(roots);
   BookSum sum = parts({whole.rest, form.denominator});
   const auto divided = std::ranges::count_if(sum.terms, [](const BookProduct& term) {
     return std::ranges::any_of(term.factors,
@@ -165,28 +165,28 @@ BookSum Arranger::in_front(const Fraction& form) {
     multiply(whole.front, std::move(sum), 1);
     return {{std::move(whole.front)}};
   }
-  BookProduct product = this->product(whole);
+  BookProduct product = this->book_product(whole);
   divide(product, form);
   return {{std::move(product)}};
 }
 
-BookSum Arranger::summand(const Fraction& form, std::uint32_t own) {
-  BookSum typed = in_front_of_typed(form);
-  return typed.terms.empty() ? spread(form, own) : typed;
+BookSum Arranger::arrange_summand(const Fraction& form, std::uint32_t own) {
+  BookSum typed = product_with_typed_sum(form);
+  return typed.terms.empty() ? collect_by_rates(form, own) : typed;
 }
 
-BookSum Arranger::spread(const Fraction& form, std::optional<std::uint32_t> own) {
-  const Polynomial numerator = by_hyperbolic_squares(algebra_, form.numerator);
+BookSum Arranger::collect_by_rates(const Fraction& form, std::optional<std::uint32_t> own) {
+  const Polynomial numerator = reduce_hyperbolic_squares(algebra_, form.numerator);
   if (form.denominator.empty()) return terms(numerator, own);
-  const std::vector<Fraction> roots = by_roots(algebra_, {numerator, form.denominator});
+  const std::vector<Fraction> roots = split_by_roots(algebra_, {numerator, form.denominator});
   if (roots.size() == 1) return parts(roots.front(), own);
   BookSum result;
-  for (const Fraction& part : roots) append(result, spread(part, own));
+  for (const Fraction& part : roots) append(result, collect_by_rates(part, own));
   return result;
 }
 
 bool Arranger::is_one_product(const Fraction& form) {
-  const BookSum written = in_front(form);
+  const BookSum written = factor_out(form);
   return written.terms.size() == 1 &&
          std::ranges::none_of(written.terms.front().factors, [](const BookFactor& factor) {
            return factor.kind == BookFactorKind::sum;
@@ -196,9 +196,9 @@ bool Arranger::is_one_product(const Fraction& form) {
 BookSum Arranger::quotient(const Fraction& above, const Fraction& below) {
   if (above.numerator.empty()) return {};
   if (above.denominator != below.denominator) throw TooLongForABook();
-  Taken numerator{{1, {}}, by_hyperbolic_squares(algebra_, above.numerator)};
-  Taken denominator{{1, {}}, by_hyperbolic_squares(algebra_, below.numerator)};
-  for (Taken* const part : {&numerator, &denominator}) {
+  SplitSum numerator{{1, {}}, reduce_hyperbolic_squares(algebra_, above.numerator)};
+  SplitSum denominator{{1, {}}, reduce_hyperbolic_squares(algebra_, below.numerator)};
+  for (SplitSum* const part : {&numerator, &denominator}) {
     take_monomial(part->rest, part->front);
     const Monomial divisors = lowest_powers(algebra_, part->rest);
     multiply(part->front, divisors);

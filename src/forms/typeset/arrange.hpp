@@ -68,16 +68,17 @@ class Arranger {
  public:
   Arranger(const Algebra& algebra, const TypedForms& typed) : algebra_(algebra), typed_(typed) {}
 
-  [[nodiscard]] BookSum in_front(const Fraction& form);
+  [[nodiscard]] BookSum factor_out(const Fraction& form);
   /// Arranges each summand separately.
-  [[nodiscard]] BookSum each_in_front(const std::vector<Fraction>& summands);
+  [[nodiscard]] BookSum factor_out_each(const std::vector<Fraction>& summands);
   /// Arranges the terms with rates or momenta separately from the others: T and V of an energy.
-  [[nodiscard]] BookSum by_motion(const Fraction& form);
+  [[nodiscard]] BookSum split_by_motion(const Fraction& form);
   /// Collects the coefficient of each product of rates. `own` is the velocity whose acceleration
   /// comes first.
-  [[nodiscard]] BookSum spread(const Fraction& form, std::optional<std::uint32_t> own = {});
-  /// One product if a typed sum divides the form; otherwise spread().
-  [[nodiscard]] BookSum summand(const Fraction& form, std::uint32_t own);
+  [[nodiscard]] BookSum collect_by_rates(const Fraction& form,
+                                         std::optional<std::uint32_t> own = {});
+  /// One product if a typed sum divides the form; otherwise collect_by_rates().
+  [[nodiscard]] BookSum arrange_summand(const Fraction& form, std::uint32_t own);
   /// above / below. Each term of `above` is reduced by the powers that it shares with `below`.
   [[nodiscard]] BookSum quotient(const Fraction& above, const Fraction& below);
   /// True if the form is written as a single product without brackets.
@@ -88,22 +89,22 @@ class Arranger {
   using MixedSum = std::vector<RealTerm>;
 
   /// front * rest.
-  struct Taken {
+  struct SplitSum {
     BookProduct front;
     Polynomial rest = {};
   };
 
-  [[nodiscard]] Taken taken(Polynomial sum);
+  [[nodiscard]] SplitSum split_sum(Polynomial sum);
   void take_monomial(Polynomial& sum, BookProduct& front) const;
   bool take_typed(Polynomial& sum, BookProduct& front);
-  void take_square(Taken& taken);
-  bool take_coefficient(Taken& taken);
+  void take_square(SplitSum& taken);
+  bool take_coefficient(SplitSum& taken);
   [[nodiscard]] BookFactor typed_factor(std::size_t typed);
 
-  [[nodiscard]] BookSum in_front_of_typed(const Fraction& form);
-  [[nodiscard]] BookProduct product(const Polynomial& sum);
-  [[nodiscard]] BookProduct product(const Taken& taken);
-  [[nodiscard]] BookProduct product(const Fraction& form);
+  [[nodiscard]] BookSum product_with_typed_sum(const Fraction& form);
+  [[nodiscard]] BookProduct book_product(const Polynomial& sum);
+  [[nodiscard]] BookProduct book_product(const SplitSum& taken);
+  [[nodiscard]] BookProduct book_product(const Fraction& form);
   void divide(BookProduct& product, const Fraction& form);
   void divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent);
 
@@ -112,12 +113,12 @@ class Arranger {
   [[nodiscard]] BookSum terms_without_rates(const Polynomial& sum);
   [[nodiscard]] MixedSum mixed(const Polynomial& sum);
   [[nodiscard]] const BookSum& collected(const MixedSum& sum);
-  [[nodiscard]] BookSum newly_collected(const MixedSum& sum);
+  [[nodiscard]] BookSum collect_terms(const MixedSum& sum);
   [[nodiscard]] BookProduct shared_powers(const MixedSum& sum) const;
-  [[nodiscard]] BookSum by_kinds(const MixedSum& sum);
-  [[nodiscard]] std::optional<BookSum> by_shared_parameter(const MixedSum& sum);
-  [[nodiscard]] BookProduct product(MixedSum sum);
-  [[nodiscard]] BookProduct product(const RealTerm& term) const;
+  [[nodiscard]] BookSum group_by_kind(const MixedSum& sum);
+  [[nodiscard]] std::optional<BookSum> collect_by_parameter(const MixedSum& sum);
+  [[nodiscard]] BookProduct book_product(MixedSum sum);
+  [[nodiscard]] BookProduct book_product(const RealTerm& term) const;
 
   void multiply(BookProduct& product, const Monomial& powers) const;
   void multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const;

@@ -19,8 +19,8 @@ bool holds_typed_sum(const BookProduct& product) {
 }  // namespace
 
 Arranger::MixedSum Arranger::mixed(const Polynomial& sum) {
-  const auto parts =
-      parts_by(algebra_, sum, [](const Atom& atom) { return atom.kind != AtomKind::circular; });
+  const auto parts = group_terms_by(
+      algebra_, sum, [](const Atom& atom) { return atom.kind != AtomKind::circular; });
   MixedSum result;
   for (const auto& [powers, circular] : parts) {
     if (circular.size() == 1 && circular.begin()->first.empty()) {
@@ -35,7 +35,7 @@ Arranger::MixedSum Arranger::mixed(const Polynomial& sum) {
   return result;
 }
 
-BookProduct Arranger::product(const RealTerm& term) const {
+BookProduct Arranger::book_product(const RealTerm& term) const {
   BookProduct result;
   result.number = term.coefficient;
   multiply(result, term.powers);
@@ -53,7 +53,7 @@ BookProduct Arranger::shared_powers(const MixedSum& sum) const {
 }
 
 /// The common factors of all terms times the sum of the remaining factors.
-BookProduct Arranger::product(MixedSum sum) {
+BookProduct Arranger::book_product(MixedSum sum) {
   BookProduct result = shared_powers(sum);
   Monomial taken;
   for (const BookFactor& factor : result.factors) taken.push_back({factor.atom, -factor.exponent});
@@ -64,9 +64,9 @@ BookProduct Arranger::product(MixedSum sum) {
   if (is_plain) {
     Polynomial plain;
     for (const RealTerm& term : sum) add_term(plain, term.powers, {term.coefficient, 0});
-    const Taken whole = this->taken(std::move(plain));
+    const SplitSum whole = this->split_sum(std::move(plain));
     if (!whole.front.factors.empty()) {
-      elgen::multiply(result, product(whole));
+      elgen::multiply(result, book_product(whole));
       return result;
     }
   }
@@ -75,7 +75,7 @@ BookProduct Arranger::product(MixedSum sum) {
 }
 
 /// Combines all terms with the same coordinates, sines and cosines to one product.
-BookSum Arranger::by_kinds(const MixedSum& sum) {
+BookSum Arranger::group_by_kind(const MixedSum& sum) {
   struct Kind {
     RealTerm shared = {};
     MixedSum of_parameters = {};
@@ -100,19 +100,19 @@ BookSum Arranger::by_kinds(const MixedSum& sum) {
                               shared_powers(of_parameters).factors.empty();
     if (stands_alone || of_parameters.size() == 1) {
       for (const RealTerm& term : of_parameters) {
-        result.terms.push_back(product(term));
-        elgen::multiply(result.terms.back(), product(shared));
+        result.terms.push_back(book_product(term));
+        elgen::multiply(result.terms.back(), book_product(shared));
       }
     } else {
-      result.terms.push_back(product(of_parameters));
-      elgen::multiply(result.terms.back(), product(shared));
+      result.terms.push_back(book_product(of_parameters));
+      elgen::multiply(result.terms.back(), book_product(shared));
     }
   }
   return result;
 }
 
 /// m (a + b) + c, if m is the parameter that most terms, but not all, contain.
-std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
+std::optional<BookSum> Arranger::collect_by_parameter(const MixedSum& sum) {
   std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // all numbers have one place
   for (const RealTerm& term : sum) {
     for (const AtomPower& power : term.powers) {
@@ -134,7 +134,7 @@ std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
     (has_it ? with : without).push_back(term);
   }
   BookSum result = collected(without);
-  BookProduct whole = product(with);
+  BookProduct whole = book_product(with);
   for (RealTerm& term : with) {
     term.powers = elgen::product(term.powers, Monomial{{most.first, -1}});
   }
@@ -150,14 +150,14 @@ std::optional<BookSum> Arranger::by_shared_parameter(const MixedSum& sum) {
 const BookSum& Arranger::collected(const MixedSum& sum) {
   const auto known = collected_.find(sum);
   if (known != collected_.end()) return known->second;
-  return collected_.emplace(sum, newly_collected(sum)).first->second;
+  return collected_.emplace(sum, collect_terms(sum)).first->second;
 }
 
 /// The shorter of two forms; if both are equally long, the form with a typed sum.
-BookSum Arranger::newly_collected(const MixedSum& sum) {
-  BookSum best = by_kinds(sum);
+BookSum Arranger::collect_terms(const MixedSum& sum) {
+  BookSum best = group_by_kind(sum);
   if (sum.size() > 2 && sum.size() <= longest_collected) {
-    std::optional<BookSum> other = by_shared_parameter(sum);
+    std::optional<BookSum> other = collect_by_parameter(sum);
     const bool is_typed = other && std::ranges::any_of(other->terms, holds_typed_sum);
     const std::size_t margin = is_typed ? 1 : 0;
     if (other && written_factors(*other) < written_factors(best) + margin) {

@@ -28,7 +28,7 @@ Fraction opposite(const Fraction& form) {
 }
 
 /// Removes zeros and pairs that cancel: V = a*x + b - a*x has no force.
-std::vector<Fraction> uncancelled(std::vector<Fraction> summands) {
+std::vector<Fraction> remove_cancelled(std::vector<Fraction> summands) {
   for (std::size_t i = 0; i < summands.size(); ++i) {
     for (std::size_t k = i + 1; k < summands.size(); ++k) {
       if (summands[i] != opposite(summands[k])) continue;
@@ -43,11 +43,11 @@ std::vector<Fraction> uncancelled(std::vector<Fraction> summands) {
 }  // namespace
 
 /// Empty if the summands add up to 0: V = a*x + b*x - (a + b)*x has no force either.
-std::vector<Fraction> Equations::settled(const std::vector<Fraction>& summands) {
+std::vector<Fraction> Equations::nonzero_summands(const std::vector<Fraction>& summands) {
   Value sum = Fraction{};
   for (const Fraction& form : summands) sum = arithmetic_.add(sum, form);
   if (sum && sum->numerator.empty()) return {};
-  return uncancelled(summands);
+  return remove_cancelled(summands);
 }
 
 Fraction Equations::total(const std::vector<Fraction>& summands) {
@@ -59,34 +59,35 @@ Fraction Equations::total(const std::vector<Fraction>& summands) {
 
 std::optional<EquationRow> Equations::row(const ClosedFunction& function) {
   EquationRow result;
-  const auto forms = [&](BookLine field) {
+  const auto forms = [&](BookField field) {
     return function.fields[static_cast<std::size_t>(field)].entries;
   };
-  const auto rates = forms(BookLine::momentum_rate);
-  const auto partials = forms(BookLine::partial);
+  const auto rates = forms(BookField::momentum_rate);
+  const auto partials = forms(BookField::partial);
   for (std::size_t k = 0; k < rates.size(); ++k) {
     const Value part = arithmetic_.subtract(rates[k], partials[k]);
     if (!part) return std::nullopt;
     result.inertia.push_back(*part);
   }
-  for (const std::optional<Fraction>& form : forms(BookLine::dissipation)) {
+  for (const std::optional<Fraction>& form : forms(BookField::dissipation)) {
     if (!form) return std::nullopt;
     result.dissipation.push_back(*form);
   }
-  const std::optional<Fraction> force = forms(BookLine::force).front();
+  const std::optional<Fraction> force = forms(BookField::force).front();
   if (!force) return std::nullopt;
   result.force = *force;
   return result;
 }
 
-BookSum Equations::arranged(std::vector<Fraction> summands, std::uint32_t own,
-                            const std::vector<Fraction>& dissipation) {
+BookSum Equations::arrange_row(std::vector<Fraction> summands, std::uint32_t own,
+                               const std::vector<Fraction>& dissipation) {
   const auto resting =
       std::stable_partition(summands.begin(), summands.end(),
                             [&](const Fraction& form) { return moves(algebra_, form); });
-  BookSum result = arranger_.spread(total({summands.begin(), resting}), own);
+  BookSum result = arranger_.collect_by_rates(total({summands.begin(), resting}), own);
   for (const std::vector<Fraction>& part : {dissipation, {resting, summands.end()}}) {
-    for (const Fraction& form : settled(part)) append(result, arranger_.summand(form, own));
+    for (const Fraction& form : nonzero_summands(part))
+      append(result, arranger_.arrange_summand(form, own));
   }
   return result;
 }
@@ -129,21 +130,21 @@ BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia
   erase_if(whole.numerator, [&](const auto& term) {
     return acceleration_in(algebra_, term.first) != term.first.end();
   });
-  std::vector<Fraction> parts = settled(resting);
+  std::vector<Fraction> parts = nonzero_summands(resting);
   parts.insert(parts.begin(), std::move(whole));
-  for (const Fraction& form : settled(row.dissipation)) parts.push_back(opposite(form));
+  for (const Fraction& form : nonzero_summands(row.dissipation)) parts.push_back(opposite(form));
   parts.push_back(row.force);
   BookSum result;
   for (const Fraction& part : parts) {
     const Value divided = arithmetic_.divide(part, inertia);
     if (!divided) throw TooLongForABook();
-    append(result, arranger_.summand(*divided, own));
+    append(result, arranger_.arrange_summand(*divided, own));
   }
   return result;
 }
 
-std::optional<BookSum> Equations::solved(const std::vector<std::optional<EquationRow>>& rows,
-                                         std::uint32_t own) {
+std::optional<BookSum> Equations::solve_acceleration(
+    const std::vector<std::optional<EquationRow>>& rows, std::uint32_t own) {
   const std::optional<Linear> first = linear(rows[own]);
   if (!first || first->inertia.count(own) == 0 || first->inertia.size() > 2) return std::nullopt;
   const Fraction& inertia = first->inertia.at(own);

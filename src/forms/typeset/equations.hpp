@@ -32,26 +32,26 @@ class Equations {
 
   /// Arranges each summand separately; empty if they add up to 0.
   [[nodiscard]] BookSum each(const std::vector<Fraction>& summands) {
-    return arranger_.each_in_front(settled(summands));
+    return arranger_.factor_out_each(nonzero_summands(summands));
   }
   /// Arranges a row; `own` is its velocity. Dissipation comes after the terms with rates.
-  [[nodiscard]] BookSum arranged(std::vector<Fraction> summands, std::uint32_t own,
-                                 const std::vector<Fraction>& dissipation = {});
+  [[nodiscard]] BookSum arrange_row(std::vector<Fraction> summands, std::uint32_t own,
+                                    const std::vector<Fraction>& dissipation = {});
   /// d/dt dL/dv - dL/dq + dD/dv.
   [[nodiscard]] BookSum left(const EquationRow& row, std::uint32_t own) {
-    return arranged(row.inertia, own, row.dissipation);
+    return arrange_row(row.inertia, own, row.dissipation);
   }
 
   /// The acceleration, if its row has no other acceleration, or one other whose row has no third.
   /// Otherwise none.
-  [[nodiscard]] std::optional<BookSum> solved(const std::vector<std::optional<EquationRow>>& rows,
-                                              std::uint32_t own);
+  [[nodiscard]] std::optional<BookSum> solve_acceleration(
+      const std::vector<std::optional<EquationRow>>& rows, std::uint32_t own);
 
  private:
   /// A row in the form M a = rest.
   struct Linear;
 
-  [[nodiscard]] std::vector<Fraction> settled(const std::vector<Fraction>& summands);
+  [[nodiscard]] std::vector<Fraction> nonzero_summands(const std::vector<Fraction>& summands);
   [[nodiscard]] Fraction total(const std::vector<Fraction>& summands);
   [[nodiscard]] std::optional<Linear> linear(const std::optional<EquationRow>& row);
   [[nodiscard]] BookSum divided_terms(const EquationRow& row, const Fraction& inertia,

@@ -14,7 +14,7 @@ using cln::cl_RA;
 namespace {
 
 /// A longer sum is written as its name if the model defines one.
-constexpr std::size_t longest_filled_in = 12;
+constexpr std::size_t longest_unnamed_sum = 12;
 
 bool is_root_of(const Algebra& algebra, const BookFactor& factor, const Polynomial& radicand) {
   if (factor.kind != BookFactorKind::atom || factor.exponent < 1) return false;
@@ -98,13 +98,13 @@ BookFactor Arranger::typed_factor(std::size_t typed) {
   Arranger inner(algebra_, typed_);
   inner.first_typed_ = typed + 1;
   inner.typed_factors_ = typed_factors_;
-  for (const Fraction& term : sum.terms) append(factor.sum, inner.in_front(term));
+  for (const Fraction& term : sum.terms) append(factor.sum, inner.factor_out(term));
   // A factor this long is not typeset; the page shows the code's form.
   const bool is_too_long = written_factors(factor.sum, true) > longest_entry_of_a_book;
   if (is_too_long) throw std::length_error("a typed sum");
   factor.place = place_of_sum(factor.sum, static_cast<std::uint32_t>(typed));
   const bool of_parameters = is_of_parameters(algebra_, sum.value);
-  if (sum.definition && (of_parameters || written_factors(factor.sum) > longest_filled_in)) {
+  if (sum.definition && (of_parameters || written_factors(factor.sum) > longest_unnamed_sum)) {
     factor.kind = BookFactorKind::name;
     factor.definition = *sum.definition;
   }
@@ -136,9 +136,9 @@ bool Arranger::take_typed(Polynomial& sum, BookProduct& front) {
   return is_taken;
 }
 
-Arranger::Taken Arranger::taken(Polynomial sum) {
-  Taken result;
-  result.rest = by_hyperbolic_squares(algebra_, std::move(sum));
+Arranger::SplitSum Arranger::split_sum(Polynomial sum) {
+  SplitSum result;
+  result.rest = reduce_hyperbolic_squares(algebra_, std::move(sum));
   take_monomial(result.rest, result.front);
   if (take_typed(result.rest, result.front)) take_monomial(result.rest, result.front);
   take_square(result);
@@ -147,7 +147,7 @@ Arranger::Taken Arranger::taken(Polynomial sum) {
 }
 
 /// Extracts c (a + b)^2 with real a and b. For sines the root of the square is i times a real sum.
-void Arranger::take_square(Taken& taken) {
+void Arranger::take_square(SplitSum& taken) {
   if (taken.rest.size() < 3 || taken.rest.size() > longest_collected) return;
   const Gaussian lead = taken.rest.rbegin()->second;
   if (!cln::zerop(lead.imaginary)) return;
@@ -169,7 +169,7 @@ void Arranger::take_square(Taken& taken) {
 
 /// Extracts (a + b) from (a + b) (c + d): the coefficient of the highest power of a parameter, if
 /// it divides the sum. An imaginary coefficient, as from the sine of a number, is skipped.
-bool Arranger::take_coefficient(Taken& taken) {
+bool Arranger::take_coefficient(SplitSum& taken) {
   if (taken.rest.size() < 4 || taken.rest.size() > longest_collected) return false;
   for (const AtomId id : atoms_of(taken.rest)) {
     if (atom_factor({id, 1}).place.group != FactorGroup::parameter) continue;
@@ -188,7 +188,7 @@ bool Arranger::take_coefficient(Taken& taken) {
 }
 
 /// front * rest, with the divisors of single terms as divisors of the whole sum.
-BookProduct Arranger::product(const Taken& taken) {
+BookProduct Arranger::book_product(const SplitSum& taken) {
   BookProduct result = taken.front;
   if (is_one(taken.rest)) return result;
   const Monomial below = lowest_powers(algebra_, taken.rest);
@@ -199,11 +199,11 @@ BookProduct Arranger::product(const Taken& taken) {
   return result;
 }
 
-BookProduct Arranger::product(const Polynomial& sum) { return product(taken(sum)); }
+BookProduct Arranger::book_product(const Polynomial& sum) { return book_product(split_sum(sum)); }
 
 void Arranger::divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent) {
   if (exponent == 0) return;
-  elgen::divide(product, this->product(factor), exponent);
+  elgen::divide(product, this->book_product(factor), exponent);
 }
 
 /// Divides by the denominator of `form`. Denominator factors with sines and cosines are multiplied
@@ -231,8 +231,8 @@ void Arranger::divide(BookProduct& product, const Fraction& form) {
   if (!is_one(circular_factors)) divide(product, circular_factors, 1);
 }
 
-BookProduct Arranger::product(const Fraction& form) {
-  BookProduct result = product(form.numerator);
+BookProduct Arranger::book_product(const Fraction& form) {
+  BookProduct result = book_product(form.numerator);
   divide(result, form);
   return result;
 }

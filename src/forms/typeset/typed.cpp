@@ -17,7 +17,7 @@ constexpr std::size_t most_terms_of_a_sum = 30;
 /// True if the author of the model wrote the expression of a root. elgen itself adds places, spins
 /// and inertias of points and bodies in frames, reactions, and with frames the equations of
 /// constraints.
-bool is_written(const Model& model, const Root& root) {
+bool is_typed_by_author(const Model& model, const Root& root) {
   const auto stands_in_frame = [&](const auto& entries) {
     return entries[root.entity.index].local.has_value();
   };
@@ -40,7 +40,8 @@ std::vector<ExpressionId> written_roots(const Model& model) {
   for (const EntityKind kind : {EntityKind::energy, EntityKind::definition, EntityKind::point,
                                 EntityKind::body, EntityKind::force, EntityKind::constraint}) {
     for (const Root& root : all) {
-      if (root.entity.kind == kind && is_written(model, root)) written.push_back(root.expression);
+      if (root.entity.kind == kind && is_typed_by_author(model, root))
+        written.push_back(root.expression);
     }
   }
   return written;
@@ -99,13 +100,13 @@ Polynomial long_term(ClosedForms& forms, const Model& model, const FixedParamete
 }
 
 /// For each parameter: true if it has this unit or is a leaf of one of the expressions.
-std::vector<bool> marked(const Model& model, const Unit& unit,
-                         const std::vector<ExpressionId>& expressions) {
+std::vector<bool> parameter_flags(const Model& model, const Unit& unit,
+                                  const std::vector<ExpressionId>& expressions) {
   std::vector<bool> result;
   for (const Parameter& parameter : model.parameters) {
     result.push_back(parameter.unit && *parameter.unit == unit);
   }
-  for (const ExpressionId id : reached(model, expressions)) {
+  for (const ExpressionId id : reachable_from(model, expressions)) {
     const Expression& e = model.expressions[id];
     if (is_leaf(e, Opcode::parameter)) result[e.index] = true;
   }
@@ -115,14 +116,15 @@ std::vector<bool> marked(const Model& model, const Unit& unit,
 /// For each parameter: true for g and other accelerations.
 std::vector<bool> accelerations(const Model& model) {
   static const Unit second = *find_unit("s");
-  return marked(model, *find_unit("m") / (second * second), roots_if(model, [](const Root& root) {
-                  return root.entity.kind == EntityKind::gravity;
-                }));
+  return parameter_flags(
+      model, *find_unit("m") / (second * second),
+      roots_if(model, [](const Root& root) { return root.entity.kind == EntityKind::gravity; }));
 }
 
 std::vector<bool> masses(const Model& model) {
-  return marked(model, *find_unit("kg"),
-                roots_if(model, [](const Root& root) { return root.role == RootRole::mass; }));
+  return parameter_flags(model, *find_unit("kg"), roots_if(model, [](const Root& root) {
+                           return root.role == RootRole::mass;
+                         }));
 }
 
 /// The order of declaration, except that g and other accelerations follow the last mass.
@@ -150,7 +152,7 @@ std::vector<std::vector<std::uint32_t>> factors_of(const Model& model, const Exp
   std::vector<std::vector<std::uint32_t>> factors;
   for (const ExpressionId operand : product.operands) {
     std::vector<std::uint32_t>& parameters = factors.emplace_back();
-    for (const ExpressionId id : reached(model, {operand})) {
+    for (const ExpressionId id : reachable_from(model, {operand})) {
       const Expression& e = model.expressions[id];
       if (is_leaf(e, Opcode::parameter)) parameters.push_back(e.index);
     }
@@ -168,7 +170,7 @@ class ProductOrder {
     for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
       for (std::size_t k = i + 1; k < factors.size(); ++k) {
         for (const std::uint32_t first : factors[i]) {
-          for (const std::uint32_t second : factors[k]) put_before(first, second);
+          for (const std::uint32_t second : factors[k]) order_pair(first, second);
         }
       }
     }
@@ -181,7 +183,7 @@ class ProductOrder {
   }
 
  private:
-  void put_before(std::uint32_t first, std::uint32_t second) {
+  void order_pair(std::uint32_t first, std::uint32_t second) {
     const std::size_t pair = first * order_.size() + second;
     const std::size_t opposite = second * order_.size() + first;
     if (first == second || is_known_[pair] || is_known_[opposite]) return;
@@ -204,7 +206,7 @@ class ProductOrder {
 }  // namespace
 
 TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParameters& fixed) {
-  const std::vector<ExpressionId> all = reached(model, written_roots(model));
+  const std::vector<ExpressionId> all = reachable_from(model, written_roots(model));
   const std::vector<ExpressionId> ids = sums_of(model, all);
   TypedForms result;
   result.are_accelerations = accelerations(model);

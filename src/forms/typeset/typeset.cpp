@@ -15,7 +15,7 @@ namespace elgen {
 namespace {
 
 bool is_written_out(const Function& function) {
-  const std::vector<std::size_t> sizes = written_out_sizes(function, longest_entry_of_a_book);
+  const std::vector<std::size_t> sizes = expanded_sizes(function, longest_entry_of_a_book);
   return std::ranges::all_of(entries_of(function), [&sizes](std::uint32_t entry) {
     return sizes[entry] <= longest_entry_of_a_book;
   });
@@ -82,9 +82,9 @@ void add_scalar(Function& function, const std::string& name, std::uint32_t entry
 /// Longer accelerations are not easier to read than the rows themselves.
 constexpr std::size_t longest_solution = 40;
 
-class Typesetting {
+class Typesetter {
  public:
-  Typesetting(const CheckedModel& checked, const ClosedForms& forms, Program& program)
+  Typesetter(const CheckedModel& checked, const ClosedForms& forms, Program& program)
       : model_(checked.model),
         forms_(forms),
         program_(program),
@@ -119,7 +119,7 @@ class Typesetting {
       const std::vector<ClosedField>& fields = forms_.functions[index].fields;
       BookSum whole;
       for (const ClosedField& field : fields) {
-        BookSum sum = write.arranger.each_in_front(summands(field));
+        BookSum sum = write.arranger.factor_out_each(summands(field));
         add_scalar(result, field.name, write(sum));
         for (BookProduct& term : sum.terms) {
           if (field.name == "V") term.number = -term.number;
@@ -130,15 +130,15 @@ class Typesetting {
     });
   }
 
-  /// Writes the lines of one velocity (BookLine).
+  /// Writes the lines of one velocity (BookField).
   Function equation(std::size_t index, std::uint32_t velocity) {
     return written(program_.functions[index], [&](Function& result) {
       BookWriter write(model_, algebra_, typed_, program_, result);
       Equations equations(algebra_, write.arranger);
       for (const ClosedField& field : forms_.functions[index].fields) {
-        add_scalar(result, field.name, write(equations.arranged(summands(field), velocity)));
+        add_scalar(result, field.name, write(equations.arrange_row(summands(field), velocity)));
       }
-      const auto rows = rows_around(equations, index - velocity);
+      const auto rows = equation_rows(equations, index - velocity);
       if (!rows[velocity]) throw TooLongForABook();
       add_scalar(result, "left", write(equations.left(*rows[velocity], velocity)));
     });
@@ -151,13 +151,13 @@ class Typesetting {
     return written(like, [&](Function& result) {
       BookWriter write(model_, algebra_, typed_, program_, result);
       Equations equations(algebra_, write.arranger);
-      const auto rows = rows_around(equations, first);
+      const auto rows = equation_rows(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
         // No solution after an expansion, whose dropped terms a quotient would need, and none with
         // constraints, whose multipliers are unknown.
         if (model_.approximation || !model_.constraints.empty()) continue;
-        const std::optional<BookSum> solution = equations.solved(rows, i);
+        const std::optional<BookSum> solution = equations.solve_acceleration(rows, i);
         if (!solution || written_factors(*solution) > longest_solution) continue;
         field.rows = 1;
         field.entries = {write(*solution)};
@@ -189,15 +189,15 @@ class Typesetting {
                                                std::uint32_t row) {
     if (!is_short(form)) return std::nullopt;
     try {
-      return write(is_sum_of_forces(kind) ? write.arranger.spread(*form, row)
-                                          : write.arranger.by_motion(*form));
+      return write(is_sum_of_forces(kind) ? write.arranger.collect_by_rates(*form, row)
+                                          : write.arranger.split_by_motion(*form));
     } catch (const TooLongForABook&) {
       return std::nullopt;
     }
   }
 
-  [[nodiscard]] std::vector<std::optional<EquationRow>> rows_around(Equations& equations,
-                                                                    std::size_t first) const {
+  [[nodiscard]] std::vector<std::optional<EquationRow>> equation_rows(Equations& equations,
+                                                                      std::size_t first) const {
     std::vector<std::optional<EquationRow>> rows;
     for (std::size_t i = 0; i < model_.velocities.size(); ++i) {
       rows.push_back(equations.row(forms_.functions[first + i]));
@@ -229,7 +229,7 @@ bool has_short_entry(const ClosedFunction& function) {
 Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program program) {
   if (checked.model.approximation || has_routhian(checked.model)) return program;
   if (std::ranges::none_of(forms.functions, has_short_entry)) return program;
-  Typesetting typesetting(checked, forms, program);
+  Typesetter typesetting(checked, forms, program);
   program.readable.resize(program.functions.size());
   for (std::size_t i = 0; i < forms.functions.size(); ++i) {
     Function read = typesetting.output(i);
@@ -242,7 +242,7 @@ namespace {
 
 /// Replaces the summands of each field by their sum, over the definitions of the derivation.
 /// Readers see it if there is no closed form.
-Function added_up(Program& program, Function function, bool is_velocity) {
+Function add_summands(Program& program, Function function, bool is_velocity) {
   Instructions instructions(function);
   const auto zero = position_of(rational_constant(0), program.constants);
   for (Field& field : function.fields) {
@@ -255,10 +255,10 @@ Function added_up(Program& program, Function function, bool is_velocity) {
   }
   const auto entry = [&function](std::size_t field) { return function.fields[field].entries[0]; };
   if (is_velocity) {
-    const auto of = [&entry](BookLine line) { return entry(static_cast<std::size_t>(line)); };
+    const auto of = [&entry](BookField line) { return entry(static_cast<std::size_t>(line)); };
     const std::uint32_t inertia =
-        instructions.add(Opcode::subtract, of(BookLine::momentum_rate), of(BookLine::partial));
-    const std::uint32_t damping = of(BookLine::dissipation);
+        instructions.add(Opcode::subtract, of(BookField::momentum_rate), of(BookField::partial));
+    const std::uint32_t damping = of(BookField::dissipation);
     const bool is_damped = !loads_zero(program, function.instructions[damping]);
     const std::uint32_t left =
         is_damped ? instructions.add(Opcode::add, inertia, damping) : inertia;
@@ -273,7 +273,7 @@ Function added_up(Program& program, Function function, bool is_velocity) {
 }  // namespace
 
 Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms, Program derived) {
-  Typesetting typesetting(checked, forms, derived);
+  Typesetter typesetting(checked, forms, derived);
   const std::size_t count = derived.functions.size();
   const std::size_t velocities = checked.model.velocities.size();
   const std::size_t first = count - 1 - velocities;
@@ -286,7 +286,7 @@ Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms, Pro
   derived.readable.push_back(typesetting.accelerations(first));
   for (std::size_t i = first - 1; i < count; ++i) {
     derived.functions[i] =
-        added_up(derived, std::move(derived.functions[i]), i >= first && i + 1 < count);
+        add_summands(derived, std::move(derived.functions[i]), i >= first && i + 1 < count);
   }
   Function unsolved = derived.readable.back();
   if (unsolved.fields.empty()) unsolved.fields.resize(velocities, Field{"", 0, 1, {}});
@@ -303,12 +303,12 @@ Function typeset_value(const Model& model, const Algebra& algebra, const Fractio
   const Function shape{.fields = {Field{"", 1, 1, {0}}}};
   Function book = written(shape, [&](Function& result) {
     BookWriter write(model, own, typed, program, result);
-    add_scalar(result, "", write(write.arranger.by_motion(form)));
+    add_scalar(result, "", write(write.arranger.split_by_motion(form)));
   });
   if (!book.fields.empty()) return book;
   const auto read =
       shortest(rewritings_of(algebra, form).collected, nullptr, mixed_points(program.leaves));
-  return read ? lowered_one_by_one({read}, shape, program) : book;
+  return read ? lower_separately({read}, shape, program) : book;
 }
 
 }  // namespace elgen

@@ -79,22 +79,22 @@ QuotientSides sides_of(const BookProduct& product) {
 
 std::uint32_t BookWriter::operator()(const BookSum& sum) {
   if (sum.terms.empty()) return number(0);
-  std::uint32_t total = product(sum.terms.front());
+  std::uint32_t total = write_product(sum.terms.front());
   if (cln::minusp(sum.terms.front().number)) total = instructions_.add(Opcode::negate, total);
   for (std::size_t i = 1; i < sum.terms.size(); ++i) {
     const bool is_negative = cln::minusp(sum.terms[i].number);
     total = instructions_.add(is_negative ? Opcode::subtract : Opcode::add, total,
-                              product(sum.terms[i]));
+                              write_product(sum.terms[i]));
   }
   return total;
 }
 
 std::uint32_t BookWriter::copied(const Function& function, std::uint32_t instruction) {
   std::vector<std::uint32_t> copies(function.instructions.size());
-  const std::vector<bool> needed = needed_for(function, {instruction});
+  const std::vector<bool> needed = needed_instructions(function, {instruction});
   for (std::uint32_t at = 0; at <= instruction; ++at) {
     if (!needed[at]) continue;
-    copies[at] = instructions_.add(with_operands(function.instructions[at], copies));
+    copies[at] = instructions_.add(renumber_operands(function.instructions[at], copies));
   }
   return copies[instruction];
 }
@@ -115,7 +115,7 @@ void BookWriter::name_shared_divisors() {
 }
 
 /// Writes a product without its sign.
-std::uint32_t BookWriter::product(const BookProduct& product) {
+std::uint32_t BookWriter::write_product(const BookProduct& product) {
   if (cln::zerop(product.number)) return number(0);
   const QuotientSides sides = sides_of(product);
   const auto multiplied = [this](std::optional<std::uint32_t> result,
@@ -195,11 +195,12 @@ BookSum BookWriter::angle_term(const Fraction& argument) {
     if (value.empty() || !argument.denominator.empty()) continue;
     const auto ratio = ratio_of(argument.numerator, value);
     if (!ratio) continue;
-    BookFactor name{
-        .kind = BookFactorKind::prescribed, .sum = arranger.in_front({value, {}}), .definition = i};
+    BookFactor name{.kind = BookFactorKind::prescribed,
+                    .sum = arranger.factor_out({value, {}}),
+                    .definition = i};
     return {{BookProduct{*ratio, {std::move(name)}}}};
   }
-  return arranger.in_front(argument);
+  return arranger.factor_out(argument);
 }
 
 std::uint32_t BookWriter::atom(AtomId id) {
@@ -217,7 +218,7 @@ std::uint32_t BookWriter::new_atom(AtomId id) {
   }
   std::vector<std::uint32_t> arguments;
   for (const Fraction& argument : atom.arguments) {
-    arguments.push_back((*this)(arranger.in_front(argument)));
+    arguments.push_back((*this)(arranger.factor_out(argument)));
   }
   if (atom.kind == AtomKind::root) return instructions_.add(Opcode::square_root, arguments[0]);
   Instruction call{.opcode = Opcode::call, .function = atom.function, .a = arguments[0]};

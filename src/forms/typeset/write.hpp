@@ -32,7 +32,7 @@ class BookWriter {
   void name_shared_divisors();
 
  private:
-  [[nodiscard]] std::uint32_t product(const BookProduct& product);
+  [[nodiscard]] std::uint32_t write_product(const BookProduct& product);
   [[nodiscard]] std::uint32_t factor(const BookFactor& factor);
   [[nodiscard]] std::uint32_t trigonometric(FunctionId function, const Monomial& angle);
   [[nodiscard]] std::uint32_t angle(const Monomial& parts);

@@ -47,7 +47,7 @@ std::optional<AtomId> root_of(const Algebra& algebra, const Polynomial& radicand
   return std::nullopt;
 }
 
-std::vector<RealTerm> unless_too_long(std::optional<std::vector<RealTerm>> terms) {
+std::vector<RealTerm> terms_or_throw(std::optional<std::vector<RealTerm>> terms) {
   if (!terms) throw TooLong();
   return std::move(*terms);
 }
@@ -57,12 +57,12 @@ std::vector<RealTerm> unless_too_long(std::optional<std::vector<RealTerm>> terms
 std::vector<RealTerm> terms_of(const Algebra& algebra, const Polynomial& polynomial, Layout layout,
                                std::size_t most) {
   if (layout.trigonometry) {
-    return unless_too_long(real_terms(algebra, polynomial, *layout.trigonometry, most));
+    return terms_or_throw(real_terms(algebra, polynomial, *layout.trigonometry, most));
   }
   std::vector<RealTerm> all;
-  for (const auto& [rates, rest] : parts_by(algebra, polynomial, is_rate)) {
+  for (const auto& [rates, rest] : group_terms_by(algebra, polynomial, is_rate)) {
     const Polynomial part = scaled(rest, {1, 0}, rates);
-    const auto terms = unless_too_long(shortest_terms(algebra, part, most));
+    const auto terms = terms_or_throw(shortest_terms(algebra, part, most));
     if (all.size() + terms.size() > most) throw TooLong();
     all.insert(all.end(), terms.begin(), terms.end());
   }
@@ -83,7 +83,8 @@ class ClosedGraph {
 
   Ref fraction(const Fraction& form) {
     std::vector<Ref> parts;
-    for (const Fraction& part : by_roots(algebra_, form)) parts.push_back(part_of_fraction(part));
+    for (const Fraction& part : split_by_roots(algebra_, form))
+      parts.push_back(part_of_fraction(part));
     return graph_.sum(parts);
   }
 
@@ -202,7 +203,7 @@ class ClosedGraph {
 
   Ref as_typed(const Program& sums, std::uint32_t index) {
     const Function& sum = sums.functions[index];
-    return copied(graph_, from_program(sums, sum, entries_of(sum)));
+    return copy_value(graph_, from_program(sums, sum, entries_of(sum)));
   }
 
   /// Memoised: arguments nest, and several atoms have the same argument.
@@ -225,9 +226,9 @@ class ClosedGraph {
 
 }  // namespace
 
-std::vector<Fraction> by_roots(const Algebra& algebra, const Fraction& form) {
-  const auto parts = parts_by(algebra, form.numerator,
-                              [](const Atom& atom) { return atom.kind == AtomKind::root; });
+std::vector<Fraction> split_by_roots(const Algebra& algebra, const Fraction& form) {
+  const auto parts = group_terms_by(algebra, form.numerator,
+                                    [](const Atom& atom) { return atom.kind == AtomKind::root; });
   std::vector<Fraction> result;
   for (const auto& [roots, rest] : parts) {
     std::size_t work = 100'000;

@@ -30,7 +30,7 @@ struct Layout {
 
 /// Splits a sum by the roots in its terms. Each part gets its own denominator: (a sqrt(r) + b
 /// r)/r^2 = a sqrt(r)/r^2 + b/r.
-[[nodiscard]] std::vector<Fraction> by_roots(const Algebra& algebra, const Fraction& form);
+[[nodiscard]] std::vector<Fraction> split_by_roots(const Algebra& algebra, const Fraction& form);
 
 /// None if a sum of the form has more than `most` terms.
 [[nodiscard]] std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra,

@@ -17,23 +17,24 @@ using Letters = std::array<std::optional<Ref>, 3>;
 /// The letters found so far, the common factor, and the positions of the matched terms.
 struct Match {
   Letters letters = {};
-  ScaledTerm beside = {};
+  ScaledTerm common_factor = {};
   std::vector<std::size_t> places = {};
 };
 
 /// Writes the replacement of a row whose letters are known.
-class RowWriting : protected GraphTerms {
+class RowWriter : protected GraphTerms {
  public:
-  RowWriting(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
+  RowWriter(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   /// The replacement of the matched terms.
-  Ref written(const DigitPattern& row, const Match& match) {
-    return times(product(match.beside), instantiated(row.to, match.letters, true));
+  Ref replacement(const DigitPattern& row, const Match& match) {
+    return times(product(match.common_factor), substitute_letters(row.to, match.letters, true));
   }
 
   /// The value of a pattern term, times the common factor.
   ScaledTerm known_term(const ScaledTerm& pattern, const Match& match) {
-    std::vector<Power> powers{{product(match.beside)}, {graph_.rational(pattern.coefficient)}};
+    std::vector<Power> powers{{product(match.common_factor)},
+                              {graph_.rational(pattern.coefficient)}};
     for (const Operand& factor : pattern.factors) {
       append_powers(factor, match.letters, false, powers);
     }
@@ -41,12 +42,12 @@ class RowWriting : protected GraphTerms {
   }
 
  protected:
-  Keeping keeping_;
+  RewriteOptions keeping_;
 
  private:
   /// Substitutes the letters in a pattern. If `is_kept`, sums in it are rewritten too, except in
   /// divisors.
-  Ref instantiated(Ref pattern, const Letters& letters, bool is_kept) {
+  Ref substitute_letters(Ref pattern, const Letters& letters, bool is_kept) {
     const Node& node = digit_patterns().graph.node(pattern.node);
     if (node.kind == NodeKind::leaf) return with_sign(*letters[node.index], pattern.negative);
     if (node.kind == NodeKind::product || node.kind == NodeKind::rational) {
@@ -56,14 +57,14 @@ class RowWriting : protected GraphTerms {
     }
     std::vector<Ref> operands;
     for (const Operand& operand : node.operands) {
-      operands.push_back(instantiated({operand.node, operand.weight < 0}, letters, is_kept));
+      operands.push_back(substitute_letters({operand.node, operand.weight < 0}, letters, is_kept));
     }
     Ref value = graph_.pi();
     if (node.kind == NodeKind::call) value = graph_.call(node.function, operands);
     if (node.kind == NodeKind::square_root) value = graph_.square_root(operands.front());
     if (node.kind == NodeKind::sum) {
       value = short_sum(operands);
-      if (is_kept) value = kept_sum(graph_, keeping_, value).value_or(value);
+      if (is_kept) value = rewrite_sum(graph_, keeping_, value).value_or(value);
     }
     return with_sign(value, pattern.negative);
   }
@@ -77,7 +78,7 @@ class RowWriting : protected GraphTerms {
     }
     if (node.kind != NodeKind::product) {
       const bool is_kept_too = is_kept && pattern.weight > 0;
-      const Ref base = instantiated({pattern.node, false}, letters, is_kept_too);
+      const Ref base = substitute_letters({pattern.node, false}, letters, is_kept_too);
       return powers.push_back({base, pattern.weight});
     }
     for (const Operand& factor : node.operands) {
@@ -87,10 +88,10 @@ class RowWriting : protected GraphTerms {
 };
 
 /// Finds the letters of rows in the terms of a graph.
-class RowMatching : protected RowWriting {
+class RowMatcher : protected RowWriter {
  public:
-  using RowWriting::RowWriting;
-  using RowWriting::written;
+  using RowWriter::replacement;
+  using RowWriter::RowWriter;
 
   /// All ways to write `value` as the pattern times a common factor. An odd function matches with
   /// either sign of its argument.
@@ -98,7 +99,7 @@ class RowMatching : protected RowWriting {
                                            const Letters& known) const {
     std::vector<Match> found;
     Match start{known, value};
-    start.beside.coefficient = value.coefficient / pattern.coefficient;
+    start.common_factor.coefficient = value.coefficient / pattern.coefficient;
     extend(pattern, 0, start, found);
     const auto odd = std::ranges::find_if(pattern.factors, [&](const Operand& factor) {
       const Node& node = digit_patterns().graph.node(factor.node);
@@ -110,14 +111,14 @@ class RowMatching : protected RowWriting {
     for (Match& match : turned) {
       std::optional<Ref>& letter = match.letters[*letter_of(odd->node)];
       letter = -*letter;
-      match.beside.coefficient = -match.beside.coefficient;
+      match.common_factor.coefficient = -match.common_factor.coefficient;
     }
     found.insert(found.end(), turned.begin(), turned.end());
     return found;
   }
 
   /// Matches a^n or sqrt(a) and sets the letter; false if the value is no such power or root.
-  bool tell_root(const Operand& pattern, const ScaledTerm& value, Letters& letters) {
+  bool match_root(const Operand& pattern, const ScaledTerm& value, Letters& letters) {
     std::optional<Ref>& letter = letters[*letter_of(pattern.node)];
     if (digit_patterns().graph.node(pattern.node).kind == NodeKind::leaf) {
       letter = exact_root(value, pattern.weight);
@@ -137,11 +138,12 @@ class RowMatching : protected RowWriting {
         return true;
       case RowCondition::shorter:
         return term_count(*letters[1]) <= term_count(*letters[0]);
-      case RowCondition::apart:
-        return keeping_.squares == Squares::apart;
+      case RowCondition::factored:
+        return keeping_.squares == Squares::factored;
       case RowCondition::anchored:
         return !has_branches(*letters[0]) && !has_branches(*letters[1]) &&
-               (is_anchored_long(*letters[0]) || is_anchored_long(*letters[1]));
+               (has_parameter_term_expanded(*letters[0]) ||
+                has_parameter_term_expanded(*letters[1]));
       case RowCondition::computed:
         return graph_.node(letters[0]->node).kind != NodeKind::leaf;
     }
@@ -149,30 +151,31 @@ class RowMatching : protected RowWriting {
   }
 
  private:
-  /// is_anchored() after expansion, so that (2 + x)^2 counts.
-  bool is_anchored_long(Ref value) {
-    const auto terms = written_out({value});
-    return is_anchored(terms ? graph_.sum(*terms) : value);
+  /// has_parameter_term() after expansion, so that (2 + x)^2 counts.
+  bool has_parameter_term_expanded(Ref value) {
+    const auto terms = expanded_terms({value});
+    return has_parameter_term(terms ? graph_.sum(*terms) : value);
   }
 
   void extend(const ScaledTerm& pattern, std::size_t next, const Match& match,
               std::vector<Match>& found) const {
     if (next == pattern.factors.size()) return found.push_back(match);
     const Operand& wanted = pattern.factors[next];
-    for (std::size_t i = 0; i < match.beside.factors.size(); ++i) {
-      const Operand& factor = match.beside.factors[i];
+    for (std::size_t i = 0; i < match.common_factor.factors.size(); ++i) {
+      const Operand& factor = match.common_factor.factors[i];
       Letters letters = match.letters;
-      if (factor.weight < wanted.weight || !tell(wanted.node, factor.node, letters)) continue;
-      Match further{letters, match.beside};
-      further.beside.factors[i].weight -= wanted.weight;
-      std::erase_if(further.beside.factors, [](const Operand& left) { return left.weight == 0; });
+      if (factor.weight < wanted.weight || !match_call(wanted.node, factor.node, letters)) continue;
+      Match further{letters, match.common_factor};
+      further.common_factor.factors[i].weight -= wanted.weight;
+      std::erase_if(further.common_factor.factors,
+                    [](const Operand& left) { return left.weight == 0; });
       extend(pattern, next + 1, further, found);
     }
   }
 
   /// True if the value is the call in the pattern and its argument fits; sets the letter if it is
   /// free.
-  bool tell(NodeId pattern, NodeId value, Letters& letters) const {
+  bool match_call(NodeId pattern, NodeId value, Letters& letters) const {
     const Node& wanted = digit_patterns().graph.node(pattern);
     const Node& node = graph_.node(value);
     if (wanted.kind != NodeKind::call || !is_call(node, wanted.function)) return false;
@@ -185,17 +188,17 @@ class RowMatching : protected RowWriting {
 };
 
 /// A term that matches the call of a unit row (one call and a constant).
-struct OneCall {
+struct UnitTerm {
   const DigitPattern* row = nullptr;
   Match match = {};
   ScaledTerm constant = {};  ///< the constant term that completes the row
 };
 
 /// Replaces terms of one sum by rows.
-class RowsOfSum : RowMatching {
+class RowsOfSum : RowMatcher {
  public:
-  RowsOfSum(Graph& graph, Keeping keeping, std::vector<Ref>& terms)
-      : RowMatching(graph, keeping), terms_(terms) {
+  RowsOfSum(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms)
+      : RowMatcher(graph, keeping), terms_(terms) {
     for (const Ref term : terms) {
       parts_.push_back(scaled(term));
       functions_.push_back(functions_of(graph_, parts_.back()));
@@ -223,7 +226,7 @@ class RowsOfSum : RowMatching {
       for (Match& match : matches(row.terms[0], parts_[i], {})) {
         match.places = {i};
         if (!complete(row, match)) continue;
-        put(written(row, match), match.places);
+        replace_terms(replacement(row, match), match.places);
         return true;
       }
     }
@@ -247,7 +250,7 @@ class RowsOfSum : RowMatching {
       for (Match& way : ways) {
         way.places = match.places;
         way.places.push_back(k);
-        if (!is_same(way.beside, match.beside) || !complete(row, way)) continue;
+        if (!is_same(way.common_factor, match.common_factor) || !complete(row, way)) continue;
         match = std::move(way);
         return true;
       }
@@ -257,13 +260,13 @@ class RowsOfSum : RowMatching {
 
   /// Rewrites c - c_1 cos(x_1) - c_2 cos(x_2) - ... if c is the sum of all c_i, or slightly more.
   bool replace_units() {
-    std::vector<OneCall> all;
+    std::vector<UnitTerm> all;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       for (const DigitPattern& row : digit_patterns().rows) {
         if (!row.is_unit() || (row.functions & functions_[i]) == 0) continue;
         for (Match& match : matches(row.terms[0], parts_[i], {})) {
           match.places = {i};
-          ScaledTerm constant = match.beside;
+          ScaledTerm constant = match.common_factor;
           constant.coefficient = constant.coefficient * row.terms[1].coefficient;
           all.push_back({&row, std::move(match), std::move(constant)});
         }
@@ -275,12 +278,12 @@ class RowsOfSum : RowMatching {
     return false;
   }
 
-  bool replace_units_of(std::size_t place, const std::vector<OneCall>& all) {
+  bool replace_units_of(std::size_t place, const std::vector<UnitTerm>& all) {
     const cl_RA constant = parts_[place].coefficient;
     const std::vector<Operand>& factors = parts_[place].factors;
-    std::vector<const OneCall*> chosen;
+    std::vector<const UnitTerm*> chosen;
     cl_RA total = 0;
-    for (const OneCall& unit : all) {
+    for (const UnitTerm& unit : all) {
       const std::size_t own = unit.match.places[0];
       const cl_RA& taken = unit.constant.coefficient;
       const bool is_beside = own != place && cln::minusp(taken) == cln::minusp(constant) &&
@@ -290,7 +293,7 @@ class RowsOfSum : RowMatching {
       total = total + taken;
     }
     const auto alone = std::ranges::find_if(
-        chosen, [&](const OneCall* unit) { return unit->constant.coefficient == constant; });
+        chosen, [&](const UnitTerm* unit) { return unit->constant.coefficient == constant; });
     if (alone != chosen.end() && total != constant) {
       chosen = {*alone};
       total = constant;
@@ -298,16 +301,16 @@ class RowsOfSum : RowMatching {
     // If the c_i are less than 7/8 of c, fewer than three bits cancel.
     const cl_RA share = total / constant;
     if (share * 8 < 7 || share > 1) return false;
-    for (const OneCall* unit : chosen) {
-      terms_[unit->match.places[0]] = written(*unit->row, unit->match);
+    for (const UnitTerm* unit : chosen) {
+      terms_[unit->match.places[0]] = replacement(*unit->row, unit->match);
     }
-    put(product(constant - total, factors), {place});
+    replace_terms(product(constant - total, factors), {place});
     if (share == 1) terms_.erase(terms_.begin() + static_cast<std::ptrdiff_t>(place));
     return true;
   }
 
   /// Replaces the terms at `places` by one term.
-  void put(Ref term, std::vector<std::size_t> places) {
+  void replace_terms(Ref term, std::vector<std::size_t> places) {
     terms_[places.front()] = term;
     places.erase(places.begin());
     std::ranges::sort(places, std::greater<>());
@@ -323,40 +326,40 @@ class RowsOfSum : RowMatching {
 
 }  // namespace
 
-bool replace_by_row(Graph& graph, Keeping keeping, std::vector<Ref>& terms) {
+bool replace_by_row(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms) {
   return RowsOfSum(graph, keeping, terms).replace_one();
 }
 
-std::optional<Ref> pair_by_row(Graph& graph, Keeping keeping, const ScaledTerm& x,
+std::optional<Ref> pair_by_row(Graph& graph, RewriteOptions keeping, const ScaledTerm& x,
                                const ScaledTerm& y) {
-  RowMatching matching(graph, keeping);
+  RowMatcher matching(graph, keeping);
   for (const DigitPattern& row : digit_patterns().rows) {
     if (row.functions != 0) continue;
     for (const bool is_turned : {false, true}) {
       const ScaledTerm& first = is_turned ? y : x;
       const ScaledTerm& second = is_turned ? x : y;
       if (first.factors.empty()) continue;
-      Match match{.beside = {first.coefficient / row.terms[0].coefficient}};
-      const cl_RA scale = match.beside.coefficient * row.terms[1].coefficient;
+      Match match{.common_factor = {first.coefficient / row.terms[0].coefficient}};
+      const cl_RA scale = match.common_factor.coefficient * row.terms[1].coefficient;
       const ScaledTerm rest{second.coefficient / scale, second.factors};
-      const bool is_told =
-          matching.tell_root(row.terms[0].factors[0], {1, first.factors}, match.letters) &&
-          matching.tell_root(row.terms[1].factors[0], rest, match.letters);
-      if (is_told && matching.holds(row.condition, match.letters)) {
-        return matching.written(row, match);
+      const bool is_matched =
+          matching.match_root(row.terms[0].factors[0], {1, first.factors}, match.letters) &&
+          matching.match_root(row.terms[1].factors[0], rest, match.letters);
+      if (is_matched && matching.holds(row.condition, match.letters)) {
+        return matching.replacement(row, match);
       }
     }
   }
   return std::nullopt;
 }
 
-std::optional<Ref> call_by_row(Graph& graph, Keeping keeping, NodeId call) {
-  RowMatching matching(graph, keeping);
+std::optional<Ref> call_by_row(Graph& graph, RewriteOptions keeping, NodeId call) {
+  RowMatcher matching(graph, keeping);
   const ScaledTerm value{1, {{call, 1}}};
   for (const DigitPattern& row : digit_patterns().rows) {
     if (row.terms.size() > 1) continue;
     for (const Match& match : matching.matches(row.terms[0], value, {})) {
-      if (matching.holds(row.condition, match.letters)) return matching.written(row, match);
+      if (matching.holds(row.condition, match.letters)) return matching.replacement(row, match);
     }
   }
   return std::nullopt;

@@ -15,7 +15,7 @@
 
 namespace elgen {
 
-enum class RowCondition : std::uint8_t { always, shorter, apart, anchored, computed };
+enum class RowCondition : std::uint8_t { always, shorter, factored, anchored, computed };
 
 /// A row of digit_rows.def.
 struct DigitRow {
@@ -55,13 +55,13 @@ struct DigitPatterns {
 
 /// Replaces the terms of a row with calls, or several unit terms that share one constant. False if
 /// no row matches.
-[[nodiscard]] bool replace_by_row(Graph& graph, Keeping keeping, std::vector<Ref>& terms);
+[[nodiscard]] bool replace_by_row(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms);
 
 /// Rewrites x + y by a row without calls; none if no row matches.
-[[nodiscard]] std::optional<Ref> pair_by_row(Graph& graph, Keeping keeping, const ScaledTerm& x,
-                                             const ScaledTerm& y);
+[[nodiscard]] std::optional<Ref> pair_by_row(Graph& graph, RewriteOptions keeping,
+                                             const ScaledTerm& x, const ScaledTerm& y);
 
 /// Rewrites a call by a row of a single term; none if no row matches.
-[[nodiscard]] std::optional<Ref> call_by_row(Graph& graph, Keeping keeping, NodeId call);
+[[nodiscard]] std::optional<Ref> call_by_row(Graph& graph, RewriteOptions keeping, NodeId call);
 
 }  // namespace elgen

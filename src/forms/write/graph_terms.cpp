@@ -57,7 +57,7 @@ std::vector<Ref> GraphTerms::parts_of(Ref value) {
   return parts;
 }
 
-void GraphTerms::append_written_out(Ref value, std::size_t most, std::vector<Ref>& terms) {
+void GraphTerms::append_expanded(Ref value, std::size_t most, std::vector<Ref>& terms) {
   if (terms.size() > most) return;
   ScaledTerm term = as_factors(value);
   const auto bracket = first_bracket(term, 2);
@@ -65,13 +65,13 @@ void GraphTerms::append_written_out(Ref value, std::size_t most, std::vector<Ref
   const std::vector<Ref> parts = terms_of(bracket->node);
   if (--bracket->weight == 0) term.factors.erase(bracket);
   const Ref common = product(term);
-  for (const Ref part : parts) append_written_out(times(common, part), most, terms);
+  for (const Ref part : parts) append_expanded(times(common, part), most, terms);
 }
 
-std::optional<std::vector<Ref>> GraphTerms::written_out(const std::vector<Ref>& values,
-                                                        std::size_t most) {
+std::optional<std::vector<Ref>> GraphTerms::expanded_terms(const std::vector<Ref>& values,
+                                                           std::size_t most) {
   std::vector<Ref> terms;
-  for (const Ref value : values) append_written_out(value, most, terms);
+  for (const Ref value : values) append_expanded(value, most, terms);
   if (terms.size() > most) return std::nullopt;
   return parts_of(graph_.sum(terms));
 }
@@ -80,7 +80,7 @@ Ref GraphTerms::short_sum(const std::vector<Ref>& values) {
   const Ref plain = sum(values);
   const std::vector<Ref> parts = parts_of(plain);
   if (std::ranges::none_of(parts, [&](Ref part) { return has_bracket(part); })) return plain;
-  const auto terms = written_out({plain});
+  const auto terms = expanded_terms({plain});
   return terms && terms->size() <= parts.size() ? graph_.sum(*terms) : plain;
 }
 
@@ -106,7 +106,7 @@ bool GraphTerms::has_bracket(Ref value) const {
   return first_bracket(term, 2) != term.factors.end();
 }
 
-bool GraphTerms::has_one(Ref value) const {
+bool GraphTerms::has_term_one(Ref value) const {
   const Node& node = graph_.node(value.node);
   if (node.kind != NodeKind::sum) return false;
   return std::ranges::any_of(node.operands, [&](const Operand& term) {
@@ -174,7 +174,7 @@ Ref GraphTerms::product(const cl_RA& coefficient, const std::vector<Operand>& fa
   return graph_.product(powers);
 }
 
-bool GraphTerms::is_anchored(Ref value) const {
+bool GraphTerms::has_parameter_term(Ref value) const {
   const std::vector<Ref> terms = graph_.node(value.node).kind == NodeKind::sum
                                      ? terms_of(value.node)
                                      : std::vector<Ref>{value};

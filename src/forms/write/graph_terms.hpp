@@ -44,8 +44,8 @@ class GraphTerms {
   Ref short_sum(const std::vector<Ref>& values);
   /// The terms of the sum, with all sums and squares of sums in it expanded. None if there are more
   /// than `most`.
-  std::optional<std::vector<Ref>> written_out(const std::vector<Ref>& values,
-                                              std::size_t most = most_written_out);
+  std::optional<std::vector<Ref>> expanded_terms(const std::vector<Ref>& values,
+                                                 std::size_t most = most_written_out);
   Ref quotient(Ref x, Ref y) { return graph_.product({{x, 1}, {y, -1}}); }
   Ref call(FunctionId function, Ref x) { return graph_.call(function, {x}); }
   Ref doubled(Ref x) { return times(graph_.rational(2), x); }
@@ -56,7 +56,7 @@ class GraphTerms {
   /// True for a product with a sum, or the square of a sum, as a factor.
   [[nodiscard]] bool has_bracket(Ref value) const;
   /// True for a sum with the term 1.
-  [[nodiscard]] bool has_one(Ref value) const;
+  [[nodiscard]] bool has_term_one(Ref value) const;
   /// Nested products are flattened.
   [[nodiscard]] ScaledTerm scaled(Ref value) const;
   /// Removes the common factors from x and y, and returns them.
@@ -67,7 +67,7 @@ class GraphTerms {
   std::optional<Ref> exact_root(ScaledTerm term, std::int32_t degree);
   /// True if a term depends on parameters only. The sum is then not 0 when its other terms vanish,
   /// so it may be a divisor.
-  [[nodiscard]] bool is_anchored(Ref value) const;
+  [[nodiscard]] bool has_parameter_term(Ref value) const;
   /// True if the value has branches, and so may vanish on one side of one, as |x| - x does. Roots
   /// of numbers have none.
   [[nodiscard]] bool has_branches(Ref value) const;
@@ -77,7 +77,7 @@ class GraphTerms {
 
  private:
   std::vector<Ref> parts_of(Ref value);
-  void append_written_out(Ref value, std::size_t most, std::vector<Ref>& terms);
+  void append_expanded(Ref value, std::size_t most, std::vector<Ref>& terms);
   std::vector<Operand>::iterator first_bracket(ScaledTerm& term, std::int32_t highest_power) const;
   [[nodiscard]] ScaledTerm as_factors(Ref value) const;
   void append_power(ScaledTerm& term, NodeId base, std::int32_t exponent) const;

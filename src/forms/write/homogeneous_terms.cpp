@@ -54,7 +54,7 @@ Factors factors_of(const Algebra& algebra, const Polynomial& sum) {
 
 /// The largest base such that all multiples/base are even integers, or all are odd; 0 if the base
 /// is not an integer.
-std::int32_t base_of(const Multiples& multiples) {
+std::int32_t base_angle(const Multiples& multiples) {
   std::int32_t base = whole_angle;
   for (const auto& [multiple, coefficient] : multiples) base = std::gcd(base, multiple);
   const auto is_odd = [&base](const auto& term) { return (term.first / base) % 2 != 0; };
@@ -135,7 +135,7 @@ std::optional<std::vector<RealTerm>> homogeneous_terms(const Algebra& algebra,
     }
     if (!cln::zerop(factor.constant)) terms.push_back({factor.constant, powers, {}});
     for (const auto& [direction, multiples] : factor.directions) {
-      const std::int32_t base = base_of(multiples);
+      const std::int32_t base = base_angle(multiples);
       if (base == 0 || multiples.rbegin()->first / base > highest_degree) return std::nullopt;
       const Monomial angle = power(direction, base);
       for (const auto& [exponents, value] : homogeneous(multiples, base)) {

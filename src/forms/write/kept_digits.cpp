@@ -24,7 +24,7 @@ constexpr int deepest = 6;
 /// root + rest = (root^2 - rest^2)/(root - rest)
 class Conjugates : GraphTerms {
  public:
-  Conjugates(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
+  Conjugates(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   /// Rewrites a sum with exactly one term with a root, if root^2 - rest^2 has fewer terms than
   /// root^2, or has squares to be factored.
@@ -54,21 +54,21 @@ class Conjugates : GraphTerms {
     Ref raised = square_of_root(root);
     Ref numerator = sum({raised, -square(rest)});
     if (term_count(numerator) >= term_count(raised)) {
-      const auto long_raised = written_out({raised});
-      const auto long_numerator = written_out({raised, -square(rest)});
+      const auto long_raised = expanded_terms({raised});
+      const auto long_numerator = expanded_terms({raised, -square(rest)});
       if (!long_raised || !long_numerator) return std::nullopt;
       raised = graph_.sum(*long_raised);
       numerator = graph_.sum(*long_numerator);
       if (long_numerator->size() >= long_raised->size()) {
-        const auto better = keeping_.squares == Squares::apart
-                                ? kept_sum(graph_, keeping_, numerator)
+        const auto better = keeping_.squares == Squares::factored
+                                ? rewrite_sum(graph_, keeping_, numerator)
                                 : std::nullopt;
         if (!better) return std::nullopt;
         numerator = *better;
       }
     }
     if (term_count(numerator) == 0 || has_branches(numerator)) return std::nullopt;
-    if (!is_anchored(raised) && !is_anchored(rest)) return std::nullopt;
+    if (!has_parameter_term(raised) && !has_parameter_term(rest)) return std::nullopt;
     return quotient(numerator, sum({root, -rest}));
   }
 
@@ -94,13 +94,13 @@ class Conjugates : GraphTerms {
     return graph_.sum(terms);
   }
 
-  Keeping keeping_;
+  RewriteOptions keeping_;
 };
 
 /// Rewrites one sum or logarithm in its graph.
-class KeptSum : GraphTerms {
+class SumRewriter : GraphTerms {
  public:
-  KeptSum(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
+  SumRewriter(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   std::optional<Ref> kept(Ref value) {
     if (graph_.node(value.node).kind != NodeKind::sum) return std::nullopt;
@@ -112,7 +112,7 @@ class KeptSum : GraphTerms {
     if (!better) better = kept_terms(terms);
     if (!better) better = Conjugates(graph_, keeping_)(terms);
     if (!better && is_hidden) better = triangle_in(terms);
-    if (!better && is_hidden) better = written_out_terms(terms);
+    if (!better && is_hidden) better = expand_terms(terms);
     return better ? std::optional(with_sign(*better, value.negative)) : std::nullopt;
   }
 
@@ -121,7 +121,7 @@ class KeptSum : GraphTerms {
   std::optional<Ref> logarithm(Ref argument) {
     if (const auto difference = difference_of_logarithms(argument)) return difference;
     const Ref less = sum({argument, -one()});
-    if (has_one(argument)) return call(FunctionId::log1p, less);
+    if (has_term_one(argument)) return call(FunctionId::log1p, less);
     if (graph_.node(less.node).kind != NodeKind::sum) return std::nullopt;
     if (const auto better = kept(less)) return call(FunctionId::log1p, *better);
     const ScaledTerm term = scaled(argument);
@@ -156,8 +156,8 @@ class KeptSum : GraphTerms {
   }
 
   /// Expands brackets that hide cancelling terms: (l + x)^2 - l^2 = 2 l x + x^2.
-  std::optional<Ref> written_out_terms(const std::vector<Ref>& terms) {
-    const auto all = written_out(terms);
+  std::optional<Ref> expand_terms(const std::vector<Ref>& terms) {
+    const auto all = expanded_terms(terms);
     if (!all) return std::nullopt;
     std::optional<Ref> better = square_free(graph_, keeping_, *all);
     if (!better) better = kept_terms(*all);
@@ -168,14 +168,14 @@ class KeptSum : GraphTerms {
   std::optional<Ref> kept_terms(std::vector<Ref> terms) {
     const auto is_zero = [this](Ref term) { return graph_.is_zero(term.node); };
     bool is_changed = false;
-    while (terms.size() > 1 && terms.size() <= most_terms_in_pairs && replace_some(terms)) {
+    while (terms.size() > 1 && terms.size() <= most_terms_in_pairs && replace_once(terms)) {
       is_changed = true;
       std::erase_if(terms, is_zero);  // as in sin(a)^2 - (1 - cos(a)^2)
     }
     return is_changed ? std::optional(graph_.sum(terms)) : std::nullopt;
   }
 
-  bool replace_some(std::vector<Ref>& terms) {
+  bool replace_once(std::vector<Ref>& terms) {
     if (replace_triangle(graph_, keeping_, terms)) return true;
     if (replace_by_row(graph_, keeping_, terms)) return true;
     std::vector<ScaledTerm> parts;
@@ -183,7 +183,7 @@ class KeptSum : GraphTerms {
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t k = i + 1; k < terms.size(); ++k) {
         if (is_plain(parts[i]) && is_plain(parts[k])) continue;
-        std::optional<Ref> better = kept_pair(graph_, keeping_, parts, i, k);
+        std::optional<Ref> better = rewrite_pair(graph_, keeping_, parts, i, k);
         if (!better) better = Conjugates(graph_, keeping_)({terms[i], terms[k]});
         if (!better) continue;
         terms[i] = *better;
@@ -197,25 +197,25 @@ class KeptSum : GraphTerms {
   /// True if the term has no roots, no divisors, and no powers to be factored.
   [[nodiscard]] bool is_plain(const ScaledTerm& term) const {
     return std::ranges::all_of(term.factors, [&](const Operand& factor) {
-      const bool is_power = keeping_.squares == Squares::apart && factor.weight > 1;
+      const bool is_power = keeping_.squares == Squares::factored && factor.weight > 1;
       const bool is_root = graph_.node(factor.node).kind == NodeKind::square_root;
       return factor.weight > 0 && !is_power && !is_root;
     });
   }
 
-  Keeping keeping_;
+  RewriteOptions keeping_;
 };
 
-Ref kept(Graph& graph, const RebuildStep& step, Keeping keeping, bool& has_any) {
+Ref kept(Graph& graph, const RebuildStep& step, RewriteOptions keeping, bool& has_any) {
   const Ref same = copy(graph, step);
   const Node& node = graph.node(same.node);
   std::optional<Ref> better;
   if (is_call(node, FunctionId::log)) {
-    better = KeptSum(graph, keeping).logarithm(argument_of(node));
+    better = SumRewriter(graph, keeping).logarithm(argument_of(node));
   } else if (node.kind == NodeKind::call) {
     better = call_by_row(graph, keeping, same.node);
   } else {
-    better = kept_sum(graph, keeping, {same.node, false});
+    better = rewrite_sum(graph, keeping, {same.node, false});
   }
   if (!better) return same;
   has_any = true;
@@ -262,15 +262,15 @@ Ref with_shared_call(Graph& graph, FunctionId function, Ref argument) {
 
 }  // namespace
 
-std::optional<Ref> kept_sum(Graph& graph, Keeping keeping, Ref value) {
+std::optional<Ref> rewrite_sum(Graph& graph, RewriteOptions keeping, Ref value) {
   if (keeping.depth == deepest) return std::nullopt;
-  return KeptSum(graph, {keeping.squares, keeping.depth + 1}).kept(value);
+  return SumRewriter(graph, {keeping.squares, keeping.depth + 1}).kept(value);
 }
 
-std::optional<Expressions> with_kept_digits(const Expressions& expressions, Squares squares) {
+std::optional<Expressions> rewrite_to_keep_digits(const Expressions& expressions, Squares squares) {
   bool has_any = false;
   const auto rule = [&](Graph& graph, const RebuildStep& step) {
-    return kept(graph, step, Keeping{squares}, has_any);
+    return kept(graph, step, RewriteOptions{squares}, has_any);
   };
   Expressions result = rebuild(expressions, rule);
   if (!has_any) return std::nullopt;

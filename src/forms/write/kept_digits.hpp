@@ -13,12 +13,12 @@
 
 namespace elgen {
 
-/// `apart`: also factor differences of squares, a^2 - b^2 = (a - b) (a + b). This hides the pattern
-/// 1/sqrt(1 - a^2) - 1.
-enum class Squares : std::uint8_t { whole, apart };
+/// `factored`: also factor differences of squares, a^2 - b^2 = (a - b) (a + b). This hides the
+/// pattern 1/sqrt(1 - a^2) - 1.
+enum class Squares : std::uint8_t { whole, factored };
 
 /// How sums are rewritten, and the depth of nested rewritings.
-struct Keeping {
+struct RewriteOptions {
   Squares squares = Squares::whole;
   int depth = 0;
 };
@@ -31,11 +31,11 @@ struct Keeping {
 ///     (l + x)^2 - l^2             2 l x + x^2
 ///
 /// None if nothing is rewritten.
-[[nodiscard]] std::optional<Expressions> with_kept_digits(const Expressions& expressions,
-                                                          Squares squares);
+[[nodiscard]] std::optional<Expressions> rewrite_to_keep_digits(const Expressions& expressions,
+                                                                Squares squares);
 
 /// Rewrites one sum in its graph; none if nothing is rewritten.
-[[nodiscard]] std::optional<Ref> kept_sum(Graph& graph, Keeping keeping, Ref value);
+[[nodiscard]] std::optional<Ref> rewrite_sum(Graph& graph, RewriteOptions keeping, Ref value);
 
 /// Replaces calls by other calls of the same argument that keep digits; none if there are none:
 ///

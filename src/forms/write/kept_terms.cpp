@@ -13,9 +13,9 @@ namespace {
 
 using cln::cl_RA;
 
-class Triangles : GraphTerms {
+class TriangleSearch : GraphTerms {
  public:
-  Triangles(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
+  TriangleSearch(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   /// Replaces three terms that form a triangle by one; false if no three do.
   bool replace_one(std::vector<Ref>& terms) {
@@ -36,7 +36,7 @@ class Triangles : GraphTerms {
         for (std::size_t j = i + 1; j < terms.size(); ++j) {
           if (i == k || j == k || keys[i] + keys[j] != key) continue;
           if (!may_be_triangle(parts[i], parts[j], mixed)) continue;
-          const std::optional<Ref> triangle = of_triangle(parts[i], parts[j], mixed, angle);
+          const std::optional<Ref> triangle = combine_triangle(parts[i], parts[j], mixed, angle);
           if (!triangle) continue;
           terms[k] = *triangle;
           terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(j));
@@ -67,8 +67,8 @@ class Triangles : GraphTerms {
   }
 
   /// `mixed` is -2 C a b or +2 C a b; with + the cosine of c/2 replaces the sine.
-  std::optional<Ref> of_triangle(ScaledTerm first, ScaledTerm second, const ScaledTerm& mixed,
-                                 Ref angle) {
+  std::optional<Ref> combine_triangle(ScaledTerm first, ScaledTerm second, const ScaledTerm& mixed,
+                                      Ref angle) {
     const cl_RA common = first.coefficient;
     const cl_RA ratio = second.coefficient / common;
     const std::vector<Operand> shared = take_shared(first, second);
@@ -84,7 +84,7 @@ class Triangles : GraphTerms {
     const Ref sine = square(call(FunctionId::sin, half(angle)));
     const Ref cosine = square(call(FunctionId::cos, half(angle)));
     const Ref less = square(graph_.sum({*a, -*b}));
-    if (keeping_.squares == Squares::apart) {
+    if (keeping_.squares == Squares::factored) {
       const Ref more = square(graph_.sum({*a, *b}));
       const Ref near = is_difference ? less : more;
       const Ref far = is_difference ? more : less;
@@ -94,7 +94,7 @@ class Triangles : GraphTerms {
     return times(scale, graph_.sum({less, turn}));
   }
 
-  Keeping keeping_;
+  RewriteOptions keeping_;
 };
 
 /// A term as a quotient.
@@ -104,9 +104,9 @@ struct Ratio {
 };
 
 /// Rewrites the sum of two terms of a sum.
-class KeptPair : GraphTerms {
+class PairRewriter : GraphTerms {
  public:
-  KeptPair(Graph& graph, Keeping keeping, bool is_alone)
+  PairRewriter(Graph& graph, RewriteOptions keeping, bool is_alone)
       : GraphTerms(graph), keeping_(keeping), is_alone_(is_alone) {}
 
   std::optional<Ref> operator()(ScaledTerm x, ScaledTerm y) {
@@ -117,11 +117,11 @@ class KeptPair : GraphTerms {
     y.coefficient = y.coefficient / x.coefficient;
     x.coefficient = 1;
     std::optional<Ref> better;
-    const bool may_be_crank = is_alone_ && keeping_.squares == Squares::apart;
+    const bool may_be_crank = is_alone_ && keeping_.squares == Squares::factored;
     if (may_be_crank) better = crank(x, y);
     if (!better && may_be_crank) better = crank(y, x);
     if (!better) better = pair_by_row(graph_, keeping_, x, y);
-    if (!better) better = quotients(x, y);
+    if (!better) better = combine_quotients(x, y);
     return better ? std::optional(times(common, *better)) : std::nullopt;
   }
 
@@ -159,7 +159,7 @@ class KeptPair : GraphTerms {
 
   /// a/b - c/d = (a d - b c)/(b d), if that is shorter or the pair is 1/b - 1/d or 1 - a/b. The
   /// numerator is rewritten in turn.
-  std::optional<Ref> quotients(const ScaledTerm& x, const ScaledTerm& y) {
+  std::optional<Ref> combine_quotients(const ScaledTerm& x, const ScaledTerm& y) {
     const Ratio first = ratio_of(x);
     const Ratio second = ratio_of(y);
     const bool is_first_whole = first.bottom.factors.empty();
@@ -181,7 +181,7 @@ class KeptPair : GraphTerms {
     divisors.factors.insert(divisors.factors.end(), second.bottom.factors.begin(),
                             second.bottom.factors.end());
     for (Operand& divisor : divisors.factors) divisor.weight = -divisor.weight;
-    return times(kept_sum(graph_, keeping_, top).value_or(top), product(divisors));
+    return times(rewrite_sum(graph_, keeping_, top).value_or(top), product(divisors));
   }
 
   static Ratio ratio_of(const ScaledTerm& term) {
@@ -193,19 +193,20 @@ class KeptPair : GraphTerms {
     return ratio;
   }
 
-  Keeping keeping_;
+  RewriteOptions keeping_;
   bool is_alone_;
 };
 
 }  // namespace
 
-bool replace_triangle(Graph& graph, Keeping keeping, std::vector<Ref>& terms) {
-  return Triangles(graph, keeping).replace_one(terms);
+bool replace_triangle(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms) {
+  return TriangleSearch(graph, keeping).replace_one(terms);
 }
 
-std::optional<Ref> kept_pair(Graph& graph, Keeping keeping, const std::vector<ScaledTerm>& terms,
-                             std::size_t first, std::size_t second) {
-  return KeptPair(graph, keeping, terms.size() == 2)(terms[first], terms[second]);
+std::optional<Ref> rewrite_pair(Graph& graph, RewriteOptions keeping,
+                                const std::vector<ScaledTerm>& terms, std::size_t first,
+                                std::size_t second) {
+  return PairRewriter(graph, keeping, terms.size() == 2)(terms[first], terms[second]);
 }
 
 }  // namespace elgen

@@ -19,7 +19,7 @@ namespace elgen {
 /// With Squares::apart it is C ((a - b)^2 cos(c/2)^2 + (a + b)^2 sin(c/2)^2), which keeps all
 /// digits for any signs of a and b. For + 2 C a b cos(c), the sine and the cosine of c/2 are
 /// exchanged. Replaces three matching terms by one; false if no three match.
-[[nodiscard]] bool replace_triangle(Graph& graph, Keeping keeping, std::vector<Ref>& terms);
+[[nodiscard]] bool replace_triangle(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms);
 
 /// Combines two terms of a sum by rows without calls, or by rewritings that rows cannot express:
 ///
@@ -27,9 +27,9 @@ namespace elgen {
 ///     after     (b - a)/(a b)    (a - b) (a + b) + b^2 cos(c)^2
 ///
 /// The second applies to sums of exactly two terms, with Squares::apart. None if nothing applies.
-[[nodiscard]] std::optional<Ref> kept_pair(Graph& graph, Keeping keeping,
-                                           const std::vector<ScaledTerm>& terms, std::size_t first,
-                                           std::size_t second);
+[[nodiscard]] std::optional<Ref> rewrite_pair(Graph& graph, RewriteOptions keeping,
+                                              const std::vector<ScaledTerm>& terms,
+                                              std::size_t first, std::size_t second);
 
 /// Factors a sum of 3 to 30 terms with a repeated factor, which is a common divisor with the
 /// derivative by one coordinate. Factors the whole sum, or its terms with only one coordinate:
@@ -38,7 +38,7 @@ namespace elgen {
 ///     after     (x^2 - a^2)^2              (r - p)^2/(p^2*r^2)
 ///
 /// Bases are rewritten in turn.
-[[nodiscard]] std::optional<Ref> square_free(Graph& graph, Keeping keeping,
+[[nodiscard]] std::optional<Ref> square_free(Graph& graph, RewriteOptions keeping,
                                              const std::vector<Ref>& terms);
 
 }  // namespace elgen

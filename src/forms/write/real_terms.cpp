@@ -23,7 +23,7 @@ bool precedes(const CircularPower& x, const CircularPower& y) {
 }
 
 /// One step of sin^2 = 1 - cos^2, or of cos^2 = 1 - sin^2 if `by_sines`.
-TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
+TwoPowers reduce_squares(const TwoPowers& sum, bool by_sines) {
   TwoPowers result;
   for (const auto& [powers, value] : sum) {
     const auto [cosine, sine] = powers;
@@ -45,7 +45,7 @@ TwoPowers reduced(const TwoPowers& sum, bool by_sines) {
 TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
   TwoPowers result{{{0, 0}, Gaussian{1, 0}}};
   for (std::int32_t k = 0; k < std::abs(multiple); ++k) {
-    result = reduced(times_exponential(result, multiple < 0 ? -1 : 1), by_sines);
+    result = reduce_squares(times_exponential(result, multiple < 0 ? -1 : 1), by_sines);
   }
   return result;
 }
@@ -107,7 +107,7 @@ class RealTerms {
       : algebra_(algebra), trigonometry_(trigonometry) {
     by_sines_ = trigonometry == Trigonometry::directions_by_sines ||
                 trigonometry == Trigonometry::units_by_sines;
-    for (const auto& [monomial, coefficient] : sum) note_angle(split(algebra, monomial).angle);
+    for (const auto& [monomial, coefficient] : sum) update_bases(split(algebra, monomial).angle);
   }
 
   /// The highest power in the expansion of the angle's sines and cosines.
@@ -127,7 +127,7 @@ class RealTerms {
     if (!angle.empty() && angle.front().exponent < 0) return;  // its conjugate is added instead
     RealSum& sum = sums_[powers];
     if (angle.empty()) return add_real(sum, 0, coefficient.real);
-    const NumberedSum& products = numbered(angle);
+    const NumberedSum& products = expansion_of(angle);
     work_ += products.size();
     const Gaussian twice{coefficient.real * 2, coefficient.imaginary * 2};
     for (const auto& [number, value] : products) {
@@ -140,7 +140,7 @@ class RealTerms {
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  [[nodiscard]] std::vector<RealTerm> take() const {
+  [[nodiscard]] std::vector<RealTerm> extract_terms() const {
     std::vector<RealTerm> terms;
     for (const auto& [powers, sum] : sums_) {
       const auto first = static_cast<std::ptrdiff_t>(terms.size());
@@ -174,15 +174,15 @@ class RealTerms {
   }
 
   /// The expansion of e^(i angle), memoised.
-  const NumberedSum& numbered(const Monomial& angle) {
+  const NumberedSum& expansion_of(const Monomial& angle) {
     const auto [known, is_new] = expansions_.try_emplace(angle);
-    if (is_new) known->second = expanded(angle);
+    if (is_new) known->second = expand_exponential(angle);
     return known->second;
   }
 
   /// Updates the base angles: all multiples of a direction, or of a unit, are multiples of its
   /// base. No base exceeds whole_angle.
-  void note_angle(const Monomial& angle) {
+  void update_bases(const Monomial& angle) {
     if (angle.empty()) return;
     for (const AtomPower& part : angle) {
       std::int32_t& base = base_of_unit_.try_emplace(part.atom, whole_angle).first->second;
@@ -194,7 +194,7 @@ class RealTerms {
     base = std::gcd(base, multiple);
   }
 
-  NumberedSum expanded(const Monomial& angle) {
+  NumberedSum expand_exponential(const Monomial& angle) {
     const NumberedSum one{{0, Gaussian{1, 0}}};
     if (trigonometry_ == Trigonometry::multiple_angles) return times_exponential(one, angle, 1);
     if (!by_units()) {
@@ -275,7 +275,7 @@ std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra, const Po
     if (terms.size() > 4 * most || terms.work() > work_per_term * most) return std::nullopt;
   }
   if (terms.size() > most) return std::nullopt;
-  return terms.take();
+  return terms.extract_terms();
 }
 
 namespace {

@@ -90,7 +90,7 @@ Collected collected(const Expressions& expressions, std::size_t terms, Grouping 
 
 /// Sums longer than this many times the shortest are not collected. In models/, sums ten times
 /// longer never become the shortest; without sums up to twice as long, five pages change.
-constexpr std::size_t terms_over_least = 2;
+constexpr std::size_t most_length_ratio = 2;
 
 struct Written {
   Layout layout = {};
@@ -147,7 +147,7 @@ std::vector<Written> candidates(const Algebra& algebra, const Fraction& form) {
     all.push_back(std::move(*candidate));
   }
   const auto is_long = [&](const Written& rewriting) {
-    return rewriting.length > terms_over_least * least;
+    return rewriting.length > most_length_ratio * least;
   };
   std::erase_if(all, is_long);
   if (form.numerator.size() <= always_compared || all.empty()) return all;
@@ -176,8 +176,8 @@ std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
 /// are not. Few points show this error: the angles must be large and the other terms small.
 bool rounds_more_angles(const Expressions& rewriting, const Expressions& reference) {
   Graph both;
-  const Ref own = copied(both, rewriting);
-  const Ref known = copied(both, reference);
+  const Ref own = copy_value(both, rewriting);
+  const Ref known = copy_value(both, reference);
   const auto known_angles = rounded_angles(both, known);
   const auto is_known = [&known_angles](const NodeSet& angle) {
     return std::ranges::any_of(known_angles, [&angle](const NodeSet& other) {
@@ -259,7 +259,8 @@ bool is_as_precise(const Expressions& rewriting, const Expressions& reference, c
                    Leaves leaves) {
   if (leaves == Leaves::exact && rounds_more_angles(rewriting, reference)) return false;
   Expressions expressions;
-  expressions.values = {copied(expressions.graph, rewriting), copied(expressions.graph, reference)};
+  expressions.values = {copy_value(expressions.graph, rewriting),
+                        copy_value(expressions.graph, reference)};
   const Linearised both(make_network(expressions));
   bool is_compared = false;
   for (const Arguments<double>& point : points) {
@@ -297,8 +298,7 @@ std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
                       &compact == readable};
 }
 
-Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
-                            Program& program) {
+Function lower_separately(const ReadableEntries& entries, const Function& shape, Program& program) {
   Function readable = without_body(shape);
   readable.form = Form::closed;
   std::size_t next = 0;
@@ -316,11 +316,11 @@ Function lowered_one_by_one(const ReadableEntries& entries, const Function& shap
   return readable;
 }
 
-std::optional<DerivedEntry> as_derived(const Program& program, const Function& function,
-                                       std::uint32_t entry) {
+std::optional<DerivedEntry> derived_entry(const Program& program, const Function& function,
+                                          std::uint32_t entry) {
   if (cone_of(function, {entry}, longest_derived).size() > longest_derived) return std::nullopt;
   Expressions derived = from_program(program, function, {entry});
-  const Expressions written_out = flatten(derived, Flattened::all_products);
+  const Expressions written_out = flatten(derived, FlattenedProducts::all_products);
   if (written_length(written_out) > longest_derived) return std::nullopt;
   return DerivedEntry{std::move(derived), derived_rewriting(written_out)};
 }

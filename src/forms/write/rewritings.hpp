@@ -77,15 +77,16 @@ using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< entries 
 
 /// Lowers the readable forms one by one, so that no form is changed for a common subexpression with
 /// another entry.
-[[nodiscard]] Function lowered_one_by_one(const ReadableEntries& entries, const Function& shape,
-                                          Program& program);
+[[nodiscard]] Function lower_separately(const ReadableEntries& entries, const Function& shape,
+                                        Program& program);
 
 /// One entry of a function as derived, over the leaves; none if it is long.
 struct DerivedEntry {
-  Expressions as_it_stands = {};
+  Expressions unexpanded = {};
   Collected collected = {};  ///< with nested products flattened
 };
-[[nodiscard]] std::optional<DerivedEntry> as_derived(const Program& program,
-                                                     const Function& function, std::uint32_t entry);
+[[nodiscard]] std::optional<DerivedEntry> derived_entry(const Program& program,
+                                                        const Function& function,
+                                                        std::uint32_t entry);
 
 }  // namespace elgen

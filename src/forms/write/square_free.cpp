@@ -40,7 +40,7 @@ Polynomial derivative(const Polynomial& x, AtomId atom) {
 }
 
 /// x with numbers in place of all atoms other than `atom`.
-Polynomial specialised(const Polynomial& x, AtomId atom) {
+Polynomial substitute_numbers(const Polynomial& x, AtomId atom) {
   const std::vector<AtomId> atoms = atoms_of(x);
   Polynomial result;
   for (const auto& [monomial, coefficient] : x) {
@@ -58,21 +58,21 @@ Polynomial specialised(const Polynomial& x, AtomId atom) {
 /// Greatest common divisors of polynomials without negative powers, by Euclid's algorithm.
 class Divisors {
  public:
-  Polynomial greatest(Polynomial x, Polynomial y) {
+  Polynomial greatest_divisor(Polynomial x, Polynomial y) {
     if (x.empty() || y.empty()) return x.empty() ? y : x;
     const std::vector<AtomId> atoms = atoms_of(x);
     if (atoms.empty() || atoms_of(y).empty()) return constant(1);
     const AtomId atom = atoms.front();
-    if (degree_of(y, atom) == 0) return greatest(content(x, atom), std::move(y));
-    const Polynomial shared = greatest(content(x, atom), content(y, atom));
-    x = primitive(x, atom);
-    y = primitive(y, atom);
+    if (degree_of(y, atom) == 0) return greatest_divisor(content(x, atom), std::move(y));
+    const Polynomial shared = greatest_divisor(content(x, atom), content(y, atom));
+    x = primitive_part(x, atom);
+    y = primitive_part(y, atom);
     while (!y.empty()) {
       if (degree_of(x, atom) < degree_of(y, atom)) std::swap(x, y);
       if (degree_of(y, atom) == 0) return shared;
       Polynomial rest = remainder(x, y, atom);
       x = std::move(y);
-      y = rest.empty() ? rest : primitive(rest, atom);
+      y = rest.empty() ? rest : primitive_part(rest, atom);
     }
     return product(shared, x);
   }
@@ -81,13 +81,13 @@ class Divisors {
   Polynomial content(const Polynomial& x, AtomId atom) {
     Polynomial shared;
     for (const auto& [exponent, coefficient] : coefficients_of(x, atom)) {
-      shared = greatest(std::move(shared), coefficient);
+      shared = greatest_divisor(std::move(shared), coefficient);
     }
     return shared;
   }
 
   /// x / y; y must divide x.
-  Polynomial exact(const Polynomial& x, const Polynomial& y) {
+  Polynomial divide_exactly(const Polynomial& x, const Polynomial& y) {
     if (y.size() == 1) return scaled(x, reciprocal(y.begin()->second), power(y.begin()->first, -1));
     std::optional<Polynomial> result = quotient(x, y, products_);
     if (!result) throw TooMuchWork();
@@ -96,8 +96,8 @@ class Divisors {
 
  private:
   /// x without its content, with leading coefficient 1.
-  Polynomial primitive(const Polynomial& x, AtomId atom) {
-    const Polynomial result = exact(x, content(x, atom));
+  Polynomial primitive_part(const Polynomial& x, AtomId atom) {
+    const Polynomial result = divide_exactly(x, content(x, atom));
     return scaled(result, reciprocal(result.rbegin()->second));
   }
 
@@ -126,21 +126,21 @@ struct RepeatedFactor {
 /// x as a product, its content among the factors; none if no factor is repeated.
 std::optional<std::vector<RepeatedFactor>> repeated_factors(const Polynomial& x, AtomId atom) {
   Divisors divisors;
-  const Polynomial simple = specialised(x, atom);
+  const Polynomial simple = substitute_numbers(x, atom);
   if (simple.empty()) return std::nullopt;
-  const Polynomial shared = divisors.greatest(simple, derivative(simple, atom));
+  const Polynomial shared = divisors.greatest_divisor(simple, derivative(simple, atom));
   if (degree_of(shared, atom) == 0) return std::nullopt;
   Polynomial made = divisors.content(x, atom);
   std::vector<RepeatedFactor> factors;
   factors.push_back({made});
-  const Polynomial whole = divisors.exact(x, made);
-  Polynomial rest = divisors.greatest(whole, derivative(whole, atom));
+  const Polynomial whole = divisors.divide_exactly(x, made);
+  Polynomial rest = divisors.greatest_divisor(whole, derivative(whole, atom));
   if (degree_of(rest, atom) == 0) return std::nullopt;
-  Polynomial left = divisors.exact(whole, rest);
+  Polynomial left = divisors.divide_exactly(whole, rest);
   for (std::int32_t exponent = 1; degree_of(left, atom) > 0; ++exponent) {
-    Polynomial next = divisors.greatest(left, rest);
-    Polynomial base = divisors.exact(left, next);
-    rest = divisors.exact(rest, next);
+    Polynomial next = divisors.greatest_divisor(left, rest);
+    Polynomial base = divisors.divide_exactly(left, next);
+    rest = divisors.divide_exactly(rest, next);
     left = std::move(next);
     for (std::int32_t i = 0; i < exponent; ++i) made = product(made, base);
     factors.push_back({std::move(base), exponent});
@@ -153,7 +153,7 @@ std::optional<std::vector<RepeatedFactor>> repeated_factors(const Polynomial& x,
 
 class SquareFree : GraphTerms {
  public:
-  SquareFree(Graph& graph, Keeping keeping) : GraphTerms(graph), keeping_(keeping) {}
+  SquareFree(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
 
   std::optional<Ref> operator()(const std::vector<Ref>& terms) {
     Polynomial all;
@@ -172,7 +172,7 @@ class SquareFree : GraphTerms {
     for (const AtomId atom : atoms_of(all)) {
       if (!is_variable(atom)) continue;
       if (const auto factored = product_of(all, atom)) return factored;
-      if (const auto factored = group_of(all, atom)) return factored;
+      if (const auto factored = factor_group(all, atom)) return factored;
     }
     return std::nullopt;
   }
@@ -194,18 +194,18 @@ class SquareFree : GraphTerms {
     std::vector<Power> powers{{value_of({{common, {1, 0}}})}};
     for (const auto& [base, exponent] : *factors) {
       const Ref value = value_of(base);
-      powers.push_back({kept_sum(graph_, keeping_, value).value_or(value), exponent});
+      powers.push_back({rewrite_sum(graph_, keeping_, value).value_or(value), exponent});
     }
     return graph_.product(powers);
   }
 
   /// Factors the terms without other variables; the other terms are added unchanged.
-  std::optional<Ref> group_of(const Polynomial& all, AtomId atom) {
+  std::optional<Ref> factor_group(const Polynomial& all, AtomId atom) {
     Polynomial group;
     Polynomial others;
     for (const auto& [monomial, coefficient] : all) {
       const bool is_alone = std::ranges::all_of(monomial, [&](const AtomPower& power) {
-        return power.atom == atom || is_anchored({power.atom, false});
+        return power.atom == atom || has_parameter_term({power.atom, false});
       });
       (is_alone ? group : others).try_emplace(monomial, coefficient);
     }
@@ -224,12 +224,13 @@ class SquareFree : GraphTerms {
     return graph_.sum(terms);
   }
 
-  Keeping keeping_;
+  RewriteOptions keeping_;
 };
 
 }  // namespace
 
-std::optional<Ref> square_free(Graph& graph, Keeping keeping, const std::vector<Ref>& terms) {
+std::optional<Ref> square_free(Graph& graph, RewriteOptions keeping,
+                               const std::vector<Ref>& terms) {
   if (terms.size() < 3 || terms.size() > most_terms_of_polynomial) return std::nullopt;
   try {
     return SquareFree(graph, keeping)(terms);

@@ -22,19 +22,20 @@ class ParameterSymbols {
       case InertialOwner::parameter:
         return of_model_[parameter.index];
       case InertialOwner::coordinate:
-        return of_owner(parameter, "J", model_.coordinates[parameter.index].name);
+        return apply_to_owner(parameter, "J", model_.coordinates[parameter.index].name);
       case InertialOwner::point:
-        return of_owner(parameter, "m", model_.points[parameter.index].name);
+        return apply_to_owner(parameter, "m", model_.points[parameter.index].name);
       case InertialOwner::body:
         break;
     }
     const std::string& body = model_.bodies[parameter.index].name;
-    return of_owner(parameter, parameter.name.substr(body.size() + 1), body);
+    return apply_to_owner(parameter, parameter.name.substr(body.size() + 1), body);
   }
 
  private:
-  [[nodiscard]] static Formula of_owner(const InertialParameter& parameter,
-                                        const std::string& component, const std::string& owner) {
+  [[nodiscard]] static Formula apply_to_owner(const InertialParameter& parameter,
+                                              const std::string& component,
+                                              const std::string& owner) {
     return symbol_formula(parameter.name, symbol_of_name(component + "_" + owner));
   }
 
@@ -46,7 +47,7 @@ Formula number(const cln::cl_R& factor) {
   return is_rational(factor) ? number_formula(cln::the<cln::cl_RA>(factor)) : six_digits(factor);
 }
 
-Formula term(const WeighedParameter& weighed, Formula symbol) {
+Formula term(const WeightedParameter& weighed, Formula symbol) {
   if (weighed.factor == 1) return symbol;
   if (weighed.factor == -1) return negative(std::move(symbol));
   const bool is_negative = cln::minusp(weighed.factor);
@@ -56,7 +57,7 @@ Formula term(const WeighedParameter& weighed, Formula symbol) {
 
 Formula combination(const BaseParameter& base, const Formulas& symbols) {
   Formulas terms{symbols[base.parameter]};
-  for (const WeighedParameter& other : base.others) {
+  for (const WeightedParameter& other : base.others) {
     terms.push_back(term(other, symbols[other.parameter]));
   }
   return sum_of(std::move(terms));
@@ -72,7 +73,7 @@ std::string claim_of(const BaseParameters& found) {
 }  // namespace
 
 Page base_parameters_page(const CheckedModel& checked, const BaseParameters& found) {
-  Page page{.title = titled(checked, "base inertial parameters")};
+  Page page{.title = analysis_title(checked, "base inertial parameters")};
   const ParameterSymbols known(checked.model);
   Formulas symbols;
   for (const InertialParameter& each : found.parameters) symbols.push_back(known.of(each));

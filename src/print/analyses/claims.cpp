@@ -99,7 +99,7 @@ std::optional<Fraction> only_sinusoid(ClosedForms& forms, const Equilibria& equi
   for (const RestPoint& point : equilibria.points) {
     for (const CoordinateAtRest& coordinate : point.coordinates) {
       if (!coordinate.sinusoid) continue;
-      if (only && !proved_equal(forms, *only, *coordinate.sinusoid)) return std::nullopt;
+      if (only && !is_proved_equal(forms, *only, *coordinate.sinusoid)) return std::nullopt;
       only = coordinate.sinusoid;
     }
   }
@@ -107,7 +107,7 @@ std::optional<Fraction> only_sinusoid(ClosedForms& forms, const Equilibria& equi
 }
 
 /// "the last two exist if |g| <= R*Omega^2"
-Formula existence(PageForms& known, const Equilibria& equilibria) {
+Formula existence_condition(PageForms& known, const Equilibria& equilibria) {
   const std::size_t count = count_with_sinusoids(equilibria);
   const bool are_last = std::ranges::is_partitioned(equilibria.points, std::not_fn(has_sinusoid));
   const std::string subject = count == equilibria.points.size() ? "they exist"
@@ -121,7 +121,7 @@ Formula existence(PageForms& known, const Equilibria& equilibria) {
 }
 
 /// "numbers and stability computed at the parameters' values"
-Formula special_to_values(Formulas special) {
+Formula parameter_value_clause(Formulas special) {
   special.push_back(prose("stability"));
   return row_of({enumeration(std::move(special)), prose("computed at the parameters' values")});
 }
@@ -163,11 +163,11 @@ Formula scope_of(PageForms& known, const Equilibria& equilibria) {
   if (has_inexact(equilibria, &CoordinateAtRest::is_any)) special.push_back(prose("\"any\""));
   Formulas clauses;
   if (count_with_sinusoids(equilibria) > 0) {
-    clauses.push_back(existence(known, equilibria));
+    clauses.push_back(existence_condition(known, equilibria));
   } else if (special.empty()) {
     clauses.push_back(prose("exact for all values of the parameters"));
   }
-  clauses.push_back(special_to_values(std::move(special)));
+  clauses.push_back(parameter_value_clause(std::move(special)));
   add_search(clauses, known, equilibria);
   Formulas row;
   for (Formula& clause : clauses) {

@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-std::string given_inputs(const Model& model, const Equilibria& equilibria) {
+std::string input_values_text(const Model& model, const Equilibria& equilibria) {
   std::string text;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     if (cln::zerop(equilibria.inputs[i])) continue;
@@ -35,7 +35,7 @@ Formula cell_of(PageForms& known, const CoordinateAtRest& at, bool is_pair) {
   if (is_pair && cln::minusp(at.value)) form = Arithmetic(known.forms.algebra).negate(form);
   const std::optional<Formula> formula = known.read(form);
   if (!formula) return six_digits(at.value);
-  const auto with_sign = [is_pair](Formula x) { return is_pair ? either_sign(std::move(x)) : x; };
+  const auto with_sign = [is_pair](Formula x) { return is_pair ? plus_minus(std::move(x)) : x; };
   const bool is_plain = !at.sinusoid && !holds_leaves(known.forms.algebra, *at.form);
   if (is_plain) return with_sign(*formula);
   return relation(with_sign(*formula),
@@ -63,7 +63,7 @@ void add_breaks(Formulas& lines, PageForms& known, const std::vector<ChartBreak>
 Formula residual_name(const Model& model) {
   if (!model.inputs.empty()) return symbol("bias - B u", "\\mathrm{bias} - B u");
   const bool has_bias = model.may_drift || !model.forces.empty();
-  return has_bias ? symbol("bias", "\\mathrm{bias}") : typed_formula("g");
+  return has_bias ? symbol("bias", "\\mathrm{bias}") : latex_formula("g");
 }
 
 /// "g = (0, m*g*l*sin(theta))"
@@ -107,8 +107,8 @@ void add_cyclic(Formulas& lines, const CheckedModel& checked, const PageForms& k
   lines.push_back(row_of({enumeration(std::move(symbols)), std::move(claim)}));
 }
 
-Formulas lines_of_none(const CheckedModel& checked, PageForms& known,
-                       const Equilibria& equilibria) {
+Formulas lines_without_points(const CheckedModel& checked, PageForms& known,
+                              const Equilibria& equilibria) {
   Formulas lines;
   const Formula proved = proved_domain(known, equilibria);
   if (equilibria.completeness != Completeness::proved) {
@@ -149,7 +149,7 @@ Formula leading_term(PageForms& known, const Equilibria& equilibria, const RestP
   const LeadingTerm& term = *point.stability.leading;
   Formula shift =
       deviation(known, point.coordinates[term.coordinate], known.symbols.q[term.coordinate]);
-  Formula first = product_of({known.read(term.coefficient).value_or(typed_formula("c")),
+  Formula first = product_of({known.read(term.coefficient).value_or(latex_formula("c")),
                               power_of(std::move(shift), number_formula(term.order))});
   return relation(rest_energy(equilibria), sum_of({std::move(first), symbol("...", "\\text{…}")}));
 }
@@ -187,7 +187,7 @@ Formula stiffness_at(PageForms& known, const RestPoint& point) {
 
 PageTable table_of_points(PageForms& known, const Equilibria& equilibria, bool has_stiffness) {
   PageTable table{known.symbols.q};
-  if (has_stiffness) table.heads.push_back(typed_formula("K"));
+  if (has_stiffness) table.heads.push_back(latex_formula("K"));
   table.heads.emplace_back();
   const std::vector<RestPoint>& points = equilibria.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -208,15 +208,15 @@ PageTable table_of_points(PageForms& known, const Equilibria& equilibria, bool h
 Page equilibria_page(const CheckedModel& checked, const Equilibria& equilibria) {
   const Model& model = checked.model;
   PageForms known(model, equilibria.forms);
-  Page page{.title = titled(checked,
-                            fmt::format("equilibria (v = 0{})", given_inputs(model, equilibria)))};
+  Page page{.title = analysis_title(checked, fmt::format("equilibria (v = 0{})",
+                                                         input_values_text(model, equilibria)))};
   if (equilibria.points.empty()) {
-    page.sections.push_back({.lines = lines_of_none(checked, known, equilibria)});
+    page.sections.push_back({.lines = lines_without_points(checked, known, equilibria)});
     return page;
   }
   const Value stiffness = stiffness_of(known);
   if (std::optional<Formula> formula = known.read(stiffness)) {
-    page.sections.push_back({.equations = {{typed_formula("K"), 1, 1, {std::move(*formula)}}}});
+    page.sections.push_back({.equations = {{latex_formula("K"), 1, 1, {std::move(*formula)}}}});
   }
   page.sections.push_back({.table = table_of_points(known, equilibria, stiffness.has_value())});
   Formulas claims{scope_of(known, equilibria)};

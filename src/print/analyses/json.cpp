@@ -8,16 +8,15 @@
 namespace elgen {
 namespace {
 
-double double_of(const cln::cl_R& value) { return ScalarTraits<double>::from_real(value); }
-
-double double_of(double value) { return value; }
+Json number_json(const cln::cl_R& value) { return to_double(value); }
+Json number_json(double value) { return value; }
 
 template <class Number>
 Json matrix_json(const std::vector<Number>& values, std::size_t columns) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i % columns == 0) rows.push_back(Json::array());
-    rows.back().push_back(double_of(values[i]));
+    rows.back().push_back(number_json(values[i]));
   }
   return rows;
 }
@@ -51,7 +50,7 @@ Json coordinates_json(const PageForms& known, const RestPoint& point) {
     const CoordinateAtRest& coordinate = point.coordinates[i];
     Json& entry = object[known.model.coordinates[i].name];
     if (coordinate.is_any) entry["any"] = true;
-    entry["value"] = double_of(coordinate.value);
+    entry["value"] = to_double(coordinate.value);
     Json form = form_json(known, coordinate.form);
     if (!form.is_null()) entry["form"] = std::move(form);
   }
@@ -92,7 +91,7 @@ std::string equilibria_json(const CheckedModel& checked, const Equilibria& equil
   const PageForms known(model, equilibria.forms);
   Json inputs = Json::object();
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    inputs[model.inputs[i].name] = double_of(equilibria.inputs[i]);
+    inputs[model.inputs[i].name] = to_double(equilibria.inputs[i]);
   }
   Json points = Json::array();
   for (const RestPoint& point : equilibria.points) {
@@ -103,13 +102,13 @@ std::string equilibria_json(const CheckedModel& checked, const Equilibria& equil
   for (const UndecidedBox& box : equilibria.undecided) {
     Json& place = undecided.push_back(Json::object());
     for (const auto& [coordinate, sides] : box) {
-      place[model.coordinates[coordinate].name] = {double_of(sides.low), double_of(sides.high)};
+      place[model.coordinates[coordinate].name] = {to_double(sides.low), to_double(sides.high)};
     }
   }
   Json breaks = Json::array();
   for (const ChartBreak& here : equilibria.breaks) {
     Json& place = breaks.push_back(Json::object());
-    place[model.coordinates[here.coordinate].name] = double_of(here.at.value);
+    place[model.coordinates[here.coordinate].name] = to_double(here.at.value);
   }
   const Json object{{"model", model.name},
                     {"inputs", inputs},
@@ -132,7 +131,7 @@ std::string modes_json(const CheckedModel& checked, const Modes& modes) {
     Json squares = Json::array();
     Json shapes = Json::array();
     for (const NormalMode& mode : motions.modes) {
-      squares.push_back(double_of(mode.omega_squared));
+      squares.push_back(to_double(mode.omega_squared));
       shapes.push_back(mode.shape);
     }
     Json poles = Json::array();
@@ -173,10 +172,10 @@ std::string base_parameters_json(const CheckedModel& checked, const BaseParamete
   for (const BaseParameter& parameter : found.base) {
     Json terms = Json::object();
     terms[found.parameters[parameter.parameter].name] = 1.0;
-    for (const WeighedParameter& other : parameter.others) {
-      terms[found.parameters[other.parameter].name] = double_of(other.factor);
+    for (const WeightedParameter& other : parameter.others) {
+      terms[found.parameters[other.parameter].name] = to_double(other.factor);
     }
-    base.push_back({{"parameters", terms}, {"value", double_of(parameter.value)}});
+    base.push_back({{"parameters", terms}, {"value", to_double(parameter.value)}});
   }
   Json names = Json::array();
   for (const InertialParameter& parameter : found.parameters) names.push_back(parameter.name);

@@ -24,7 +24,7 @@ const char* verdict(Stability kind) {
 
 /// "pi", "l + m*g/k = 0.7", "+-0.697569"
 Formula value_of_coordinate(const PageForms& known, const CoordinateAtRest& at, bool is_pair) {
-  if (at.sinusoid && is_pair) return either_sign(six_digits(cln::abs(at.value)));
+  if (at.sinusoid && is_pair) return plus_minus(six_digits(cln::abs(at.value)));
   std::optional<Formula> form = at.sinusoid ? std::nullopt : known.read(at.form);
   if (!form) return six_digits(at.value);
   if (cln::zerop(at.value) || !holds_leaves(known.forms.algebra, *at.form)) return *form;
@@ -32,8 +32,8 @@ Formula value_of_coordinate(const PageForms& known, const CoordinateAtRest& at, 
 }
 
 /// "theta1 = 0, theta2 = 0 (stable)"
-Formula place(const PageForms& known, const std::vector<cln::cl_R>& inputs, const RestPoint& point,
-              bool is_pair) {
+Formula place_title(const PageForms& known, const std::vector<cln::cl_R>& inputs,
+                    const RestPoint& point, bool is_pair) {
   Formulas values;
   for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
     values.push_back(
@@ -54,7 +54,7 @@ Formula as_factor(Formula x) {
 template <class Number>
 PageEquation matrix_equation(std::string_view left, const std::vector<Number>& numbers,
                              std::size_t columns) {
-  PageEquation equation{typed_formula(left), static_cast<std::uint32_t>(numbers.size() / columns),
+  PageEquation equation{latex_formula(left), static_cast<std::uint32_t>(numbers.size() / columns),
                         static_cast<std::uint32_t>(columns)};
   for (const Number& number : numbers) equation.entries.push_back(six_digits(number));
   return equation;
@@ -108,8 +108,8 @@ PageSection equations_section(const PageForms& known, const FormsAtRest& forms,
 Formula complex_number(double real, double imaginary) {
   if (imaginary == 0) return six_digits(real);
   const Formula size = six_digits(imaginary);
-  const Formula unit = typed_formula("i");
-  if (real == 0) return row_of({either_sign(size), unit});
+  const Formula unit = latex_formula("i");
+  if (real == 0) return row_of({plus_minus(size), unit});
   return row_of({six_digits(real), symbol("+-", "\\pm"), size, unit});
 }
 
@@ -200,7 +200,7 @@ void add_modes(Page& page, const PageForms& known, const std::vector<NormalMode>
   }
   std::vector<std::size_t> equal;
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    const double square = ScalarTraits<double>::from_real(modes[i].omega_squared);
+    const double square = to_double(modes[i].omega_squared);
     const double rate = std::sqrt(std::abs(square));
     table.cells.push_back(six_digits(static_cast<double>(i + 1)));
     table.cells.push_back(six_digits(square));
@@ -218,7 +218,7 @@ void add_modes(Page& page, const PageForms& known, const std::vector<NormalMode>
 }
 
 /// True if a single mode and a single cyclic rate agree in 64 digits.
-bool have_one_period(const std::vector<NormalMode>& modes, const std::vector<cln::cl_R>& rates) {
+bool have_equal_periods(const std::vector<NormalMode>& modes, const std::vector<cln::cl_R>& rates) {
   if (modes.size() != 1 || rates.size() != 1) return false;
   const cln::cl_R& square = modes[0].omega_squared;
   return square > 0 && is_near(Real(rates[0] * rates[0] / square), Real(1));
@@ -227,7 +227,7 @@ bool have_one_period(const std::vector<NormalMode>& modes, const std::vector<cln
 /// "steady motion: dot(phi) = 0.578704 rad/s": the rates of the cyclic coordinates that the scene
 /// removed.
 void add_steady_motion(Page& page, const Model& model, const LinearMotions& motions) {
-  const Model& whole = whole_of(model);
+  const Model& whole = whole_model(model);
   const OracleValues rates =
       oracle_values(model, {.kind = OutputKind::cyclic_rates}, motions.point.state);
   if (!rates) return;
@@ -240,11 +240,11 @@ void add_steady_motion(Page& page, const Model& model, const LinearMotions& moti
         relation(symbols.v[velocity], row_of({six_digits((*rates)[i]), std::move(unit)})));
   }
   const bool turns = is_angle(whole.coordinates[model.variant.cyclic[0].coordinate]);
-  const bool closes = turns && have_one_period(motions.modes, *rates);
+  const bool has_closed_orbits = turns && have_equal_periods(motions.modes, *rates);
   page.sections.push_back(
-      {.lines = {
-           row_of({prose("steady motion:"), list_of(std::move(values)),
-                   prose(closes ? ", with the period of the mode: the orbits close" : "")})}});
+      {.lines = {row_of(
+           {prose("steady motion:"), list_of(std::move(values)),
+            prose(has_closed_orbits ? ", with the period of the mode: the orbits close" : "")})}});
 }
 
 bool is_free(const Model& model, const LinearMotions& motions) {
@@ -274,8 +274,8 @@ Page modes_page(const CheckedModel& checked, const Modes& modes) {
         i + 1 < all.size() && is_mirrored(known.forms, all[i].point, all[i + 1].point);
     const char* const subject =
         is_free(checked.model, all[i]) ? "normal modes at" : "linearised equations at";
-    Formula title =
-        row_of({titled(checked, subject), place(known, modes.inputs, all[i].point, is_pair)});
+    Formula title = row_of({analysis_title(checked, subject),
+                            place_title(known, modes.inputs, all[i].point, is_pair)});
     if (page.sections.empty()) {
       page.title = std::move(title);
     } else {

@@ -44,7 +44,7 @@ std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
                                  const std::optional<Fraction>& form) {
   if (!form) return std::nullopt;
   LeafNames leaves = leaf_names(model);
-  name_taken(Opcode::momentum, leaves);
+  name_optional_leaves(Opcode::momentum, leaves);
   leaves.E = energy_name(model);
   Program program{leaves};
   Function function = typeset_value(model, algebra, *form, program);
@@ -73,7 +73,7 @@ Formula six_digits(double value) {
   return digits_formula(value == 0 ? "0" : fmt::format("{:.6g}", value));
 }
 
-Formula titled(const CheckedModel& checked, const std::string& subject) {
+Formula analysis_title(const CheckedModel& checked, const std::string& subject) {
   const std::string title = page_title(checked.model);
   if (!has_routhian(checked.model)) return prose(fmt::format("{}: {}", title, subject));
   return row_of({prose(title + ","), held_momenta(checked), prose(": " + subject)});
@@ -100,9 +100,9 @@ bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& nex
     const CoordinateAtRest& y = next.coordinates[k];
     if (x.is_any && y.is_any) continue;
     if (!x.form || !y.form) return false;
-    if (proved_equal(forms, *x.form, *y.form)) continue;
+    if (is_proved_equal(forms, *x.form, *y.form)) continue;
     const Value turned = arithmetic.negate(*y.form);
-    if (!x.sinusoid || !proved_equal(forms, *x.form, *turned)) return false;
+    if (!x.sinusoid || !is_proved_equal(forms, *x.form, *turned)) return false;
     differs = true;
   }
   return differs;

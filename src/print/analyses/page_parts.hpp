@@ -35,7 +35,7 @@ struct PageForms {
 [[nodiscard]] Formula six_digits(double value);
 
 /// "TITLE, p_phi = 0.6 N m s: SUBJECT", with the momenta that the scene holds.
-[[nodiscard]] Formula titled(const CheckedModel& checked, const std::string& subject);
+[[nodiscard]] Formula analysis_title(const CheckedModel& checked, const std::string& subject);
 
 /// "r in [0.3, 3]" for each coordinate with a searched range.
 [[nodiscard]] Formulas searched_ranges(const PageForms& known, const Equilibria& equilibria);
@@ -52,7 +52,9 @@ struct PageForms {
 
 [[nodiscard]] const char* name_of(SymmetryKind kind);
 
-[[nodiscard]] inline bool is_nothing(const Value& form) { return form && form->numerator.empty(); }
+[[nodiscard]] inline bool is_zero_form(const Value& form) {
+  return form && form->numerator.empty();
+}
 
 /// Integrals that forces do not change, as entries of [[expect]] in the model. Integrals with
 /// quaternions are omitted, because a model cannot name their components. The list is empty if a

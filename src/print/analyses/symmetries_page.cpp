@@ -19,11 +19,11 @@ namespace elgen {
 namespace {
 
 Formula read_or_words(const PageForms& known, const Value& form) {
-  return known.read(form).value_or(typed_formula("\\text{a long expression}"));
+  return known.read(form).value_or(latex_formula("\\text{a long expression}"));
 }
 
 Formula subject_of(const CheckedModel& checked, const Symmetries& symmetries) {
-  return row_of({titled(checked, "symmetries of L with"),
+  return row_of({analysis_title(checked, "symmetries of L with"),
                  symbol("dq = A q + b + c t", "{\\delta} q = A q + b + c t"),
                  checked.model.rotations.empty()
                      ? Formula{}
@@ -59,7 +59,7 @@ Formula triple(const PageForms& known, const Symmetry& symmetry, std::size_t fir
   if (std::ranges::all_of(entries, is_zero)) return {};
   Formulas parts;
   for (const Fraction& entry : entries) {
-    parts.push_back(known.read(entry).value_or(typed_formula("?")));
+    parts.push_back(known.read(entry).value_or(latex_formula("?")));
   }
   return tuple_of(std::move(parts));
 }
@@ -75,7 +75,7 @@ void add_turn(Formulas& changes, const PageForms& known, const Symmetry& symmetr
   if (!world.is_empty()) {
     parts.push_back(symbol("R^T", "R^{\\top}"));
     parts.push_back(std::move(world));
-    if (!body.is_empty()) parts.push_back(typed_formula("+"));
+    if (!body.is_empty()) parts.push_back(latex_formula("+"));
   }
   parts.push_back(std::move(body));
   changes.push_back(row_of(std::move(parts)));
@@ -119,22 +119,22 @@ PageEquation equation(Formula left, Formula right) {
   return {std::move(left), 1, 1, {std::move(right)}};
 }
 
-Formula in_one_line(const PageEquation& equation) {
+Formula one_line_formula(const PageEquation& equation) {
   return relation(equation.left, equation.entries[0]);
 }
 
-Formula in_one_line(const IntegralLine& integral) {
+Formula one_line_formula(const IntegralLine& integral) {
   Formulas parts{integral.left};
   if (integral.equation) {
     if (!integral.left.is_empty()) parts.insert(parts.end(), {prose(","), wide_blank()});
-    parts.push_back(in_one_line(*integral.equation));
+    parts.push_back(one_line_formula(*integral.equation));
   }
   if (!integral.note.is_empty()) parts.insert(parts.end(), {wide_blank(), integral.note});
   return row_of(std::move(parts));
 }
 
 /// True if a symmetry turns a rotation about an axis of the world.
-bool turns(const Model& model, const Symmetry& symmetry) {
+bool turns_rotation(const Model& model, const Symmetry& symmetry) {
   const GeneratorClass all(model);
   return std::any_of(symmetry.generator.begin() + static_cast<std::ptrdiff_t>(all.world_turn(0, 0)),
                      symmetry.generator.begin() + static_cast<std::ptrdiff_t>(all.time()),
@@ -151,7 +151,7 @@ Formula note_on(const Symmetry& symmetry, bool loses_energy) {
 IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool loses_energy) {
   Formula names = read_or_words(known, symmetry.by_names);
   IntegralLine result{.note = note_on(symmetry, loses_energy)};
-  if (!is_nothing(symmetry.total)) {
+  if (!is_zero_form(symmetry.total)) {
     const Formula total = free_symbol(known.model, name_of_total(known.model));
     Formulas terms = names.kind == FormulaKind::sum ? names.parts : Formulas{names};
     terms.push_back(negative(total));
@@ -162,7 +162,8 @@ IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool 
       result.left =
           row_of({std::move(result.left), prose(","), total, prose("has no closed form")});
     }
-  } else if (turns(known.model, symmetry)) {  // the closed form would repeat the components
+  } else if (turns_rotation(known.model,
+                            symmetry)) {  // the closed form would repeat the components
     result.equation = equation(free_symbol(known.model, "I"), std::move(names));
   } else if (std::optional<Formula> closed = known.read(symmetry.closed)) {
     result.equation = equation(std::move(names), std::move(*closed));
@@ -174,7 +175,7 @@ IntegralLine integral_of(const PageForms& known, const Symmetry& symmetry, bool 
 
 /// "d/dt" = "u*t": the rate by which forces change the integral; none if it is 0.
 std::optional<PageEquation> rate_of(const PageForms& known, const Symmetry& symmetry) {
-  if (is_nothing(symmetry.rate)) return std::nullopt;
+  if (is_zero_form(symmetry.rate)) return std::nullopt;
   const Formula otherwise =
       symbol("(dq - v dt).(B u + Q - dD/dv)",
              "({\\delta} q - v {\\delta} t) \\cdot (B u + Q - \\partial D/\\partial v)");
@@ -213,8 +214,8 @@ PageTable table_of(const std::vector<SymmetryRow>& rows, const Symmetries& symme
   for (const SymmetryRow& row : rows) {
     table.cells.push_back(row.name);
     if (has_change) table.cells.push_back(row.change);
-    table.cells.push_back(in_one_line(row.integral));
-    if (has_rate) table.cells.push_back(row.rate ? in_one_line(*row.rate) : Formula{});
+    table.cells.push_back(one_line_formula(row.integral));
+    if (has_rate) table.cells.push_back(row.rate ? one_line_formula(*row.rate) : Formula{});
   }
   return table;
 }
@@ -257,7 +258,7 @@ std::string sampled(const Symmetries& symmetries) {
 std::string verdict(const Model& model, const Symmetries& symmetries) {
   if (symmetries.all.empty()) return {};
   const bool are_proved = std::ranges::all_of(symmetries.all, &Symmetry::is_proved);
-  const bool is_free = std::ranges::all_of(symmetries.all, is_nothing, &Symmetry::rate);
+  const bool is_free = std::ranges::all_of(symmetries.all, is_zero_form, &Symmetry::rate);
   return fmt::format("{}: {}; ", is_free ? "conserved" : "conserved if d/dt is 0",
                      are_proved ? "proved"
                      : symmetries.is_exact
@@ -323,7 +324,7 @@ std::vector<std::string> stated_integrals(const CheckedModel& checked, PageForms
     return leaf.leaf == Opcode::coordinate && known.model.coordinates[leaf.index].rotation;
   });
   for (const Symmetry& symmetry : symmetries.all) {
-    if (symmetry.is_special || !symmetry.total || !is_nothing(symmetry.loss)) continue;
+    if (symmetry.is_special || !symmetry.total || !is_zero_form(symmetry.loss)) continue;
     const Value whole = arithmetic.subtract(symmetry.by_names, *symmetry.total);
     if (!whole || quaternions.holds(*whole)) continue;
     if (const auto formula = known.read(whole)) result.push_back(text_of(*formula));

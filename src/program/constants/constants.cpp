@@ -29,8 +29,8 @@ Enclosed value_of(const ConstantPart& part, bool is_factor, const EnclosedArithm
   return is_factor ? with.power(*value.number, part.weight) : Enclosed(-*value.number);
 }
 
-EnclosedNumber folded(const ConstantForm& form, const std::vector<EnclosedNumber>& parts,
-                      const EnclosedArithmetic& with) {
+EnclosedNumber combined(const ConstantForm& form, const std::vector<EnclosedNumber>& parts,
+                        const EnclosedArithmetic& with) {
   const bool is_sum = form.kind == ConstantKind::sum;
   EnclosedNumber total{is_sum ? 0 : 1, 0};
   for (const EnclosedNumber& part : parts) {
@@ -56,7 +56,7 @@ Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
     case ConstantKind::call:
       return with.call(form.function, parts.front(), parts.back());
     default:
-      return folded(form, parts, with);
+      return combined(form, parts, with);
   }
 }
 
@@ -79,7 +79,7 @@ Formula sum_formula(const std::vector<ConstantPart>& parts) {
 }
 
 /// Base with exponent. A sum of one negative term keeps its sign in brackets: (-x)^2.
-Formula raised(const ConstantPart& factor) {
+Formula factor_formula(const ConstantPart& factor) {
   const bool is_signed = factor.form.kind == ConstantKind::sum && factor.form.parts.size() == 1;
   Formula base = constant_formula(factor.form);
   if (is_signed) base = group(std::move(base));
@@ -173,7 +173,7 @@ Formula constant_formula(const ConstantForm& form) {
       return sum_formula(form.parts);
     case ConstantKind::product: {
       Formulas factors;
-      for (const ConstantPart& factor : form.parts) factors.push_back(raised(factor));
+      for (const ConstantPart& factor : form.parts) factors.push_back(factor_formula(factor));
       return product_of(std::move(factors));
     }
     case ConstantKind::square_root:

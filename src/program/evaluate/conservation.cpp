@@ -55,7 +55,7 @@ bool contains_time(const Model& model, const Function& function) {
     if (instruction.opcode != Opcode::open_value) return instruction.opcode == Opcode::time;
     const OpenFunction& open = model.functions[model.open_values[instruction.a].function];
     return std::ranges::any_of(open.arguments, [&model](ExpressionId argument) {
-      return holds_leaf(model, argument, Opcode::time);
+      return contains_leaf(model, argument, Opcode::time);
     });
   });
 }

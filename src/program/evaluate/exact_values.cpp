@@ -57,7 +57,7 @@ std::vector<Real> ExactValues::slopes(OutputKind kind, const Arguments<Real>& di
   const Function& function = *find_function(subject_.program, kind, user);
   std::vector<Real> result;
   for (const Dual<Real>& entry :
-       evaluate(subject_.program, function, moving(arguments_, with_open_values(direction)))) {
+       evaluate(subject_.program, function, dual_leaves(arguments_, with_open_values(direction)))) {
     result.push_back(entry.slope);
   }
   return result;
@@ -73,7 +73,7 @@ Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
   const auto slope_of = [&](std::uint32_t argument) {
     const auto known = found.find(argument);
     if (known != found.end()) return known->second;
-    const auto slope = oracle_slope(model, argument, state_, along);
+    const auto slope = oracle_directional_derivative(model, argument, state_, along);
     return found[argument] = slope ? Real(*slope) : Real::undefined();
   };
   for (std::uint32_t i = 0; i < direction.f.size(); ++i) {
@@ -92,8 +92,8 @@ Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
 std::vector<Real> ExactValues::curvatures(OutputKind kind, const Arguments<Real>& direction,
                                           std::uint32_t user) const {
   const Function& function = *find_function(subject_.program, kind, user);
-  const auto once = moving(arguments_, direction);
-  const auto twice = moving(once, moving(direction, at_rest()));
+  const auto once = dual_leaves(arguments_, direction);
+  const auto twice = dual_leaves(once, dual_leaves(direction, zero_direction()));
   std::vector<Real> result;
   for (const Dual<Dual<Real>>& entry : evaluate(subject_.program, function, twice)) {
     result.push_back(entry.slope.slope);
@@ -120,7 +120,7 @@ std::vector<Real> ExactValues::coasting_accelerations() const {
   return result;
 }
 
-Arguments<Real> ExactValues::at_rest() const {
+Arguments<Real> ExactValues::zero_direction() const {
   return map_leaves([](const Real&) { return Real(); }, arguments_);
 }
 
@@ -131,7 +131,7 @@ std::optional<double> Balance::figure(const Real& floor) const {
   if (cln::zerop(difference.value())) return 0.0;
   const Real quotient = difference / scale;
   if (!quotient.is_defined()) return std::nullopt;
-  return ScalarTraits<double>::from_real(quotient.value());
+  return to_double(quotient.value());
 }
 
 }  // namespace elgen

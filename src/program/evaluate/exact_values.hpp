@@ -37,7 +37,7 @@ class ExactValues {
                                              std::uint32_t user = 0) const;
 
   /// The zero direction.
-  [[nodiscard]] Arguments<Real> at_rest() const;
+  [[nodiscard]] Arguments<Real> zero_direction() const;
 
   /// dq/dt with these velocities: N(q) v.
   [[nodiscard]] std::vector<Real> coordinate_rates(const std::vector<Real>& v) const;

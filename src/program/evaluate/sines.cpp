@@ -97,11 +97,11 @@ const SinePolynomial& cheapest(const std::vector<SinePolynomial>& all, const cln
   return found == all.end() ? all.back() : *found;
 }
 
-cln::cl_RA sine_error(const Numerics& numerics, SinesOf arithmetic, ScalarKind scalar) {
-  return trigonometry_error(arithmetic == SinesOf::packs ? numerics : Numerics{}, scalar);
+cln::cl_RA sine_error(const Numerics& numerics, SineArithmetic arithmetic, ScalarKind scalar) {
+  return trigonometry_error(arithmetic == SineArithmetic::packs ? numerics : Numerics{}, scalar);
 }
 
-std::vector<SineNumber> sine_numbers(const Numerics& numerics, SinesOf arithmetic,
+std::vector<SineNumber> sine_numbers(const Numerics& numerics, SineArithmetic arithmetic,
                                      ScalarKind scalar) {
   const AngleReduction& known = angle_reduction(scalar);
   const cln::cl_RA error = sine_error(numerics, arithmetic, scalar);
@@ -125,10 +125,10 @@ bool has_sines_in_line(const Scene& scene, ScalarKind scalar) {
 }
 
 template <class Scalar>
-Sines<Scalar>::Sines(const Scene& scene, SinesOf arithmetic)
+Sines<Scalar>::Sines(const Scene& scene, SineArithmetic arithmetic)
     : reduction_(angle_reduction(scalar_kind<Scalar>)),
       arithmetic_(arithmetic),
-      is_library_(arithmetic == SinesOf::numbers &&
+      is_library_(arithmetic == SineArithmetic::numbers &&
                   !has_sines_in_line(scene, scalar_kind<Scalar>)) {
   const cln::cl_RA error = sine_error(scene.numerics, arithmetic, scalar_kind<Scalar>);
   sine_ = coefficients_of<Scalar>(cheapest(sine_polynomials(), error, scalar_kind<Scalar>));
@@ -139,7 +139,7 @@ template <class Scalar>
 auto Sines<Scalar>::of(Scalar angle) const -> Values {
   if (is_library_ || !(std::abs(angle) <= static_cast<Scalar>(reduction_.domain))) {
     constexpr Scalar undefined = std::numeric_limits<Scalar>::quiet_NaN();
-    if (arithmetic_ == SinesOf::packs) return {undefined, undefined};
+    if (arithmetic_ == SineArithmetic::packs) return {undefined, undefined};
     return {std::sin(angle), std::cos(angle)};
   }
   const auto part = [this](std::size_t i) { return static_cast<Scalar>(reduction_.parts[i]); };

@@ -51,10 +51,10 @@ struct AngleReduction {
                                              const cln::cl_RA& max_error, ScalarKind scalar);
 
 /// Arithmetic of the emitted function. Beyond the domain packs give NaN; numbers call the library.
-enum class SinesOf : std::uint8_t { packs, numbers };
+enum class SineArithmetic : std::uint8_t { packs, numbers };
 
 /// Largest permitted error of the polynomials. For packs the scene may ask for fewer digits.
-[[nodiscard]] cln::cl_RA sine_error(const Numerics& numerics, SinesOf arithmetic,
+[[nodiscard]] cln::cl_RA sine_error(const Numerics& numerics, SineArithmetic arithmetic,
                                     ScalarKind scalar);
 
 /// True if functions of numbers compute sines inline: for float and double, whatever scalar the
@@ -68,14 +68,14 @@ struct SineNumber {
 };
 
 /// All constants of the algorithm for this scalar.
-[[nodiscard]] std::vector<SineNumber> sine_numbers(const Numerics& numerics, SinesOf arithmetic,
-                                                   ScalarKind scalar);
+[[nodiscard]] std::vector<SineNumber> sine_numbers(const Numerics& numerics,
+                                                   SineArithmetic arithmetic, ScalarKind scalar);
 
 /// Scalar: float or double.
 template <class Scalar>
 class Sines {
  public:
-  Sines(const Scene& scene, SinesOf arithmetic);
+  Sines(const Scene& scene, SineArithmetic arithmetic);
 
   struct Values {
     Scalar sine;
@@ -85,7 +85,7 @@ class Sines {
 
  private:
   const AngleReduction& reduction_;
-  SinesOf arithmetic_;
+  SineArithmetic arithmetic_;
   bool is_library_;
   std::vector<Scalar> sine_;
   std::vector<Scalar> cosine_;

@@ -20,9 +20,9 @@ namespace {
 using cln::cl_R;
 
 /// Six digits, or the 17 that identify a double.
-std::string text_of(const cl_R& value, bool exactly) {
+std::string number_text(const cl_R& value, bool exactly) {
   if (!exactly) return short_text(value);
-  return fmt::format("{:.17g}", ScalarTraits<double>::from_real(value));
+  return fmt::format("{:.17g}", to_double(value));
 }
 
 std::string list(std::string_view name, const std::vector<cl_R>& values, bool exactly) {
@@ -30,7 +30,7 @@ std::string list(std::string_view name, const std::vector<cl_R>& values, bool ex
   std::string text = fmt::format("{} = (", name);
   const std::size_t shown = exactly ? values.size() : std::min<std::size_t>(values.size(), 8);
   for (std::size_t i = 0; i < shown; ++i) {
-    text += (i == 0 ? "" : ", ") + text_of(values[i], exactly);
+    text += (i == 0 ? "" : ", ") + number_text(values[i], exactly);
   }
   return text + (shown < values.size() ? ", …)" : ")");
 }
@@ -45,7 +45,7 @@ std::string changed_parameters(const Subject& subject, const State& state, bool 
     // A nominal value rounded to float has not changed.
     if (std::abs(actual[i] - nominal[i]) <= 1e-6 * scale) continue;
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", subject.model.parameters[i].name,
-                        text_of(state.parameters[i], exactly));
+                        number_text(state.parameters[i], exactly));
   }
   return text;
 }
@@ -62,8 +62,8 @@ std::string description(const Subject& subject, const State& state, bool exactly
         if (is_shown) add(list(row.symbol, values, exactly));
       },
       state);
-  if (subject.model.uses_time) add("t = " + text_of(state.t, exactly));
-  if (!subject.program.leaves.h.empty()) add("h = " + text_of(state.h, exactly));
+  if (subject.model.uses_time) add("t = " + number_text(state.t, exactly));
+  if (!subject.program.leaves.h.empty()) add("h = " + number_text(state.h, exactly));
   add(changed_parameters(subject, state, exactly));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -133,14 +133,14 @@ std::string describe_exactly(const Subject& subject, const State& state) {
 std::string short_text(const cl_R& value) {
   if (cln::zerop(value)) return "0";
   const cln::cl_F number = cln::cl_float(value, cln::float_format(20));
-  const double rounded = ScalarTraits<double>::from_real(value);
+  const double rounded = to_double(value);
   if (std::isfinite(rounded) && std::abs(rounded) > std::numeric_limits<double>::min()) {
     return fmt::format("{:.6g}", rounded);
   }
   // Beyond double: divide by a power of ten, found from the binary exponent.
   const long decimal = std::lround(std::floor(decimal_exponent(number)));
   const cl_R scaled = number / cln::expt(cln::cl_float(10, number), cln::cl_I(decimal));
-  return fmt::format("{:.3g}e{}", ScalarTraits<double>::from_real(scaled), decimal);
+  return fmt::format("{:.3g}e{}", to_double(scaled), decimal);
 }
 
 }  // namespace elgen

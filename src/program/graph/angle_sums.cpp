@@ -142,7 +142,7 @@ class AngleSums {
     const Node& node = step.old_graph.node(step.old_node);
     if (!is_sine_or_cosine(node) || splits_.count(node.operands[0].node) == 0)
       return copy(graph, step);
-    const Ref value = circular(graph, step, node.function, node.operands[0].node);
+    const Ref value = sine_or_cosine(graph, step, node.function, node.operands[0].node);
     const bool negative = node.function == FunctionId::sin && node.operands[0].weight < 0;
     return with_sign(value, negative);
   }
@@ -158,20 +158,20 @@ class AngleSums {
     return arguments_[id] = copy(graph, {step.old_graph, id, arguments_});
   }
 
-  Ref circular(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
-    const auto known = circular_.find({function, id});
-    if (known != circular_.end()) return known->second;
-    return circular_[{function, id}] = new_circular(graph, step, function, id);
+  Ref sine_or_cosine(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
+    const auto known = known_values_.find({function, id});
+    if (known != known_values_.end()) return known->second;
+    return known_values_[{function, id}] = new_sine_or_cosine(graph, step, function, id);
   }
 
-  Ref new_circular(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
+  Ref new_sine_or_cosine(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
     const auto split = splits_.find(id);
     if (split == splits_.end()) return graph.call(function, {argument(graph, step, id)});
     const auto& [first, second, sign] = split->second;
-    const Ref sine1 = circular(graph, step, FunctionId::sin, first);
-    const Ref cosine1 = circular(graph, step, FunctionId::cos, first);
-    const Ref sine2 = with_sign(circular(graph, step, FunctionId::sin, second), sign < 0);
-    const Ref cosine2 = circular(graph, step, FunctionId::cos, second);
+    const Ref sine1 = sine_or_cosine(graph, step, FunctionId::sin, first);
+    const Ref cosine1 = sine_or_cosine(graph, step, FunctionId::cos, first);
+    const Ref sine2 = with_sign(sine_or_cosine(graph, step, FunctionId::sin, second), sign < 0);
+    const Ref cosine2 = sine_or_cosine(graph, step, FunctionId::cos, second);
     if (function == FunctionId::sin) {
       const Ref left = graph.product({{sine1}, {cosine2}});
       return graph.sum({left, graph.product({{cosine1}, {sine2}})});
@@ -183,7 +183,7 @@ class AngleSums {
   std::map<NodeId, Split> splits_;
   std::vector<Ref> arguments_;  ///< in the new graph, by old node
   std::vector<bool> is_built_;
-  std::map<std::pair<FunctionId, NodeId>, Ref> circular_;  ///< by function and old argument
+  std::map<std::pair<FunctionId, NodeId>, Ref> known_values_;  ///< by function and old argument
 };
 
 }  // namespace

@@ -44,9 +44,9 @@ void divide(FactoredTerm& term, NodeId factor) {
   std::erase_if(term.factors, [](const Power& power) { return power.exponent == 0; });
 }
 
-class Factoring {
+class FactorRule {
  public:
-  explicit Factoring(const Expressions& expressions)
+  explicit FactorRule(const Expressions& expressions)
       : uses_(use_counts(expressions.graph, expressions.values)) {}
 
   Ref operator()(Graph& graph, const RebuildStep& step) const {
@@ -143,9 +143,9 @@ class Factoring {
   std::vector<std::uint32_t> uses_;
 };
 
-class Flattening {
+class FlattenRule {
  public:
-  Flattening(const Expressions& expressions, Flattened which)
+  FlattenRule(const Expressions& expressions, FlattenedProducts which)
       : uses_(use_counts(expressions.graph, expressions.values)), which_(which) {}
 
   Ref operator()(Graph& graph, const RebuildStep& step) const {
@@ -161,7 +161,7 @@ class Flattening {
   bool is_spliced(const Graph& graph, const RebuildStep& step, const Operand& operand) const {
     const NodeKind kind = step.old_graph.node(step.old_node).kind;
     const bool is_wanted = uses_[operand.node] == 1 ||
-                           (which_ == Flattened::all_products && kind == NodeKind::product);
+                           (which_ == FlattenedProducts::all_products && kind == NodeKind::product);
     return is_wanted && step.old_graph.node(operand.node).kind == kind &&
            graph.node(step.renewed[operand.node].node).kind == kind;
   }
@@ -186,7 +186,7 @@ class Flattening {
     bool negative = false;
     for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
       const Ref renewed = step.renewed[operand.node];
-      const bool is_power = operand.weight != 1 && which_ == Flattened::used_once;
+      const bool is_power = operand.weight != 1 && which_ == FlattenedProducts::used_once;
       if (is_power || !is_spliced(graph, step, operand)) {
         factors.push_back({renewed, operand.weight});
         continue;
@@ -200,17 +200,17 @@ class Flattening {
   }
 
   std::vector<std::uint32_t> uses_;
-  Flattened which_;
+  FlattenedProducts which_;
 };
 
 }  // namespace
 
 Expressions factor(const Expressions& expressions) {
-  return rebuild(expressions, Factoring(expressions));
+  return rebuild(expressions, FactorRule(expressions));
 }
 
-Expressions flatten(const Expressions& expressions, Flattened which) {
-  return rebuild(expressions, Flattening(expressions, which));
+Expressions flatten(const Expressions& expressions, FlattenedProducts which) {
+  return rebuild(expressions, FlattenRule(expressions, which));
 }
 
 }  // namespace elgen

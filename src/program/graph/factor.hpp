@@ -25,9 +25,9 @@ namespace elgen {
 [[nodiscard]] Expressions factor(const Expressions& expressions);
 
 /// Products that are expanded in products. Sums are expanded only if they are used once.
-enum class Flattened : std::uint8_t { used_once, all_products };
+enum class FlattenedProducts : std::uint8_t { used_once, all_products };
 
 [[nodiscard]] Expressions flatten(const Expressions& expressions,
-                                  Flattened which = Flattened::used_once);
+                                  FlattenedProducts which = FlattenedProducts::used_once);
 
 }  // namespace elgen

@@ -57,7 +57,7 @@ std::uint32_t Graph::constant_size(const Node& node) const {
   std::uint32_t size = 1;
   for (const Operand& operand : node.operands) {
     if (!is_constant(operand.node)) return 0;
-    size = std::min(size + nodes_[operand.node].constant_size, unwritable_constant);
+    size = std::min(size + nodes_[operand.node].constant_size, most_constant_nodes);
   }
   return size;
 }
@@ -213,7 +213,7 @@ ConstantForm Graph::form_of(Ref value) const {
 void Graph::name(Ref value, const std::string& name) {
   Node& node = nodes_[value.node];
   const bool is_atom = node.kind == NodeKind::leaf || node.constant_size > 0;
-  if (!is_atom && !value.negative) take_name(node.name, name);
+  if (!is_atom && !value.negative) merge_name(node.name, name);
 }
 
 bool Graph::is_zero(NodeId id) const { return is_rational(id) && cln::zerop(rational_of(id)); }

@@ -51,7 +51,7 @@ struct Node {
   std::uint32_t index = 0;                ///< of the leaf or the rational number
   std::vector<Operand> operands = {};     ///< a rational factor or term comes first, then constants
   std::uint32_t birth = 0;
-  /// Nodes of a constant written as a tree, at most unwritable_constant; 0 if it contains leaves.
+  /// Nodes of a constant written as a tree, at most most_constant_nodes; 0 if it contains leaves.
   std::uint32_t constant_size = 0;
   std::string name = {};  ///< for readers; "" if it has none
   /// Cache: the product without its rational coefficient.
@@ -68,7 +68,7 @@ struct Node {
 
 /// A constant with this many nodes has no form: as a tree it repeats shared nodes and outgrows the
 /// graph.
-inline constexpr std::uint32_t unwritable_constant = 400;
+inline constexpr std::uint32_t most_constant_nodes = 400;
 
 struct Power {
   Ref base;
@@ -92,14 +92,14 @@ class Graph {
   /// A constant, node by node; nested sums and nested products are spliced.
   Ref constant(const ConstantForm& form);
 
-  /// Names the node, see take_name. Leaves, constants and negated values are skipped.
+  /// Names the node, see merge_name. Leaves, constants and negated values are skipped.
   void name(Ref value, const std::string& name);
 
   [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] bool is_constant(NodeId id) const { return node(id).constant_size > 0; }
   [[nodiscard]] bool has_form(NodeId id) const {
-    return is_constant(id) && node(id).constant_size < unwritable_constant;
+    return is_constant(id) && node(id).constant_size < most_constant_nodes;
   }
   [[nodiscard]] bool is_rational(NodeId id) const { return node(id).kind == NodeKind::rational; }
   /// The value of a rational node; never negative.
@@ -134,11 +134,11 @@ class Graph {
   Ref build_product(Factors factors);
   std::optional<Term> scaled_product(NodeId id);
   Term split_coefficient(Ref term);
-  [[nodiscard]] std::size_t squared_sine(NodeId id) const;
+  [[nodiscard]] std::size_t squared_sine_index(NodeId id) const;
   template <class Choice>
-  std::vector<Term*> in_order(std::vector<Term>& terms, const Choice& is_chosen) const;
+  std::vector<Term*> sorted_terms(std::vector<Term>& terms, const Choice& is_chosen) const;
   bool join_squares(std::vector<Term>& terms);
-  bool write_out_opposed(std::vector<Term>& terms);
+  bool expand_opposite_terms(std::vector<Term>& terms);
   static void merge_terms(std::vector<Term>& terms);
   Ref build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant);
 

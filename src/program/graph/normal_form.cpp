@@ -168,7 +168,7 @@ Ref Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant)
 }
 
 /// The index of sin(x)^2 among the factors of a product; the operand count if it has none.
-std::size_t Graph::squared_sine(NodeId id) const {
+std::size_t Graph::squared_sine_index(NodeId id) const {
   const std::vector<Operand>& factors = node(id).operands;
   if (node(id).kind != NodeKind::product) return factors.size();
   const auto is_squared_sine = [this](const Operand& factor) {
@@ -180,7 +180,8 @@ std::size_t Graph::squared_sine(NodeId id) const {
 
 /// The chosen terms in the order of the graph.
 template <class Choice>
-std::vector<Graph::Term*> Graph::in_order(std::vector<Term>& terms, const Choice& is_chosen) const {
+std::vector<Graph::Term*> Graph::sorted_terms(std::vector<Term>& terms,
+                                              const Choice& is_chosen) const {
   std::vector<Term*> sorted;
   for (Term& term : terms) {
     if (is_chosen(term.node)) sorted.push_back(&term);
@@ -194,10 +195,10 @@ std::vector<Graph::Term*> Graph::in_order(std::vector<Term>& terms, const Choice
 /// because another pair could give another sum.
 bool Graph::join_squares(std::vector<Term>& terms) {
   const auto has_squared_sine = [this](NodeId id) {
-    return squared_sine(id) < node(id).operands.size();
+    return squared_sine_index(id) < node(id).operands.size();
   };
-  for (Term* term : in_order(terms, has_squared_sine)) {
-    const std::size_t position = squared_sine(term->node);
+  for (Term* term : sorted_terms(terms, has_squared_sine)) {
+    const std::size_t position = squared_sine_index(term->node);
     const Operand angle = node(node(term->node).operands[position].node).operands[0];
     std::vector<Power> powers;
     for (const Operand& factor : node(term->node).operands) {
@@ -226,14 +227,14 @@ void Graph::merge_terms(std::vector<Term>& terms) {
 
 /// Expands the first sum among the terms that contains the opposite of another term. If the two did
 /// not cancel, the result would carry rounding errors of their size.
-bool Graph::write_out_opposed(std::vector<Term>& terms) {
+bool Graph::expand_opposite_terms(std::vector<Term>& terms) {
   const auto has_opposite = [&terms](const Term& part) {
     return std::any_of(terms.begin(), terms.end(), [&part](const Term& term) {
       return term.node == part.node && cln::zerop(term.coefficient + part.coefficient);
     });
   };
   const auto is_sum = [this](NodeId id) { return node(id).kind == NodeKind::sum; };
-  for (Term* sum : in_order(terms, is_sum)) {
+  for (Term* sum : sorted_terms(terms, is_sum)) {
     const std::vector<Operand> operands = node(sum->node).operands;
     std::vector<Term> parts;
     for (const Operand& operand : operands) {
@@ -261,7 +262,7 @@ Ref Graph::sum(const std::vector<Ref>& terms) {
     }
   }
   merge_terms(split);
-  if (!join_squares(split) && !write_out_opposed(split)) return build_sum(split, constant);
+  if (!join_squares(split) && !expand_opposite_terms(split)) return build_sum(split, constant);
   std::vector<Ref> fewer;
   for (const Term& term : split) {
     fewer.push_back(product({{rational(term.coefficient)}, {{term.node, false}}}));

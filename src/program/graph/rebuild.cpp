@@ -53,7 +53,7 @@ Ref copy(Graph& graph, const RebuildStep& step) {
   return {};
 }
 
-Ref copied(Graph& graph, const Expressions& from) {
+Ref copy_value(Graph& graph, const Expressions& from) {
   std::vector<Ref> renewed(from.graph.size());
   for (const NodeId id : reachable(from.graph, from.values)) {
     renewed[id] = copy(graph, {from.graph, id, renewed});
@@ -102,9 +102,9 @@ Expressions from_program(const Program& program, const Function& function,
   for (const std::uint32_t at : cone) {
     graph.set_birth(at);
     const bool vanishes = !is_zero.empty() && is_zero[at];
-    refs.made.push_back(vanishes
-                            ? graph.rational(0)
-                            : folded(GraphRules{graph}, program, function.instructions[at], refs));
+    refs.made.push_back(
+        vanishes ? graph.rational(0)
+                 : fold_instruction(GraphRules{graph}, program, function.instructions[at], refs));
     graph.name(refs.made.back(), function.names[at]);
   }
   for (const std::uint32_t at : wanted) result.values.push_back(refs[at]);

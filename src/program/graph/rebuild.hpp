@@ -26,7 +26,7 @@ struct RebuildStep {
 [[nodiscard]] Ref copy(Graph& graph, const RebuildStep& step);
 
 /// Copies the only value of `from` to another graph.
-[[nodiscard]] Ref copied(Graph& graph, const Expressions& from);
+[[nodiscard]] Ref copy_value(Graph& graph, const Expressions& from);
 
 /// The new value of an old node. `rebuild` carries over births and names.
 using RebuildRule = std::function<Ref(Graph&, const RebuildStep&)>;

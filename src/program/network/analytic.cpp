@@ -63,10 +63,10 @@ struct KindRules {
 };
 
 /// Detects squares: x y x is x^2 y, whatever the order of its factors.
-class Signs {
+class SignAnalysis {
  public:
   /// The next instruction's kind: a smooth product of even powers becomes nonnegative.
-  Kind settled(const Instruction& i, Kind kind) {
+  Kind refined_kind(const Instruction& i, Kind kind) {
     const auto at = static_cast<std::uint32_t>(odd_factors_.size());
     std::vector<std::uint32_t> odd = factors(i);
     if (kind == Kind::smooth && i.opcode == Opcode::multiply && odd.empty()) {
@@ -102,11 +102,11 @@ std::vector<bool> unknowns(const Program& program, const Function& function) {
   const KindRules rules{program.leaves};
   std::vector<bool> result;
   std::vector<Kind> kinds;
-  Signs signs;
+  SignAnalysis signs;
   for (const Instruction& i : function.instructions) {
-    const Kind kind = folded(rules, program, i, kinds);
+    const Kind kind = fold_instruction(rules, program, i, kinds);
     result.push_back(kind == Kind::unknown);
-    kinds.push_back(signs.settled(i, kind == Kind::unknown ? Kind::smooth : kind));
+    kinds.push_back(signs.refined_kind(i, kind == Kind::unknown ? Kind::smooth : kind));
   }
   return result;
 }

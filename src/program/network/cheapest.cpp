@@ -45,7 +45,7 @@ std::vector<CostedNetwork> networks_by_cost(const Expressions& expressions,
     add(factored(flat));
     add(flat);
     if (flat.graph.size() > maximal_nodes_written_out) return;
-    add(factored(flatten(flat, Flattened::all_products)));
+    add(factored(flatten(flat, FlattenedProducts::all_products)));
   };
   add_forms(expressions);
   if (const auto expanded = expand_angle_sums(expressions, splits)) add_forms(*expanded);

@@ -72,7 +72,7 @@ class CommonPairElimination {
     while (!queue_.empty()) {
       const CommonPair candidate = queue_.top();
       queue_.pop();
-      take_turn(candidate);
+      process_candidate(candidate);
     }
   }
 
@@ -93,7 +93,7 @@ class CommonPairElimination {
     if (users.empty() || users.back() != id) users.push_back(id);
   }
 
-  void take_turn(const CommonPair& candidate) {
+  void process_candidate(const CommonPair& candidate) {
     std::vector<NodeId>& users = users_[candidate.pair];
     std::sort(users.begin(), users.end());
     users.erase(std::unique(users.begin(), users.end()), users.end());
@@ -138,12 +138,12 @@ class CommonPairElimination {
       const Ref same = operands[first].node == reference.node ? operands[first] : operands[second];
       operands[first] = {common, same.negative != reference.negative};
       operands.erase(operands.begin() + static_cast<std::ptrdiff_t>(second));
-      announce(user, first);
+      queue_pairs_of(user, first);
     }
   }
 
   /// Queues the pairs of the new operand with the remaining operands.
-  void announce(NodeId user, std::size_t place) {
+  void queue_pairs_of(NodeId user, std::size_t place) {
     const std::vector<Ref>& operands = network_.operations[user].operands;
     const std::size_t begin = place > pairing_distance ? place - pairing_distance : 0;
     const std::size_t end = std::min(operands.size(), place + 1 + pairing_distance);

@@ -38,8 +38,8 @@ class Instructions {
   std::vector<std::uint32_t> add_all(const Function& from) {
     std::vector<std::uint32_t> places;
     for (std::size_t at = 0; at < from.instructions.size(); ++at) {
-      places.push_back(add(with_operands(from.instructions[at], places)));
-      take_name(function_.names[places.back()], from.names[at]);
+      places.push_back(add(renumber_operands(from.instructions[at], places)));
+      merge_name(function_.names[places.back()], from.names[at]);
     }
     return places;
   }

@@ -9,9 +9,9 @@
 namespace elgen {
 namespace {
 
-class Linearising {
+class Lineariser {
  public:
-  Linearising(const Network& network, Program& program, Function& function)
+  Lineariser(const Network& network, Program& program, Function& function)
       : network_(network),
         program_(program),
         function_(function),
@@ -39,7 +39,7 @@ class Linearising {
     const Operation& operation = network_.operations[id];
     const std::uint32_t result = emit_operation(operation);
     done_[id] = result;
-    take_name(function_.names[result], operation.name);
+    merge_name(function_.names[result], operation.name);
   }
 
   std::uint32_t signed_value(Ref ref) {
@@ -110,7 +110,7 @@ class Linearising {
 
 }  // namespace
 
-Function unfilled(const Function& function) {
+Function without_instructions(const Function& function) {
   Function result = without_body(function);
   result.sampled_zeros = function.sampled_zeros;
   result.elimination = function.elimination;
@@ -123,7 +123,7 @@ Function unfilled(const Function& function) {
 }
 
 void linearise(const Network& network, Program& program, Function& function) {
-  Linearising linearising(network, program, function);
+  Lineariser linearising(network, program, function);
   for (Field& field : function.fields) {
     for (std::uint32_t& entry : field.entries) entry = linearising.value(network.values[entry]);
   }

@@ -13,7 +13,7 @@
 namespace elgen {
 
 /// The same function without instructions; its entries are numbered as values of a network.
-[[nodiscard]] Function unfilled(const Function& function);
+[[nodiscard]] Function without_instructions(const Function& function);
 
 /// Sets instructions and names of `function`. Entries of its fields change from indices into
 /// `network.values` to indices of instructions. New constants are appended to `program`.

@@ -13,7 +13,7 @@ namespace elgen {
 namespace {
 
 /// Higher powers are squared repeatedly. Up to this one, factors are repeated, and may be shared.
-constexpr std::int32_t written_out_power = 4;
+constexpr std::int32_t most_repeated_factors = 4;
 
 /// Larger constants are not joined: a reader would not join them either, and forms are trees.
 constexpr std::uint32_t largest_joined = 64;
@@ -34,7 +34,7 @@ class Operations {
   }
 
   /// The number of a form, as magnitude and sign; none if the form has no value.
-  std::optional<Ref> folded(const ConstantForm& form) {
+  std::optional<Ref> constant_value(const ConstantForm& form) {
     Graph scratch;
     std::optional<Constant> constant = constant_of(scratch.form_of(scratch.constant(form)));
     if (!constant) return std::nullopt;
@@ -44,7 +44,7 @@ class Operations {
   }
 
   void append_power(NodeId base, std::int32_t exponent, std::vector<Ref>& factors) {
-    if (exponent <= written_out_power) {
+    if (exponent <= most_repeated_factors) {
       factors.insert(factors.end(), static_cast<std::size_t>(exponent), Ref{base});
       return;
     }
@@ -70,7 +70,7 @@ class Operations {
 
   /// True if this is a sum with at most one exact coefficient, so that scaling it costs no digits:
   /// x - y keeps digits that 0.7 x - 0.7 y loses.
-  bool takes_numbers(NodeId sum) const {
+  bool can_scale_sum(NodeId sum) const {
     const auto is_exact = [this](Ref term) {
       const ConstantForm number = scaled(term).first;
       return number.kind == ConstantKind::rational &&
@@ -105,7 +105,7 @@ class Operations {
       if (scale) form.parts.push_back({form_of(*scale)});
       const bool is_new = scale || sum.parts.size() > 1;
       const std::optional<Ref> number =
-          is_new && is_joined_size(form) ? folded(form) : std::nullopt;
+          is_new && is_joined_size(form) ? constant_value(form) : std::nullopt;
       if (is_new && !number) return false;
       if (is_new && (number->node != product({}) || rest.empty())) {
         rest.insert(rest.begin(), {number->node});
@@ -173,8 +173,8 @@ class Conversion {
   }
 
   Network converted(const std::vector<Ref>& values) && {
-    for (const Ref value : values) made_.network.values.push_back(convert(value));
-    return std::move(made_.network);
+    for (const Ref value : values) builder_.network.values.push_back(convert(value));
+    return std::move(builder_.network);
   }
 
  private:
@@ -210,7 +210,7 @@ class Conversion {
         result.rest.push_back(operand);
       }
     }
-    const auto number = form.parts.empty() ? std::nullopt : made_.folded(form);
+    const auto number = form.parts.empty() ? std::nullopt : builder_.constant_value(form);
     if (number) {
       result.constant = number->node;
       result.is_negative = number->negative;
@@ -230,7 +230,7 @@ class Conversion {
 
   /// True if the node became a number.
   bool fold(NodeId id) {
-    if (!converted_[id]) converted_[id] = made_.folded(graph_.form_of(id));
+    if (!converted_[id]) converted_[id] = builder_.constant_value(graph_.form_of(id));
     return converted_[id].has_value();
   }
 
@@ -252,13 +252,14 @@ class Conversion {
       const Ref value = with_sign(*converted_[operand.node], operand.weight < 0);
       std::vector<Ref> terms{{value.node}};
       // Joining numbers may have turned the product into a sum.
-      const Operation& made = made_.network.operations[value.node];
-      const bool is_spliced = is_sum && is_own(operand.node) && made.kind == OperationKind::sum;
+      const Operation& made = builder_.network.operations[value.node];
+      const bool is_spliced =
+          is_sum && has_single_use(operand.node) && made.kind == OperationKind::sum;
       if (is_spliced) terms = made.operands;
       for (const Ref term : terms) operation.operands.push_back(with_sign(term, value.negative));
     }
-    if (is_sum && !uses_.empty()) made_.join(operation.operands);
-    return {made_.add(std::move(operation))};
+    if (is_sum && !uses_.empty()) builder_.join(operation.operands);
+    return {builder_.add(std::move(operation))};
   }
 
   Ref convert_product(NodeId id) {
@@ -271,34 +272,34 @@ class Conversion {
     for (const Operand& factor : operands.rest) {
       const Ref base = *converted_[factor.node];
       negative = negative != (base.negative && factor.weight % 2 != 0);
-      if (has_number && factor.weight == 1 && is_own(factor.node)) {
-        has_number = !put_inside(base.node, *operands.constant);
+      if (has_number && factor.weight == 1 && has_single_use(factor.node)) {
+        has_number = !multiply_into_sum(base.node, *operands.constant);
       }
       if (factor.weight > 0) {
-        made_.append_power(base.node, factor.weight, numerator);
+        builder_.append_power(base.node, factor.weight, numerator);
       } else if (divisions_[factor.node] > 1) {
-        made_.append_power(made_.reciprocal(base.node), -factor.weight, numerator);
+        builder_.append_power(builder_.reciprocal(base.node), -factor.weight, numerator);
       } else {
-        made_.append_power(base.node, -factor.weight, denominator);
+        builder_.append_power(base.node, -factor.weight, denominator);
       }
     }
     if (has_number) numerator.insert(numerator.begin(), {*operands.constant});
-    NodeId result = made_.product(std::move(numerator));
+    NodeId result = builder_.product(std::move(numerator));
     if (!denominator.empty()) {
-      result = made_.quotient(result, made_.product(std::move(denominator)));
+      result = builder_.quotient(result, builder_.product(std::move(denominator)));
     }
-    if (!negative) take_name(made_.network.operations[result].name, node.name);
+    if (!negative) merge_name(builder_.network.operations[result].name, node.name);
     return {result, negative};
   }
 
   /// True if numbers are joined and only one operation uses the node.
-  bool is_own(NodeId id) const { return !uses_.empty() && uses_[id] == 1; }
+  bool has_single_use(NodeId id) const { return !uses_.empty() && uses_[id] == 1; }
 
-  bool put_inside(NodeId sum, NodeId number) {
-    if (!made_.takes_numbers(sum)) return false;
-    std::vector<Ref> terms = made_.network.operations[sum].operands;
-    if (!made_.join(terms, number)) return false;
-    made_.network.operations[sum] = {.kind = OperationKind::sum, .operands = std::move(terms)};
+  bool multiply_into_sum(NodeId sum, NodeId number) {
+    if (!builder_.can_scale_sum(sum)) return false;
+    std::vector<Ref> terms = builder_.network.operations[sum].operands;
+    if (!builder_.join(terms, number)) return false;
+    builder_.network.operations[sum] = {.kind = OperationKind::sum, .operands = std::move(terms)};
     return true;
   }
 
@@ -307,7 +308,7 @@ class Conversion {
   std::vector<std::uint32_t> uses_;       ///< only if numbers are joined
   std::vector<std::uint32_t> divisions_;  ///< number of products that divide by each node
   std::map<NodeId, Operands> operands_;   ///< of sums and products
-  Operations made_;
+  Operations builder_;
 };
 
 }  // namespace

@@ -42,10 +42,10 @@ struct Network {
 ///
 ///     before:  3*cos(q) - 2*(sin(1)*sin(q) - cos(1)*cos(q))
 ///     after:   (3 + 2*cos(1))*cos(q) - 2*sin(1)*sin(q)          two numbers, two products
-enum class Numbers : std::uint8_t { as_they_stand, joined };
+enum class Numbers : std::uint8_t { unjoined, joined };
 
 [[nodiscard]] Network make_network(const Expressions& expressions,
-                                   Numbers numbers = Numbers::as_they_stand);
+                                   Numbers numbers = Numbers::unjoined);
 
 /// Computes sub-sums and sub-products that several operations share once.
 ///

@@ -1,4 +1,4 @@
-// SpeltName: names of products, quotients and sums from the names of their operands.
+// OperandName: names of products, quotients and sums from the names of their operands.
 #include "program/network/spelling.hpp"
 
 #include <fmt/core.h>
@@ -10,43 +10,43 @@
 namespace elgen {
 namespace {
 
-using Begin = SpeltName::Begin;
-using End = SpeltName::End;
+using Begin = OperandName::Begin;
+using End = OperandName::End;
 
 constexpr std::size_t most_names = 4;
 
-SpeltName joined(SpeltName a, std::string_view between, const SpeltName& b, End end) {
+OperandName joined(OperandName a, std::string_view between, const OperandName& b, End end) {
   a.text.append(between).append(b.text);
   a.names += b.names;
-  a.is_told = a.is_told || b.is_told;
+  a.has_intermediate = a.has_intermediate || b.has_intermediate;
   a.end = end;
   return a;
 }
 
-bool may_follow(const SpeltName& b, const SpeltName& a) {
+bool can_append(const OperandName& b, const OperandName& a) {
   const bool is_call_after_call = a.end == End::call && b.begin == Begin::call;
   return b.begin != Begin::number && (a.end == End::name || is_call_after_call);
 }
 
-SpeltName product(const SpeltName& a, const SpeltName& b) {
+OperandName product_name(const OperandName& a, const OperandName& b) {
   if (a.end == End::sum || b.end == End::sum) return {};
-  if (may_follow(b, a)) return joined(a, "_", b, b.end);
-  return may_follow(a, b) ? joined(b, "_", a, a.end) : SpeltName{};
+  if (can_append(b, a)) return joined(a, "_", b, b.end);
+  return can_append(a, b) ? joined(b, "_", a, a.end) : OperandName{};
 }
 
-SpeltName quotient(const SpeltName& a, const SpeltName& b) {
+OperandName quotient(const OperandName& a, const OperandName& b) {
   const bool is_plain = a.end < End::divisor && b.end < End::divisor && b.begin != Begin::number;
-  return is_plain ? joined(a, "_over_", b, End::divisor) : SpeltName{};
+  return is_plain ? joined(a, "_over_", b, End::divisor) : OperandName{};
 }
 
 /// None for sin(a) - b: sin_a_minus_b reads as sin(a - b).
-SpeltName difference(const SpeltName& a, const SpeltName& b) {
+OperandName difference(const OperandName& a, const OperandName& b) {
   const bool reads_otherwise = a.end == End::call || b.end == End::sum;
-  return reads_otherwise ? SpeltName{} : joined(a, "_minus_", b, End::sum);
+  return reads_otherwise ? OperandName{} : joined(a, "_minus_", b, End::sum);
 }
 
 /// "sin_half_theta". Only of one name, because sin_a_b reads as sin(a + b).
-SpeltName called(std::string_view function, SpeltName a) {
+OperandName named_call(std::string_view function, OperandName a) {
   if (a.end != End::name || a.names != 1) return {};
   a.text = fmt::format("{}_{}", function, a.text);
   a.begin = Begin::call;
@@ -54,18 +54,19 @@ SpeltName called(std::string_view function, SpeltName a) {
   return a;
 }
 
-SpeltName made(const Instruction& operation, const SpeltName& a, const SpeltName& b) {
+OperandName named_operation(const Instruction& operation, const OperandName& a,
+                            const OperandName& b) {
   if (operation.opcode == Opcode::add) return joined(a, "_plus_", b, End::sum);
   if (operation.opcode == Opcode::subtract) return difference(a, b);
-  if (operation.opcode == Opcode::multiply) return product(a, b);
+  if (operation.opcode == Opcode::multiply) return product_name(a, b);
   if (operation.opcode == Opcode::divide) return quotient(a, b);
   const bool is_call = operation.opcode == Opcode::call && operand_count(operation) == 1;
-  return is_call ? called(function_row(operation.function).name, a) : SpeltName{};
+  return is_call ? named_call(function_row(operation.function).name, a) : OperandName{};
 }
 
 }  // namespace
 
-SpeltName spelt(const ConstantForm& form) {
+OperandName spell_name(const ConstantForm& form) {
   static const std::array<std::pair<cln::cl_RA, const char*>, 5> numbers{
       {{1, "one"}, {2, "two"}, {3, "three"}, {4, "four"}, {cln::cl_RA(1) / 2, "half"}}};
   if (form.kind != ConstantKind::rational) return {};
@@ -75,10 +76,10 @@ SpeltName spelt(const ConstantForm& form) {
   return {};
 }
 
-SpeltName spelt(const Instruction& operation, const SpeltName& a, const SpeltName& b) {
+OperandName spell_name(const Instruction& operation, const OperandName& a, const OperandName& b) {
   if (a.text.empty() || b.text.empty()) return {};
-  SpeltName result = made(operation, a, b);
-  return result.names <= most_names ? result : SpeltName{};
+  OperandName result = named_operation(operation, a, b);
+  return result.names <= most_names ? result : OperandName{};
 }
 
 }  // namespace elgen

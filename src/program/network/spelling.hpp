@@ -1,4 +1,4 @@
-// SpeltName: a name built from the operands of a value.
+// OperandName: a name built from the operands of a value.
 //
 //     m*l*cos(theta)     m_l_cos_theta          x/l                x_over_l
 //     M + m              M_plus_m               1 - cos(theta)     one_minus_cos_theta
@@ -15,21 +15,22 @@
 
 namespace elgen {
 
-struct SpeltName {
+struct OperandName {
   enum class Begin : std::uint8_t { name, number, call };
   enum class End : std::uint8_t { name, call, divisor, sum };
 
   std::string text = {};  ///< "" if the value has no spelling
   std::size_t names = 1;
-  bool is_told = false;  ///< some names are of intermediate values, not of leaves
+  bool has_intermediate = false;  ///< some names are of intermediate values, not of leaves
   Begin begin = Begin::name;
   End end = End::name;
 };
 
 /// Spells the constants 1, 2, 3, 4 and 1/2; others have no spelling.
-[[nodiscard]] SpeltName spelt(const ConstantForm& form);
+[[nodiscard]] OperandName spell_name(const ConstantForm& form);
 
 /// Spells an operation on spelt values. If it has one operand, `b` must have a spelling, too.
-[[nodiscard]] SpeltName spelt(const Instruction& operation, const SpeltName& a, const SpeltName& b);
+[[nodiscard]] OperandName spell_name(const Instruction& operation, const OperandName& a,
+                                     const OperandName& b);
 
 }  // namespace elgen

@@ -51,7 +51,7 @@ bool is_like_macro(const std::string& name) {
 
 /// The number of uses of each value. A negation is written at each of its uses, so they count for
 /// its operand.
-std::vector<std::size_t> uses_in(const Function& function) {
+std::vector<std::size_t> use_counts_of(const Function& function) {
   std::vector<std::size_t> uses(function.instructions.size(), 0);
   for (const std::uint32_t entry : entries_of(function)) ++uses[entry];
   for (std::size_t at = uses.size(); at-- > 0;) {
@@ -84,9 +84,9 @@ std::vector<std::uint64_t> hashes_of(const Program& program, const Function& fun
 }
 
 /// The indices of `wanted` within the expression of `whole`, down to named values.
-std::vector<std::size_t> parts_of(std::size_t whole, const Function& function,
-                                  const std::vector<std::string>& names,
-                                  const std::set<std::size_t>& wanted) {
+std::vector<std::size_t> part_indices(std::size_t whole, const Function& function,
+                                      const std::vector<std::string>& names,
+                                      const std::set<std::size_t>& wanted) {
   std::vector<std::size_t> parts;
   std::vector<std::size_t> pending = {whole};
   while (!pending.empty() && parts.size() < most_parts) {
@@ -110,9 +110,9 @@ std::vector<std::string> part_names(const Function& function, const std::vector<
   for (std::size_t whole = 0; whole < names.size(); ++whole) {
     const std::string& own = names[whole].empty() ? function.names[whole] : names[whole];
     if (own.empty()) continue;
-    const std::string stem = own.starts_with(told_mark) ? own.substr(1) : own;
+    const std::string stem = own.starts_with(intermediate_mark) ? own.substr(1) : own;
     int number = 0;
-    for (const std::size_t at : parts_of(whole, function, names, wanted)) {
+    for (const std::size_t at : part_indices(whole, function, names, wanted)) {
       std::string name = stem + "_part";
       if (++number > 1) name += fmt::format("_{}", number);
       std::string& known = result[at];
@@ -123,7 +123,7 @@ std::vector<std::string> part_names(const Function& function, const std::vector<
   return result;
 }
 
-std::set<std::string, std::less<>> names_elsewhere(const Program& program) {
+std::set<std::string, std::less<>> reserved_identifiers(const Program& program) {
   std::set<std::string, std::less<>> taken(reserved_names.begin(), reserved_names.end());
   for (const LeafRow& row : leaf_table()) {
     if (is_passed(program.leaves, row.id)) taken.emplace(row.symbol);
@@ -139,7 +139,7 @@ bool is_trigonometric(const Instruction& i) {
   return i.opcode == Opcode::call && is_circular(i.function);
 }
 
-struct TakenNames {
+struct UsedNames {
   std::set<std::string, std::less<>> all;
 
   std::string unique(const std::string& wanted) {
@@ -160,13 +160,13 @@ struct TakenNames {
   }
 };
 
-class Naming {
+class TemporaryNamer {
  public:
-  Naming(const Program& program, const Function& function)
+  TemporaryNamer(const Program& program, const Function& function)
       : program_(program),
         function_(function),
-        taken_{names_elsewhere(program)},
-        uses_(uses_in(function)),
+        used_names_{reserved_identifiers(program)},
+        uses_(use_counts_of(function)),
         hashes_(hashes_of(program, function)) {
     find_angles();
     for (std::size_t at = 0; at < function.instructions.size(); ++at) {
@@ -176,7 +176,7 @@ class Naming {
     }
   }
 
-  std::vector<std::string> names(LastName last) {
+  std::vector<std::string> names(FallbackName last) {
     const std::size_t count = function_.instructions.size();
     std::vector<std::string> names(count);
     std::vector<std::size_t> sizes(count, 0);
@@ -189,22 +189,23 @@ class Naming {
       const bool is_written_out = is_short && !has_sine_and_cosine(i);
       if (i.opcode == Opcode::negate || (own_[at].empty() && is_written_out)) continue;
       if (own_[at].empty()) unnamed.push_back(at);
-      if (!own_[at].empty()) names[at] = taken_.unique(own_[at]);
+      if (!own_[at].empty()) names[at] = used_names_.unique(own_[at]);
       sizes[at] = 0;
     }
     for (const std::size_t at : unnamed) names[at] = spellings_[at].text;
-    unnamed = name_alone(unnamed, names);
+    unnamed = assign_unique_names(unnamed, names);
     const std::vector<std::string> parts =
         part_names(function_, names, {unnamed.begin(), unnamed.end()});
     for (const std::size_t at : unnamed) names[at] = parts[at];
-    for (const std::size_t at : name_alone(unnamed, names)) {
-      names[at] = last == LastName::hash ? taken_.hash_name(hashes_[at]) : taken_.unique("part");
+    for (const std::size_t at : assign_unique_names(unnamed, names)) {
+      names[at] = last == FallbackName::hash ? used_names_.hash_name(hashes_[at])
+                                             : used_names_.unique("part");
     }
     return names;
   }
 
-  std::vector<std::string> own_names() {
-    std::vector<std::string> own = names(LastName::hash);
+  std::vector<std::string> context_free_names() {
+    std::vector<std::string> own = names(FallbackName::hash);
     for (std::size_t at = 0; at < own.size(); ++at) {
       if (own_[at].empty()) own[at].clear();
     }
@@ -227,47 +228,48 @@ class Naming {
     const Instruction& i = function_.instructions[at];
     const std::string& name = function_.names[at];
     if (operand_count(i) == 0 || i.opcode == Opcode::negate) return "";
-    return angle_name(i).value_or(name.starts_with(told_mark) ? "" : name);
+    return angle_name(i).value_or(name.starts_with(intermediate_mark) ? "" : name);
   }
 
   /// An operation on leaves is spelt. Otherwise a named intermediate is a single name.
-  SpeltName spelling(std::size_t at) const {
+  OperandName spelling(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
-    if (i.opcode == Opcode::constant) return spelt(program_.constants[i.a].form);
+    if (i.opcode == Opcode::constant) return spell_name(program_.constants[i.a].form);
     if (is_leaf(i.opcode)) {
       const std::string leaf = identifier_of(leaf_of(program_.leaves, i.opcode, i.a));
       return {.text = fmt::format(fmt::runtime(leaf_row(i.opcode).identifier), leaf)};
     }
-    if (!own_[at].empty() && !is_trigonometric(i)) return {.text = own_[at], .is_told = true};
+    if (!own_[at].empty() && !is_trigonometric(i))
+      return {.text = own_[at], .has_intermediate = true};
     if (!own_[at].empty())
-      return {own_[at], 1, false, SpeltName::Begin::call, SpeltName::End::call};
-    SpeltName made = spelt(i, spellings_[i.a], spellings_[operand_count(i) > 1 ? i.b : i.a]);
-    const bool is_told = function_.names[at].starts_with(told_mark);
-    if (!is_told || (!made.text.empty() && !made.is_told)) return made;
-    return {.text = function_.names[at].substr(1), .is_told = true};
+      return {own_[at], 1, false, OperandName::Begin::call, OperandName::End::call};
+    OperandName made = spell_name(i, spellings_[i.a], spellings_[operand_count(i) > 1 ? i.b : i.a]);
+    const bool is_told = function_.names[at].starts_with(intermediate_mark);
+    if (!is_told || (!made.text.empty() && !made.has_intermediate)) return made;
+    return {.text = function_.names[at].substr(1), .has_intermediate = true};
   }
 
   /// Places that remain without a name, because another place claims it or it has another meaning.
-  std::vector<std::size_t> name_alone(const std::vector<std::size_t>& places,
-                                      std::vector<std::string>& names) {
+  std::vector<std::size_t> assign_unique_names(const std::vector<std::size_t>& places,
+                                               std::vector<std::string>& names) {
     std::map<std::string, int> claims;
     for (const std::size_t at : places) ++claims[names[at]];
     std::vector<std::size_t> left;
     for (const std::size_t at : places) {
-      if (claims[names[at]] > 1 || is_taken(names[at])) {
+      if (claims[names[at]] > 1 || is_used_name(names[at])) {
         names[at].clear();
         left.push_back(at);
       } else {
-        taken_.all.insert(names[at]);
+        used_names_.all.insert(names[at]);
       }
     }
     return left;
   }
 
-  bool is_taken(const std::string& name) const {
+  bool is_used_name(const std::string& name) const {
     const bool is_function =
         std::ranges::find(program_.functions, name, &Function::name) != program_.functions.end();
-    return is_function || taken_.all.contains(name) || is_like_macro(name) ||
+    return is_function || used_names_.all.contains(name) || is_like_macro(name) ||
            name.size() > longest_temporary || name.find("__") != std::string::npos;
   }
 
@@ -293,24 +295,24 @@ class Naming {
 
   const Program& program_;
   const Function& function_;
-  TakenNames taken_;
+  UsedNames used_names_;
   const std::vector<std::size_t> uses_;
   std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< functions called with each angle
   const std::vector<std::uint64_t> hashes_;
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
   std::vector<std::string> own_;                  ///< names of the first two rows above
-  std::vector<SpeltName> spellings_;
+  std::vector<OperandName> spellings_;
 };
 
 }  // namespace
 
 std::vector<std::string> temporary_names(const Program& program, const Function& function,
-                                         LastName last) {
-  return Naming(program, function).names(last);
+                                         FallbackName last) {
+  return TemporaryNamer(program, function).names(last);
 }
 
-std::vector<std::string> own_names(const Program& program, const Function& function) {
-  return Naming(program, function).own_names();
+std::vector<std::string> context_free_names(const Program& program, const Function& function) {
+  return TemporaryNamer(program, function).context_free_names();
 }
 
 }  // namespace elgen

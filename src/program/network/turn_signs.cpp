@@ -13,9 +13,9 @@ struct Uses {
   std::uint32_t negated = 0;  ///< negative uses that cost a negation
 };
 
-class Turning {
+class SignTurner {
  public:
-  explicit Turning(Network& network) : network_(network), uses_(network.operations.size()) {
+  explicit SignTurner(Network& network) : network_(network), uses_(network.operations.size()) {
     for (const Operation& operation : network.operations) {
       for (const Ref operand : operation.operands) {
         count(operand, operation.kind != OperationKind::sum);
@@ -75,6 +75,6 @@ class Turning {
 
 }  // namespace
 
-void turn_signs(Network& network) { Turning(network).run(); }
+void turn_signs(Network& network) { SignTurner(network).run(); }
 
 }  // namespace elgen

@@ -35,12 +35,12 @@ class Derivatives {
     CallPoint at{.q = compose_.leaves(Opcode::coordinate, leaves.q.size()),
                  .v = compose_.leaves(Opcode::velocity, leaves.v.size())};
     if (leaves.uses_time) at.t = compose_.leaf(Opcode::time);
-    const std::vector<ValueMatrix> dynamics = called({mass_part, force_part}, at);
-    const Factorised mass(compose_, parts_.elimination, dynamics[0].entries);
+    const std::vector<ValueMatrix> dynamics = call_parts({mass_part, force_part}, at);
+    const MassFactorisation mass(compose_, parts_.elimination, dynamics[0].entries);
     at.a = mass.solve(dynamics[1].entries);
     compose_.name(at.a, "acceleration_");
-    const std::vector<ValueMatrix> rates = called({rate_part}, at);
-    write(responses(mass, called({position_part, velocity_part, input_part}, at)), rates);
+    const std::vector<ValueMatrix> rates = call_parts({rate_part}, at);
+    write(responses(mass, call_parts({position_part, velocity_part, input_part}, at)), rates);
     if (!parts_.sampled_zeros.empty()) {
       function_.sampled_zeros.resize(entry_count(function_));
       std::iota(function_.sampled_zeros.begin(), function_.sampled_zeros.end(), 0U);
@@ -50,7 +50,8 @@ class Derivatives {
 
  private:
   /// The parts with these names that exist, by one call.
-  std::vector<ValueMatrix> called(const std::vector<std::string_view>& names, const CallPoint& at) {
+  std::vector<ValueMatrix> call_parts(const std::vector<std::string_view>& names,
+                                      const CallPoint& at) {
     Field all;
     std::vector<ValueMatrix> result;
     for (const std::string_view name : names) {
@@ -70,7 +71,8 @@ class Derivatives {
   }
 
   /// M^-1 times every column of the matrices.
-  std::vector<ValueMatrix> responses(const Factorised& mass, std::vector<ValueMatrix> forces) {
+  std::vector<ValueMatrix> responses(const MassFactorisation& mass,
+                                     std::vector<ValueMatrix> forces) {
     const std::size_t n = parts_.elimination.size();
     std::vector<Places> columns;
     std::vector<std::pair<ValueMatrix*, std::size_t>> places;
@@ -127,7 +129,7 @@ class Derivatives {
 
 }  // namespace
 
-Program composed(Program program) {
+Program compose_outputs(Program program) {
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     if (program.functions[i].elimination.empty()) continue;
     const Function parts = std::move(program.functions[i]);

@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t least_columns = 16;
 
 /// value - x y
-std::uint32_t less(Composition& compose, std::uint32_t value, std::uint32_t x, std::uint32_t y) {
+std::uint32_t subtract_product(Composition& compose, std::uint32_t value, std::uint32_t x,
+                               std::uint32_t y) {
   return compose.add(Opcode::subtract, value, compose.add(Opcode::multiply, x, y));
 }
 
@@ -49,7 +50,7 @@ bool Composition::is_one(std::uint32_t place) const {
 }
 
 /// An existing value, 0 or a negation that the instruction reduces to.
-std::optional<std::uint32_t> Composition::trivial(const Instruction& i) {
+std::optional<std::uint32_t> Composition::simplified_value(const Instruction& i) {
   switch (i.opcode) {
     case Opcode::add:
       if (is_zero(i.a)) return i.b;
@@ -77,7 +78,7 @@ std::optional<std::uint32_t> Composition::trivial(const Instruction& i) {
 }
 
 std::uint32_t Composition::add(const Instruction& instruction) {
-  const std::optional<std::uint32_t> known = trivial(instruction);
+  const std::optional<std::uint32_t> known = simplified_value(instruction);
   return known ? *known : instructions_.add(instruction);
 }
 
@@ -85,7 +86,7 @@ std::uint32_t Composition::add(Opcode opcode, std::uint32_t a, std::uint32_t b) 
   return add(Instruction{.opcode = opcode, .a = a, .b = b});
 }
 
-std::uint32_t Composition::applied(FunctionId function, std::uint32_t x, std::uint32_t y) {
+std::uint32_t Composition::add_call(FunctionId function, std::uint32_t x, std::uint32_t y) {
   const bool is_binary = function_row(function).arity == 2;
   return add({.opcode = Opcode::call, .function = function, .a = x, .b = is_binary ? y : 0});
 }
@@ -96,7 +97,7 @@ Places Composition::add(Opcode opcode, const Places& x, const Places& y) {
   return result;
 }
 
-Places Composition::moved(const Places& x, std::uint32_t c, const Places& y) {
+Places Composition::add_scaled(const Places& x, std::uint32_t c, const Places& y) {
   Places sum;
   for (std::size_t i = 0; i < x.size(); ++i) {
     sum.push_back(add(Opcode::add, x[i], add(Opcode::multiply, c, y[i])));
@@ -114,9 +115,9 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
 
 Places Composition::call(const Program& from, const Function& callee, const Field& field,
                          const CallPoint& at, bool is_inner) {
-  const std::vector<bool> needed = needed_for(callee, field.entries);
+  const std::vector<bool> needed = needed_instructions(callee, field.entries);
   // Spelt names describe the operands of the callee, which differ here, so only own names are kept.
-  const std::vector<std::string> names = own_names(from, callee);
+  const std::vector<std::string> names = context_free_names(from, callee);
   const std::string suffix = at.number > 1 ? fmt::format("_{}", at.number) : "";
   Places places(callee.instructions.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -130,11 +131,11 @@ Places Composition::call(const Program& from, const Function& callee, const Fiel
       instruction.a = position_of(from.constants[instruction.a], program_.constants);
     }
     instruction.is_inner = is_inner && operand_count(instruction) > 0;
-    places[i] = add(with_operands(instruction, places));
+    places[i] = add(renumber_operands(instruction, places));
     const bool is_computed = operand_count(function_.instructions[places[i]]) > 0;
-    const bool is_told = names[i].empty() && callee.names[i].starts_with(told_mark);
+    const bool is_told = names[i].empty() && callee.names[i].starts_with(intermediate_mark);
     const std::string& own = is_told ? callee.names[i] : names[i];
-    if (is_computed && !own.empty()) take_name(function_.names[places[i]], own + suffix);
+    if (is_computed && !own.empty()) merge_name(function_.names[places[i]], own + suffix);
   }
   Places result;
   for (const std::uint32_t entry : field.entries) result.push_back(places[entry]);
@@ -194,7 +195,7 @@ std::vector<Places> Composition::repeat(const std::vector<Places>& columns, cons
     std::ranges::copy(columns[i], places.begin() + first);
     const std::string suffix = i == repeated.front() ? "" : fmt::format("_{}", i + 1);
     for (std::uint32_t at = begin; at < end; ++at) {
-      places[at] = instructions_.append(with_operands(pattern.instructions[at], places));
+      places[at] = instructions_.append(renumber_operands(pattern.instructions[at], places));
       const std::string& name = pattern.names[at];
       if (!name.empty()) function_.names[places[at]] = name + suffix;
     }
@@ -206,14 +207,14 @@ std::vector<Places> Composition::repeat(const std::vector<Places>& columns, cons
   return results;
 }
 
-Places order_of_elimination(const Model& model) {
+Places elimination_order(const Model& model) {
   Places order(model.velocities.size());
   std::iota(order.begin(), order.end(), 0U);
   if (eliminates_last_first(model)) std::reverse(order.begin(), order.end());
   return order;
 }
 
-Factorised::Factorised(Composition& compose, Places order, const Places& mass)
+MassFactorisation::MassFactorisation(Composition& compose, Places order, const Places& mass)
     : compose_(compose), order_(std::move(order)) {
   const std::size_t n = order_.size();
   lower_.resize(n);
@@ -221,7 +222,8 @@ Factorised::Factorised(Composition& compose, Places order, const Places& mass)
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t i = j; i < n; ++i) {
       std::uint32_t w = mass[order_[i] * n + order_[j]];
-      for (std::size_t k = 0; k < j; ++k) w = less(compose_, w, lower_[j][k], unscaled[i][k]);
+      for (std::size_t k = 0; k < j; ++k)
+        w = subtract_product(compose_, w, lower_[j][k], unscaled[i][k]);
       unscaled[i].push_back(w);
       if (i == j) {
         reciprocals_.push_back(compose_.add(Opcode::divide, compose_.number(1), w));
@@ -234,33 +236,34 @@ Factorised::Factorised(Composition& compose, Places order, const Places& mass)
 }
 
 /// L^-1 r, indexed by row of M.
-Places Factorised::reduced(Composition& compose, const Places& r) const {
+Places MassFactorisation::forward_substitute(Composition& compose, const Places& r) const {
   Places z = r;
   for (std::size_t i = 0; i < order_.size(); ++i) {
     std::uint32_t& value = z[order_[i]];
-    for (std::size_t k = 0; k < i; ++k) value = less(compose, value, lower_[i][k], z[order_[k]]);
+    for (std::size_t k = 0; k < i; ++k)
+      value = subtract_product(compose, value, lower_[i][k], z[order_[k]]);
   }
   return z;
 }
 
 /// L^-T D^-1 z, indexed by row of M.
-Places Factorised::substituted(Composition& compose, const Places& z) const {
+Places MassFactorisation::back_substitute(Composition& compose, const Places& z) const {
   const std::size_t n = order_.size();
   Places x(n);
   for (std::size_t i = n; i-- > 0;) {
     std::uint32_t value = compose.add(Opcode::multiply, z[order_[i]], reciprocals_[i]);
     for (std::size_t k = i + 1; k < n; ++k)
-      value = less(compose, value, lower_[k][i], x[order_[k]]);
+      value = subtract_product(compose, value, lower_[k][i], x[order_[k]]);
     x[order_[i]] = value;
   }
   return x;
 }
 
-std::vector<Places> Factorised::solve_columns(const std::vector<Places>& columns) const {
+std::vector<Places> MassFactorisation::solve_columns(const std::vector<Places>& columns) const {
   return compose_.repeat(columns, [this](Composition& compose, const Places& r) {
-    const Places z = reduced(compose, r);
+    const Places z = forward_substitute(compose, r);
     compose.name(z, "reduced_");
-    Places x = substituted(compose, z);
+    Places x = back_substitute(compose, z);
     compose.name(x, "response_");
     return x;
   });

@@ -43,12 +43,12 @@ class Composition {
   [[nodiscard]] std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0);
 
   /// f(x), or f(x, y).
-  [[nodiscard]] std::uint32_t applied(FunctionId function, std::uint32_t x, std::uint32_t y);
+  [[nodiscard]] std::uint32_t add_call(FunctionId function, std::uint32_t x, std::uint32_t y);
 
   /// Entry by entry: x + y, x - y.
   [[nodiscard]] Places add(Opcode opcode, const Places& x, const Places& y);
   /// x + c y
-  [[nodiscard]] Places moved(const Places& x, std::uint32_t c, const Places& y);
+  [[nodiscard]] Places add_scaled(const Places& x, std::uint32_t c, const Places& y);
 
   /// The entries of a field of `callee`, a function of `from`, at a point. `is_inner` marks its
   /// operations, see Instruction::is_inner.
@@ -72,7 +72,7 @@ class Composition {
 
  private:
   [[nodiscard]] std::uint32_t leaf_at(const Instruction& leaf, const CallPoint& at);
-  [[nodiscard]] std::optional<std::uint32_t> trivial(const Instruction& instruction);
+  [[nodiscard]] std::optional<std::uint32_t> simplified_value(const Instruction& instruction);
   [[nodiscard]] bool is_zero(std::uint32_t place) const;
   [[nodiscard]] bool is_one(std::uint32_t place) const;
   [[nodiscard]] std::uint32_t add(const Instruction& instruction);
@@ -93,23 +93,23 @@ class Composition {
 ///
 /// n^3/6 operations, minus the ones on zeros. If frames branch, the last row is eliminated first,
 /// so that zeros stay zero (derive/lagrangian/symmetric_solve.hpp is the same on formulas).
-class Factorised {
+class MassFactorisation {
  public:
   /// `mass`: n x n, row-major. `order`: its rows in the order of elimination. No pivoting, because
   /// M is positive definite.
-  Factorised(Composition& compose, Places order, const Places& mass);
+  MassFactorisation(Composition& compose, Places order, const Places& mass);
 
   /// x with M x = r.
   [[nodiscard]] Places solve(const Places& r) const {
-    return substituted(compose_, reduced(compose_, r));
+    return back_substitute(compose_, forward_substitute(compose_, r));
   }
 
   /// Solves for every column r (Composition::repeat).
   [[nodiscard]] std::vector<Places> solve_columns(const std::vector<Places>& columns) const;
 
  private:
-  [[nodiscard]] Places reduced(Composition& compose, const Places& r) const;
-  [[nodiscard]] Places substituted(Composition& compose, const Places& z) const;
+  [[nodiscard]] Places forward_substitute(Composition& compose, const Places& r) const;
+  [[nodiscard]] Places back_substitute(Composition& compose, const Places& z) const;
 
   Composition& compose_;
   Places order_;
@@ -118,6 +118,6 @@ class Factorised {
 };
 
 /// The velocities of a model in the order of elimination.
-[[nodiscard]] Places order_of_elimination(const Model& model);
+[[nodiscard]] Places elimination_order(const Model& model);
 
 }  // namespace elgen

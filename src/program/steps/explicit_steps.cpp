@@ -11,35 +11,37 @@ namespace elgen {
 namespace {
 
 /// Values, and their tangents along every direction of the step.
-struct Moving {
+struct ValuesWithTangents {
   Places value = {};
   std::vector<Places> tangents = {};
 };
 
 /// A state, or its rates.
-struct MovingState {
-  Moving q = {};
-  Moving v = {};
+struct StateWithTangents {
+  ValuesWithTangents q = {};
+  ValuesWithTangents v = {};
 };
 
 /// x + c k
-Moving moved(Composition& compose, const Moving& x, std::uint32_t c, const Moving& k) {
-  Moving result{compose.moved(x.value, c, k.value)};
+ValuesWithTangents add_scaled(Composition& compose, const ValuesWithTangents& x, std::uint32_t c,
+                              const ValuesWithTangents& k) {
+  ValuesWithTangents result{compose.add_scaled(x.value, c, k.value)};
   for (std::size_t j = 0; j < x.tangents.size(); ++j) {
-    result.tangents.push_back(compose.moved(x.tangents[j], c, k.tangents[j]));
+    result.tangents.push_back(compose.add_scaled(x.tangents[j], c, k.tangents[j]));
   }
   return result;
 }
 
-Moving sum(Composition& compose, const Moving& x, const Moving& y) {
-  Moving result{compose.add(Opcode::add, x.value, y.value)};
+ValuesWithTangents sum(Composition& compose, const ValuesWithTangents& x,
+                       const ValuesWithTangents& y) {
+  ValuesWithTangents result{compose.add(Opcode::add, x.value, y.value)};
   for (std::size_t j = 0; j < x.tangents.size(); ++j) {
     result.tangents.push_back(compose.add(Opcode::add, x.tangents[j], y.tangents[j]));
   }
   return result;
 }
 
-NextState ended(const MovingState& end) {
+NextState next_state(const StateWithTangents& end) {
   NextState next{end.q.value, end.v.value};
   for (std::size_t j = 0; j < end.q.tangents.size(); ++j) {
     Places& column = next.columns.emplace_back(end.q.tangents[j]);
@@ -49,7 +51,7 @@ NextState ended(const MovingState& end) {
 }
 
 /// q with every quaternion divided by its length.
-Places unit(const StepContext& step, Places q) {
+Places normalise_quaternions(const StepContext& step, Places q) {
   for (const Rotation& rotation : step.model.rotations) {
     std::uint32_t* const e = &q[rotation.first_coordinate];
     std::uint32_t square = step.compose.add(Opcode::multiply, e[0], e[0]);
@@ -70,28 +72,29 @@ class Explicit {
   explicit Explicit(const StepContext& step) : step_(step), compose_(step.compose) {}
 
   NextState rk4() {
-    const MovingState start = seeded();
-    std::vector<MovingState> k{rates_at(step_.start, start)};
+    const StateWithTangents start = start_with_tangents();
+    std::vector<StateWithTangents> k{rates_at(step_.start, start)};
     k.push_back(rates_after(start, step_.half, k[0], 2));
     k.push_back(rates_after(start, step_.half, k[1], 3));
     k.push_back(rates_after(start, step_.h, k[2], 4));
     const std::uint32_t sixth = compose_.add(Opcode::divide, step_.h, compose_.number(6));
-    MovingState end{moved(compose_, start.q, sixth, weighted(k, &MovingState::q))};
-    end.q.value = unit(step_, std::move(end.q.value));
-    end.v = moved(compose_, start.v, sixth, weighted(k, &MovingState::v));
-    return ended(end);
+    StateWithTangents end{
+        add_scaled(compose_, start.q, sixth, weighted_rates(k, &StateWithTangents::q))};
+    end.q.value = normalise_quaternions(step_, std::move(end.q.value));
+    end.v = add_scaled(compose_, start.v, sixth, weighted_rates(k, &StateWithTangents::v));
+    return next_state(end);
   }
 
   /// Merges the kick that ends a part of the step with the kick that begins the next part.
   NextState verlet() {
     CallPoint at = step_.start;
-    MovingState x = seeded();
+    StateWithTangents x = start_with_tangents();
     cln::cl_RA before = 0;
     cln::cl_RA time = 0;
     for (const cln::cl_RA& part : step_.parts) {
       const std::uint32_t kick = step_.part((before + part) / 2);
-      x.v = moved(compose_, x.v, kick, acceleration(at, x));
-      x.q = moved(compose_, x.q, step_.part(part), x.v);
+      x.v = add_scaled(compose_, x.v, kick, acceleration(at, x));
+      x.q = add_scaled(compose_, x.q, step_.part(part), x.v);
       at.q = x.q.value;
       at.v = x.v.value;
       time = time + part;
@@ -101,19 +104,19 @@ class Explicit {
       before = part;
     }
     const std::uint32_t kick = step_.part(before / 2);
-    x.v = moved(compose_, x.v, kick, acceleration(at, x));
-    return ended(x);
+    x.v = add_scaled(compose_, x.v, kick, acceleration(at, x));
+    return next_state(x);
   }
 
  private:
   [[nodiscard]] std::size_t size() const { return step_.model.velocities.size(); }
 
   /// The state at the start of the step; its directions are q, v and u.
-  MovingState seeded() {
-    MovingState start{{step_.start.q}, {step_.start.v}};
+  StateWithTangents start_with_tangents() {
+    StateWithTangents start{{step_.start.q}, {step_.start.v}};
     const std::uint32_t zero = compose_.number(0);
     for (std::size_t j = 0; j < step_.directions; ++j) {
-      for (Moving* const part : {&start.q, &start.v}) {
+      for (ValuesWithTangents* const part : {&start.q, &start.v}) {
         part->tangents.emplace_back(part->value.size(), zero);
       }
       if (j < size()) start.q.tangents[j][j] = compose_.number(1);
@@ -122,19 +125,19 @@ class Explicit {
     return start;
   }
 
-  Places called(OutputKind kind, const CallPoint& at, bool is_inner = false) {
+  Places call_output(OutputKind kind, const CallPoint& at, bool is_inner = false) {
     const Function& function = *find_function(step_.calls, kind);
     return compose_.call(step_.calls, function, function.fields.front(), at, is_inner);
   }
 
-  Moving acceleration(const CallPoint& at, const MovingState& x) {
-    Moving a{called(OutputKind::forward_dynamics, at, step_.has_inner)};
+  ValuesWithTangents acceleration(const CallPoint& at, const StateWithTangents& x) {
+    ValuesWithTangents a{call_output(OutputKind::forward_dynamics, at, step_.has_inner)};
     compose_.name(a.value, Opcode::acceleration, at.number);
     if (step_.directions > 0) a.tangents = tangents_of_acceleration(at, x);
     return a;
   }
 
-  std::vector<Places> tangents_of_acceleration(const CallPoint& at, const MovingState& x) {
+  std::vector<Places> tangents_of_acceleration(const CallPoint& at, const StateWithTangents& x) {
     const Function& slopes = *find_function(step_.calls, OutputKind::forward_dynamics_derivatives);
     Field all;
     for (const Field& field : slopes.fields) {
@@ -165,20 +168,20 @@ class Explicit {
     return compose_.add(Opcode::add, sum, compose_.add(Opcode::multiply, x, y));
   }
 
-  MovingState rates_at(const CallPoint& at, const MovingState& x) {
-    MovingState rates;
+  StateWithTangents rates_at(const CallPoint& at, const StateWithTangents& x) {
+    StateWithTangents rates;
     rates.q = x.v;
-    if (!step_.model.rotations.empty()) rates.q = {called(OutputKind::coordinate_rates, at)};
+    if (!step_.model.rotations.empty()) rates.q = {call_output(OutputKind::coordinate_rates, at)};
     rates.v = acceleration(at, x);
     return rates;
   }
 
   /// The rates at start + c k, for call `number`.
-  MovingState rates_after(const MovingState& start, std::uint32_t c, const MovingState& k,
-                          std::uint32_t number) {
-    MovingState x{moved(compose_, start.q, c, k.q)};
-    x.q.value = unit(step_, std::move(x.q.value));
-    x.v = moved(compose_, start.v, c, k.v);
+  StateWithTangents rates_after(const StateWithTangents& start, std::uint32_t c,
+                                const StateWithTangents& k, std::uint32_t number) {
+    StateWithTangents x{add_scaled(compose_, start.q, c, k.q)};
+    x.q.value = normalise_quaternions(step_, std::move(x.q.value));
+    x.v = add_scaled(compose_, start.v, c, k.v);
     CallPoint at{.q = x.q.value, .v = x.v.value};
     at.t = step_.time_after(c);
     at.number = number;
@@ -187,10 +190,11 @@ class Explicit {
   }
 
   /// k1 + 2 (k2 + k3) + k4
-  Moving weighted(const std::vector<MovingState>& k, Moving MovingState::*part) {
+  ValuesWithTangents weighted_rates(const std::vector<StateWithTangents>& k,
+                                    ValuesWithTangents StateWithTangents::*part) {
     const std::uint32_t two = compose_.number(2);
-    const Moving middle = sum(compose_, k[1].*part, k[2].*part);
-    return sum(compose_, moved(compose_, k[0].*part, two, middle), k[3].*part);
+    const ValuesWithTangents middle = sum(compose_, k[1].*part, k[2].*part);
+    return sum(compose_, add_scaled(compose_, k[0].*part, two, middle), k[3].*part);
   }
 
   const StepContext& step_;

@@ -23,7 +23,7 @@ constexpr NextState (*methods[])(const StepContext&) = {
 };
 
 /// Suffix of projected values: rk4, the only method for models with constraints, has calls 1 to 4.
-constexpr std::uint32_t number_of_projected = 5;
+constexpr std::uint32_t projected_suffix = 5;
 
 StepDomain domain_of(const OutputRequest& step) { return step_row(step.step->method).domain; }
 
@@ -45,9 +45,9 @@ std::vector<std::uint32_t> sampled_zeros(const Program& calls, const Function& s
 /// True if an explicit method carries tangents, computed with derivatives of accelerations. That is
 /// shorter than differentiating its instructions, except with rotations or if the derivatives are
 /// loops.
-bool takes_tangents(const Model& model, const OutputRequest& step) {
+bool carries_tangents(const Model& model, const OutputRequest& step) {
   return output_row(step.kind).differentiates && domain_of(step) != StepDomain::quadratic &&
-         model.rotations.empty() && model.velocities.size() < least_of_composed;
+         model.rotations.empty() && model.velocities.size() < min_composed_velocities;
 }
 
 /// A and B from their columns. If the method gives none, the instructions of the step are
@@ -76,14 +76,14 @@ Function derivatives(const Model& model, const Program& calls, Function function
 }
 
 /// Outputs that only show if the method applies.
-std::vector<OutputKind> kinds_judged(const OutputRequest& step) {
+std::vector<OutputKind> kinds_for_applicability(const OutputRequest& step) {
   if (domain_of(step) != StepDomain::separable) return {};
   return {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum};
 }
 
 /// Outputs that the method calls if it applies; `dynamics` computes the ones listed before it
 /// together.
-std::vector<OutputKind> kinds_called(const OutputRequest& step) {
+std::vector<OutputKind> called_kinds(const OutputRequest& step) {
   switch (domain_of(step)) {
     case StepDomain::separable:
       return {OutputKind::forward_dynamics};
@@ -99,7 +99,7 @@ std::vector<OutputKind> kinds_called(const OutputRequest& step) {
 
 /// Projects a state at the time t + h onto the constraints.
 void project(const StepContext& step, NextState& moved) {
-  CallPoint at{.q = moved.q, .v = moved.v, .t = step.time_at(1), .number = number_of_projected};
+  CallPoint at{.q = moved.q, .v = moved.v, .t = step.time_at(1), .number = projected_suffix};
   step.name(at);
   const Function& projected = *find_function(step.calls, OutputKind::projected);
   moved.q = step.compose.call(step.calls, projected, projected.fields[0], at);
@@ -109,7 +109,7 @@ void project(const StepContext& step, NextState& moved) {
 std::string refusal(const CheckedModel& checked, const OutputRequest& step, const Program& calls) {
   switch (domain_of(step)) {
     case StepDomain::separable:
-      return not_separable(checked, calls);
+      return nonseparable_reason(checked, calls);
     case StepDomain::quadratic:  // p is M v + b
       return checked.model.quadratic ? "" : "L is not quadratic in the rates";
     case StepDomain::any:
@@ -149,10 +149,10 @@ StepContext::StepContext(const CheckedModel& checked, const OutputRequest& reque
       calls(the_calls),
       compose(composition),
       has_inner(checked.scene.numerics.inner == InnerScalar::single_precision),
-      directions(takes_tangents(model, request) ? 2 * model.velocities.size() + model.inputs.size()
-                                                : 0),
+      directions(
+          carries_tangents(model, request) ? 2 * model.velocities.size() + model.inputs.size() : 0),
       iterations(request.step->iterations),
-      parts(step_parts(request.step->composed_order)),
+      parts(composition_coefficients(request.step->composed_order)),
       h(compose.leaf(Opcode::step)),
       start{compose.leaves(Opcode::coordinate, model.coordinates.size()),
             compose.leaves(Opcode::velocity, model.velocities.size()),
@@ -177,7 +177,7 @@ void StepContext::name(const CallPoint& at) const {
   compose.name(at.v, Opcode::velocity, at.number);
 }
 
-std::string not_separable(const CheckedModel& checked, const Program& program) {
+std::string nonseparable_reason(const CheckedModel& checked, const Program& program) {
   const std::string of_mass = leaf_read(program, OutputKind::mass_matrix,
                                         Opcode::coordinate | Opcode::time | Opcode::velocity);
   if (!of_mass.empty()) return fmt::format("M depends on `{}`", of_mass);
@@ -186,7 +186,7 @@ std::string not_separable(const CheckedModel& checked, const Program& program) {
   return of_bias.empty() ? "" : fmt::format("a force depends on `{}`", of_bias);
 }
 
-std::vector<OutputRequest> needed_for_step(const Model& model, const OutputRequest& step) {
+std::vector<OutputRequest> outputs_for_step(const Model& model, const OutputRequest& step) {
   std::vector<OutputRequest> needed;
   const auto add = [&](OutputKind kind, const std::optional<Form>& form) {
     OutputRequest request = request_of(model, kind, 0);
@@ -196,9 +196,9 @@ std::vector<OutputRequest> needed_for_step(const Model& model, const OutputReque
     request.form = form;
     needed.push_back(std::move(request));
   };
-  for (const OutputKind kind : kinds_judged(step)) add(kind, std::nullopt);
-  for (const OutputKind kind : kinds_called(step)) add(kind, step.form);
-  if (takes_tangents(model, step)) add(OutputKind::forward_dynamics_derivatives, step.form);
+  for (const OutputKind kind : kinds_for_applicability(step)) add(kind, std::nullopt);
+  for (const OutputKind kind : called_kinds(step)) add(kind, step.form);
+  if (carries_tangents(model, step)) add(OutputKind::forward_dynamics_derivatives, step.form);
   if (step.step->projects) add(OutputKind::projected, step.form);
   return needed;
 }
@@ -212,7 +212,7 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
                          reason),
              "`rk4` takes any model"}};
   }
-  name_taken(Opcode::step, program.leaves);
+  name_optional_leaves(Opcode::step, program.leaves);
   Function function{.kind = step.kind, .step = step.step, .name = step.name};
   Composition compose(program, function);
   const StepContext context(checked, step, calls, compose);

@@ -10,7 +10,7 @@ namespace elgen {
 
 /// The inputs of composing a step.
 struct StepContext {
-  /// `the_calls` contains the outputs that needed_for_step returns for `request`. All arguments
+  /// `the_calls` contains the outputs that outputs_for_step returns for `request`. All arguments
   /// must outlive this.
   StepContext(const CheckedModel& checked, const OutputRequest& request, const Program& the_calls,
               Composition& composition);

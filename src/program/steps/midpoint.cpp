@@ -33,19 +33,19 @@ class Midpoint {
     Places expected;
     for (std::size_t i = 0; i < step_.parts.size(); ++i) {
       const cln::cl_RA& length = step_.parts[i];
-      const CallPoint at = solved(end, p, length);
+      const CallPoint at = solve_midpoint(end, p, length);
       const Places rate = rate_of_momentum(at);
       if (i == step_.parts.size() / 2) {
-        expected = compose_.moved(p, step_.part(length / 2), rate);
+        expected = compose_.add_scaled(p, step_.part(length / 2), rate);
         longest = at;
       }
       time_ = time_ + length;
-      end.q = compose_.moved(end.q, step_.part(length), at.v);
+      end.q = compose_.add_scaled(end.q, step_.part(length), at.v);
       end.v = at.v;
       end.t = step_.time_at(time_);
       end.number = at.number + 1;
       compose_.name(end.q, Opcode::coordinate, end.number);
-      p = compose_.moved(p, step_.part(length), rate);
+      p = compose_.add_scaled(p, step_.part(length), rate);
     }
     return {end.q, velocities(end, p),
             compose_.add(Opcode::subtract, part(OutputKind::momentum, longest), expected)};
@@ -77,23 +77,23 @@ class Midpoint {
 
   /// M^-1 (p - b) at a point; its v is ignored.
   Places velocities(CallPoint at, const Places& p) {
-    const Factorised mass(compose_, order_of_elimination(step_.model),
-                          part(OutputKind::mass_matrix, at));
+    const MassFactorisation mass(compose_, elimination_order(step_.model),
+                                 part(OutputKind::mass_matrix, at));
     at.v.assign(p.size(), compose_.number(0));
     return mass.solve(compose_.add(Opcode::subtract, p, part(OutputKind::momentum, at)));
   }
 
   /// The midpoint of the part of the step that begins at `begin` with p, with the last w.
-  CallPoint solved(const CallPoint& begin, const Places& p, const cln::cl_RA& length) {
+  CallPoint solve_midpoint(const CallPoint& begin, const Places& p, const cln::cl_RA& length) {
     const std::uint32_t half = step_.part(length / 2);
     CallPoint at = begin;
     for (std::uint32_t i = 0;; ++i) {
-      at.q = compose_.moved(begin.q, half, at.v);
+      at.q = compose_.add_scaled(begin.q, half, at.v);
       at.t = step_.time_at(time_ + length / 2);
       ++at.number;
       step_.name(at);
       if (i == step_.iterations) return at;
-      at.v = velocities(at, compose_.moved(p, half, rate_of_momentum(at)));
+      at.v = velocities(at, compose_.add_scaled(p, half, rate_of_momentum(at)));
     }
   }
 

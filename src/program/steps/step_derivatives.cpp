@@ -31,7 +31,7 @@ struct Slope {
     if (operands.empty()) return place;
     const std::uint32_t x = operands.front().composed(compose);
     const std::uint32_t y = operands.size() > 1 ? operands.back().composed(compose) : 0;
-    return opcode == Opcode::call ? compose.applied(function, x, y) : compose.add(opcode, x, y);
+    return opcode == Opcode::call ? compose.add_call(function, x, y) : compose.add(opcode, x, y);
   }
 
   static Slope of(Opcode opcode, std::vector<Slope> operands) {
@@ -52,7 +52,7 @@ Slope called(FunctionId function, const Slope& x, const Slope& y) {
 }
 
 /// The tangents of the leaves of a step along one direction.
-struct Seeds {
+struct LeafTangents {
   Places q;
   Places v;
   Places u;
@@ -62,7 +62,7 @@ struct Seeds {
 /// with these instructions.
 class Tangents {
  public:
-  Tangents(Composition& compose, const Function& step, const Seeds& seeds)
+  Tangents(Composition& compose, const Function& step, const LeafTangents& seeds)
       : compose_(compose), zero_(compose.number(0)) {
     for (std::uint32_t at = 0; at < step.instructions.size(); ++at) {
       tangents_.push_back(tangent(step.instructions[at], at, seeds));
@@ -80,7 +80,7 @@ class Tangents {
     return compose_.add(opcode, a, b);
   }
 
-  std::uint32_t tangent(const Instruction& i, std::uint32_t at, const Seeds& seeds) {
+  std::uint32_t tangent(const Instruction& i, std::uint32_t at, const LeafTangents& seeds) {
     if (operand_count(i) == 0) return of_leaf(i, seeds);
     const std::uint32_t da = tangents_[i.a];
     const std::uint32_t db = operand_count(i) > 1 ? tangents_[i.b] : zero_;
@@ -112,7 +112,7 @@ class Tangents {
     return zero_;
   }
 
-  [[nodiscard]] std::uint32_t of_leaf(const Instruction& i, const Seeds& seeds) const {
+  [[nodiscard]] std::uint32_t of_leaf(const Instruction& i, const LeafTangents& seeds) const {
     if (i.opcode == Opcode::coordinate) return seeds.q[i.a];
     if (i.opcode == Opcode::velocity) return seeds.v[i.a];
     return i.opcode == Opcode::input ? seeds.u[i.a] : zero_;
@@ -187,8 +187,8 @@ class Differentiation {
       const auto begin = direction.begin() + static_cast<std::ptrdiff_t>(first);
       return Places(begin, begin + static_cast<std::ptrdiff_t>(count));
     };
-    const Seeds seeds{part(0, size_of_q()), part(size_of_q(), size()),
-                      part(size_of_q() + size(), inputs())};
+    const LeafTangents seeds{part(0, size_of_q()), part(size_of_q(), size()),
+                             part(size_of_q() + size(), inputs())};
     const Tangents tangents(compose, step_, seeds);
     const Places of_q = tangents.of(step_.fields[0].entries);
     Places result;

@@ -34,8 +34,8 @@ struct Slider {
 double reach_of(double value) { return value == 0 ? 1 : std::abs(value); }
 
 TemplateData slider_data(const Slider& slider) {
-  const double low = slider.range ? nearest(slider.range->low) : slider.value - slider.reach;
-  const double high = slider.range ? nearest(slider.range->high) : slider.value + slider.reach;
+  const double low = slider.range ? to_double(slider.range->low) : slider.value - slider.reach;
+  const double high = slider.range ? to_double(slider.range->high) : slider.value + slider.reach;
   return TemplateRow{{"kind", std::string(1, slider.kind)},
                      {"index", std::to_string(slider.index)},
                      {"name", xml_text(slider.name)},
@@ -47,23 +47,23 @@ TemplateData slider_data(const Slider& slider) {
 
 using Sliders = std::vector<Slider>;
 
-Sliders of_coordinates(const Model& model) {
+Sliders coordinate_sliders(const Model& model) {
   Sliders list;
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& c = model.coordinates[i];
-    const double start = nearest(c.start_value);
+    const double start = to_double(c.start_value);
     const double reach = is_angle(c) ? std::numbers::pi : reach_of(start);
     if (!c.rotation) list.push_back({'q', i, c.name, c.unit_text, start, reach, c.range});
   }
   return list;
 }
 
-Sliders of_velocities(const Model& model, const LeafNames& leaves) {
+Sliders velocity_sliders(const Model& model, const LeafNames& leaves) {
   constexpr double turns = 5;
   Sliders list;
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& v = model.velocities[i];
-    const double start = nearest(v.start_rate);
+    const double start = to_double(v.start_rate);
     list.push_back({'v', i, leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i)),
                     velocity_unit(model, v), start, turns * reach_of(start), v.rate_range});
   }
@@ -71,7 +71,7 @@ Sliders of_velocities(const Model& model, const LeafNames& leaves) {
 }
 
 /// Sliders of inputs without a law.
-Sliders of_inputs(const CheckedModel& checked) {
+Sliders input_sliders(const CheckedModel& checked) {
   const Model& model = checked.model;
   constexpr double reach = 10;
   Sliders list;
@@ -83,12 +83,12 @@ Sliders of_inputs(const CheckedModel& checked) {
   return list;
 }
 
-Sliders of_parameters(const Model& model, const Program& program) {
+Sliders parameter_sliders(const Model& model, const Program& program) {
   Sliders list;
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     for (std::uint32_t i = 0; i < array.count; ++i) {
       const Parameter& parameter = model.parameters[array.first + i];
-      const double value = nearest(parameter.value);
+      const double value = to_double(parameter.value);
       std::optional<Interval> range = array.range;
       const bool is_above_zero = !range && parameter.assumption != Assumption::none;
       if (is_above_zero) range = Interval{parameter.value / 4, parameter.value * 4};
@@ -116,10 +116,10 @@ void set_controls(TemplateData& data, const CheckedModel& checked, const Program
                           {"open", sliders.size() > most_open ? "" : " open"},
                           {"sliders", rows_data(sliders, slider_data)}};
   };
-  add("Start", of_coordinates(model));
-  add("Rates at the start", of_velocities(model, program.leaves));
-  add("Inputs", of_inputs(checked));
-  add("Parameters", of_parameters(model, program));
+  add("Start", coordinate_sliders(model));
+  add("Rates at the start", velocity_sliders(model, program.leaves));
+  add("Inputs", input_sliders(checked));
+  add("Parameters", parameter_sliders(model, program));
   data.set("groups", groups);
   TemplateData phases(TemplateData::type::list);
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {

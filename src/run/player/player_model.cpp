@@ -25,7 +25,7 @@ Json coordinates_json(const Model& model) {
   for (const Coordinate& c : model.coordinates) {
     list.push_back({{"name", c.name},
                     {"unit", c.unit_text},
-                    {"start", nearest(c.start_value)},
+                    {"start", to_double(c.start_value)},
                     {"wraps", c.wrap}});
   }
   return list;
@@ -36,7 +36,7 @@ Json velocities_json(const Model& model, const LeafNames& leaves) {
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& v = model.velocities[i];
     list.push_back({{"name", leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i))},
-                    {"start", nearest(v.start_rate)},
+                    {"start", to_double(v.start_rate)},
                     {"coordinate", v.coordinate}});
   }
   return list;
@@ -52,8 +52,8 @@ Json laws_json(const CheckedModel& checked) {
     const ExpressionId* const law = find_law(checked.scene, input);
     if (law == nullptr) continue;
     const bool is_cut = input.limits && !is_one_number(model, *law);
-    list.push_back({k, is_cut ? nearest(input.limits->low) : -most,
-                    is_cut ? nearest(input.limits->high) : most});
+    list.push_back({k, is_cut ? to_double(input.limits->low) : -most,
+                    is_cut ? to_double(input.limits->high) : most});
   }
   return list;
 }
@@ -63,7 +63,7 @@ Json parameters_json(const Model& model, const Program& program, LanguageId lang
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     for (std::uint32_t i = 0; i < array.count; ++i) {
       list.push_back({{"name", model.parameters[array.first + i].name},
-                      {"member", spelt_name(language, array.name)},
+                      {"member", name_in_language(language, array.name)},
                       {"element", array.is_array ? Json(i) : Json(nullptr)}});
     }
   }
@@ -143,12 +143,13 @@ void add_places(Json& json, const Model& model) {
 }
 
 /// "theta = 3.14159"; coordinates that may have any value are omitted.
-std::string text_of(const Model& model, const RestPoint& point) {
+std::string rest_point_label(const Model& model, const RestPoint& point) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
     const CoordinateAtRest& at = point.coordinates[i];
     if (at.is_any) continue;
-    parts.push_back(fmt::format("{} = {:.6g}", model.coordinates[i].name, nearest(at.value) + 0.0));
+    parts.push_back(
+        fmt::format("{} = {:.6g}", model.coordinates[i].name, to_double(at.value) + 0.0));
   }
   return parts.empty() ? "anywhere" : fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -156,9 +157,9 @@ std::string text_of(const Model& model, const RestPoint& point) {
 /// The start of a motion along the mode, displaced by 0.1 of its shape.
 ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode& mode) {
   constexpr double part = 0.1;
-  const double omega = std::sqrt(nearest(mode.omega_squared));
-  ShownStart start{fmt::format("Mode of {:.4g} rad/s: {}", omega, text_of(model, point))};
-  for (const cln::cl_R& value : point.state.q) start.q.push_back(nearest(value) + 0.0);
+  const double omega = std::sqrt(to_double(mode.omega_squared));
+  ShownStart start{fmt::format("Mode of {:.4g} rad/s: {}", omega, rest_point_label(model, point))};
+  for (const cln::cl_R& value : point.state.q) start.q.push_back(to_double(value) + 0.0);
   for (std::size_t i = 0; i < mode.shape.size(); ++i) {
     start.q[model.velocities[i].coordinate] += part * mode.shape[i];
   }
@@ -188,9 +189,9 @@ std::vector<ShownStart> shown_starts(const Model& model, const Products& read) {
   std::vector<ShownStart> starts;
   if (!read.equilibria) return starts;
   for (const RestPoint& point : read.equilibria->points) {
-    ShownStart start{fmt::format("At rest: {}{}", text_of(model, point),
+    ShownStart start{fmt::format("At rest: {}{}", rest_point_label(model, point),
                                  is_stable(point.stability.kind) ? " (stable)" : "")};
-    for (const cln::cl_R& value : point.state.q) start.q.push_back(nearest(value) + 0.0);
+    for (const cln::cl_R& value : point.state.q) start.q.push_back(to_double(value) + 0.0);
     starts.push_back(std::move(start));
   }
   const bool has_modes = read.modes && model.rotations.empty();

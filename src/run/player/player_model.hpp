@@ -10,11 +10,6 @@
 
 namespace elgen {
 
-/// The nearest double.
-[[nodiscard]] inline double nearest(const cln::cl_R& value) {
-  return ScalarTraits<double>::from_real(value);
-}
-
 /// A start at rest with a button on the page.
 struct ShownStart {
   std::string name = {};  ///< "At rest: theta = 0 (stable)", "Mode of 4.43 rad/s: theta = 0"

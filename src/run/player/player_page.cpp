@@ -38,8 +38,8 @@ TemplateData calls_data(const CheckedModel& checked, const Program& program) {
     for (const Opcode argument : arguments_of(model, function, program, language)) {
       arguments.push_back(fmt::format("x.{}", leaf_row(argument).symbol));
     }
-    const std::string call =
-        fmt::format("{}({})", spelt_name(language, function.name), fmt::join(arguments, ", "));
+    const std::string call = fmt::format("{}({})", name_in_language(language, function.name),
+                                         fmt::join(arguments, ", "));
     const bool is_shown = is_value_of_user(output_row(function.kind));
     return TemplateRow{{"kind", kind_of_call(scene, function)},
                        {"call", is_shown ? fmt::format("listed({})", call) : call}};
@@ -88,7 +88,7 @@ Readable readable_of(const Products& read) {
 
 }  // namespace
 
-Diagnostics refuse_player(const SimulationOptions& options) {
+Diagnostics check_player_options(const SimulationOptions& options) {
   Diagnostics refused;
   const Result<MethodRow> method = find_method(options);
   if (!method) return method.diagnostics;
@@ -110,15 +110,14 @@ Diagnostics refuse_player(const SimulationOptions& options) {
   return refused;
 }
 
-PipelineOptions player_pipeline(PipelineOptions options) {
+PipelineOptions player_pipeline_options(PipelineOptions options) {
   options.scene.purpose = purpose::show_motion;
   return options;
 }
 
 Result<std::string> player_page(const Products& moving, const Products& read,
                                 const SimulationOptions& options, const Limits& limits) {
-  const Result<CheckedModel> assembled =
-      assembled_model(*moving.checked, exact_value(options.from));
+  const Result<CheckedModel> assembled = assemble_model(*moving.checked, exact_value(options.from));
   if (!assembled) return assembled.diagnostics;
   const auto& [model, scene] = *assembled;
   const Program& program = *moving.program;

@@ -18,7 +18,7 @@ constexpr double smallest_share = 1e-8;
 
 /// A cosine: a step that turns a row by more than 120 degrees has no correct digit, unless the row
 /// passed through 0.
-constexpr double turned_round = -0.5;
+constexpr double reversal_cosine = -0.5;
 
 /// The pivots of X Y^T without interchanges; X and Y have n columns.
 Numbers pivots_of_product(const Numbers& x, const Numbers& y, std::size_t n) {
@@ -36,19 +36,20 @@ Numbers pivots_of_product(const Numbers& x, const Numbers& y, std::size_t n) {
 
 }  // namespace
 
-Diagnostics RankWatch::look(const Numbers& state, double t) {
+Diagnostics RankWatch::check_ranks(const Numbers& state, double t) {
   const Numbers pivots = pivots_;
   const Numbers rows = rows_;
-  measure(state, t);
-  const std::string what = lost(pivots.empty() ? pivots_ : pivots, pivots.empty() ? rows_ : rows);
+  measure_pivots(state, t);
+  const std::string what =
+      loss_text(pivots.empty() ? pivots_ : pivots, pivots.empty() ? rows_ : rows);
   if (what.empty()) return {};
   return {{Code::E624,
            {},
-           fmt::format("rank is {} t = {:.6g}, where {}", what, t, system_.text_of(state)),
+           fmt::format("rank is {} t = {:.6g}, where {}", what, t, system_.state_text(state)),
            hint_}};
 }
 
-std::string RankWatch::weakest() const {
+std::string RankWatch::weakest_pivot_text() const {
   std::size_t least = 0;
   for (std::size_t i = 1; i < largest_.size(); ++i) {
     if (share(i) < share(least)) least = i;
@@ -58,7 +59,7 @@ std::string RankWatch::weakest() const {
   return fmt::format(": the pivot of {} is {:.1e} of its largest value", name(least), share(least));
 }
 
-void RankWatch::measure(const Numbers& state, double t) {
+void RankWatch::measure_pivots(const Numbers& state, double t) {
   const double* const q = state.data();
   const double* const v = system_.v_of(state);
   const std::size_t n = system_.velocities();
@@ -94,7 +95,7 @@ std::string RankWatch::name(std::size_t i) const {
 
 /// D_i is only checked for a change of sign: it may be small because a coordinate is, as m r^2 of
 /// an orbit near its centre.
-std::string RankWatch::lost(const Numbers& pivots_before, const Numbers& rows_before) const {
+std::string RankWatch::loss_text(const Numbers& pivots_before, const Numbers& rows_before) const {
   const std::size_t n = system_.velocities();
   const std::size_t both = pivots_.size() - n;
   for (std::size_t i = 0; i < both; ++i) {
@@ -109,7 +110,7 @@ std::string RankWatch::lost(const Numbers& pivots_before, const Numbers& rows_be
   const Numbers turns = pivots_of_product(rows_before, rows_, n);
   for (std::size_t k = 0; k < turns.size(); ++k) {
     const double size = std::sqrt(std::abs(pivots_before[n + k] * pivots_[n + k]));
-    if (!(turns[k] < turned_round * size)) continue;
+    if (!(turns[k] < reversal_cosine * size)) continue;
     return fmt::format("lost, because the row of {} reverses, before", name(n + k));
   }
   return "";

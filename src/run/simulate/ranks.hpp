@@ -23,17 +23,18 @@ class RankWatch {
 
   /// Call at the start and after every step. E624 if rank is nearly lost, or was lost since the
   /// last call.
-  [[nodiscard]] Diagnostics look(const Numbers& state, double t);
+  [[nodiscard]] Diagnostics check_ranks(const Numbers& state, double t);
 
-  /// ": the pivot of `dot(x)` in M is 1.0e-12 of its largest", at the last look(); "" if no pivot
-  /// fell.
-  [[nodiscard]] std::string weakest() const;
+  /// ": the pivot of `dot(x)` in M is 1.0e-12 of its largest", at the last check_ranks(); "" if no
+  /// pivot fell.
+  [[nodiscard]] std::string weakest_pivot_text() const;
 
  private:
-  void measure(const Numbers& state, double t);
+  void measure_pivots(const Numbers& state, double t);
   [[nodiscard]] double share(std::size_t i) const;
   [[nodiscard]] std::string name(std::size_t i) const;
-  [[nodiscard]] std::string lost(const Numbers& pivots_before, const Numbers& rows_before) const;
+  [[nodiscard]] std::string loss_text(const Numbers& pivots_before,
+                                      const Numbers& rows_before) const;
 
   System& system_;
   std::string hint_;

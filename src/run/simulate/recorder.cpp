@@ -20,7 +20,7 @@ constexpr double energy_margin = 10;
 
 /// Shares of the scale, for steps of one length. A plot shows a loss of 1 %; a run that loses 10 %
 /// no longer shows the motion of the system.
-constexpr double told_loss = 0.01;
+constexpr double reported_loss = 0.01;
 constexpr double refused_loss = 0.1;
 
 /// E is a sum of many rounded terms, and near rest only their rounding errors change it: about a
@@ -53,7 +53,7 @@ Recorder::Recorder(System& system, const SimulationOptions& options, const Traje
       momenta_(system.velocities()),
       conserved_(system.conserved()),
       tolerance_(options.step ? 0 : options.tolerance.value_or(default_tolerance)),
-      of_momenta_(system.cyclic().size()),
+      momentum_drifts_(system.cyclic().size()),
       start_(start),
       last_(start) {
   const double* const q = start.state.data();
@@ -68,7 +68,7 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   const double* const v = system_.v_of(sample.state);
   const double energy = system_.energy(q, v, sample.t);
   if (!is_finite(sample.state) || !std::isfinite(energy)) {
-    return {ended("the numbers are no longer finite", "", usual_remedy)};
+    return {end_diagnostic("the numbers are no longer finite", "", usual_remedy)};
   }
   const double part = (sample.t - options_.from) / options_.time;
   const double deviation = energy - energy_at_start_ - sample.state.back();
@@ -77,8 +77,8 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   largest_kinetic_ = std::max(largest_kinetic_, std::abs(parts.kinetic));
   lowest_potential_ = std::min(lowest_potential_, parts.potential);
   highest_potential_ = std::max(highest_potential_, parts.potential);
-  if (tolerance_ > 0 && warnings_.empty()) look_at_energy(sample, energy);
-  if (!of_momenta_.empty()) add_momenta(sample, part);
+  if (tolerance_ > 0 && warnings_.empty()) check_energy_step(sample, energy);
+  if (!momentum_drifts_.empty()) add_momenta(sample, part);
   add_conserved(sample);
   add_offset(sample);
   if (sample.is_row) {
@@ -89,12 +89,12 @@ Diagnostics Recorder::add(const TrajectorySample& sample) {
   return {};
 }
 
-Diagnostic Recorder::ended(std::string_view why, std::string_view besides,
-                           std::string_view remedy) const {
+Diagnostic Recorder::end_diagnostic(std::string_view why, std::string_view besides,
+                                    std::string_view remedy) const {
   return {Code::E624,
           {},
-          fmt::format("{} after t = {:.6g}, where {}{}", why, last_.t, system_.text_of(last_.state),
-                      besides),
+          fmt::format("{} after t = {:.6g}, where {}{}", why, last_.t,
+                      system_.state_text(last_.state), besides),
           std::string(remedy)};
 }
 
@@ -105,15 +105,15 @@ Diagnostics Recorder::finish(Trajectory& trajectory) && {
   if (system_.does_work()) trajectory.work = std::move(work_);
   trajectory.energy = energy_.drift(std::string(energy_name()),
                                     system_.has_energies() ? "|T| + |V|" : "|v.p| + |L|");
-  for (std::size_t i = 0; i < of_momenta_.size(); ++i) {
+  for (std::size_t i = 0; i < momentum_drifts_.size(); ++i) {
     const std::string& name = system_.leaves().v[system_.cyclic()[i]];
-    trajectory.momenta.push_back(of_momenta_[i].drift(name, "sum |M v|"));
+    trajectory.momenta.push_back(momentum_drifts_[i].drift(name, "sum |M v|"));
   }
   trajectory.conserved = std::move(conserved_);
   if (!system_.model().constraints.empty()) trajectory.constraints.emplace().largest = offset_;
   if (tolerance_ == 0) {
-    judge_energy(trajectory);
-    judge_conserved(trajectory.conserved);
+    check_energy_drift(trajectory);
+    check_conserved_drift(trajectory.conserved);
   }
   return std::move(warnings_);
 }
@@ -125,12 +125,12 @@ double Recorder::energy_scale() const {
 
 /// The energy of a symmetric method oscillates about a constant, so the means of the first and last
 /// tenth of the run are compared.
-void Recorder::judge_energy(Trajectory& trajectory) {
+void Recorder::check_energy_drift(Trajectory& trajectory) {
   const Drift& drift = trajectory.energy;
   const bool is_symmetric = step_of_run(options_).has_value();
   const double lost = (is_symmetric ? std::abs(drift.secular) : drift.worst) * drift.scale;
   const double scale = energy_scale();
-  if (!(lost > told_loss * scale) || lost <= rounding_share * energy_.scale()) return;
+  if (!(lost > reported_loss * scale) || lost <= rounding_share * energy_.scale()) return;
   trajectory.loses_energy = lost > refused_loss * scale;
   const std::string_view measure =
       system_.has_energies() ? "the largest |T| plus the range of V" : "the largest |v.p| + |L|";
@@ -142,13 +142,13 @@ void Recorder::judge_energy(Trajectory& trajectory) {
                        "check with a shorter `--step`, or with `--method dopri5` and no `--step`"});
 }
 
-void Recorder::judge_conserved(const std::vector<ConservedDrift>& conserved) {
+void Recorder::check_conserved_drift(const std::vector<ConservedDrift>& conserved) {
   Numbers scales = conserved_scales(start_);
   const Numbers last = conserved_scales(last_);
   for (std::size_t i = 0; i < scales.size(); ++i) {
     const ConservedDrift& entry = conserved[i];
     const double scale = std::max(scales[i], last[i]);
-    if (!(entry.drift > told_loss * scale) ||
+    if (!(entry.drift > reported_loss * scale) ||
         !is_visible_move(entry.start, entry.start + entry.drift))
       continue;
     warnings_.push_back(
@@ -169,10 +169,10 @@ Numbers Recorder::conserved_scales(const TrajectorySample& sample) const {
   const Numbers here = values();
   Numbers scales(here.size());
   for (std::size_t i = 0; i + 1 < state.size(); ++i) {
-    state[i] *= 1 + told_loss;
+    state[i] *= 1 + reported_loss;
     const Numbers moved = values();
     for (std::size_t k = 0; k < here.size(); ++k) {
-      scales[k] += std::abs(moved[k] - here[k]) / told_loss;
+      scales[k] += std::abs(moved[k] - here[k]) / reported_loss;
     }
     state[i] = sample.state[i];
   }
@@ -185,7 +185,7 @@ std::string_view Recorder::energy_name() const {
 
 /// A step may change E - work by the effect of its error in each number, and by the rounding error
 /// of E. These changes do not grow later, since the exact motion conserves E - work.
-void Recorder::look_at_energy(const TrajectorySample& sample, double energy) {
+void Recorder::check_energy_step(const TrajectorySample& sample, double energy) {
   const std::size_t work = sample.state.size() - 1;
   const auto error = [&](std::size_t i) {
     const double x = sample.state[i];
@@ -214,7 +214,7 @@ std::vector<double> Recorder::row(const TrajectorySample& sample, double energy)
   std::vector<double> values{sample.t};
   const double* const q = sample.state.data();
   const double* const v = system_.v_of(sample.state);
-  const Numbers& shown = system_.shown(q);
+  const Numbers& shown = system_.displayed_position(q);
   values.insert(values.end(), shown.begin(), shown.end());
   values.insert(values.end(), v, &sample.state.back());
   const std::vector<InputLaw>& laws = system_.laws();
@@ -237,10 +237,10 @@ void Recorder::add_momenta(const TrajectorySample& sample, double part) {
   const double* const v = system_.v_of(sample.state);
   system_.momentum(q, v, sample.t, momenta_.data());
   const Numbers& scales = system_.momentum_scales(q, v, sample.t);
-  for (std::size_t i = 0; i < of_momenta_.size(); ++i) {
+  for (std::size_t i = 0; i < momentum_drifts_.size(); ++i) {
     const std::uint32_t place = system_.cyclic()[i];
-    of_momenta_[i].add(part, sample.after, momenta_[place] - momenta_at_start_[place],
-                       std::max(std::abs(momenta_[place]), scales[place]));
+    momentum_drifts_[i].add(part, sample.after, momenta_[place] - momenta_at_start_[place],
+                            std::max(std::abs(momenta_[place]), scales[place]));
   }
 }
 

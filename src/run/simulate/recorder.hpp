@@ -62,8 +62,8 @@ class Recorder {
   [[nodiscard]] Diagnostics add(const TrajectorySample& sample);
 
   /// E624 at the last sample, with the reason, a further observation, and the remedy.
-  [[nodiscard]] Diagnostic ended(std::string_view why, std::string_view besides,
-                                 std::string_view remedy) const;
+  [[nodiscard]] Diagnostic end_diagnostic(std::string_view why, std::string_view besides,
+                                          std::string_view remedy) const;
 
   /// Moves the rows into `trajectory`. E648 if E - E0 - work exceeds the tolerance of the steps.
   /// For steps of one length: if it, or an entry of `conserved`, exceeds 1 % of its scale.
@@ -73,14 +73,14 @@ class Recorder {
   /// Multipliers use the inputs of the sample, because the system may already hold later inputs.
   [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
   [[nodiscard]] std::string_view energy_name() const;
-  void look_at_energy(const TrajectorySample& sample, double energy);
+  void check_energy_step(const TrajectorySample& sample, double energy);
   void add_momenta(const TrajectorySample& sample, double part);
   void add_conserved(const TrajectorySample& sample);
   void add_offset(const TrajectorySample& sample);
   /// max |T| + (max V - min V) so far; max (|v.p| + |L|) if only L is known.
   [[nodiscard]] double energy_scale() const;
-  void judge_energy(Trajectory& trajectory);
-  void judge_conserved(const std::vector<ConservedDrift>& conserved);
+  void check_energy_drift(Trajectory& trajectory);
+  void check_conserved_drift(const std::vector<ConservedDrift>& conserved);
   [[nodiscard]] Numbers conserved_scales(const TrajectorySample& sample) const;
 
   System& system_;
@@ -97,7 +97,7 @@ class Recorder {
   double tolerance_ = 0;  ///< of a step; 0 for steps of one length
   double allowed_ = 0;    ///< the largest |E - E0 - work| that the steps so far allow
   Diagnostics warnings_ = {};
-  std::vector<DriftMeter> of_momenta_;
+  std::vector<DriftMeter> momentum_drifts_;
   std::vector<std::vector<double>> rows_ = {};
   std::vector<double> work_ = {};  ///< up to each row
   TrajectorySample start_;

@@ -43,7 +43,7 @@ class ReferenceSystem {
   }
 
   void find_rates(const Values& state, Values& rates, Scalar t) {
-    move_to(state);
+    set_state(state);
     at_.t = t;
     if (!system_.model().inputs.empty()) {
       const Numbers seen(state.begin(), state.end());
@@ -60,8 +60,8 @@ class ReferenceSystem {
   }
 
   /// E624 if M or A loses rank.
-  [[nodiscard]] Diagnostics look(const Values& state, Scalar t) {
-    return ranks_.look({state.begin(), state.end()}, static_cast<double>(t));
+  [[nodiscard]] Diagnostics check_ranks(const Values& state, Scalar t) {
+    return ranks_.check_ranks({state.begin(), state.end()}, static_cast<double>(t));
   }
 
   /// Normalises quaternions; with constraints also projects onto them.
@@ -70,13 +70,13 @@ class ReferenceSystem {
     const Function* const restored =
         find_function(program_, is_projected ? OutputKind::projected : OutputKind::normalized);
     if (restored == nullptr) return;
-    move_to(state);
+    set_state(state);
     at_.t = t;
     std::ranges::copy(rounded_.values_of(*restored, at_), state.begin());
   }
 
  private:
-  void move_to(const Values& state) {
+  void set_state(const Values& state) {
     const auto middle = state.begin() + static_cast<std::ptrdiff_t>(system_.positions());
     at_.q.assign(state.begin(), middle);
     at_.v.assign(middle, state.end());
@@ -95,7 +95,7 @@ struct ReferenceEnd {
 };
 
 template <class Values>
-bool take(const Values& state, ReferenceEnd& end) {
+bool record_state(const Values& state, ReferenceEnd& end) {
   end.last.assign(state.begin(), state.end());
   end.largest.resize(end.last.size());
   for (std::size_t i = 0; i < end.last.size(); ++i) {
@@ -106,7 +106,7 @@ bool take(const Values& state, ReferenceEnd& end) {
 
 /// E624 if the run cannot reach its end, or M or A loses rank on the way.
 template <class Scalar>
-Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
+Result<ReferenceEnd> integrate(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
   using Values = std::vector<Scalar>;
   auto steps = odeint::make_controlled(tolerance, tolerance,
                                        odeint::runge_kutta_fehlberg78<Values, Scalar>());
@@ -116,8 +116,8 @@ Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scala
   const Scalar shortest = 4 * std::numeric_limits<Scalar>::epsilon() * time;
   Values state = system.start();
   ReferenceEnd end;
-  bool goes_on = take(state, end);
-  Diagnostics lost = system.look(state, 0);
+  bool goes_on = record_state(state, end);
+  Diagnostics lost = system.check_ranks(state, 0);
   Scalar t = 0;
   for (Scalar length = time / 100; goes_on && lost.empty() && t < time;) {
     const bool is_last = length >= time - t;
@@ -129,8 +129,8 @@ Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scala
     if (!is_made) continue;
     if (is_last) t = time;
     system.restore(state, t);
-    goes_on = take(state, end);
-    if (goes_on) lost = system.look(state, t);
+    goes_on = record_state(state, end);
+    if (goes_on) lost = system.check_ranks(state, t);
   }
   if (!lost.empty()) return lost;
   if (goes_on) return end;
@@ -142,16 +142,16 @@ Result<ReferenceEnd> run_to(Scalar tolerance, Scalar time, ReferenceSystem<Scala
 
 Result<ReferenceRun> reference_run(const CheckedModel& checked, const Program& program,
                                    double time) {
-  const Result<CheckedModel> assembled = assembled_model(checked, 0);
+  const Result<CheckedModel> assembled = assemble_model(checked, 0);
   if (!assembled) return assembled.diagnostics;
   System system(*assembled, program, nullptr);
   Diagnostics refused = refuse_start(system, system.start(), 0);
   if (!refused.empty()) return refused;
   const Result<ReferenceEnd> rougher =
-      run_to<double>(1e-12, time, ReferenceSystem<double>(system, *assembled, program));
+      integrate<double>(1e-12, time, ReferenceSystem<double>(system, *assembled, program));
   if (!rougher) return rougher.diagnostics;
-  const Result<ReferenceEnd> finer =
-      run_to<long double>(1e-15L, time, ReferenceSystem<long double>(system, *assembled, program));
+  const Result<ReferenceEnd> finer = integrate<long double>(
+      1e-15L, time, ReferenceSystem<long double>(system, *assembled, program));
   if (!finer) return finer.diagnostics;
   return ReferenceRun{finer->last, rougher->last, finer->largest};
 }

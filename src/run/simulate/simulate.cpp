@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t block_size = 256;
 
-constexpr const char* go_elsewhere =
+constexpr const char* singular_remedy =
     "`--through singular` continues with a fixed `--step`, and E - E0 shows its accuracy; another "
     "start or "
     "other coordinates may avoid the place";
@@ -60,9 +60,9 @@ class Run {
         end_(options.from + options.time),
         rows_(options.from, end_, options.every),
         holds_(options.from, end_, options.hold),
-        current_(started(system, options)),
+        current_(first_sample(system, options)),
         recorder_(system, options, current_),
-        ranks_(system, go_elsewhere) {
+        ranks_(system, singular_remedy) {
     block_.reserve(block_size);
   }
 
@@ -82,7 +82,7 @@ class Run {
  private:
   using Clock = std::chrono::steady_clock;
 
-  static TrajectorySample started(System& system, const SimulationOptions& options) {
+  static TrajectorySample first_sample(System& system, const SimulationOptions& options) {
     TrajectorySample start{options.from, 0, options.every.has_value(), system.start(), {}};
     const double* const q = start.state.data();
     if (options.hold) system.hold(q, system.v_of(start.state), start.t);
@@ -95,13 +95,14 @@ class Run {
     const double row = rows_.next();
     const double hold = holds_.next();
     const double target = std::min(row, hold);
-    stepper_.aim(current_.t, target);
+    stepper_.set_interval(current_.t, target);
     while (current_.t < target) {
       const std::optional<double> reached = stepper_.step(current_.state);
       if (!reached) {
         Diagnostics wrong = flush();
         if (!wrong.empty()) return wrong;
-        return {recorder_.ended(stepper_.obstacle(), ranks_.weakest(), stepper_.remedy())};
+        return {recorder_.end_diagnostic(stepper_.obstacle(), ranks_.weakest_pivot_text(),
+                                         stepper_.remedy())};
       }
       ++steps_;
       current_.after = *reached - current_.t;
@@ -110,14 +111,14 @@ class Run {
       block_.push_back(current_);
       if (block_.size() < block_size && current_.t < target) continue;
       if (Diagnostics wrong = flush(); !wrong.empty()) return wrong;
-      if (options_.watch) options_.watch(current_.t);
+      if (options_.on_progress) options_.on_progress(current_.t);
     }
     if (row <= target) rows_.pass();
-    if (hold <= target) hold_again();
+    if (hold <= target) renew_hold();
     return {};
   }
 
-  void hold_again() {
+  void renew_hold() {
     holds_.pass();
     if (!options_.hold) return;
     system_.hold(current_.state.data(), system_.v_of(current_.state), current_.t);
@@ -140,7 +141,7 @@ class Run {
   Diagnostics record(const TrajectorySample& sample) {
     Diagnostics wrong = recorder_.add(sample);
     if (!wrong.empty() || options_.through_singular) return wrong;
-    return ranks_.look(sample.state, sample.t);
+    return ranks_.check_ranks(sample.state, sample.t);
   }
 
   void resume() { resumed_ = Clock::now(); }
@@ -200,8 +201,8 @@ std::vector<TrajectoryColumn> columns_of(const System& system, const std::string
 }
 
 /// E201, with a suggestion from the known names.
-Diagnostic unknown(std::string_view kind, const std::string& name,
-                   const std::vector<std::string>& known) {
+Diagnostic unknown_name(std::string_view kind, const std::string& name,
+                        const std::vector<std::string>& known) {
   const std::string all =
       known.empty() ? "there are none" : fmt::format("there are: {}", fmt::join(known, ", "));
   return {Reason::unknown_column,
@@ -218,14 +219,14 @@ Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
     const std::string name = one_line(each);
     const auto found = std::ranges::find(columns, name, &TrajectoryColumn::name);
     if (found == columns.end()) {
-      wrong.push_back(unknown("column", name, words_in(columns, &TrajectoryColumn::name)));
+      wrong.push_back(unknown_name("column", name, column_words(columns, &TrajectoryColumn::name)));
     } else if (found->panel.empty()) {
       found->panel = name;
     }
   }
-  const std::vector<std::string> points = words_in(model.points, &Point::name);
+  const std::vector<std::string> points = column_words(model.points, &Point::name);
   if (!options.path.empty() && std::ranges::count(points, options.path) == 0) {
-    wrong.push_back(unknown("point", options.path, points));
+    wrong.push_back(unknown_name("point", options.path, points));
   }
   return wrong;
 }
@@ -243,11 +244,11 @@ std::string common_unit(const Model& model, std::string_view field, Extent rows)
 }
 
 /// The visible moves of q and v. `columns` begins with t, q and v.
-std::vector<StartMove> moves_of(const Model& model, const Model& assembled,
-                                const std::vector<TrajectoryColumn>& columns) {
+std::vector<StartCorrection> start_moves(const Model& model, const Model& assembled,
+                                         const std::vector<TrajectoryColumn>& columns) {
   const Numbers from = stated_start(model);
   const Numbers to = stated_start(assembled);
-  std::vector<StartMove> moves;
+  std::vector<StartCorrection> moves;
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (!is_visible_move(from[i], to[i])) continue;
     moves.push_back({columns[i + 1].name, columns[i + 1].unit, to[i] - from[i]});
@@ -255,7 +256,7 @@ std::vector<StartMove> moves_of(const Model& model, const Model& assembled,
   return moves;
 }
 
-void add_units(KeptConstraints& kept, const Model& model) {
+void add_units(ConstraintAccuracy& kept, const Model& model) {
   const bool has_positions = extent_of(model, Extent::positions) > 0;
   if (has_positions) kept.unit = common_unit(model, "position", Extent::positions);
   kept.rate_unit = common_unit(model, "rate", Extent::constraints);
@@ -271,8 +272,8 @@ Diagnostics laws_beyond_limits(System& system, double t) {
     const std::optional<ExpressionId>& law = system.laws()[k].value;
     if (!input.limits || !law || !is_one_number(model, *law)) continue;
     const double value = system.value(*law, start.data(), system.v_of(start), t);
-    const auto low = ScalarTraits<double>::from_real(input.limits->low);
-    const auto high = ScalarTraits<double>::from_real(input.limits->high);
+    const auto low = to_double(input.limits->low);
+    const auto high = to_double(input.limits->high);
     if (!(value < low || value > high)) continue;
     const Span& span = model.expressions[*law].span;
     found.push_back(
@@ -310,8 +311,8 @@ std::string outputs_of_run(const Model& model) {
 }
 
 /// The model is checked first, because the list of outputs depends on it.
-Products derived_for_run(const Inputs& inputs, PipelineOptions options,
-                         const std::optional<StepSpec>& step) {
+Products derive_for_run(const Inputs& inputs, PipelineOptions options,
+                        const std::optional<StepSpec>& step) {
   PipelineOptions first = options;
   first.goals = {Goal::check};
   Products checked = run_pipeline(inputs, first);
@@ -332,7 +333,7 @@ Products derived_for_run(const Inputs& inputs, PipelineOptions options,
   return products;
 }
 
-Result<CompiledHeaders> compiled_for_run(const Products& products, const Limits& limits) {
+Result<CompiledHeaders> compile_for_run(const Products& products, const Limits& limits) {
   const auto& [model, scene] = *products.checked;
   const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
   if (!files) return files.diagnostics;
@@ -345,7 +346,7 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   if (!method) return method.diagnostics;
   const Result<StepRule> rule = step_rule(*method, options);
   if (!rule) return rule.diagnostics;
-  const Result<CheckedModel> assembled = assembled_model(checked, exact_value(options.from));
+  const Result<CheckedModel> assembled = assemble_model(checked, exact_value(options.from));
   if (!assembled) return assembled.diagnostics;
   System system(*assembled, program, compiled, options.project);
   std::vector<TrajectoryColumn> columns = columns_of(system, options.path);
@@ -367,7 +368,8 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   trajectory->columns = std::move(columns);
   trajectory->path = options.path;
   if (trajectory->constraints) {
-    trajectory->constraints->start = moves_of(checked.model, assembled->model, trajectory->columns);
+    trajectory->constraints->start =
+        start_moves(checked.model, assembled->model, trajectory->columns);
     add_units(*trajectory->constraints, checked.model);
   }
   const Diagnostics beyond = laws_beyond_limits(system, options.from);

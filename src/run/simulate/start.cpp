@@ -20,12 +20,12 @@ constexpr double zero = 64 * epsilon;
 
 constexpr const char* start_elsewhere = "`--state` starts the run elsewhere";
 
-Diagnostic singular(std::string message) {
+Diagnostic singular_start(std::string message) {
   return {Code::E623, {}, std::move(message), start_elsewhere};
 }
 
-KeptStart named_start(const Model& model, const StatedStart& stated) {
-  KeptStart kept;
+FixedVariables stated_part(const Model& model, const StatedStart& stated) {
+  FixedVariables kept;
   for (const Velocity& velocity : model.velocities) {
     const std::string& coordinate = model.coordinates[velocity.coordinate].name;
     kept.positions.push_back(stated.coordinates.contains(coordinate));
@@ -34,7 +34,7 @@ KeptStart named_start(const Model& model, const StatedStart& stated) {
   return kept;
 }
 
-CheckedModel started_at(CheckedModel checked, const State& state) {
+CheckedModel with_start(CheckedModel checked, const State& state) {
   for (std::size_t i = 0; i < state.q.size(); ++i) {
     checked.model.coordinates[i].start_value = state.q[i];
   }
@@ -46,7 +46,7 @@ CheckedModel started_at(CheckedModel checked, const State& state) {
 
 /// True if no stated value moved visibly. A printed state meets the constraints except in its last
 /// digits.
-bool keeps_named(const Model& model, const StatedStart& stated, const Model& moved) {
+bool keeps_stated_values(const Model& model, const StatedStart& stated, const Model& moved) {
   const Numbers from = stated_start(model);
   const Numbers to = stated_start(moved);
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -60,14 +60,14 @@ bool keeps_named(const Model& model, const StatedStart& stated, const Model& mov
 
 }  // namespace
 
-Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_R& t) {
+Result<CheckedModel> assemble_model(const CheckedModel& checked, const cln::cl_R& t) {
   const Model& model = checked.model;
   if (model.constraints.empty()) return checked;
   State start = start_state(model, checked.scene);
   start.t = t;
   const std::optional<Assembly> at =
-      oracle_assembly(model, start, named_start(model, checked.scene.stated));
-  if (at && at->has_rates) return started_at(checked, at->state);
+      oracle_assembly(model, start, stated_part(model, checked.scene.stated));
+  if (at && at->has_rates) return with_start(checked, at->state);
   const std::string quotient = at ? "" : quotient_hint(model, start);
   const std::optional<State> near = oracle_assembled(model, std::move(start));
   if (!near) {
@@ -76,15 +76,15 @@ Result<CheckedModel> assembled_model(const CheckedModel& checked, const cln::cl_
                       "no pose near the start meets the constraints",
                       quotient.empty() ? start_elsewhere : quotient};
   }
-  CheckedModel moved = started_at(checked, *near);
-  if (keeps_named(model, checked.scene.stated, moved.model)) return moved;
+  CheckedModel moved = with_start(checked, *near);
+  if (keeps_stated_values(model, checked.scene.stated, moved.model)) return moved;
   return Diagnostic{
       Code::E538,
       {},
       fmt::format("with the values of `--state`, no {} near the start meet the constraints: the "
                   "residual is {}",
                   at && at->has_pose ? "rates" : "coordinates",
-                  at ? what_is_left(model, *at) : "undefined"),
+                  at ? residual_text(model, *at) : "undefined"),
       "name fewer values, since the others are solved for, or give other values"};
 }
 
@@ -96,8 +96,8 @@ Diagnostics refuse_start(System& system, const Numbers& state, double t) {
     if (!coordinate.singular) continue;
     if (std::abs(system.value(*coordinate.singular, q, v, t)) > zero) continue;
     const std::string_view factor = covered_text(model.expressions[*coordinate.singular].span);
-    return {singular(fmt::format("the chart of `{}` breaks at the start, where `{}` is zero",
-                                 coordinate.name, factor))};
+    return {singular_start(fmt::format("the chart of `{}` breaks at the start, where `{}` is zero",
+                                       coordinate.name, factor))};
   }
   Numbers a(system.velocities());
   system.acceleration(q, v, t, a.data());
@@ -111,8 +111,8 @@ Diagnostics refuse_start(System& system, const Numbers& state, double t) {
                    : model.constraints[i - a.size()].name;
     const std::string value = std::isfinite(pivot) ? fmt::format("{:.1e}", pivot) : "no number";
     Diagnostic refused =
-        singular(fmt::format("{} is singular at the start: the relative pivot of `{}` is {}",
-                             is_of_mass ? "M" : "A M^-1 A^T", name, value));
+        singular_start(fmt::format("{} is singular at the start: the relative pivot of `{}` is {}",
+                                   is_of_mass ? "M" : "A M^-1 A^T", name, value));
     const std::string hint = quotient_hint(model, start_state(model, {}));
     if (!hint.empty()) refused.hint = hint;
     return {std::move(refused)};

@@ -105,7 +105,7 @@ class TrajectoryPlot {
     for (const PlotPanel& panel : panels_) {
       if (&panel == &panels_.back()) chart.x.title = "t [s]";
       chart.y = axis_of(panel);
-      svg += drawn(panel, chart);
+      svg += panel_svg(panel, chart);
       chart.top += panel_distance;
     }
     return svg + "</svg>\n";
@@ -119,15 +119,15 @@ class TrajectoryPlot {
     const PlotSpan y = span_of(upwards);
     const PlotSpan& wide = x.width() > y.width() ? x : y;
     const double reach = wide.width() / 2 + wide.margin(0);
-    const auto about = [reach](const PlotSpan& spread) {
-      const double middle = spread.low + spread.width() / 2;
+    const auto about = [reach](const PlotSpan& span) {
+      const double middle = span.low + span.width() / 2;
       return axis_between(middle - reach, middle + reach, 0);
     };
     Chart chart{left, top, panel_width, panel_width, about(x), about(y)};
     chart.x.title = title(panel_of(column));
     const double start_x = chart.x_of(trajectory_.rows.front()[column]);
     const double start_y = chart.y_of(trajectory_.rows.front()[column + 1]);
-    return start(panel_width) + drawn(upwards, chart, column) +
+    return start(panel_width) + panel_svg(upwards, chart, column) +
            fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\"/>\n", start_x, start_y) +
            svg_label(start_x + 7, start_y - 7, "start", "start") + "</svg>\n";
   }
@@ -165,21 +165,21 @@ class TrajectoryPlot {
 
   [[nodiscard]] ChartAxis axis_of(const PlotPanel& panel) const {
     const TrajectoryColumn& first = trajectory_.columns[panel.columns.front()];
-    const PlotSpan spread = span_of(panel);
-    const double margin = spread.margin(noise_of(first));
+    const PlotSpan span = span_of(panel);
+    const double margin = span.margin(noise_of(first));
     // The size of a difference matters, and only tick labels show it: they get one more digit.
-    return axis_between(spread.low - margin, spread.high + margin, first.from_start ? 1 : 0);
+    return axis_between(span.low - margin, span.high + margin, first.from_start ? 1 : 0);
   }
 
   [[nodiscard]] PlotSpan span_of(const PlotPanel& panel) const {
-    PlotSpan spread;
+    PlotSpan span;
     for (const auto& row : trajectory_.rows) {
       for (const std::size_t column : panel.columns) {
-        spread.low = std::min(spread.low, shown(row, column));
-        spread.high = std::max(spread.high, shown(row, column));
+        span.low = std::min(span.low, shown(row, column));
+        span.high = std::max(span.high, shown(row, column));
       }
     }
-    return spread;
+    return span;
   }
 
   [[nodiscard]] double noise_of(const TrajectoryColumn& column) const {
@@ -187,8 +187,8 @@ class TrajectoryPlot {
     double largest = 0;
     for (std::size_t i = 0; i < trajectory_.columns.size(); ++i) {
       const TrajectoryColumn& other = trajectory_.columns[i];
-      const bool is_alike = other.unit == column.unit && !other.from_start;
-      if (is_alike) largest = std::max(largest, span_of(panel_of(i)).size());
+      const bool has_same_unit = other.unit == column.unit && !other.from_start;
+      if (has_same_unit) largest = std::max(largest, span_of(panel_of(i)).size());
     }
     return rounding * largest;
   }
@@ -206,8 +206,8 @@ class TrajectoryPlot {
 
   static const LineKind& kind_of(std::size_t k) { return line_kinds[k % line_kinds.size()]; }
 
-  [[nodiscard]] std::string drawn(const PlotPanel& panel, const Chart& chart,
-                                  std::size_t x = 0) const {
+  [[nodiscard]] std::string panel_svg(const PlotPanel& panel, const Chart& chart,
+                                      std::size_t x = 0) const {
     std::string svg = svg_title(left, chart.top - 7, title(panel)) + chart.grid();
     svg += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n",

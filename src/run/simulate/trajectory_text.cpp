@@ -38,9 +38,9 @@ Json json_of(const ConservedDrift& quantity) {
           {"drift", quantity.drift}};
 }
 
-std::string start_line(const std::vector<StartMove>& moves) {
+std::string start_line(const std::vector<StartCorrection>& moves) {
   std::vector<std::string> parts;
-  for (const StartMove& move : moves) {
+  for (const StartCorrection& move : moves) {
     parts.push_back(fmt::format("{} by {:+.3e}{}", move.name, move.by, unit_after(move.unit)));
   }
   return parts.empty()
@@ -48,14 +48,14 @@ std::string start_line(const std::vector<StartMove>& moves) {
              : fmt::format("  start projected onto the constraints: {}\n", fmt::join(parts, ", "));
 }
 
-std::string constraints_line(const KeptConstraints& kept) {
+std::string constraints_line(const ConstraintAccuracy& kept) {
   const std::string rate = fmt::format("{:.3e}{}", kept.largest.rate, unit_after(kept.rate_unit));
   if (!kept.unit) return fmt::format("  rates of the constraints: residual at most {}\n", rate);
   return fmt::format("  constraints: residual at most {:.3e}{}, of their rates {}\n",
                      kept.largest.position, unit_after(*kept.unit), rate);
 }
 
-Json json_of(const KeptConstraints& kept) {
+Json json_of(const ConstraintAccuracy& kept) {
   Json object{
       {"rate", kept.largest.rate}, {"rate_unit", kept.rate_unit}, {"start_moved", Json::array()}};
   if (kept.unit) {
@@ -93,7 +93,7 @@ std::string to_text(const Trajectory& trajectory) {
 }
 
 std::string to_csv(const Trajectory& trajectory) {
-  const auto names = words_in(trajectory.columns, &TrajectoryColumn::name);
+  const auto names = column_words(trajectory.columns, &TrajectoryColumn::name);
   std::string text = fmt::format("{}\n", fmt::join(names, ","));
   for (const auto& row : trajectory.rows) text += fmt::format("{}\n", fmt::join(row, ","));
   return text;

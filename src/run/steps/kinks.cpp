@@ -10,7 +10,7 @@ namespace {
 /// The velocity, if it is the only leaf of the expressions besides parameters; empty otherwise.
 std::optional<std::size_t> only_rate(const Model& model, const std::vector<ExpressionId>& roots) {
   std::optional<std::size_t> rate;
-  for (const ExpressionId id : reached(model, roots)) {
+  for (const ExpressionId id : reachable_from(model, roots)) {
     const Expression& node = model.expressions[id];
     if (node.kind == ExpressionKind::time_derivative) return std::nullopt;
     if (node.kind != ExpressionKind::leaf || is_leaf(node, Opcode::parameter)) continue;
@@ -28,8 +28,8 @@ KinkWatch::KinkWatch(System& system) : system_(system) {
   for (const InputLaw& law : system.laws()) {
     if (law.value) of_laws.push_back(*law.value);
   }
-  for (const ExpressionId id : reached(model, roots_if(model, is_force))) add(id, false);
-  for (const ExpressionId id : reached(model, of_laws)) add(id, true);
+  for (const ExpressionId id : reachable_from(model, roots_if(model, is_force))) add(id, false);
+  for (const ExpressionId id : reachable_from(model, of_laws)) add(id, true);
 }
 
 void KinkWatch::add(ExpressionId call, bool is_of_law) {
@@ -48,7 +48,8 @@ std::vector<int> KinkWatch::sides(const Numbers& state, double t) {
   std::vector<int> all;
   for (Kink& kink : kinks_) {
     const bool is_still = kink.is_of_law && system_.holds_inputs();
-    const double* const q = kink.is_of_law ? system_.shown(state.data()).data() : state.data();
+    const double* const q =
+        kink.is_of_law ? system_.displayed_position(state.data()).data() : state.data();
     double side = is_still ? 0 : kink.arguments.front()(q, v, t);
     if (!is_still && kink.arguments.size() > 1) side -= kink.arguments.back()(q, v, t);
     all.push_back(side > 0 ? 1 : side < 0 ? -1 : 0);
@@ -56,7 +57,7 @@ std::vector<int> KinkWatch::sides(const Numbers& state, double t) {
   return all;
 }
 
-std::string KinkWatch::text_of(std::size_t kink) const {
+std::string KinkWatch::kink_text(std::size_t kink) const {
   return in_backticks(system_.model().expressions[kinks_[kink].call].span);
 }
 

@@ -27,7 +27,7 @@ class KinkWatch {
   }
 
   /// "`sign(x + dot(x))`"
-  [[nodiscard]] std::string text_of(std::size_t kink) const;
+  [[nodiscard]] std::string kink_text(std::size_t kink) const;
 
  private:
   struct Kink {

@@ -51,7 +51,7 @@ Result<MethodRow> find_method(const SimulationOptions& options) {
                       fmt::format("`{}` has no order {}", name, *options.order),
                       fmt::format("it has {}", fmt::join(orders, ", "))};
   }
-  const std::vector<std::string> names = words_in(table, &MethodRow::name);
+  const std::vector<std::string> names = column_words(table, &MethodRow::name);
   return Diagnostic{Code::E620,
                     {},
                     fmt::format("unknown method `{}`", name),
@@ -95,7 +95,7 @@ Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& opt
                   shortest_share * options.time};
 }
 
-Diagnostics refuse_run(const SimulationOptions& options) {
+Diagnostics check_run_options(const SimulationOptions& options) {
   const Result<MethodRow> method = find_method(options);
   return method ? step_rule(*method, options).diagnostics : method.diagnostics;
 }
@@ -104,7 +104,7 @@ std::optional<StepSpec> step_of_run(const SimulationOptions& options) {
   const Result<MethodRow> method = find_method(options);
   if (!method || !method->program) return std::nullopt;
   const std::uint32_t order = options.order.value_or(method->order);
-  return step_by(*method->program, order == method->order ? 0 : order);
+  return default_step(*method->program, order == method->order ? 0 : order);
 }
 
 }  // namespace elgen

@@ -27,7 +27,7 @@ class Stepper {
   virtual ~Stepper() = default;
 
   /// The next steps lead from `begin` to `end`. Inputs may be discontinuous at `begin`.
-  virtual void aim(double begin, double end) = 0;
+  virtual void set_interval(double begin, double end) = 0;
 
   /// Makes one step and returns the time it reaches; the last step returns exactly `end`. Empty if
   /// the step cannot be made.
@@ -46,7 +46,7 @@ class FixedSteps final : public Stepper {
  public:
   FixedSteps(System& system, double longest) : method_(system), longest_(longest) {}
 
-  void aim(double begin, double end) override {
+  void set_interval(double begin, double end) override {
     // A quotient that differs from an integer by rounding counts as the integer.
     const double count = std::ceil((end - begin) / longest_ * (1 - 1e-12));
     count_ = static_cast<std::uint64_t>(std::max(count, 1.0));

@@ -36,7 +36,7 @@ std::optional<Numbers> shares_of(const Numbers& a, const Numbers& w,
 }
 
 /// The next place of a rate, if its share or its acceleration contradicts `place`.
-RatePlace mended(RatePlace place, double share, double acceleration) {
+RatePlace next_place(RatePlace place, double share, double acceleration) {
   if (place == RatePlace::above) return acceleration < 0 ? RatePlace::held : place;
   if (place == RatePlace::below) return acceleration > 0 ? RatePlace::held : place;
   return share < 0 ? RatePlace::above : share > 1 ? RatePlace::below : place;
@@ -56,7 +56,7 @@ std::vector<RatePlace> places_of(const Numbers& a, const Numbers& w) {
     for (std::size_t i = 0; i < n && is_right; ++i) {
       double acceleration = a[i];
       for (std::size_t k = 0; k < n; ++k) acceleration += w[i * n + k] * (*shares)[k];
-      const RatePlace place = mended(places[i], (*shares)[i], acceleration);
+      const RatePlace place = next_place(places[i], (*shares)[i], acceleration);
       is_right = place == places[i];
       places[i] = place;
     }
@@ -71,7 +71,7 @@ void Pieces::find_rates(const Numbers& state, Numbers& rates, double t) {
   if (kinks_.empty()) return system_.find_rates(state, rates, t);
   const std::vector<int> now = kinks_.sides(state, t);
   for (std::size_t k = 0; k < now.size(); ++k) {
-    if (now[k] != 0 && now[k] != sides_[k] && !is_held(k)) is_left_ = true;
+    if (now[k] != 0 && now[k] != sides_[k] && !is_held(k)) has_left_piece_ = true;
   }
   if (held_.empty()) return system_.find_rates(state, rates, t);
   const Response found = response(state, t, held_);
@@ -81,7 +81,7 @@ void Pieces::find_rates(const Numbers& state, Numbers& rates, double t) {
   rates = found.above;
   for (std::size_t k = 0; k < held_.size(); ++k) {
     const double share = shares ? (*shares)[k] : -1;
-    if (!(share >= 0 && share <= 1)) is_left_ = true;
+    if (!(share >= 0 && share <= 1)) has_left_piece_ = true;
     for (std::size_t i = 0; i < rates.size(); ++i) rates[i] += share * found.changes[k][i];
   }
   system_.coordinate_rates(state.data(), system_.v_of(state), rates.data());
@@ -92,15 +92,15 @@ Pieces::Response Pieces::response(const Numbers& state, double t,
                                   const std::vector<HeldRate>& held) const {
   Numbers at = state;
   double* const v = system_.v_of(at);
-  for (const HeldRate& each : held) v[each.rate] = each.value + nudge(each.value);
+  for (const HeldRate& each : held) v[each.rate] = each.value + side_distance(each.value);
   Response result;
   result.above.resize(state.size());
   system_.find_rates(at, result.above, t);
   for (const HeldRate& each : held) {
     Numbers& change = result.changes.emplace_back(state.size());
-    v[each.rate] = each.value - nudge(each.value);
+    v[each.rate] = each.value - side_distance(each.value);
     system_.find_rates(at, change, t);
-    v[each.rate] = each.value + nudge(each.value);
+    v[each.rate] = each.value + side_distance(each.value);
     for (std::size_t i = 0; i < change.size(); ++i) change[i] -= result.above[i];
   }
   for (const HeldRate& row : held) {
@@ -113,7 +113,7 @@ Pieces::Response Pieces::response(const Numbers& state, double t,
 }
 
 /// A thousandth of the error of a step, but more than rounding errors.
-double Pieces::nudge(double value) const {
+double Pieces::side_distance(double value) const {
   const double least = 8 * std::numeric_limits<double>::epsilon();
   return std::max(tolerance_ / 1000, least) * (1 + std::abs(value));
 }
@@ -123,17 +123,17 @@ bool Pieces::is_held(std::size_t kink) const {
   return rate && std::ranges::count(held_, *rate, &HeldRate::rate) > 0;
 }
 
-void Pieces::enter(const Numbers& before, Numbers& state, double t) {
+void Pieces::begin_piece(const Numbers& before, Numbers& state, double t) {
   const std::vector<int> now = kinks_.sides(state, t);
   sides_.resize(now.size());
   std::vector<HeldRate> candidates = held_;
   for (std::size_t k = 0; k < now.size(); ++k) {
     const bool is_crossed = now[k] * sides_[k] < 0;
     if (is_held(k) || (now[k] != 0 && !is_crossed)) continue;
-    last_kink_ = kinks_.text_of(k);
+    last_kink_ = kinks_.kink_text(k);
     const std::optional<std::size_t> rate = kinks_.rate_of(k);
     if (!rate || std::ranges::count(candidates, *rate, &HeldRate::rate) > 0) continue;
-    const HeldRate held{*rate, root(k, before, state, t)};
+    const HeldRate held{*rate, kink_rate(k, before, state, t)};
     if (can_hold(held, state, t)) candidates.push_back(held);
   }
   hold(candidates, state, t);
@@ -141,7 +141,7 @@ void Pieces::enter(const Numbers& before, Numbers& state, double t) {
 }
 
 /// The rate at which the side changes, by bisection between two states; 0 if it is nearly 0.
-double Pieces::root(std::size_t kink, Numbers from, const Numbers& to, double t) {
+double Pieces::kink_rate(std::size_t kink, Numbers from, const Numbers& to, double t) {
   double& v = system_.v_of(from)[*kinks_.rate_of(kink)];
   double low = v;
   double high = system_.v_of(to)[*kinks_.rate_of(kink)];
@@ -151,7 +151,7 @@ double Pieces::root(std::size_t kink, Numbers from, const Numbers& to, double t)
     v = low + (high - low) / 2;
     (kinks_.sides(from, t)[kink] == side ? low : high) = v;
   }
-  return std::abs(high) < nudge(0) ? 0 : high;
+  return std::abs(high) < side_distance(0) ? 0 : high;
 }
 
 /// True if the force jumps only in the direction of this rate, and is larger below the kink. Over
@@ -161,8 +161,8 @@ bool Pieces::can_hold(const HeldRate& held, Numbers state, double t) const {
     system_.v_of(state)[held.rate] = rate;
     return system_.applied_force(state.data(), system_.v_of(state), t);
   };
-  Numbers jump = forces(held.value - nudge(held.value));
-  const Numbers above = forces(held.value + nudge(held.value));
+  Numbers jump = forces(held.value - side_distance(held.value));
+  const Numbers above = forces(held.value + side_distance(held.value));
   for (std::size_t i = 0; i < jump.size(); ++i) jump[i] -= above[i];
   const double own = std::exchange(jump[held.rate], 0);
   return own > 0 &&
@@ -178,12 +178,12 @@ void Pieces::hold(const std::vector<HeldRate>& candidates, Numbers& state, doubl
     double& v = system_.v_of(state)[each.rate];
     if (places[k] == RatePlace::held) held_.push_back(each);
     v = each.value;
-    if (places[k] == RatePlace::above) v += nudge(each.value);
-    if (places[k] == RatePlace::below) v -= nudge(each.value);
+    if (places[k] == RatePlace::above) v += side_distance(each.value);
+    if (places[k] == RatePlace::below) v -= side_distance(each.value);
   }
 }
 
-void Pieces::keep(Numbers& state) const {
+void Pieces::reset_held_rates(Numbers& state) const {
   for (const HeldRate& held : held_) system_.v_of(state)[held.rate] = held.value;
 }
 

@@ -31,16 +31,16 @@ class Pieces {
   /// d(q, v, W)/dt on this piece.
   void find_rates(const Numbers& state, Numbers& rates, double t);
 
-  /// True if find_rates() was called beyond the end of the piece after the last stay().
-  [[nodiscard]] bool is_left() const { return is_left_; }
-  void stay() { is_left_ = false; }
+  /// True if find_rates() was called beyond the end of the piece after the last reset_left().
+  [[nodiscard]] bool has_left_piece() const { return has_left_piece_; }
+  void reset_left() { has_left_piece_ = false; }
 
   /// Begins the next piece at `state`, a short step after `before`. Rates at a kink are held, or
   /// moved off the kink to the side to which they accelerate.
-  void enter(const Numbers& before, Numbers& state, double t);
+  void begin_piece(const Numbers& before, Numbers& state, double t);
 
   /// Call after a step: resets held rates, which a step may round.
-  void keep(Numbers& state) const;
+  void reset_held_rates(Numbers& state) const;
 
   /// The kink at which the last piece ended; "" before the first kink.
   [[nodiscard]] const std::string& last_kink() const { return last_kink_; }
@@ -61,9 +61,9 @@ class Pieces {
   [[nodiscard]] Response response(const Numbers& state, double t,
                                   const std::vector<HeldRate>& held) const;
   /// A distance from a kink at which the side is certain and forces hardly change.
-  [[nodiscard]] double nudge(double value) const;
+  [[nodiscard]] double side_distance(double value) const;
   [[nodiscard]] bool is_held(std::size_t kink) const;
-  [[nodiscard]] double root(std::size_t kink, Numbers from, const Numbers& to, double t);
+  [[nodiscard]] double kink_rate(std::size_t kink, Numbers from, const Numbers& to, double t);
   [[nodiscard]] bool can_hold(const HeldRate& held, Numbers state, double t) const;
   void hold(const std::vector<HeldRate>& candidates, Numbers& state, double t);
 
@@ -72,7 +72,7 @@ class Pieces {
   double tolerance_;
   std::vector<int> sides_ = {};
   std::vector<HeldRate> held_ = {};
-  bool is_left_ = false;
+  bool has_left_piece_ = false;
   std::string last_kink_ = {};
 };
 

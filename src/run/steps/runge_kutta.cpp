@@ -28,17 +28,17 @@ auto rates_of(Source& source) {
 
 /// Discards the rates at the end of the last step, if the method reuses them in the next step.
 template <class Steps>
-void forget(Steps& steps) {
+void discard_rates(Steps& steps) {
   if constexpr (requires { steps.reset(); }) steps.reset();
 }
 
 /// Call at the end of a step. Rates from before the restoration belong to another state, so the
 /// method discards them.
 template <class Steps>
-void put_back(System& system, Steps& steps, Numbers& state, double t) {
-  if (!system.is_restored()) return;
+void restore_state(System& system, Steps& steps, Numbers& state, double t) {
+  if (!system.needs_restore()) return;
   system.restore(state, t);
-  forget(steps);
+  discard_rates(steps);
 }
 
 template <class Steps>
@@ -46,11 +46,11 @@ class RungeKutta {
  public:
   explicit RungeKutta(System& system) : system_(system) {}
 
-  void restart() { forget(steps_); }
+  void restart() { discard_rates(steps_); }
 
   bool step(Numbers& state, double t, double h) {
     steps_.do_step(rates_of(system_), state, t, h);
-    put_back(system_, steps_, state, t + h);
+    restore_state(system_, steps_, state, t + h);
     return true;
   }
 
@@ -69,18 +69,18 @@ class AdaptedSteps final : public Stepper {
         steps_(odeint::make_controlled(rule.tolerance, rule.tolerance, Steps())),
         shortest_(rule.shortest) {}
 
-  void aim(double begin, double end) override {
+  void set_interval(double begin, double end) override {
     t_ = begin;
     end_ = end;
     if (length_ == 0) length_ = (end - begin) / 100;
-    forget(steps_);
+    discard_rates(steps_);
   }
 
   std::optional<double> step(Numbers& state) override {
     const double begin = t_;
     const bool is_first = !has_begun_ && pieces_.has_kinks();
     has_begun_ = true;
-    if (is_first) pieces_.enter(state, state, t_);
+    if (is_first) pieces_.begin_piece(state, state, t_);
     if (!advance(state)) return std::nullopt;
     const bool is_tiny = t_ - begin < tiny();
     const bool is_at_kink = tiny_steps_ > 0 || has_crossed_;
@@ -117,7 +117,7 @@ class AdaptedSteps final : public Stepper {
     while (true) {
       // Steps halve the distance to `edge_`, because the end of the piece before it is unknown.
       const double half = (edge_ - t_) / 2;
-      if (half < shortest()) return cross(state);
+      if (half < shortest()) return cross_kink(state);
       const double wanted = std::min(length_, half);
       const bool is_last = wanted >= end_ - t_;
       double h = is_last ? end_ - t_ : wanted;
@@ -126,13 +126,13 @@ class AdaptedSteps final : public Stepper {
       const double begin = t_;
       const double tried = h;
       before_ = state;
-      pieces_.stay();
+      pieces_.reset_left();
       const auto result = steps_.try_step(rates_of(pieces_), state, t_, h);
-      if (pieces_.is_left()) {
+      if (pieces_.has_left_piece()) {
         state = before_;
         t_ = begin;
         edge_ = begin + tried;
-        forget(steps_);
+        discard_rates(steps_);
         continue;
       }
       if (result == odeint::fail) {
@@ -142,33 +142,34 @@ class AdaptedSteps final : public Stepper {
       // The length of a step that was cut short does not limit the next step.
       length_ = is_cut ? std::max(length_, h) : h;
       if (is_last) t_ = end_;
-      put_back(system_, steps_, state, t_);
-      pieces_.keep(state);
+      restore_state(system_, steps_, state, t_);
+      pieces_.reset_held_rates(state);
       return true;
     }
   }
 
   /// Leaves the piece by a step of Euler's method that is short enough to change nothing else.
-  bool cross(Numbers& state) {
+  bool cross_kink(Numbers& state) {
     before_ = state;
     Numbers slope(state.size());
     Numbers unused(state.size());
     pieces_.find_rates(before_, slope, t_);
     double h = 0;
-    pieces_.stay();
-    for (double next = shortest(); !pieces_.is_left() && h < tiny() && t_ + h < end_; next *= 2) {
+    pieces_.reset_left();
+    for (double next = shortest(); !pieces_.has_left_piece() && h < tiny() && t_ + h < end_;
+         next *= 2) {
       h = std::min(next, end_ - t_);
       for (std::size_t i = 0; i < state.size(); ++i) state[i] = before_[i] + h * slope[i];
       pieces_.find_rates(state, unused, t_ + h);
     }
     t_ = t_ + h < end_ ? t_ + h : end_;
-    if (pieces_.is_left()) pieces_.enter(before_, state, t_);
-    has_crossed_ = pieces_.is_left();
+    if (pieces_.has_left_piece()) pieces_.begin_piece(before_, state, t_);
+    has_crossed_ = pieces_.has_left_piece();
     edge_ = std::numeric_limits<double>::infinity();
     length_ = 2 * tiny();
-    put_back(system_, steps_, state, t_);
-    pieces_.keep(state);
-    forget(steps_);
+    restore_state(system_, steps_, state, t_);
+    pieces_.reset_held_rates(state);
+    discard_rates(steps_);
     return true;
   }
 
@@ -188,19 +189,19 @@ class AdaptedSteps final : public Stepper {
 };
 
 template <class Steps>
-std::unique_ptr<Stepper> fixed(System& system, double step) {
+std::unique_ptr<Stepper> fixed_steps(System& system, double step) {
   return std::make_unique<FixedSteps<RungeKutta<Steps>>>(system, step);
 }
 
 }  // namespace
 
 std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule) {
-  return fixed<odeint::runge_kutta4<Numbers>>(system, *rule.step);
+  return fixed_steps<odeint::runge_kutta4<Numbers>>(system, *rule.step);
 }
 
 std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule) {
   using Steps = odeint::runge_kutta_dopri5<Numbers>;
-  if (rule.step) return fixed<Steps>(system, *rule.step);
+  if (rule.step) return fixed_steps<Steps>(system, *rule.step);
   return std::make_unique<AdaptedSteps<Steps>>(system, rule);
 }
 

@@ -17,11 +17,11 @@ bool is_number(const Expression& node) { return node.kind == ExpressionKind::num
 StateFunction::StateFunction(const Model& model, ExpressionId root, const Arguments<double>& others)
     : model_(model),
       others_(others),
-      order_(reached(model, {root})),
+      order_(reachable_from(model, {root})),
       known_(model.expressions.size()) {
   for (const ExpressionId id : order_) {
     const Expression& node = model.expressions[id];
-    if (is_number(node)) known_[id] = {ScalarTraits<double>::from_real(node.number), 0};
+    if (is_number(node)) known_[id] = {to_double(node.number), 0};
   }
   result_ = order_.back();
   std::erase_if(order_, [&model](ExpressionId id) { return is_number(model.expressions[id]); });
@@ -55,7 +55,7 @@ StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionI
     case ExpressionKind::divide:
       return operand(0) / operand(1);
     case ExpressionKind::power:
-      return power(operand(0), ScalarTraits<double>::from_real(node.number));
+      return power(operand(0), to_double(node.number));
     case ExpressionKind::function:
       return interpreter::call(node.function, known_[node.operands.front()],
                                known_[node.operands.back()]);

@@ -22,14 +22,15 @@ class StepProgram {
   void restart() {}
 
   bool step(Numbers& state, double t, double h) {
-    const Numbers& next = system_.stepped(state, t, h);
+    const Numbers& next = system_.step_result(state, t, h);
     if (!is_solved(state, next, t, h)) return false;
     // Models with rotations have no such step, so dq/dt is v.
     for (std::size_t i = 0; i < rates_.size(); ++i) {
       rates_[i] = (next[i] - state[i]) / h;
       middle_[i] = state[i] + h / 2 * rates_[i];
     }
-    System::work_of(state) += h * system_.held_power(middle_.data(), rates_.data(), t + h / 2);
+    System::work_of(state) +=
+        h * system_.power_at_last_inputs(middle_.data(), rates_.data(), t + h / 2);
     std::copy_n(next.begin(), state.size() - 1, state.begin());
     return true;
   }

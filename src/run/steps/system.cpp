@@ -26,8 +26,8 @@ std::vector<InputLaw> laws_of(const CheckedModel& checked, const Arguments<doubl
       laws[k].function.emplace(model, *law, at);
     }
     if (!input.limits || (laws[k].value && is_one_number(model, *laws[k].value))) continue;
-    laws[k].low = ScalarTraits<double>::from_real(input.limits->low);
-    laws[k].high = ScalarTraits<double>::from_real(input.limits->high);
+    laws[k].low = to_double(input.limits->low);
+    laws[k].high = to_double(input.limits->high);
   }
   return laws;
 }
@@ -49,7 +49,7 @@ double wrapped(double angle) {
 }  // namespace
 
 bool is_one_number(const Model& model, ExpressionId law) {
-  return !holds_leaf(model, law, Opcode::coordinate | Opcode::velocity | Opcode::time);
+  return !contains_leaf(model, law, Opcode::coordinate | Opcode::velocity | Opcode::time);
 }
 
 bool has_moving_constraints(const Model& model) {
@@ -67,12 +67,12 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
     : model_(checked.model),
       program_(program),
       compiled_(compiled),
-      sines_(checked.scene, SinesOf::numbers),
+      sines_(checked.scene, SineArithmetic::numbers),
       at_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
       laws_(laws_of(checked, at_)),
       callees_(callees()),
-      restored_(projects && !model_.constraints.empty() ? OutputKind::projected
-                                                        : OutputKind::normalized),
+      restoring_output_(projects && !model_.constraints.empty() ? OutputKind::projected
+                                                                : OutputKind::normalized),
       first_acceleration_(first_entry_of(*function(OutputKind::forward_dynamics), "acceleration")),
       first_pivot_(first_entry_of(*function(OutputKind::forward_dynamics), "relative_pivots")),
       first_multiplier_(first_entry_of(*function(OutputKind::forward_dynamics), "multipliers")),
@@ -117,7 +117,7 @@ std::vector<System::Callee> System::callees() const {
   return all;
 }
 
-std::string System::text_of(const Numbers& state) const {
+std::string System::state_text(const Numbers& state) const {
   std::vector<std::string> parts;
   const auto add = [&](Opcode kind, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
@@ -150,7 +150,7 @@ void System::hold(const double* q, const double* v, double t) {
 
 const Numbers& System::inputs(const double* q, const double* v, double t) {
   if (is_held_ || !is_driven_) return at_.u;
-  const Numbers& seen = shown(q);
+  const Numbers& seen = displayed_position(q);
   for (std::size_t k = 0; k < laws_.size(); ++k) {
     auto& [law, function, low, high] = laws_[k];
     if (!function) continue;
@@ -161,7 +161,7 @@ const Numbers& System::inputs(const double* q, const double* v, double t) {
   return at_.u;
 }
 
-const Numbers& System::shown(const double* q) {
+const Numbers& System::displayed_position(const double* q) {
   for (std::size_t i = 0; i < shown_.size(); ++i) {
     shown_[i] = model_.coordinates[i].wrap ? wrapped(q[i]) : q[i];
   }
@@ -184,7 +184,7 @@ void System::call(OutputKind kind, const double* q, const double* v, double t, d
   std::ranges::copy(evaluate_code(program_, *called.function, at_, sines_), result);
 }
 
-const Numbers& System::stepped(const Numbers& state, double t, double h) {
+const Numbers& System::step_result(const Numbers& state, double t, double h) {
   (void)inputs(state.data(), v_of(state), t);
   at_.h = h;
   call(OutputKind::step, state.data(), v_of(state), t, moved_.data());
@@ -255,10 +255,10 @@ const Numbers& System::applied_force(const double* q, const double* v, double t)
 
 double System::power(const double* q, const double* v, double t) {
   if (does_work()) (void)inputs(q, v, t);
-  return held_power(q, v, t);
+  return power_at_last_inputs(q, v, t);
 }
 
-double System::held_power(const double* q, const double* v, double t) {
+double System::power_at_last_inputs(const double* q, const double* v, double t) {
   double sum = conservation_.has_time ? explicit_power(q, v, t) : 0;
   if (!conservation_.is_forced && !has_moving_constraints_) return sum;
   find_passive_force(q, v, t);
@@ -352,7 +352,7 @@ ConstraintOffset System::offset(const double* q, const double* v, double t) {
 }
 
 void System::restore(Numbers& state, double t) {
-  call(restored_, state.data(), v_of(state), t, state.data());
+  call(restoring_output_, state.data(), v_of(state), t, state.data());
 }
 
 }  // namespace elgen

@@ -87,7 +87,7 @@ class System {
   }
   [[nodiscard]] static double& work_of(Numbers& state) { return state.back(); }
   /// "theta = 1, dot(theta) = 2", for at most 8 of q and v.
-  [[nodiscard]] std::string text_of(const Numbers& state) const;
+  [[nodiscard]] std::string state_text(const Numbers& state) const;
 
   /// The start of the model, with quaternions normalised.
   [[nodiscard]] Numbers start();
@@ -98,7 +98,7 @@ class System {
   /// The values of the laws at wrapped angles, clamped to `limits`; 0 for inputs without a law.
   [[nodiscard]] const Numbers& inputs(const double* q, const double* v, double t);
   /// q with `wrap` angles in (-pi, pi], as rows show it.
-  [[nodiscard]] const Numbers& shown(const double* q);
+  [[nodiscard]] const Numbers& displayed_position(const double* q);
 
   /// The value of an expression of the model in q, v and t.
   [[nodiscard]] double value(ExpressionId expression, const double* q, const double* v,
@@ -111,7 +111,7 @@ class System {
 
   /// The result of the program's `step` of length h from a state, with the inputs at that state: q,
   /// v, and the residual of an implicit method.
-  [[nodiscard]] const Numbers& stepped(const Numbers& state, double t, double h);
+  [[nodiscard]] const Numbers& step_result(const Numbers& state, double t, double h);
 
   void acceleration(const double* q, const double* v, double t, double* a);
   /// D_i / M_ii of M = L D L^T, then the relative pivots of A M^-1 A^T, from the last evaluation of
@@ -130,7 +130,7 @@ class System {
   /// v.F - dL/dt; 0 if no work is done.
   [[nodiscard]] double power(const double* q, const double* v, double t);
   /// power() with the inputs of the last inputs().
-  [[nodiscard]] double held_power(const double* q, const double* v, double t);
+  [[nodiscard]] double power_at_last_inputs(const double* q, const double* v, double t);
   /// M, n x n, row-major.
   [[nodiscard]] const Numbers& mass_matrix(const double* q, const double* v, double t);
   /// A, m x n, row-major.
@@ -150,7 +150,7 @@ class System {
   /// The largest violations of the constraints.
   [[nodiscard]] ConstraintOffset offset(const double* q, const double* v, double t);
   /// True if steps may change the length of quaternions or violate constraints.
-  [[nodiscard]] bool is_restored() const { return function(restored_) != nullptr; }
+  [[nodiscard]] bool needs_restore() const { return function(restoring_output_) != nullptr; }
   /// Normalises quaternions, and projects onto the constraints by one Newton step.
   void restore(Numbers& state, double t);
 
@@ -188,7 +188,7 @@ class System {
   Arguments<double> at_;
   std::vector<InputLaw> laws_;
   std::vector<Callee> callees_;  ///< indexed by OutputKind
-  OutputKind restored_;          ///< the output that restore() calls
+  OutputKind restoring_output_;  ///< the output that restore() calls
   bool is_held_ = false;
   bool is_driven_ = false;
   bool has_moving_constraints_ = false;

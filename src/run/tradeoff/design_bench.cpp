@@ -34,7 +34,7 @@ std::string first_line(const Diagnostics& diagnostics) {
 }
 
 /// Designs that share a library.
-struct Workpiece {
+struct DesignLibrary {
   std::vector<TradeoffRow*> rows = {};
   /// A function for each row, then a second one for each row in packs, called with one state each.
   /// Empty if compilation failed.
@@ -47,15 +47,15 @@ class DesignRuns {
   DesignRuns(const DesignRequest& request, const OutputBase& base, const BenchProcess& process)
       : request_(request), base_(base), process_(process) {}
 
-  /// Serves as a key: the texts of derivation_of() are equal for designs with the same derivation.
-  [[nodiscard]] std::string text_of(const Design& design) const {
+  /// Serves as a key: the texts of derivation_key() are equal for designs with the same derivation.
+  [[nodiscard]] std::string key_of(const Design& design) const {
     return scene_text(base_.base(), design, request_.inputs.model->path);
   }
 
   /// Memoised pipeline run per derivation.
-  const Products& derived(const Design& design) {
-    const Design derivation = derivation_of(design);
-    const auto [at, is_new] = derived_.try_emplace(text_of(derivation));
+  const Products& derive_design(const Design& design) {
+    const Design derivation = derivation_key(design);
+    const auto [at, is_new] = derived_.try_emplace(key_of(derivation));
     if (is_new) {
       process_.on_stage("derive");
       at->second = run(derivation, Goal::choose);
@@ -63,8 +63,8 @@ class DesignRuns {
     return at->second;
   }
 
-  Result<TimedFunctions> compiled(const Workpiece& piece, const Products& products,
-                                  const std::vector<Arguments<double>>& states) {
+  Result<TimedFunctions> compile_library(const DesignLibrary& piece, const Products& products,
+                                         const std::vector<Arguments<double>>& states) {
     TimingOptions timing{.states = states, .limits = process_.limits};
     Scene scene = products.checked->scene;
     scene.emission = {};
@@ -91,10 +91,10 @@ class DesignRuns {
  private:
   Products run(const Design& design, Goal goal) {
     process_.renew_time_limit();
-    const SourcePointer scene = make_kept_source("design.scene.toml", text_of(design));
+    const SourcePointer scene = make_permanent_source("design.scene.toml", key_of(design));
     Products products =
         run_pipeline({request_.inputs.model, scene}, {.limits = process_.limits, .goals = {goal}});
-    if (products.checked) keep_only({base_.checked.scene.outputs.front().name}, products);
+    if (products.checked) keep_outputs({base_.checked.scene.outputs.front().name}, products);
     return products;
   }
 
@@ -136,7 +136,7 @@ class DesignBench {
         table_(table_of(base.checked.scene, machine)) {}
 
   Result<MeasuredTable> measure() {
-    const Products& exact = runs_.derived(exact_design);
+    const Products& exact = runs_.derive_design(exact_design);
     if (!exact.program) return exact.diagnostics;
     if (!is_returned(exact.program->functions.front())) {
       return Diagnostic{Reason::too_many_entries,
@@ -177,39 +177,39 @@ class DesignBench {
   }
 
   /// The designs by library; libraries with the same derivation follow each other.
-  [[nodiscard]] std::map<std::string, Workpiece> workpieces() {
-    std::map<std::string, Workpiece> pieces;
+  [[nodiscard]] std::map<std::string, DesignLibrary> workpieces() {
+    std::map<std::string, DesignLibrary> pieces;
     for (TradeoffRow& row : table_.rows) {
       const Design& design = row.design;
-      std::string key = runs_.text_of(derivation_of(design)) + design.trigonometry;
+      std::string key = runs_.key_of(derivation_key(design)) + design.trigonometry;
       if (design.inner != InnerScalar::same) key += inner_row(design.inner).name;
       pieces[key].rows.push_back(&row);
     }
     return pieces;
   }
 
-  void make(Workpiece piece) {
+  void make(DesignLibrary piece) {
     const TradeoffRow& first = *piece.rows.front();
-    const Products& products = runs_.derived(first.design);
+    const Products& products = runs_.derive_design(first.design);
     if (!products.program) return fail(piece, first_line(products.diagnostics));
     process_.on_stage(fmt::format("compile {}", name_of(first)));
-    Result<TimedFunctions> made = runs_.compiled(piece, products, states_);
+    Result<TimedFunctions> made = runs_.compile_library(piece, products, states_);
     if (!made) {
       fail(piece, first_line(made.diagnostics));
       not_compiled_.insert(not_compiled_.end(), made.diagnostics.begin(), made.diagnostics.end());
       return;
     }
     piece.functions = std::move(*made);
-    made_.push_back(std::move(piece));
+    libraries_.push_back(std::move(piece));
   }
 
-  static void fail(const Workpiece& piece, const std::string& why) {
+  static void fail(const DesignLibrary& piece, const std::string& why) {
     for (TradeoffRow* const row : piece.rows) row->failure = why;
   }
 
   /// Apart from the timing: the errors of a design do not depend on a clock.
   void search_all(const Products& exact) {
-    for (const auto& [rows, functions] : made_) {
+    for (const auto& [rows, functions] : libraries_) {
       for (std::size_t k = 0; k < rows.size(); ++k) {
         process_.on_stage(fmt::format("search {}", name_of(*rows[k])));
         process_.renew_time_limit();
@@ -223,7 +223,7 @@ class DesignBench {
     const auto values_at = [&function](const auto& states) { return function.at(states); };
     std::vector<FoundErrors> found;
     for (const TradeoffStates& sample : samples_) {
-      found.push_back(found_errors(*exact.checked, *exact.program, sample, values_at));
+      found.push_back(find_errors(*exact.checked, *exact.program, sample, values_at));
     }
     return errors_of(std::move(found));
   }
@@ -232,10 +232,10 @@ class DesignBench {
     process_.on_stage("time");
     process_.renew_time_limit();
     std::vector<TimedWork> works;
-    const auto add = [this, &works](TimedFunction& function, Spread& cost) {
+    const auto add = [this, &works](TimedFunction& function, Quartiles& cost) {
       works.push_back({[&function] { function.run(); }, states_.size(), &cost});
     };
-    for (const auto& [rows, functions] : made_) {
+    for (const auto& [rows, functions] : libraries_) {
       std::size_t calls = rows.size();
       for (std::size_t k = 0; k < rows.size(); ++k) {
         add(*functions[k], rows[k]->cost);
@@ -254,13 +254,13 @@ class DesignBench {
   TradeoffTable table_;
   std::vector<TradeoffStates> samples_ = {};
   std::vector<Arguments<double>> states_ = {};  ///< of all samples
-  std::vector<Workpiece> made_ = {};
+  std::vector<DesignLibrary> libraries_ = {};
   Diagnostics not_compiled_ = {};
 };
 
 }  // namespace
 
-void keep_only(const std::vector<std::string>& outputs, Products& products) {
+void keep_outputs(const std::vector<std::string>& outputs, Products& products) {
   const auto is_other = [&outputs](const auto& named) {
     return std::ranges::count(outputs, named.name) == 0;
   };
@@ -271,8 +271,9 @@ void keep_only(const std::vector<std::string>& outputs, Products& products) {
   std::erase_if(program.readable, is_other);
 }
 
-Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
-                               const std::vector<SourcePointer>& ranges, const Limits& limits) {
+Result<OutputBase> read_output_base(const Inputs& inputs, const std::string& output,
+                                    const std::vector<SourcePointer>& ranges,
+                                    const Limits& limits) {
   PipelineOptions options{.limits = limits, .goals = {Goal::check}};
   Diagnostics found;
   std::string name = output;
@@ -282,11 +283,11 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
     found = whole.diagnostics;
     name = default_output(whole.checked->scene);
   }
-  options.scene.outputs = {make_kept_source("command line", name)};
+  options.scene.outputs = {make_permanent_source("command line", name)};
   options.scene.ranges = ranges;
   Products one = run_pipeline(inputs, options);
   if (!one.checked) return one.diagnostics;
-  keep_only({name}, one);
+  keep_outputs({name}, one);
   if (one.checked->scene.outputs.empty()) {
     return Diagnostic{Code::E601, {}, in_backticks(name) + " is not one output"};
   }
@@ -302,13 +303,13 @@ Result<OutputBase> output_base(const Inputs& inputs, const std::string& output,
   return {std::move(base), std::move(found)};
 }
 
-Result<MeasuredTable> measured_designs(const DesignRequest& request, const BenchProcess& process) {
+Result<MeasuredTable> measure_designs(const DesignRequest& request, const BenchProcess& process) {
   const Result<Machine> machine = this_machine(process.limits);
   if (!machine) return machine.diagnostics;
   const Result<OutputBase> base =
-      output_base(request.inputs, request.output, request.ranges, process.limits);
+      read_output_base(request.inputs, request.output, request.ranges, process.limits);
   if (!base) return base.diagnostics;
-  Diagnostics wrong = contradictions(base->base(), request.choices.pinned);
+  Diagnostics wrong = scene_conflicts(base->base(), request.choices.pinned);
   if (!wrong.empty()) return wrong;
   Result<MeasuredTable> measured = DesignBench(request, *base, process, *machine).measure();
   if (measured) measured.diagnostics = base.diagnostics;

@@ -25,7 +25,7 @@ struct DimensionRow {
   std::string_view name;
   std::string_view entry;
   std::string_view key;
-  bool is_asked;  ///< used only if the command names or pins it
+  bool is_optional;  ///< used only if the command names or pins it
   std::string_view doc;
 };
 
@@ -40,13 +40,13 @@ constexpr std::array dimension_rows{
                  "try only this scalar between arguments and results in double"},
     DimensionRow{"order", "approximate", "order", true, "try only this order of an expansion"}};
 
-/// A value of a dimension. `is_left`: the value is compatible with a scene that has the key.
+/// A value of a dimension. `is_compatible`: the value is compatible with a scene that has the key.
 struct ValueRow {
   std::string_view dimension;
   std::string_view value;
   void (*choose)(Design&);
-  bool (*is_left)(const CheckedModel&);
-  bool is_asked = false;  ///< tried only if it is pinned or its dimension named
+  bool (*is_compatible)(const CheckedModel&);
+  bool is_optional = false;  ///< tried only if it is pinned or its dimension named
 };
 
 bool has_scalar(const CheckedModel& base, ScalarKind scalar) {
@@ -105,7 +105,7 @@ constexpr std::array value_rows{
 
 /// E631. The default dimensions may be named too.
 Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
-  const std::vector<std::string> known = words_in(dimension_rows, &DimensionRow::name);
+  const std::vector<std::string> known = column_words(dimension_rows, &DimensionRow::name);
   Diagnostics found;
   for (const std::string& word : more) {
     if (std::ranges::find(known, word) != known.end()) continue;
@@ -162,8 +162,8 @@ std::string option_of(const PinnedDimension& pin) {
 }
 
 /// E645: the pinned values exclude every design.
-Diagnostics none_as_pinned(const std::vector<PinnedDimension>& pinned, const char* why) {
-  const std::vector<std::string> options = words_in(pinned, option_of);
+Diagnostics no_design_left(const std::vector<PinnedDimension>& pinned, const char* why) {
+  const std::vector<std::string> options = column_words(pinned, option_of);
   return {{Code::E645, {}, fmt::format("no design fits {}", fmt::join(options, ", ")), why}};
 }
 
@@ -173,7 +173,7 @@ std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignCh
   const bool is_named = std::ranges::find(choices.more, dimension.name) != choices.more.end();
   std::vector<ValueRow> values;
   for (const ValueRow& row : value_rows) {
-    const bool is_tried = is_named || !(dimension.is_asked || row.is_asked);
+    const bool is_tried = is_named || !(dimension.is_optional || row.is_optional);
     const bool is_chosen = pin == nullptr ? is_tried : row.value == pin->value;
     if (row.dimension == dimension.name && is_chosen) values.push_back(row);
   }
@@ -181,8 +181,8 @@ std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignCh
 }
 
 /// Every design combined with every value of another dimension.
-std::vector<PlannedDesign> multiplied(const std::vector<PlannedDesign>& designs,
-                                      const std::vector<ValueRow>& values) {
+std::vector<PlannedDesign> combine(const std::vector<PlannedDesign>& designs,
+                                   const std::vector<ValueRow>& values) {
   std::vector<PlannedDesign> result;
   for (const PlannedDesign& planned : designs) {
     for (const ValueRow& row : values) {
@@ -223,7 +223,7 @@ std::vector<DesignDimension> design_dimensions() {
   return dimensions;
 }
 
-Diagnostics contradictions(const DesignBase& base, const std::vector<PinnedDimension>& pinned) {
+Diagnostics scene_conflicts(const DesignBase& base, const std::vector<PinnedDimension>& pinned) {
   Diagnostics found;
   for (const DimensionRow& dimension : dimension_rows) {
     const PinnedDimension* const pin = find_pin(pinned, dimension.name);
@@ -231,7 +231,7 @@ Diagnostics contradictions(const DesignBase& base, const std::vector<PinnedDimen
     if (pin == nullptr || key == nullptr) continue;
     for (const ValueRow& row : value_rows) {
       const bool is_pinned = row.dimension == dimension.name && row.value == pin->value;
-      if (!is_pinned || row.is_left(base.checked)) continue;
+      if (!is_pinned || row.is_compatible(base.checked)) continue;
       found.push_back({Code::E644, key->value.span,
                        fmt::format("{} contradicts the scene", option_of(*pin)),
                        "remove one of the two"});
@@ -249,19 +249,19 @@ Result<TradeoffPlan> plan(const CheckedModel& checked, const Program& program,
     const std::vector<ValueRow> values = tried_values(dimension, choices);
     if (values.empty()) continue;
     plan.dimensions.emplace_back(dimension.name);
-    plan.designs = multiplied(plan.designs, values);
+    plan.designs = combine(plan.designs, values);
   }
   const ExistingDesigns existing(checked, program);
   const char* const why = existing.why_missing(plan.designs.front().design);
   std::erase_if(plan.designs, [&](const PlannedDesign& planned) {
     return !std::string_view(existing.why_missing(planned.design)).empty();
   });
-  if (plan.designs.empty()) return none_as_pinned(choices.pinned, why);
+  if (plan.designs.empty()) return no_design_left(choices.pinned, why);
   leave_out_constant_dimensions(plan, choices.pinned);
   return plan;
 }
 
-Design derivation_of(const Design& design) {
+Design derivation_key(const Design& design) {
   return {.is_fixed = design.is_fixed, .order = design.order};
 }
 

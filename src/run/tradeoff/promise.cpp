@@ -29,7 +29,7 @@ std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
     const bool is_own = header.types.empty() || header.in_packs || header.is_wide;
     const bool is_written = header.build == Build::as_written;
     if (is_own && is_written) codes.push_back({header.types, header.functions.get()});
-    const bool is_users = header.build == Build::as_users && !header.in_packs;
+    const bool is_users = header.build == Build::user_flags && !header.in_packs;
     if (is_users) codes.push_back({"as users compile", header.functions.get()});
   }
   return codes;
@@ -75,12 +75,12 @@ class PromiseRows {
   void add(const Program& program) {
     const Function& function = program.functions.front();
     const Result<TradeoffStates> states = tradeoff_states(exact_, program, {.seed = seed_});
-    if (!states) return rows_.push_back(skipped(function));
+    if (!states) return rows_.push_back(skipped_row(function));
     for (const PromisedCode& code : codes_) {
       for (const ScalarKind scalar : exact_.scene.numerics.scalars) {
         const DesignValues design = promised_values(*code.functions, function, scalar);
         if (!code.functions->has(scalar) || design({states->states.front()}).empty()) continue;
-        const FoundErrors found = found_errors(exact_, program, *states, design);
+        const FoundErrors found = find_errors(exact_, program, *states, design);
         rows_.push_back(row_of(program, found));
         rows_.back().samples = states->states.size();
         rows_.back().subject +=
@@ -103,7 +103,7 @@ class PromiseRows {
     return row;
   }
 
-  [[nodiscard]] CertificateRow skipped(const Function& function) const {
+  [[nodiscard]] CertificateRow skipped_row(const Function& function) const {
     CertificateRow row = plain_row(function);
     row.verdict = Verdict::skipped;
     row.skipped = {{Obstacle::undefined, TradeoffSampling().count}};
@@ -128,7 +128,7 @@ class PromiseRows {
 
 }  // namespace
 
-std::vector<CertificateRow> promised_errors(const CheckedModel& exact, const Program& program,
+std::vector<CertificateRow> check_max_error(const CheckedModel& exact, const Program& program,
                                             const CompiledHeaders& compiled,
                                             const VerifyOptions& options) {
   const std::vector<PromisedCode> codes = codes_of(compiled);

@@ -27,8 +27,8 @@ struct StepCode {
   StepLoops loops = {};
   std::string failure = {};
   bool has_rows = true;  ///< false: the step was refused, with a sentence
-  Spread one = {};       ///< ns per step
-  Spread in_packs = {};
+  Quartiles one = {};    ///< ns per step
+  Quartiles in_packs = {};
 };
 
 /// `bar`: the distance of the two reference runs.
@@ -46,10 +46,10 @@ std::vector<std::string> sentences(const std::map<StepSpec, StepCode>& codes, do
 }
 
 /// E621: the run cannot be made.
-Diagnostics no_such_run(std::string message) { return {{Code::E621, {}, std::move(message)}}; }
+Diagnostics impossible_run(std::string message) { return {{Code::E621, {}, std::move(message)}}; }
 
 /// True if the length divides the run into at least 1 and at most 1e8 steps.
-bool is_part(double length, double time) {
+bool divides_run(double length, double time) {
   constexpr double most_steps = 1e8;  // minutes of the fastest steps
   const double count = time / length;
   return count >= 1 && count <= most_steps &&
@@ -73,25 +73,25 @@ class RunBench {
     if (!machine) return machine.diagnostics;
     exact_ = derived({});
     if (!exact_.program) return exact_.diagnostics;
-    const Result<CheckedModel> assembled = assembled_model(*exact_.checked, 0);
+    const Result<CheckedModel> assembled = assemble_model(*exact_.checked, 0);
     if (!assembled) return assembled.diagnostics;
     exact_.checked = *assembled;
-    if (Diagnostics wrong = refer(); !wrong.empty()) return wrong;
+    if (Diagnostics wrong = compute_reference(); !wrong.empty()) return wrong;
     table_ = {.model = exact_.checked->scene.base_name,
               .subject = fmt::format("run of {:g} s", time_),
               .cost = "ns per run",
               .error = "errors at the end relative to the largest value of the run",
               .dimensions = {"method", "order", "step", "batch"},
               .machine = *machine};
-    const std::vector<PlannedRun> plan = planned_runs(time_, request_.lengths);
-    for (const PlannedRun& planned : plan) make(*planned.design.step);
+    const std::vector<PlannedRun> plan = plan_runs(time_, request_.lengths);
+    for (const PlannedRun& planned : plan) prepare_step(*planned.design.step);
     process_.on_stage("run");
     process_.renew_time_limit();
     for (const PlannedRun& planned : plan) add(planned);
     process_.on_stage("time");
     process_.renew_time_limit();
     time_all();
-    table_.sentences = sentences(codes_, bar_);
+    table_.sentences = sentences(codes_, uncertainty_);
     if (!exact_.checked->model.constraints.empty()) {
       table_.sentences.emplace_back("the cost includes a call of `projected` after every step");
     }
@@ -105,42 +105,43 @@ class RunBench {
     PipelineOptions options{
         .limits = process_.limits, .goals = {Goal::choose}, .on_stage = process_.on_stage};
     options.scene.purpose = purpose::time_run;
-    return derived_for_run(request_.inputs, options, step);
+    return derive_for_run(request_.inputs, options, step);
   }
 
   /// Computes the reference run and its uncertainty.
-  Diagnostics refer() {
+  Diagnostics compute_reference() {
     process_.on_stage("reference");
     Result<ReferenceRun> reference = reference_run(*exact_.checked, *exact_.program, time_);
     if (!reference) return reference.diagnostics;
     reference_ = std::move(*reference);
-    const double distance = errors_of(reference_.rougher, reference_, exact_.checked->model).worst;
-    bar_ = std::max(distance, std::numeric_limits<double>::epsilon() / 2);
+    const double distance =
+        errors_of(reference_.rough_last, reference_, exact_.checked->model).worst;
+    uncertainty_ = std::max(distance, std::numeric_limits<double>::epsilon() / 2);
     return {};
   }
 
   /// Memoised per step.
-  void make(const StepSpec& step) {
+  void prepare_step(const StepSpec& step) {
     const auto [at, is_new] = codes_.try_emplace(step);
-    if (is_new) at->second = made(step);
+    if (is_new) at->second = compile_step(step);
   }
 
   /// A method that does not suit the system, or a step that is too long, is reported by a sentence.
-  StepCode made(const StepSpec& step) {
+  StepCode compile_step(const StepSpec& step) {
     Products products = derived(step);
     if (!products.program) {
       const Diagnostic& error = *find_error(products.diagnostics);
       const bool is_for_others = error.code == Code::E622 || error.code == Code::E539;
-      return is_for_others ? refused(error.message) : StepCode{.failure = error.message};
+      return is_for_others ? refuse_step(error.message) : StepCode{.failure = error.message};
     }
-    keep_only({std::string(output_row(OutputKind::step).name),
-               std::string(output_row(OutputKind::projected).name)},
-              products);
+    keep_outputs({std::string(output_row(OutputKind::step).name),
+                  std::string(output_row(OutputKind::projected).name)},
+                 products);
     const Function& function =
         *std::ranges::find(products.program->functions, OutputKind::step, &Function::kind);
     const std::size_t length = function.instructions.size();
     if (length > longest_compiled || !is_returned(function)) {
-      return refused(
+      return refuse_step(
           fmt::format("{} has {} instructions and is not compiled", name_of_step(step), length));
     }
     process_.on_stage(fmt::format("compile {}", name_of_step(step)));
@@ -149,7 +150,7 @@ class RunBench {
     return {.loops = std::move(*loops)};
   }
 
-  StepCode refused(const std::string& sentence) {
+  StepCode refuse_step(const std::string& sentence) {
     if (std::ranges::find(refusals_, sentence) == refusals_.end()) refusals_.push_back(sentence);
     return {.has_rows = false};
   }
@@ -159,12 +160,12 @@ class RunBench {
     if (!code.has_rows) return;
     TradeoffRow row{.values = planned.values, .design = planned.design};
     row.failure = code.failure.substr(0, code.failure.find('\n'));
-    if (row.failure.empty()) judge(planned, code.loops, row);
+    if (row.failure.empty()) measure_error(planned, code.loops, row);
     table_.rows.push_back(std::move(row));
     steps_.push_back(planned.steps);
   }
 
-  void judge(const PlannedRun& planned, const StepLoops& loops, TradeoffRow& row) const {
+  void measure_error(const PlannedRun& planned, const StepLoops& loops, TradeoffRow& row) const {
     const CheckedModel& checked = *exact_.checked;
     const std::vector<double> last = end_of_run(checked, *exact_.program, loops, planned, time_);
     if (!std::ranges::all_of(last, [](double x) { return std::isfinite(x); })) {
@@ -172,10 +173,11 @@ class RunBench {
       return;
     }
     row.error = errors_of(last, reference_, checked.model);
-    // This error and the error it is compared with are both uncertain by `bar_`, hence twice.
-    row.error.least = std::max(row.error.worst - 2 * bar_, 0.0);
-    row.is_below_reference = row.error.worst <= bar_;
-    if (row.is_below_reference) row.error = {bar_, bar_, bar_};
+    // This error and the error it is compared with are both uncertain by `uncertainty_`, hence
+    // twice.
+    row.error.least = std::max(row.error.worst - 2 * uncertainty_, 0.0);
+    row.is_below_reference = row.error.worst <= uncertainty_;
+    if (row.is_below_reference) row.error = {uncertainty_, uncertainty_, uncertainty_};
   }
 
   void time_all() {
@@ -203,7 +205,8 @@ class RunBench {
   const BenchProcess& process_;
   Products exact_ = {};  ///< the equations and their start
   ReferenceRun reference_ = {};
-  double bar_ = 0;  ///< uncertainty of the reference in errors, at least that of rounding to double
+  double uncertainty_ =
+      0;  ///< uncertainty of the reference in errors, at least that of rounding to double
   std::map<StepSpec, StepCode> codes_ = {};
   TradeoffTable table_ = {};
   std::vector<std::size_t> steps_ = {};     ///< of each row
@@ -212,14 +215,14 @@ class RunBench {
 
 }  // namespace
 
-Result<MeasuredTable> measured_runs(const RunRequest& request, const BenchProcess& process) {
+Result<MeasuredTable> measure_runs(const RunRequest& request, const BenchProcess& process) {
   const double time = request.time;
   if (!(time > 0 && std::isfinite(time))) {
-    return no_such_run(fmt::format("`--trajectory {}` is not a positive number", time));
+    return impossible_run(fmt::format("`--trajectory {}` is not a positive number", time));
   }
   for (const double length : request.lengths) {
-    if (is_part(length, time)) continue;
-    return no_such_run(
+    if (divides_run(length, time)) continue;
+    return impossible_run(
         fmt::format("`--steps {}` does not divide {} s into whole steps", length, time));
   }
   return RunBench(request, process).measure();

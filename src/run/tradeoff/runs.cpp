@@ -27,16 +27,16 @@ double distance(double x, double y, bool wraps) {
 }
 
 /// Repeats every number `count` times.
-Numbers repeated(const Numbers& numbers, std::size_t count) {
+Numbers repeat(const Numbers& numbers, std::size_t count) {
   Numbers all;
   for (const double number : numbers) all.insert(all.end(), count, number);
   return all;
 }
 
 /// A run with steps of h s, one state at a time.
-PlannedRun planned(const StepMethodRow& method, std::uint32_t order, double h) {
+PlannedRun plan_run(const StepMethodRow& method, std::uint32_t order, double h) {
   const std::string length = fmt::format("{:g} s", h);
-  const StepSpec step = step_by(method.id, order == method.order ? 0 : order);
+  const StepSpec step = default_step(method.id, order == method.order ? 0 : order);
   return {{std::string(method.name), std::to_string(order), length, "one"},
           {.step = step, .doc = "For steps of " + length + "."},
           0};
@@ -44,7 +44,7 @@ PlannedRun planned(const StepMethodRow& method, std::uint32_t order, double h) {
 
 }  // namespace
 
-std::vector<PlannedRun> planned_runs(double time, const std::vector<double>& lengths) {
+std::vector<PlannedRun> plan_runs(double time, const std::vector<double>& lengths) {
   std::vector<double> counts;
   for (const double length : lengths) counts.push_back(std::round(time / length));
   if (lengths.empty()) counts.assign(steps_of_a_run.begin(), steps_of_a_run.end());
@@ -52,7 +52,7 @@ std::vector<PlannedRun> planned_runs(double time, const std::vector<double>& len
   for (const StepMethodRow& method : step_methods) {
     for (const std::uint32_t order : step_orders(method.order)) {
       for (const double steps : counts) {
-        PlannedRun run = planned(method, order, time / steps);
+        PlannedRun run = plan_run(method, order, time / steps);
         run.steps = static_cast<std::size_t>(steps);
         runs.push_back(run);
         run.values.back() = "packs";
@@ -90,10 +90,10 @@ TimedWork timed_steps(const CheckedModel& checked, const Program& program, const
   Numbers start = system.start();
   const std::size_t count = in_packs ? states_in_packs : 1;
   const std::size_t steps = in_packs ? steps_in_packs : steps_of_one;
-  const Numbers inputs = repeated(system.inputs(start.data(), system.v_of(start), 0), count);
+  const Numbers inputs = repeat(system.inputs(start.data(), system.v_of(start), 0), count);
   start.resize(system.positions() + system.velocities());
   start.resize(loops.entries);
-  const Numbers first = repeated(start, count);
+  const Numbers first = repeat(start, count);
   const StepLoop loop = in_packs ? loops.in_packs : loops.one;
   const auto work = [=, state = first, spare = first]() mutable {
     std::ranges::copy(first, state.begin());

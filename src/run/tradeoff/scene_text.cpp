@@ -23,7 +23,7 @@ std::string expression_text(const std::string& text) {
 }
 
 /// "a = 1"
-std::string assigned(const std::string& key, const std::string& value) {
+std::string assignment(const std::string& key, const std::string& value) {
   return fmt::format("{} = {}", toml_key(key), value);
 }
 
@@ -41,7 +41,7 @@ std::string value_text(const ValueSyntax& value) {
       return toml_list(parts);
     case ValueKind::table:
       for (const KeySyntax& key : value.entries) {
-        parts.push_back(assigned(key.key, value_text(key.value)));
+        parts.push_back(assignment(key.key, value_text(key.value)));
       }
       return toml_inline_table(parts);
   }
@@ -60,14 +60,14 @@ std::string start_of(const Model& model) {
   for (const Coordinate& coordinate : model.coordinates) {
     if (coordinate.rotation) continue;
     values.push_back(
-        assigned(coordinate.name, expression_text(exact_text(coordinate.start_value))));
+        assignment(coordinate.name, expression_text(exact_text(coordinate.start_value))));
   }
   return toml_inline_table(values);
 }
 
 /// "" without a value.
 std::string line(const std::string& key, const std::string& value) {
-  return value.empty() ? "" : assigned(key, value) + "\n";
+  return value.empty() ? "" : assignment(key, value) + "\n";
 }
 
 /// A design of steps has the sines that the scene has for functions of numbers.
@@ -91,10 +91,10 @@ class DesignText {
     return fmt::format("format = 1\nmodel = {}\nname = \"{}\"\n", toml_string(model_path), name()) +
            line("doc", design_.doc.empty() ? "" : toml_string(design_.doc)) +
            section("outputs", {line(output(), output_value()), line("projected", projected())}) +
-           section("parameters", {line("fixed", fixed())}) + section("sizes", own("sizes")) +
-           section("lock", own("lock")) + section("routh", own("routh")) +
-           section("functions", own("functions")) + section("approximate", approximation()) +
-           section("numeric", numeric()) +
+           section("parameters", {line("fixed", fixed())}) +
+           section("sizes", scene_value("sizes")) + section("lock", scene_value("lock")) +
+           section("routh", scene_value("routh")) + section("functions", scene_value("functions")) +
+           section("approximate", approximation()) + section("numeric", numeric()) +
            section("emit", {line("batch", design_.in_packs ? "true" : "")});
   }
 
@@ -107,12 +107,12 @@ class DesignText {
   }
 
   /// The value of a key in the scene; "" if the scene does not have the key.
-  [[nodiscard]] std::string own(const char* entry, const char* key) const {
+  [[nodiscard]] std::string scene_value(const char* entry, const char* key) const {
     const KeySyntax* const found = find_key(base_.scene, entry, key);
     return found == nullptr ? "" : value_text(found->value);
   }
 
-  [[nodiscard]] Lines own(const char* entry) const {
+  [[nodiscard]] Lines scene_value(const char* entry) const {
     Lines lines;
     const EntrySyntax* const found = find_entry(base_.scene, entry);
     if (found == nullptr) return lines;
@@ -167,14 +167,14 @@ class DesignText {
     Lines entries;
     for (const char* const name : {"form", "pivots"}) {
       const KeySyntax* const own = key == nullptr ? nullptr : key->value.find(name);
-      if (own != nullptr) entries.push_back(assigned(name, value_text(own->value)));
+      if (own != nullptr) entries.push_back(assignment(name, value_text(own->value)));
     }
     return entries.empty() ? "true" : toml_inline_table(entries);
   }
 
   /// Parameters that the scene fixes keep their values.
   [[nodiscard]] std::string fixed() const {
-    const std::string own_value = own("parameters", "fixed");
+    const std::string own_value = scene_value("parameters", "fixed");
     if (!design_.is_fixed) return own_value;
     const auto& known = base_.checked.scene.specialisation.fixed;
     if (known.empty()) return "\"all\"";
@@ -187,7 +187,7 @@ class DesignText {
           found == known.end() ? FixedValue{parameter.value, parameter.form} : found->second;
       const std::string text =
           value.form ? to_string(model, *value.form) : exact_text(value.number);
-      values.push_back(assigned(parameter.name, expression_text(text)));
+      values.push_back(assignment(parameter.name, expression_text(text)));
     }
     return toml_inline_table(values);
   }
@@ -196,17 +196,17 @@ class DesignText {
   [[nodiscard]] Lines approximation() const {
     if (design_.order == exact_design.order) return {};
     const bool is_expanded = !design_.order.empty();
-    const std::string about = own("approximate", "about");
-    return {line("order", is_expanded ? design_.order : own("approximate", "order")),
+    const std::string about = scene_value("approximate", "about");
+    return {line("order", is_expanded ? design_.order : scene_value("approximate", "order")),
             line("about", is_expanded && about.empty() ? start_of(base_.checked.model) : about),
-            line("small", own("approximate", "small"))};
+            line("small", scene_value("approximate", "small"))};
   }
 
   [[nodiscard]] Lines numeric() const {
     return {line("scalar", fmt::format("[\"{}\"]", name_of(design_.scalar))),
             line("inner", inner().empty() ? "" : toml_string(inner())),
-            line("form", own("numeric", "form")),
-            line("prefer", own("numeric", "prefer")),
+            line("form", scene_value("numeric", "form")),
+            line("prefer", scene_value("numeric", "prefer")),
             line("trigonometry", sines_of(design_, base_.checked.scene)),
             line("max_error",
                  base_.max_error ? expression_text(fmt::format("{}", *base_.max_error)) : ""),
@@ -223,7 +223,7 @@ class DesignText {
     const auto given = parse_options(base_.ranges, KeyType::range, Limits{});
     for (const KeySyntax& range : *given) ends[range.key] = value_text(range.value);
     Lines entries;
-    for (const auto& [name, range] : ends) entries.push_back(assigned(name, range));
+    for (const auto& [name, range] : ends) entries.push_back(assignment(name, range));
     return entries.empty() ? "" : toml_inline_table(entries);
   }
 

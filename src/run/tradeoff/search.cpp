@@ -1,4 +1,4 @@
-// found_errors: a pattern search (Hooke and Jeeves) for the state with the largest error of a
+// find_errors: a pattern search (Hooke and Jeeves) for the state with the largest error of a
 // design.
 //
 // Rounding errors jump from state to state, and also vary slowly over many states. Steps from 2^-1
@@ -29,14 +29,14 @@ constexpr double first_step = 0.25;
 constexpr double shortest_step = 0x1p-20;
 
 /// A leaf that the function reads, and its range.
-struct MovingNumber {
+struct SearchedLeaf {
   Opcode kind;
   std::uint32_t number;
   double low;
   double high;
 };
 
-void set(Arguments<double>& state, const MovingNumber& moving, double value) {
+void set(Arguments<double>& state, const SearchedLeaf& moving, double value) {
   const auto visit = [&](Opcode kind, std::uint32_t number, double& x) {
     if (kind == moving.kind && number == moving.number) x = value;
   };
@@ -44,11 +44,11 @@ void set(Arguments<double>& state, const MovingNumber& moving, double value) {
 }
 
 /// The leaves that the search varies; parameters keep their values.
-std::vector<MovingNumber> moving_numbers(const Function& function, const TradeoffStates& states) {
-  std::vector<MovingNumber> moving;
+std::vector<SearchedLeaf> searched_leaves(const Function& function, const TradeoffStates& states) {
+  std::vector<SearchedLeaf> moving;
   for (const Instruction& i : function.instructions) {
     if (!is_leaf(i.opcode) || i.opcode == Opcode::parameter) continue;
-    const MovingNumber found{i.opcode, i.a, leaf_of(states.low, i.opcode, i.a),
+    const SearchedLeaf found{i.opcode, i.a, leaf_of(states.low, i.opcode, i.a),
                              leaf_of(states.high, i.opcode, i.a)};
     if (found.low < found.high) moving.push_back(found);
   }
@@ -71,7 +71,7 @@ class ErrorSearch {
         reference_(program),
         parameters_(arguments_at<long double>(nominal_state(exact.model, exact.scene)).parameters),
         scales_(states),
-        moving_(moving_numbers(program.functions.front(), states)),
+        moving_(searched_leaves(program.functions.front(), states)),
         design_(design),
         states_searched_(searched_per_state * states.states.size()),
         draw_(states.seed) {}
@@ -88,7 +88,8 @@ class ErrorSearch {
   }
 
   /// The errors in 60 digits; 0 outside the domain.
-  [[nodiscard]] std::vector<double> confirmed(const std::vector<Arguments<double>>& states) const {
+  [[nodiscard]] std::vector<double> exact_errors(
+      const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {
       return exact_entries(exact_, program_, state);
     });
@@ -121,8 +122,8 @@ class ErrorSearch {
     });
   }
 
-  [[nodiscard]] Arguments<double> moved(const Climb& climb, const MovingNumber& number,
-                                        double share) const {
+  [[nodiscard]] Arguments<double> neighbour_state(const Climb& climb, const SearchedLeaf& number,
+                                                  double share) const {
     Arguments<double> state = climb.state;
     const double from = leaf_of(state, number.kind, number.number);
     const double to = from + share * climb.step * (number.high - number.low);
@@ -135,22 +136,22 @@ class ErrorSearch {
   [[nodiscard]] std::vector<Arguments<double>> neighbours(const std::vector<Climb>& climbs) {
     std::vector<Arguments<double>> states;
     for (const Climb& climb : climbs) {
-      for (const MovingNumber& number : moving_) {
+      for (const SearchedLeaf& number : moving_) {
         const double share = draw_.share();
-        states.push_back(moved(climb, number, share));
-        states.push_back(moved(climb, number, -share));
+        states.push_back(neighbour_state(climb, number, share));
+        states.push_back(neighbour_state(climb, number, -share));
       }
     }
     return states;
   }
 
   /// Changes every number in the direction in which changing it alone increases the error.
-  [[nodiscard]] Arguments<double> together(const Climb& climb, const Arguments<double>* near,
-                                           const double* errors) const {
+  [[nodiscard]] Arguments<double> joint_state(const Climb& climb, const Arguments<double>* near,
+                                              const double* errors) const {
     Arguments<double> state = climb.state;
     for (std::size_t k = 0; k < moving_.size(); ++k) {
       const std::size_t worse = errors[2 * k] >= errors[2 * k + 1] ? 2 * k : 2 * k + 1;
-      const MovingNumber& number = moving_[k];
+      const SearchedLeaf& number = moving_[k];
       if (errors[worse] <= climb.error) continue;
       set(state, number, leaf_of(near[worse], number.kind, number.number));
     }
@@ -164,20 +165,21 @@ class ErrorSearch {
     const std::vector<double> errors = errors_at(near);
     std::vector<Arguments<double>> joint;
     for (std::size_t c = 0; c < climbs.size(); ++c) {
-      joint.push_back(together(climbs[c], &near[c * each], &errors[c * each]));
+      joint.push_back(joint_state(climbs[c], &near[c * each], &errors[c * each]));
     }
     const std::vector<double> of_joint = errors_at(joint);
     for (std::size_t c = 0; c < climbs.size(); ++c) {
       Climb& climb = climbs[c];
       const double before = climb.error;
-      for (std::size_t k = c * each; k < (c + 1) * each; ++k) take(climb, near[k], errors[k]);
-      take(climb, joint[c], of_joint[c]);
+      for (std::size_t k = c * each; k < (c + 1) * each; ++k)
+        keep_if_worse(climb, near[k], errors[k]);
+      keep_if_worse(climb, joint[c], of_joint[c]);
       climb.step = climb.error > before ? std::min(2 * climb.step, longest_step) : climb.step / 2;
       if (climb.step < shortest_step) climb.step = first_step;
     }
   }
 
-  static void take(Climb& climb, const Arguments<double>& state, double error) {
+  static void keep_if_worse(Climb& climb, const Arguments<double>& state, double error) {
     if (error > climb.error) climb = {state, error, climb.step};
   }
 
@@ -186,7 +188,7 @@ class ErrorSearch {
   RoundedProgram<long double> reference_;
   std::vector<long double> parameters_;  ///< exact values
   FieldScales scales_;
-  std::vector<MovingNumber> moving_;
+  std::vector<SearchedLeaf> moving_;
   const DesignValues& design_;
   std::size_t states_searched_;
   Sampler draw_;
@@ -194,8 +196,8 @@ class ErrorSearch {
 
 }  // namespace
 
-FoundErrors found_errors(const CheckedModel& exact, const Program& program,
-                         const TradeoffStates& states, const DesignValues& design) {
+FoundErrors find_errors(const CheckedModel& exact, const Program& program,
+                        const TradeoffStates& states, const DesignValues& design) {
   const std::vector<double> errors = state_errors(design(states.states), states);
   std::vector<std::size_t> order(errors.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -208,7 +210,7 @@ FoundErrors found_errors(const CheckedModel& exact, const Program& program,
   }
   ErrorSearch search(exact, program, states, design);
   const std::vector<Arguments<double>> ends = search.search(std::move(climbs));
-  const std::vector<double> confirmed = search.confirmed(ends);
+  const std::vector<double> confirmed = search.exact_errors(ends);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (confirmed[i] <= found.worst) continue;
     found.worst = confirmed[i];

@@ -16,15 +16,15 @@ namespace {
 /// Replaces the range of the leaf that `narrowed` names.
 void narrow(const Model& model, const NamedRange& narrowed, LeafValues<Range>& ranges) {
   const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
-    const bool is_named = is_of_state(kind) && leaf_text(model, kind, i) == narrowed.name;
+    const bool is_named = is_in_state(kind) && leaf_text(model, kind, i) == narrowed.name;
     if (is_named) range = {narrowed.low, narrowed.high};
   };
   for_each_leaf(visit, ranges);
 }
 
 ExactNumber exact_number(const cln::cl_R& value) {
-  const double high = ScalarTraits<double>::from_real(value);
-  return {high, ScalarTraits<double>::from_real(value - exact_value(high))};
+  const double high = to_double(value);
+  return {high, to_double(value - exact_value(high))};
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ Cells cells_of(const TradeoffTable& table, const TradeoffRow& row) {
 
 /// "" if no row is picked.
 std::string pick_line(const TradeoffTable& table) {
-  const TradeoffRow* const row = picked(table);
+  const TradeoffRow* const row = picked_row(table);
   if (row == nullptr) return "";
   std::string cost = fmt::format("{:.4g} {}", row->cost.median, table.cost);
   if (!table.call_cost.empty()) {
@@ -55,7 +55,7 @@ std::string pick_line(const TradeoffTable& table) {
                      cost, row->error.worst);
 }
 
-Json json_of(const Spread& spread) {
+Json json_of(const Quartiles& spread) {
   return {{"median", spread.median}, {"low", spread.low}, {"high", spread.high}};
 }
 
@@ -104,7 +104,7 @@ std::string to_text(const TradeoffTable& table) {
       "\ndesigns of one rank cost the same: at most {0} times the cheapest, or with overlapping "
       "quartiles\n*: more accurate than every * above, by a factor of {0} and beyond the noise of "
       "both\n",
-      alike_within);
+      equality_factor);
   for (const std::string& sentence : table.sentences) text += sentence + '\n';
   return text +
          fmt::format("measured on {}, {}\n", table.machine.processor, table.machine.compiler) +
@@ -125,7 +125,7 @@ std::string to_json(const TradeoffTable& table) {
             {"sentences", table.sentences}};
   if (!table.call_cost.empty()) json["call_cost"] = table.call_cost;
   if (table.max_error) {
-    const TradeoffRow* const row = picked(table);
+    const TradeoffRow* const row = picked_row(table);
     json["max_error"] = *table.max_error;
     json["pick"] = row == nullptr ? Json(nullptr) : json_of(table, *row);
   }
@@ -146,7 +146,7 @@ std::string to_csv(const TradeoffTable& table) {
                 ? fmt::format("{},{},{},{},{},{},{},{},{:d},{:d},\n", row.rank, median, low, high,
                               call > 0 ? fmt::format("{}", call) : "", row.error.worst,
                               row.error.median, row.error.least, row.is_on_pareto_front,
-                              &row == picked(table))
+                              &row == picked_row(table))
                 : fmt::format(",,,,,,,,0,0,{}\n", csv_cell(row.failure));
   }
   return text;

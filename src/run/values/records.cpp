@@ -39,7 +39,7 @@ ValueFunction function_of(const Model& model, const OutputRequest& output) {
                 [&](Opcode kind) { return kind != Opcode::input && leaf_count(model, kind) == 0; });
   for (const FieldRow& row : output_row(output.kind).fields) {
     const bool is_left_out = row.rows == Extent::pivots && output.without_pivots;
-    if (!is_left_out && gives_field(output, row))
+    if (!is_left_out && has_field(output, row))
       function.fields.push_back(field_of(model, output, row));
   }
   std::erase_if(function.fields, [](const ValueField& field) { return field.units.empty(); });
@@ -51,26 +51,26 @@ ValueFunction function_of(const Model& model, const OutputRequest& output) {
 ValueTable table_of(const CheckedModel& checked, int digits) {
   ValueTable table{checked.model, checked.scene.base_name, digits};
   for (const OutputRequest& output : checked.scene.outputs) {
-    if (output_row(output.kind).repeats) continue;
+    if (output_row(output.kind).is_summary) continue;
     table.functions.push_back(function_of(checked.model, output));
   }
   return table;
 }
 
-Diagnostic no_value(std::string_view name, const Span& span, const SettledValues& settled) {
-  const std::string text = settled.is_told
+Diagnostic no_value(std::string_view name, const Span& span, const StableValues& settled) {
+  const std::string text = settled.is_decided
                                ? "has no value at this state"
                                : fmt::format(
                                      "is undecided at this state: {} digits do not distinguish its "
                                      "values from 0, or a number in them is too large",
-                                     most_settled_digits);
+                                     max_stable_digits);
   return {Code::E521, span, in_backticks(name) + " " + text};
 }
 
 Result<ValueRecord> record_at(const ValueTable& table, std::size_t function, std::string place,
                               const State& state) {
   const OutputRequest& output = table.functions[function].output;
-  SettledValues settled = settled_values(table.model, output, state);
+  StableValues settled = stable_values(table.model, output, state);
   OracleValues& values = settled.values;
   if (!values) return no_value(output.name, output.span, settled);
   if (output.without_pivots) {

@@ -17,6 +17,6 @@ namespace elgen {
 
 /// E521 for an output or input without settled values.
 [[nodiscard]] Diagnostic no_value(std::string_view name, const Span& span,
-                                  const SettledValues& settled);
+                                  const StableValues& settled);
 
 }  // namespace elgen

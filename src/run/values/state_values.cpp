@@ -37,7 +37,7 @@ Result<State> stated_state(const CheckedModel& checked, const std::vector<Stated
     const Input& input = model.inputs[i];
     const ExpressionId* const law = find_law(checked.scene, input);
     if (law == nullptr) continue;
-    const SettledValues value = settled_expression(model, *law, state);
+    const StableValues value = stable_expression_value(model, *law, state);
     if (!value.values) return no_value(input.name, model.expressions[*law].span, value);
     state.u[i] = value.values->front();
   }
@@ -52,7 +52,7 @@ Result<ValueTable> state_values(const CheckedModel& checked, const StateOptions&
   const std::vector<StatedLeaf> leaves = stated_leaves(checked, start);
   const auto time = std::ranges::find(leaves, Opcode::time, &StatedLeaf::kind);
   const cl_R& t = time == leaves.end() ? start.t : time->value;
-  const Result<CheckedModel> from = options.projects ? assembled_model(checked, t) : checked;
+  const Result<CheckedModel> from = options.projects ? assemble_model(checked, t) : checked;
   if (!from) return from.diagnostics;
   const Result<State> state = stated_state(*from, leaves);
   if (!state) return state.diagnostics;

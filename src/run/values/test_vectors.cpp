@@ -55,7 +55,7 @@ std::vector<VectorState> drawn_states(const Subject& subject, const VectorOption
   for (std::size_t i = 0; i < options.samples; ++i) {
     VectorState& next = states.emplace_back(state_number(subject, i, draw));
     next.drawn = exact_state(subject, arguments_at<double>(next.drawn));
-    next.kept = on_constraints(subject.model, next.drawn);
+    next.kept = move_onto_constraints(subject.model, next.drawn);
   }
   return states;
 }
@@ -129,7 +129,7 @@ Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& prog
   ValueTable table = table_of(checked, digits_of_double);
   if (!checked.model.constraints.empty()) {
     const auto is_unmet = [](const VectorState& at) { return !at.kept; };
-    table.unmet = static_cast<std::size_t>(std::ranges::count_if(states, is_unmet));
+    table.skipped_states = static_cast<std::size_t>(std::ranges::count_if(states, is_unmet));
   }
   for (std::size_t i = 0; i < table.functions.size(); ++i) {
     const std::size_t known = table.records.size();
@@ -145,7 +145,7 @@ Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& prog
     errors.push_back(
         {Code::E521, table.functions[i].output.span,
          fmt::format("{} has no value at {}", in_backticks(table.functions[i].output.name),
-                     counted(states.size(), "state that was drawn"))});
+                     count_text(states.size(), "state that was drawn"))});
   }
   if (!errors.empty()) return errors;
   return table;

@@ -28,7 +28,7 @@ LeafSet set_of(const std::vector<Opcode>& kinds) {
 }
 
 /// The kinds of leaves that at least one function takes.
-LeafSet taken_by(const ValueTable& table) {
+LeafSet argument_kinds(const ValueTable& table) {
   LeafSet kinds;
   for (const ValueFunction& function : table.functions) kinds |= set_of(function.takes);
   return kinds;
@@ -55,7 +55,7 @@ std::string field_text(const std::string& title, const ValueField& field,
 
 /// "theta = 0.1, dot(theta) = 2.0": all leaves that functions take, except parameters.
 std::string state_text(const ValueTable& table, const State& state) {
-  const LeafSet kinds = taken_by(table);
+  const LeafSet kinds = argument_kinds(table);
   std::vector<std::string> parts;
   const auto add = [&](Opcode kind, std::uint32_t number, const cln::cl_R& value) {
     if (kind == Opcode::parameter || !kinds.has_any(kind)) return;
@@ -150,14 +150,14 @@ std::string to_json(const ValueTable& table) {
   std::vector<std::string> records;
   for (const ValueRecord& record : table.records) records.push_back(record_json(table, record));
   const std::string unmet =
-      table.unmet ? fmt::format(" \"off_constraints\": {},\n", *table.unmet) : "";
+      table.skipped_states ? fmt::format(" \"off_constraints\": {},\n", *table.skipped_states) : "";
   return fmt::format(
       "{{\"name\": \"{}\",\n{} \"functions\": [\n  {}\n ],\n \"values\": [\n  {}\n ]}}\n",
       table.name, unmet, fmt::join(functions, ",\n  "), fmt::join(records, ",\n  "));
 }
 
 std::string to_csv(const ValueTable& table) {
-  const LeafSet kinds = taken_by(table);
+  const LeafSet kinds = argument_kinds(table);
   std::string text = "function,field,row,column,unit,value,digits,state";
   for (const LeafRow& row : leaf_table()) {
     if (!kinds.has_any(row.id) || leaf_count(table.model, row.id) == 0) continue;
@@ -166,12 +166,12 @@ std::string to_csv(const ValueTable& table) {
   text += "\n";
   for (const ValueRecord& record : table.records) {
     const ValueFunction& function = table.functions[record.function];
-    const LeafSet taken = set_of(function.takes);
+    const LeafSet own_kinds = set_of(function.takes);
     std::string cells = record.place;
     for_each_leaf(
         [&](Opcode kind, std::uint32_t, const cln::cl_R& value) {
           if (!kinds.has_any(kind)) return;
-          cells += "," + (taken.has_any(kind) ? decimal_text(value, table.digits) : "");
+          cells += "," + (own_kinds.has_any(kind) ? decimal_text(value, table.digits) : "");
         },
         record.state);
     std::size_t entry = 0;
@@ -191,10 +191,10 @@ std::string to_csv(const ValueTable& table) {
 
 std::string to_header(const ValueTable& table) {
   const std::string unmet =
-      table.unmet.value_or(0) == 0
+      table.skipped_states.value_or(0) == 0
           ? ""
           : fmt::format("\n   {} omitted: not projected onto the constraints.",
-                        counted(*table.unmet, "state"));
+                        count_text(*table.skipped_states, "state"));
   std::string text = fmt::format(
       "/* Test vectors of {0}: arguments of its functions and their values, row-major, one field\n"
       "   after the other. digits: the significant digits of a value that a double keeps.{2} */\n"

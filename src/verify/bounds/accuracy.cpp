@@ -34,8 +34,8 @@ Obstacle obstacle_of(Regime regime) {
   return regime == Regime::unsettled ? Obstacle::unsettled : Obstacle::undefined;
 }
 
-void add(FieldRecord& record, const Finding& finding, bool is_inside, const Subject& subject,
-         const State& state) {
+void record_finding(FieldRecord& record, const Finding& finding, bool is_inside,
+                    const Subject& subject, const State& state) {
   if (!finding.is_compared) ++record.skipped[obstacle_of(finding.regime)];
   record.skipped_inside += !finding.is_compared && is_inside ? 1 : 0;
   if (record.mistake.empty() && !finding.mistake.empty()) {
@@ -153,7 +153,7 @@ CertificateRow CodeRecord::row(const Subject& subject, std::string_view scalar) 
   row.check = row.output = check_.check;
   row.subject = fmt::format("all outputs ({})", scalar);
   row.formula = check_.formula;
-  errors_.tell(row, subject, check_.most);
+  errors_.write_result(row, subject, check_.most);
   row.samples = states_.size();
   row.tolerance = check_.tolerance;
   if (row.samples == 0) {
@@ -175,7 +175,7 @@ class LostDigits {
            const State& state, std::size_t at) {
     if (!finding.loss) return;
     states_.insert(at);
-    untold_ += finding.loss->untold;
+    without_reference_ += finding.loss->without_reference;
     const auto record = [&](Worst& worst, const LostEntry& lost) {
       if (lost.figure <= worst.figure) return;
       worst = {lost.figure, name_of(place) + index_text(place.field(), lost.entry),
@@ -199,7 +199,7 @@ class LostDigits {
   };
 
   std::set<std::size_t> states_ = {};
-  std::size_t untold_ = 0;  ///< entries at states with R = 0
+  std::size_t without_reference_ = 0;  ///< entries at states with R = 0
   Worst of_entry_ = {};
   Worst of_field_ = {};
 };
@@ -222,9 +222,10 @@ CertificateRow LostDigits::row(ScalarKind scalar) const {
   row.worst = fmt::format("{:.1f} digits{} (of the largest entry {:.1f})", of_entry,
                           of_entry_.entry.empty() ? "" : " of " + of_entry_.entry, of_field);
   if (is_grave && of_field_.entry != of_entry_.entry) row.worst += ", in " + of_field_.entry;
-  if (untold_ > 0)
+  if (without_reference_ > 0)
     row.worst +=
-        fmt::format("; R is 0 {}", untold_ == 1 ? "once" : fmt::format("{} times", untold_));
+        fmt::format("; R is 0 {}",
+                    without_reference_ == 1 ? "once" : fmt::format("{} times", without_reference_));
   row.where = told.where;
   row.tolerance = fmt::format(
       "never fails; noted if the largest entry of a field loses more than {:.1f} of the {} digits "
@@ -253,7 +254,7 @@ std::vector<CertificateRow> rows_at(const Subject& subject,
     for (std::size_t k = 0; k < records.size(); ++k) {
       if (!findings[k]) continue;
       FieldRecord& record = records[k];
-      add(record, *findings[k], is_inside, subject, state);
+      record_finding(record, *findings[k], is_inside, subject, state);
       losses[record.place.function].add(record.place, *findings[k], subject, state, i);
       as_users.add(subject_of(record.place, scalar), findings[k]->users, state, i);
       wide.add(subject_of(record.place, scalar), findings[k]->wide, state, i);

@@ -24,7 +24,7 @@ struct AccuracyOptions {
 using Findings = std::vector<std::optional<Finding>>;
 
 /// Receives the index of a state and its findings.
-using TakeFindings = std::function<void(std::size_t at, const Findings& findings)>;
+using FindingsHandler = std::function<void(std::size_t at, const Findings& findings)>;
 
 /// Visits all states in this process, or shared by several processes. Findings and their order are
 /// the same. Each process visits the next free state. If a process fails, this process visits all
@@ -32,7 +32,7 @@ using TakeFindings = std::function<void(std::size_t at, const Findings& findings
 /// double or float.
 template <class Scalar>
 void visit_all(const Subject& subject, const std::vector<SampledState<Scalar>>& states,
-               const AccuracyOptions& options, const TakeFindings& take);
+               const AccuracyOptions& options, const FindingsHandler& take);
 
 /// One row per output and field. One row for the code as users compile it, if given. One row per
 /// output for its lost digits, if options.visit.losing asks for it. A state fails in four cases:

@@ -53,8 +53,7 @@ Real excess_error(double x, const Real& exact, std::size_t operations,
 double in_roundoffs(const Real& excess, const Real& scale, const Rounding<Real>& rounding) {
   if (excess.is_defined() && cln::zerop(excess.value())) return 0;
   const Real figure = excess / (rounding.roundoff * scale);
-  return figure.is_defined() ? ScalarTraits<double>::from_real(figure.value())
-                             : std::numeric_limits<double>::infinity();
+  return figure.is_defined() ? to_double(figure.value()) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace elgen

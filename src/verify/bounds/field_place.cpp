@@ -10,7 +10,7 @@ namespace {
 
 /// The request to the oracle for a field.
 OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
-  const bool repeats = output_row(function.kind).repeats;
+  const bool repeats = output_row(function.kind).is_summary;
   const OutputRequest* const asked =
       find_request(subject.scene, repeats ? field.name : function.name);
   if (asked != nullptr && (repeats || asked->kind == function.kind)) return *asked;
@@ -32,7 +32,7 @@ ClosedForm form_of(const Program& program, std::size_t index, const Field& field
                    std::size_t first) {
   const Function& function = program.functions[index];
   if (function.form != Form::closed) return {};
-  if (!output_row(function.kind).repeats) {
+  if (!output_row(function.kind).is_summary) {
     const bool is_readable =
         index < program.readable.size() && !program.readable[index].fields.empty();
     return is_readable ? ClosedForm{&program.readable[index], first} : ClosedForm{};
@@ -48,7 +48,7 @@ ClosedForm form_of(const Program& program, std::size_t index, const Field& field
 
 std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) {
   const Function& function = subject.program.functions[index];
-  const bool holds_others = output_row(function.kind).repeats;
+  const bool holds_others = output_row(function.kind).is_summary;
   std::vector<FieldPlace> places;
   std::size_t first = 0;
   for (std::size_t i = 0; i < function.fields.size(); ++i) {

@@ -193,7 +193,7 @@ Loss Losses::of_field(const FieldPlace& place, const ExactRun& run, const std::v
       break;
     }
     const std::optional<double> figure = figure_of(place, run, group, errors, exact);
-    if (!figure) ++loss.untold;
+    if (!figure) ++loss.without_reference;
     if (figure.value_or(0) > loss.of_entry.figure) loss.of_entry = {*figure, group.entry};
   }
   return loss;

@@ -45,9 +45,9 @@ struct LostEntry {
 
 /// The largest losses of a field.
 struct Loss {
-  LostEntry of_entry = {};  ///< in u R of the entry
-  LostEntry of_field = {};  ///< in u of the largest entry
-  std::size_t untold = 0;   ///< entries with an error but R = 0
+  LostEntry of_entry = {};            ///< in u R of the entry
+  LostEntry of_field = {};            ///< in u of the largest entry
+  std::size_t without_reference = 0;  ///< entries with an error but R = 0
 };
 
 class Losses {

@@ -14,7 +14,7 @@ namespace {
 constexpr int digits_of_error = 50;
 /// The oracle promises 60 digits. The other eight allow for long sums: the entries of a projection,
 /// and the oracle's own derivatives.
-constexpr int digits_of_drowning = 52;
+constexpr int digits_of_scale = 52;
 
 }  // namespace
 
@@ -43,12 +43,12 @@ const cln::cl_R& OracleCache::energy() {
   return *energy_;
 }
 
-const cln::cl_R& OracleCache::drowning() {
-  if (!drowning_) {
-    drowning_ =
+const cln::cl_R& OracleCache::rounding_scale() {
+  if (!rounding_scale_) {
+    rounding_scale_ =
         energy() + force() + inertia() + cln::square(largest_of(state_.v)) + largest_of(state_.a);
   }
-  return *drowning_;
+  return *rounding_scale_;
 }
 
 cln::cl_R OracleCache::force() {
@@ -72,19 +72,19 @@ cln::cl_R OracleCache::inertia() {
 
 bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning) {
   static const Real of_error(power_of_ten(-digits_of_error));
-  static const Real of_drowning(power_of_ten(-digits_of_drowning));
+  static const Real scale_tolerance(power_of_ten(-digits_of_scale));
   const Real error = number.error.is_defined() ? number.error : Real();
-  const Real allowed = (error + abs(truth)) * of_error + drowning * of_drowning;
+  const Real allowed = (error + abs(truth)) * of_error + drowning * scale_tolerance;
   return abs(number.value - truth) <= allowed;
 }
 
 bool agrees_with_oracle(const Running<Real>& number, const cln::cl_R& truth, OracleCache& oracle) {
   return agrees(number, Real(truth), Real()) ||
          agrees(number, Real(truth), Real(oracle.energy())) ||
-         agrees(number, Real(truth), Real(oracle.drowning()));
+         agrees(number, Real(truth), Real(oracle.rounding_scale()));
 }
 
-bool is_settled(const Mismatch& before, const Mismatch& now) {
+bool is_stable(const Mismatch& before, const Mismatch& now) {
   static const Real share(power_of_ten(-digits_of_error));
   const auto size = [](const Real& x) { return x.is_defined() ? abs(x) : Real(); };
   const Real allowed = share * (size(now.value) + size(now.truth));

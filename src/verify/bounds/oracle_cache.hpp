@@ -34,7 +34,7 @@ class OracleCache {
   ///     |force| of the motion    differences of forces (drift), if larger than |E|
   ///     |M| (|v| + |a|)          derivatives of inertial forces if M does not depend on q
   ///     |v|^2 + |a|              accelerations of points and frames, also without energies
-  [[nodiscard]] const cln::cl_R& drowning();
+  [[nodiscard]] const cln::cl_R& rounding_scale();
 
  private:
   const Subject& subject_;
@@ -42,7 +42,7 @@ class OracleCache {
   std::map<std::pair<OutputKind, std::uint32_t>, OracleValues> known_ = {};
   std::optional<std::vector<cln::cl_R>> diagonal_ = {};
   std::optional<cln::cl_R> energy_ = {};
-  std::optional<cln::cl_R> drowning_ = {};
+  std::optional<cln::cl_R> rounding_scale_ = {};
 
   [[nodiscard]] cln::cl_R force();
   [[nodiscard]] cln::cl_R inertia();
@@ -52,7 +52,7 @@ class OracleCache {
 /// exactly zero, whose E is too small. An undefined number never agrees.
 [[nodiscard]] bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning);
 
-/// agrees() with 0, the oracle's energy() or its drowning() as `drowning`.
+/// agrees() with 0, the oracle's energy() or its rounding_scale() as `rounding_scale`.
 [[nodiscard]] bool agrees_with_oracle(const Running<Real>& number, const cln::cl_R& truth,
                                       OracleCache& oracle);
 
@@ -64,7 +64,7 @@ struct Mismatch {
 };
 
 /// True if more digits changed neither number by more than 1e-50 of the sum of both magnitudes.
-[[nodiscard]] bool is_settled(const Mismatch& before, const Mismatch& now);
+[[nodiscard]] bool is_stable(const Mismatch& before, const Mismatch& now);
 
 /// "1.5", or "undefined".
 [[nodiscard]] std::string short_text(const Real& value);

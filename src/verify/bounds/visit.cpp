@@ -32,7 +32,7 @@ unsigned most_digits(const Program& program) {
 /// in both, and quotients by x^2 agree but are wrong. Second derivatives of such quotients contain
 /// powers of x up to the eighth. Parameters do not count, because they are near their nominal
 /// values.
-double telling_digits(const State& state) {
+double sufficient_digits(const State& state) {
   double farthest = 0;
   const auto look = [&farthest](Opcode kind, std::uint32_t, const cln::cl_R& x) {
     if (kind == Opcode::parameter) return;
@@ -51,8 +51,7 @@ double ulps_apart(Scalar x, const Real& truth) {
   const Scalar magnitude = std::abs(ScalarTraits<Scalar>::from_real(truth.value()));
   const Scalar next = std::nextafter(magnitude, std::numeric_limits<Scalar>::infinity());
   const Real difference = abs(Real(exact_value(static_cast<double>(x))) - truth);
-  return ScalarTraits<double>::from_real(difference.value()) /
-         static_cast<double>(next - magnitude);
+  return to_double(difference.value()) / static_cast<double>(next - magnitude);
 }
 
 Mismatch mismatch(std::size_t entry, const Real& value, const Real& truth) {
@@ -62,8 +61,8 @@ Mismatch mismatch(std::size_t entry, const Real& value, const Real& truth) {
 }
 
 /// The function with one field that a field of `dynamics` repeats; null if there is none.
-const Function* repeated(const Program& program, const FieldPlace& place) {
-  if (!output_row(place.function->kind).repeats) return nullptr;
+const Function* repeated_function(const Program& program, const FieldPlace& place) {
+  if (!output_row(place.function->kind).is_summary) return nullptr;
   const auto found = std::ranges::find(program.functions, place.field().name, &Function::name);
   return found == program.functions.end() || found->fields.size() != 1 ? nullptr : &*found;
 }
@@ -76,7 +75,7 @@ Visit<Scalar>::Visit(const Subject& subject, const SampledState<Scalar>& sample,
     : subject_(subject),
       sample_(sample),
       options_(options),
-      sines_(subject.scene, SinesOf::numbers),
+      sines_(subject.scene, SineArithmetic::numbers),
       oracle_(subject, exact_state(subject, sample.values)),
       losses_(subject, oracle_, rounding<Scalar>(), options.least_loss) {}
 
@@ -95,7 +94,7 @@ void Visit<Scalar>::run(const FieldPlace& place) {
   exact_ = &exact_run_of(*function_);
   values_ = evaluate_code(subject_.program, *function_, sample_.values, sines_);
   wide_values_.clear();
-  if (options_.wide != nullptr && suits_inner()) {
+  if (options_.wide != nullptr && fits_inner_scalar()) {
     wide_values_ = options_.wide->call(function_->name, sample_.values);
   }
   if (options_.as_users == nullptr) return;
@@ -123,15 +122,16 @@ Mismatch Visit<Scalar>::differing_entry(const FieldPlace& place, Finding& findin
 }
 
 template <class Scalar>
-Mismatch Visit<Scalar>::differing_from(const FieldPlace& place, const Function& other_function,
-                                       std::size_t first, std::string_view name) {
+Mismatch Visit<Scalar>::compare_with_entries(const FieldPlace& place,
+                                             const Function& other_function, std::size_t first,
+                                             std::string_view name) {
   const ExactRun& others = exact_run_of(other_function);
   for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
     const Running<Real>& own = exact(place, i);
     Running<Real> other = others.entries[first + i];
     // Outside of nominal states, one form may have a value while another is 0/0.
-    const bool may_lack = sample_.region != Region::nominal || !own.value.is_defined();
-    if (may_lack && !other.value.is_defined()) continue;
+    const bool may_be_missing = sample_.region != Region::nominal || !own.value.is_defined();
+    if (may_be_missing && !other.value.is_defined()) continue;
     other.error = other.error + own.error;
     if (agrees(other, own.value, Real())) continue;
     return {fmt::format("entry {} is {}, but {} in {}", i + 1, short_text(own.value),
@@ -143,8 +143,9 @@ Mismatch Visit<Scalar>::differing_from(const FieldPlace& place, const Function& 
 
 template <class Scalar>
 Mismatch Visit<Scalar>::differing_projection(const FieldPlace& place, Sampler& draw) {
-  const Function* const same = repeated(subject_.program, place);
-  if (same != nullptr) return differing_from(place, *same, 0, "the function of the same name");
+  const Function* const same = repeated_function(subject_.program, place);
+  if (same != nullptr)
+    return compare_with_entries(place, *same, 0, "the function of the same name");
   // An undefined entry is compared with the oracle only. Outside of the domain its closed form may
   // have a value although the solution has none.
   bool is_defined = true;
@@ -153,7 +154,7 @@ Mismatch Visit<Scalar>::differing_projection(const FieldPlace& place, Sampler& d
   }
   if (place.form.function != nullptr && is_defined) {
     Mismatch differs =
-        differing_from(place, *place.form.function, place.form.first, "its closed form");
+        compare_with_entries(place, *place.form.function, place.form.first, "its closed form");
     if (!differs.text.empty()) return differs;
   }
   return compare_projection(subject_, place, *exact_, oracle_, draw);
@@ -186,14 +187,14 @@ void Visit<Scalar>::measure(const FieldPlace& place, Finding& finding) const {
 }
 
 template <class Scalar>
-template <class Judge>
-CodeFinding Visit<Scalar>::judged(const FieldPlace& place, const std::vector<Scalar>& values,
-                                  double most, const Judge& judge) const {
+template <class Reference>
+CodeFinding Visit<Scalar>::compare_code(const FieldPlace& place, const std::vector<Scalar>& values,
+                                        double most, const Reference& reference_of) const {
   const std::size_t operations = place.function->instructions.size();
   CodeFinding finding{0.0, {}};
   for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
     const Scalar x = values[place.first + i];
-    const auto [reference, size] = judge(i);
+    const auto [reference, size] = reference_of(i);
     const Real error = excess_error(x, reference, operations, rounding<Scalar>());
     const double figure = in_roundoffs(error, size, rounding<Scalar>());
     if (figure <= *finding.error) continue;
@@ -206,21 +207,21 @@ CodeFinding Visit<Scalar>::judged(const FieldPlace& place, const std::vector<Sca
 }
 
 template <class Scalar>
-CodeFinding Visit<Scalar>::judged_users(const FieldPlace& place) const {
+CodeFinding Visit<Scalar>::compare_users_code(const FieldPlace& place) const {
   if (options_.as_users == nullptr) return {};
-  return judged(place, users_values_, most_of_users, [&](std::size_t i) {
+  return compare_code(place, users_values_, most_of_users, [&](std::size_t i) {
     const Real own(exact_value(static_cast<double>(values_[place.first + i])));
     return std::pair(own, exact(place, i).error);
   });
 }
 
 template <class Scalar>
-CodeFinding Visit<Scalar>::judged_wide(const FieldPlace& place) const {
+CodeFinding Visit<Scalar>::compare_wide_code(const FieldPlace& place) const {
   if (wide_values_.empty()) return {};
   const double ratio = inner_row(subject_.scene.numerics.inner).roundoff /
-                       ScalarTraits<double>::from_real(rounding<Scalar>().roundoff.value());
+                       to_double(rounding<Scalar>().roundoff.value());
   const Real share(exact_value(most_of_users * ratio));
-  return judged(place, wide_values_, most_of_wide, [&](std::size_t i) {
+  return compare_code(place, wide_values_, most_of_wide, [&](std::size_t i) {
     const Running<Real>& truth = exact(place, i);
     const Real& error = in_float_.empty() ? truth.error : in_float_[place.first + i].error;
     return std::pair(truth.value, abs(truth.value) + share * error);
@@ -229,7 +230,7 @@ CodeFinding Visit<Scalar>::judged_wide(const FieldPlace& place) const {
 
 /// Float rounds arguments and has a smaller range.
 template <class Scalar>
-bool Visit<Scalar>::suits_inner() {
+bool Visit<Scalar>::fits_inner_scalar() {
   in_float_.clear();
   if (subject_.scene.numerics.inner != InnerScalar::single_precision) return true;
   const ExactRun run = exact_run(subject_.program, *function_, state(), rounding<float>());
@@ -267,8 +268,8 @@ std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place) {
 template <class Scalar>
 bool Visit<Scalar>::may_lose(const FieldPlace& place) const {
   const bool is_inside = sample_.region == Region::nominal || sample_.region == Region::near_zero;
-  const bool is_looked_at = options_.losing == Losing::everywhere ||
-                            (options_.losing == Losing::inside_ranges && is_inside);
+  const bool is_looked_at = options_.loss_states == LossStates::everywhere ||
+                            (options_.loss_states == LossStates::inside_ranges && is_inside);
   return is_looked_at && !place.is_remainder() && losses_.knows_angles();
 }
 
@@ -276,7 +277,7 @@ template <class Scalar>
 Finding Visit<Scalar>::look_at(const FieldPlace& place, Sampler& draw) {
   const Sampler directions = draw;
   Look look = found(place, draw);
-  const double telling = telling_digits(state());
+  const double sufficient = sufficient_digits(state());
   const unsigned most = most_digits(subject_.program);
   for (unsigned digits = digits_of_first_look; !look.mismatch.text.empty(); digits *= 2) {
     if (digits >= most) return Finding{.regime = Regime::unsettled};
@@ -284,7 +285,7 @@ Finding Visit<Scalar>::look_at(const FieldPlace& place, Sampler& draw) {
       Sampler same = directions;
       return Visit(subject_, sample_, options_).found(place, same);
     });
-    const bool is_told = digits >= telling && is_settled(look.mismatch, closer.mismatch);
+    const bool is_told = digits >= sufficient && is_stable(look.mismatch, closer.mismatch);
     if (is_told) return closer.finding;
     look = std::move(closer);
   }
@@ -309,8 +310,8 @@ auto Visit<Scalar>::found(const FieldPlace& place, Sampler& draw) -> Look {
   if (finding.regime != Regime::regular) return look;
   measure(place, finding);
   if (!finding.mistake.empty()) return look;
-  finding.users = judged_users(place);
-  finding.wide = judged_wide(place);
+  finding.users = compare_users_code(place);
+  finding.wide = compare_wide_code(place);
   return look;
 }
 

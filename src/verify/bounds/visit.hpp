@@ -60,13 +60,13 @@ struct Finding {
 };
 
 /// The states at which losses are measured.
-enum class Losing : std::uint8_t { nowhere, inside_ranges, everywhere };
+enum class LossStates : std::uint8_t { nowhere, inside_ranges, everywhere };
 
 /// The options of a visit.
 struct VisitOptions {
   Comparison comparison = Comparison::entries;
-  Losing losing = Losing::nowhere;  ///< states at which losses are measured
-  double least_loss = 0;            ///< smaller losses are not computed, because R is costly
+  LossStates loss_states = LossStates::nowhere;  ///< states at which losses are measured
+  double least_loss = 0;  ///< smaller losses are not computed, because R is costly
   const CompiledModel* as_users = nullptr;  ///< compared with the program; supports the scalar
   const CompiledModel* wide = nullptr;      ///< compared with exact values; supports the scalar
 };
@@ -100,18 +100,19 @@ class Visit {
   [[nodiscard]] Mismatch differing_entry(const FieldPlace& place, Finding& finding);
   [[nodiscard]] Mismatch differing_projection(const FieldPlace& place, Sampler& draw);
   /// Compares with the entries of another function from `first` on.
-  [[nodiscard]] Mismatch differing_from(const FieldPlace& place, const Function& other,
-                                        std::size_t first, std::string_view name);
+  [[nodiscard]] Mismatch compare_with_entries(const FieldPlace& place, const Function& other,
+                                              std::size_t first, std::string_view name);
   [[nodiscard]] bool has_finite_values(const FieldPlace& place) const;
   void measure(const FieldPlace& place, Finding& finding) const;
-  /// `judge`: the reference value of entry i, and the scale of its error, which is multiplied by u.
-  template <class Judge>
-  [[nodiscard]] CodeFinding judged(const FieldPlace& place, const std::vector<Scalar>& values,
-                                   double most, const Judge& judge) const;
-  [[nodiscard]] CodeFinding judged_users(const FieldPlace& place) const;
-  [[nodiscard]] CodeFinding judged_wide(const FieldPlace& place) const;
+  /// `reference_of`: the reference value of entry i, and the scale of its error, which is
+  /// multiplied by u.
+  template <class Reference>
+  [[nodiscard]] CodeFinding compare_code(const FieldPlace& place, const std::vector<Scalar>& values,
+                                         double most, const Reference& reference_of) const;
+  [[nodiscard]] CodeFinding compare_users_code(const FieldPlace& place) const;
+  [[nodiscard]] CodeFinding compare_wide_code(const FieldPlace& place) const;
   /// True if the inner scalar can hold all intermediate values; sets `in_float_`.
-  bool suits_inner();
+  bool fits_inner_scalar();
   /// None if an entry has no exact value.
   [[nodiscard]] std::optional<Loss> measured_loss(const FieldPlace& place);
   [[nodiscard]] bool may_lose(const FieldPlace& place) const;

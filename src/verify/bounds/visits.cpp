@@ -20,7 +20,7 @@ namespace {
 
 /// Calls `pass` with every member in turn.
 template <class AnyFinding, class Pass>
-void each_member(AnyFinding& finding, const Pass& pass) {
+void for_each_member(AnyFinding& finding, const Pass& pass) {
   auto& [regime, is_compared, is_finite, mistake, errors, loss, users, wide] = finding;
   const auto all = [&pass](auto&... members) { (pass(members), ...); };
   all(regime, is_compared, is_finite, mistake, errors, loss, users.error, users.mistake, wide.error,
@@ -38,7 +38,7 @@ class FindingsFile {
     put(findings.size());
     for (const std::optional<Finding>& finding : findings) {
       put(finding.has_value());
-      if (finding) each_member(*finding, [this](const auto& member) { put(member); });
+      if (finding) for_each_member(*finding, [this](const auto& member) { put(member); });
     }
   }
   void flush() const { demand(std::fflush(file_.get()) == 0); }
@@ -51,7 +51,7 @@ class FindingsFile {
     for (std::optional<Finding>& finding : findings) {
       bool has_value = false;
       get(has_value);
-      if (has_value) each_member(finding.emplace(), [this](auto& member) { get(member); });
+      if (has_value) for_each_member(finding.emplace(), [this](auto& member) { get(member); });
     }
     return findings;
   }
@@ -104,11 +104,11 @@ class Visits {
          const AccuracyOptions& options)
       : subject_(subject), states_(states), options_(options), places_(field_places(subject)) {}
 
-  void make(const TakeFindings& take) const {
+  void make(const FindingsHandler& take) const {
     const std::size_t jobs = std::min(options_.jobs, states_.size());
-    if (jobs > 1 && make_shared_out(jobs, take)) return;
+    if (jobs > 1 && visit_in_processes(jobs, take)) return;
     for (std::size_t i = 0; i < states_.size(); ++i) {
-      tell(i);
+      report_step(i);
       take(i, findings_at(i));
     }
   }
@@ -127,7 +127,7 @@ class Visits {
   }
 
   /// False if a process failed; then `take` was not called.
-  [[nodiscard]] bool make_shared_out(std::size_t jobs, const TakeFindings& take) const {
+  [[nodiscard]] bool visit_in_processes(std::size_t jobs, const FindingsHandler& take) const {
     const std::vector<FindingsFile> files(jobs);
     if (!std::ranges::all_of(files, &FindingsFile::is_open)) return false;
     SharedArray<std::atomic<std::size_t>> next(1);
@@ -139,7 +139,7 @@ class Visits {
       }
       files[job].flush();
     };
-    const ForkedEnding ending = run_forked(jobs, work, [&] { tell(next[0]); });
+    const ForkedEnding ending = run_forked(jobs, work, [&] { report_step(next[0]); });
     if (ending.ending == Ending::out_of_time) (void)std::raise(SIGXCPU);
     if (!ending.succeeded()) return false;
     for (const FindingsFile& file : files) file.rewind();
@@ -148,7 +148,7 @@ class Visits {
   }
 
   /// `at`: index of the state.
-  void tell(std::size_t at) const {
+  void report_step(std::size_t at) const {
     if (!options_.on_step) return;
     options_.on_step(fmt::format("accuracy in {}, state {} of {}", name_of(scalar_kind<Scalar>),
                                  std::min(at + 1, states_.size()), states_.size()));
@@ -164,13 +164,13 @@ class Visits {
 
 template <class Scalar>
 void visit_all(const Subject& subject, const std::vector<SampledState<Scalar>>& states,
-               const AccuracyOptions& options, const TakeFindings& take) {
+               const AccuracyOptions& options, const FindingsHandler& take) {
   Visits<Scalar>(subject, states, options).make(take);
 }
 
 template void visit_all(const Subject&, const std::vector<SampledState<double>>&,
-                        const AccuracyOptions&, const TakeFindings&);
+                        const AccuracyOptions&, const FindingsHandler&);
 template void visit_all(const Subject&, const std::vector<SampledState<float>>&,
-                        const AccuracyOptions&, const TakeFindings&);
+                        const AccuracyOptions&, const FindingsHandler&);
 
 }  // namespace elgen

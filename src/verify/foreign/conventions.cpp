@@ -27,7 +27,7 @@ IntegerMatrix identity(std::size_t size) {
   return result;
 }
 
-IntegerMatrix product(const IntegerMatrix& a, const IntegerMatrix& b) {
+IntegerMatrix compose_permutations(const IntegerMatrix& a, const IntegerMatrix& b) {
   IntegerMatrix result{a.size, std::vector<int>(a.entries.size())};
   for (std::size_t i = 0; i < a.size; ++i) {
     for (std::size_t j = 0; j < a.size; ++j) {
@@ -53,15 +53,15 @@ Convention identity(const Model& model) {
 }
 
 /// The composition: first `b`, then `a`.
-Convention both(const Convention& a, const Convention& b) {
+Convention compose_conventions(const Convention& a, const Convention& b) {
   std::vector<int> half_turns = a.half_turns;
   for (std::size_t i = 0; i < half_turns.size(); ++i) {
     for (std::size_t j = 0; j < half_turns.size(); ++j) {
       half_turns[i] += a.S.at(i, j) * b.half_turns[j];
     }
   }
-  return {a.name + ", " + b.name, product(a.S, b.S), product(b.inverse, a.inverse), half_turns,
-          product(a.U, b.U)};
+  return {a.name + ", " + b.name, compose_permutations(a.S, b.S),
+          compose_permutations(b.inverse, a.inverse), half_turns, compose_permutations(a.U, b.U)};
 }
 
 /// Other directions and zeros, for each coordinate and input.
@@ -76,7 +76,7 @@ std::vector<std::vector<Convention>> choices(const Model& model) {
     Convention turn = same;
     turn.name = fmt::format("its `{0}` is `{0} + pi`", coordinate.name);
     turn.half_turns[i] = 1;
-    Convention opposite = both(turn, mirror);
+    Convention opposite = compose_conventions(turn, mirror);
     opposite.name = fmt::format("its `{0}` is `pi - {0}`", coordinate.name);
     all.push_back({mirror});
     if (is_angle(coordinate)) all.back() = {mirror, turn, opposite};
@@ -126,7 +126,7 @@ void add_orders(const Model& model, std::vector<Convention>& all) {
 }
 
 /// The map times each block of rows of x that has its size; the empty map does not change x.
-RealNumbers times(const IntegerMatrix& map, const RealNumbers& x, std::size_t columns = 1) {
+RealNumbers apply_map(const IntegerMatrix& map, const RealNumbers& x, std::size_t columns = 1) {
   const std::size_t n = map.size;
   if (n == 0) return x;
   RealNumbers y(x.size());
@@ -142,7 +142,7 @@ RealNumbers times(const IntegerMatrix& map, const RealNumbers& x, std::size_t co
 }
 
 /// x + sign pi c.
-RealNumbers turned(const Convention& convention, RealNumbers x, int sign) {
+RealNumbers add_half_turns(const Convention& convention, RealNumbers x, int sign) {
   const cl_R pi = (Real(4) * atan(Real(1))).value();
   for (std::size_t i = 0; i < convention.half_turns.size(); ++i) {
     const int turns = sign * convention.half_turns[i];
@@ -177,7 +177,7 @@ std::vector<Convention> conventions(const Model& model) {
   for (std::size_t i = 0; i < single.size() && all.size() < most_conventions; ++i) {
     for (std::size_t j = i + 1; j < single.size(); ++j) {
       for (const Convention& a : single[i]) {
-        for (const Convention& b : single[j]) all.push_back(both(a, b));
+        for (const Convention& b : single[j]) all.push_back(compose_conventions(a, b));
       }
     }
   }
@@ -185,11 +185,11 @@ std::vector<Convention> conventions(const Model& model) {
 }
 
 State our_state(const Convention& convention, State theirs) {
-  theirs.q = times(convention.inverse, turned(convention, theirs.q, -1));
-  theirs.v = times(convention.inverse, theirs.v);
-  theirs.a = times(convention.inverse, theirs.a);
-  theirs.momenta = times(transposed(convention.S), theirs.momenta);
-  theirs.u = times(convention.U, theirs.u);
+  theirs.q = apply_map(convention.inverse, add_half_turns(convention, theirs.q, -1));
+  theirs.v = apply_map(convention.inverse, theirs.v);
+  theirs.a = apply_map(convention.inverse, theirs.a);
+  theirs.momenta = apply_map(transposed(convention.S), theirs.momenta);
+  theirs.u = apply_map(convention.U, theirs.u);
   return theirs;
 }
 
@@ -204,11 +204,11 @@ std::vector<cl_R> their_values(const Model& model, const Convention& convention,
   const bool is_rate = output_row(output.kind).solves || row.unit == UnitRule::row ||
                        row.unit == UnitRule::row_per_second;
   RealNumbers values =
-      times(map_of(convention, leaf_along(row.rows), is_rate), ours, field.columns);
+      apply_map(map_of(convention, leaf_along(row.rows), is_rate), ours, field.columns);
   const bool is_place = leaf_along(row.rows) == Opcode::coordinate && row.unit == UnitRule::row;
-  if (is_place) values = turned(convention, values, 1);
+  if (is_place) values = add_half_turns(convention, values, 1);
   const IntegerMatrix of_columns = map_of(convention, leaf_along(row.columns), false);
-  values = times(of_columns, transposed(values, field.columns), field.rows);
+  values = apply_map(of_columns, transposed(values, field.columns), field.rows);
   return transposed(values, field.rows);
 }
 

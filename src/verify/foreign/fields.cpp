@@ -23,7 +23,7 @@ ForeignFields fields_of(const Model& model, const OutputRequest& output) {
     const ForeignField field{&rows[i], first_entry_of(model, output, i),
                              extent_of(model, rows[i].rows, output.user),
                              extent_of(model, rows[i].columns, output.user)};
-    if (gives_field(output, rows[i]) && field.size() > 0) fields.push_back(field);
+    if (has_field(output, rows[i]) && field.size() > 0) fields.push_back(field);
   }
   return fields;
 }
@@ -74,7 +74,7 @@ Result<ForeignFields> claimed_fields(const CheckedModel& checked, const ForeignC
   const std::string name = in_backticks(claim.output);
   const OutputRequest* const output = find_request(checked.scene, claim.output);
   if (output == nullptr) return Diagnostic{Code::E601, {}, name + " is not one output"};
-  if (output_row(output->kind).repeats) {
+  if (output_row(output->kind).is_summary) {
     return Diagnostic{
         Reason::repeats_outputs, {}, name + " repeats other outputs", "name one of these"};
   }

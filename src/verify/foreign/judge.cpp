@@ -1,4 +1,5 @@
-// judge_foreign: compares answers with the oracle and explains in which situations they are wrong.
+// compare_foreign_code: compares answers with the oracle and explains in which situations they are
+// wrong.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -59,11 +60,11 @@ bool may_be_rounding(const RealNumbers& largest) {
 }
 
 /// The row of one claim: answers are compared with the oracle, then explained.
-class ForeignJudge {
+class ForeignComparison {
  public:
   /// `fields`: the fields of the claim; `is_moved`: states are moved onto the constraints.
-  ForeignJudge(const Subject& subject, const ForeignOptions& options, const OutputRequest& output,
-               ForeignFields fields, bool is_moved)
+  ForeignComparison(const Subject& subject, const ForeignOptions& options,
+                    const OutputRequest& output, ForeignFields fields, bool is_moved)
       : subject_(subject),
         options_(options),
         output_(output),
@@ -86,22 +87,23 @@ class ForeignJudge {
     const auto answers = call_foreign({options_.code, claim.name, options_.seconds}, subject_.model,
                                       output_, called);
     if (!answers) return answers.diagnostics;
-    if (!all_answered(*answers, called)) return row_;
+    if (!has_all_answers(*answers, called)) return row_;
     compare(*answers);
     if (row_.verdict != Verdict::fails) return row_;
-    find(when());
+    add_finding(wrong_situations());
     if (tally_.worst() <= digits_of_float) {
-      find(fmt::format("agrees at all states to {:.0e}, the precision of float", tally_.worst()));
+      add_finding(
+          fmt::format("agrees at all states to {:.0e}, the precision of float", tally_.worst()));
     } else {
-      find(ignored(*answers, called, changed));
-      find(factor());
-      find(convention());
+      add_finding(ignored_parameters(*answers, called, changed));
+      add_finding(factor());
+      add_finding(convention());
     }
     return row_;
   }
 
  private:
-  void find(const std::string& finding) {
+  void add_finding(const std::string& finding) {
     if (!finding.empty()) row_.findings.push_back(finding);
   }
 
@@ -115,13 +117,13 @@ class ForeignJudge {
   /// The oracle's entries of the compared fields. If terms cancel, more digits distinguish a value
   /// from rounding.
   [[nodiscard]] OracleValues truth_at(const State& state) const {
-    OracleValues truth = compared(oracle_values(subject_.model, output_, state));
+    OracleValues truth = compared_entries(oracle_values(subject_.model, output_, state));
     if (!truth || !may_be_rounding(largest_by_field(*truth))) return truth;
-    OracleValues told = compared(settled_values(subject_.model, output_, state).values);
+    OracleValues told = compared_entries(stable_values(subject_.model, output_, state).values);
     return told ? told : truth;
   }
 
-  [[nodiscard]] OracleValues compared(const OracleValues& values) const {
+  [[nodiscard]] OracleValues compared_entries(const OracleValues& values) const {
     if (!values) return std::nullopt;
     RealNumbers all;
     for (const ForeignField& field : fields_) {
@@ -155,16 +157,16 @@ class ForeignJudge {
     });
   }
 
-  bool all_answered(const ForeignAnswers& answers, const States& states);
+  bool has_all_answers(const ForeignAnswers& answers, const States& states);
   void compare(const ForeignAnswers& answers);
 
   [[nodiscard]] bool is_wrong(Situation situation) const {
     return wrong_[static_cast<std::size_t>(situation)].value_or(false);
   }
 
-  [[nodiscard]] std::string when() const;
-  [[nodiscard]] std::string ignored(const ForeignAnswers& answers, const States& states,
-                                    const std::vector<std::uint32_t>& changed) const;
+  [[nodiscard]] std::string wrong_situations() const;
+  [[nodiscard]] std::string ignored_parameters(const ForeignAnswers& answers, const States& states,
+                                               const std::vector<std::uint32_t>& changed) const;
   [[nodiscard]] std::string factor() const;
   [[nodiscard]] std::string convention() const;
 
@@ -176,24 +178,24 @@ class ForeignJudge {
   ForeignStates states_ = {};
   CertificateRow row_ = {};
   std::vector<ForeignSample> samples_ = {};
-  RealNumbers least_ = {};  ///< lower bounds of the scales, by field
+  RealNumbers least_scales_ = {};  ///< lower bounds of the scales, by field
   Tally tally_ = {};
   std::array<std::optional<bool>, situation_count> wrong_ = {};  ///< none: not compared
 };
 
-Deviation ForeignJudge::deviation(const std::vector<double>& answer,
-                                  const RealNumbers& truth) const {
+Deviation ForeignComparison::deviation(const std::vector<double>& answer,
+                                       const RealNumbers& truth) const {
   const RealNumbers largest = largest_by_field(truth);
   Deviation worst;
   std::size_t place = 0;
   for (std::size_t k = 0; k < fields_.size(); ++k) {
-    const cl_R scale = cln::max(largest[k], least_[k]);
+    const cl_R scale = cln::max(largest[k], least_scales_[k]);
     for (std::size_t i = 0; i < fields_[k].size(); ++i, ++place) {
       const double given = answer[place];
       const cl_R difference = cln::abs(exact_value(given) - truth[place]);
       const bool is_told = std::isfinite(given) && !cln::zerop(scale);
-      double error = is_told ? ScalarTraits<double>::from_real(difference / scale)
-                             : std::numeric_limits<double>::infinity();
+      double error =
+          is_told ? to_double(difference / scale) : std::numeric_limits<double>::infinity();
       if (std::isfinite(given) && cln::zerop(difference)) error = 0;
       if (error > worst.error) worst = {error, place, k, i};
     }
@@ -203,7 +205,7 @@ Deviation ForeignJudge::deviation(const std::vector<double>& answer,
 
 /// True if every state has an answer of the right size. Otherwise the row fails and names the first
 /// state without an answer. Answers do not count if the code fails after the last one.
-bool ForeignJudge::all_answered(const ForeignAnswers& answers, const States& states) {
+bool ForeignComparison::has_all_answers(const ForeignAnswers& answers, const States& states) {
   const ForeignFields claimed = fields_;
   const std::size_t count = answers.values.empty() ? 0 : answers.values.front().size();
   fields_ = answered_fields(claimed, count);
@@ -215,23 +217,23 @@ bool ForeignJudge::all_answered(const ForeignAnswers& answers, const States& sta
   row_.verdict = Verdict::fails;
   if (at < states.size()) row_.where = describe(subject_, exact_state(subject_, states[at]));
   if (other == answers.values.end()) {
-    row_.worst = fmt::format("{}, after {}", answers.failure, counted(at, "answer"));
+    row_.worst = fmt::format("{}, after {}", answers.failure, count_text(at, "answer"));
   } else {
     const ForeignField& first = fields_.front();
     const std::string shape = fields_.size() == 1
                                   ? fmt::format("{} x {}", first.rows, first.columns)
                                   : std::to_string(size_of(fields_));
-    row_.worst = fmt::format("gives {} for {} entries", counted(other->size(), "number"), shape);
-    if (claimed.size() > 1) find("its fields are " + sizes_text(claimed));
+    row_.worst = fmt::format("gives {} for {} entries", count_text(other->size(), "number"), shape);
+    if (claimed.size() > 1) add_finding("its fields are " + sizes_text(claimed));
   }
-  if (!answers.said.empty()) find("its words" + answers.said);
+  if (!answers.error_output.empty()) add_finding("its words" + answers.error_output);
   return false;
 }
 
 /// If all entries of a field at a state are smaller than 1e-6 of the largest at all states, errors
 /// are relative to this bound: terms that cancel exactly leave 1e-16 of the largest.
-void ForeignJudge::compare(const ForeignAnswers& answers) {
-  least_.assign(fields_.size(), 0);
+void ForeignComparison::compare(const ForeignAnswers& answers) {
+  least_scales_.assign(fields_.size(), 0);
   for (std::size_t i = 0; i < states_.values.size(); ++i) {
     State state = exact_state(subject_, states_.values[i]);
     const OracleValues truth = truth_at(state);
@@ -241,7 +243,7 @@ void ForeignJudge::compare(const ForeignAnswers& answers) {
     }
     const RealNumbers largest = largest_by_field(*truth);
     for (std::size_t k = 0; k < largest.size(); ++k) {
-      least_[k] = cln::max(least_[k], largest[k] * power_of_ten(-6));
+      least_scales_[k] = cln::max(least_scales_[k], largest[k] * power_of_ten(-6));
     }
     samples_.push_back({states_.situations[i], std::move(state), *truth, answers.values[i]});
   }
@@ -252,14 +254,14 @@ void ForeignJudge::compare(const ForeignAnswers& answers) {
     if (!tally_.add(error, state)) continue;
     row_.worst = fmt::format("{} is {:.10g}, the oracle says {:.10g}",
                              name_of_entry(subject_.model, output_, fields_[field], entry),
-                             answer[place], ScalarTraits<double>::from_real(truth[place]));
+                             answer[place], to_double(truth[place]));
   }
-  tally_.tell(row_, subject_, options_.tolerance);
+  tally_.write_result(row_, subject_, options_.tolerance);
   if (states_.unmet > 0) row_.skipped.push_back({Obstacle::unmet, states_.unmet});
   if (samples_.empty()) {
     row_.worst = "the oracle has no value at any state";
   } else if (row_.verdict == Verdict::holds) {
-    const std::string where = counted(samples_.size(), "state");
+    const std::string where = count_text(samples_.size(), "state");
     row_.worst = fmt::format("agrees at {} to {:.1g}", where, tally_.worst());
     if (!fields_.front().row->name.empty()) row_.worst += " in " + names_text(fields_);
   } else if (std::isfinite(tally_.worst())) {
@@ -267,7 +269,7 @@ void ForeignJudge::compare(const ForeignAnswers& answers) {
   }
 }
 
-std::string ForeignJudge::when() const {
+std::string ForeignComparison::wrong_situations() const {
   const std::string_view drive = drive_of(output_);
   const bool moves = is_wrong(Situation::moving);
   const bool drives = is_wrong(Situation::driven);
@@ -282,12 +284,13 @@ std::string ForeignJudge::when() const {
 
 /// Names the parameters that the code ignores. `changed`: parameters that differ from the first
 /// state, one for each state behind the compared ones.
-std::string ForeignJudge::ignored(const ForeignAnswers& answers, const States& states,
-                                  const std::vector<std::uint32_t>& changed) const {
+std::string ForeignComparison::ignored_parameters(const ForeignAnswers& answers,
+                                                  const States& states,
+                                                  const std::vector<std::uint32_t>& changed) const {
   const OracleValues truth = truth_at(exact_state(subject_, states.front()));
   if (!truth) return {};
   std::vector<double> before;
-  for (const cl_R& value : *truth) before.push_back(ScalarTraits<double>::from_real(value));
+  for (const cl_R& value : *truth) before.push_back(to_double(value));
   std::vector<std::string> names;
   for (std::size_t i = 0; i < changed.size(); ++i) {
     const std::size_t other = states_.values.size() + i;
@@ -300,7 +303,7 @@ std::string ForeignJudge::ignored(const ForeignAnswers& answers, const States& s
 }
 
 /// A common quotient of all entries at all states: another unit, sign, length or inertia.
-std::string ForeignJudge::factor() const {
+std::string ForeignComparison::factor() const {
   const ForeignSample& first = samples_.front();
   const auto largest = std::ranges::max_element(first.truth, std::ranges::less(),
                                                 [](const cl_R& x) { return cln::abs(x); });
@@ -313,11 +316,10 @@ std::string ForeignJudge::factor() const {
     return OracleValues(std::move(values));
   };
   if (cln::zerop(quotient) || !agrees(scaled)) return {};
-  return fmt::format("is {:.6g} times the oracle's value at all states",
-                     ScalarTraits<double>::from_real(quotient));
+  return fmt::format("is {:.6g} times the oracle's value at all states", to_double(quotient));
 }
 
-std::string ForeignJudge::convention() const {
+std::string ForeignComparison::convention() const {
   for (const Convention& convention : conventions(subject_.model)) {
     const auto expected = [&](const ForeignSample& sample) {
       const OracleValues ours = truth_at(our_state(convention, sample.state));
@@ -338,7 +340,7 @@ std::string ForeignJudge::convention() const {
 
 LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outputs) {
   LeafNames leaves = leaf_names(model);
-  for (const OutputRequest& output : outputs) name_taken(output.takes, leaves);
+  for (const OutputRequest& output : outputs) name_optional_leaves(output.takes, leaves);
   return leaves;
 }
 
@@ -352,21 +354,23 @@ Diagnostic disagreement(const Model& model, const CertificateRow& row) {
 
 /// The row of one claim. Code that fails on the constraints is also judged off them, because an
 /// output such as x^2 + y^2 - l^2 is pure rounding on them.
-Result<CertificateRow> judged_row(const Subject& subject, const ForeignOptions& options,
-                                  const ForeignFields& fields, const ForeignClaim& claim) {
+Result<CertificateRow> claim_row(const Subject& subject, const ForeignOptions& options,
+                                 const ForeignFields& fields, const ForeignClaim& claim) {
   const OutputRequest& output = *find_request(subject.scene, claim.output);
   const bool is_moved = is_compared_on_constraints(subject.model, output.kind);
   Result<CertificateRow> row =
-      ForeignJudge(subject, options, output, fields, is_moved).judge(claim);
+      ForeignComparison(subject, options, output, fields, is_moved).judge(claim);
   const bool is_wrong = row && row->verdict == Verdict::fails && row->samples > 0;
   if (!is_moved || !is_wrong) return row;
-  Result<CertificateRow> off = ForeignJudge(subject, options, output, fields, false).judge(claim);
+  Result<CertificateRow> off =
+      ForeignComparison(subject, options, output, fields, false).judge(claim);
   return off && off->verdict == Verdict::holds ? off : row;
 }
 
 }  // namespace
 
-Result<Verification> judge_foreign(const CheckedModel& checked, const ForeignOptions& options) {
+Result<Verification> compare_foreign_code(const CheckedModel& checked,
+                                          const ForeignOptions& options) {
   const auto& [model, scene] = checked;
   Program program;
   program.leaves = leaves_for(model, scene.outputs);
@@ -376,7 +380,7 @@ Result<Verification> judge_foreign(const CheckedModel& checked, const ForeignOpt
   for (const ForeignClaim& claim : options.claims) {
     const Result<ForeignFields> fields = claimed_fields(checked, claim);
     if (!fields) return fields.diagnostics;
-    Result<CertificateRow> row = judged_row(subject, options, *fields, claim);
+    Result<CertificateRow> row = claim_row(subject, options, *fields, claim);
     if (!row) return row.diagnostics;
     if (row->verdict == Verdict::fails) result.diagnostics.push_back(disagreement(model, *row));
     result.certificate.rows.push_back(std::move(*row));

@@ -32,7 +32,7 @@ Arguments<double> state_in(Situation situation, const Subject& subject,
 /// Moves the state onto the constraints; false if no step of Newton's method reaches them.
 bool meet_constraints(const Subject& subject, OutputKind output, Arguments<double>& state) {
   const State drawn = exact_state(subject, state);
-  std::optional<State> kept = on_constraints(subject.model, drawn);
+  std::optional<State> kept = move_onto_constraints(subject.model, drawn);
   if (!kept) return false;
   const auto moved =
       arguments_at<double>(compared_state(subject.model, output, drawn, std::move(*kept)));

@@ -12,13 +12,13 @@ namespace elgen {
 Kinks::Kinks(const Model& model) : model_(model) {
   for (ExpressionId id = 0; id < model.expressions.size(); ++id) {
     const Expression& e = model.expressions[id];
-    if (e.kind == ExpressionKind::function && is_kinked(e.function)) left_.push_back({id});
+    if (e.kind == ExpressionKind::function && is_kinked(e.function)) incomplete_.push_back({id});
   }
 }
 
 bool Kinks::add(const State& state) {
   bool is_new = false;
-  for (Kink& kink : left_) {
+  for (Kink& kink : incomplete_) {
     const std::vector<ExpressionId>& arguments = model_.expressions[kink.call].operands;
     auto side = oracle_expression(model_, arguments.front(), state);
     if (side && arguments.size() > 1) {
@@ -30,13 +30,13 @@ bool Kinks::add(const State& state) {
     is_new = is_new || !seen;
     seen = true;
   }
-  std::erase_if(left_, [](const Kink& kink) { return kink.below && kink.above; });
+  std::erase_if(incomplete_, [](const Kink& kink) { return kink.below && kink.above; });
   return is_new;
 }
 
 std::string Kinks::unseen() const {
   std::vector<std::string> texts;
-  for (const Kink& kink : left_) {
+  for (const Kink& kink : incomplete_) {
     const std::string text = in_backticks(model_.expressions[kink.call].span);
     if (std::ranges::count(texts, text) == 0) texts.push_back(text);
   }

@@ -23,7 +23,7 @@ class Kinks {
   /// the arguments of kinks that have not been seen on both sides.
   bool add(const State& state);
 
-  [[nodiscard]] bool are_seen() const { return left_.empty(); }
+  [[nodiscard]] bool all_are_seen() const { return incomplete_.empty(); }
 
   /// "`max(x - 5, 0)`, `abs(y)`": the calls that have not been seen on both sides.
   [[nodiscard]] std::string unseen() const;
@@ -36,7 +36,7 @@ class Kinks {
   };
 
   const Model& model_;
-  std::vector<Kink> left_ = {};
+  std::vector<Kink> incomplete_ = {};
 };
 
 }  // namespace elgen

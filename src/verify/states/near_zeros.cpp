@@ -29,21 +29,21 @@ constexpr int grids =
 constexpr double vanishing = 1e-10;
 
 /// A sum that depends on positions only: rates are random, or 0.
-struct SoughtSum {
+struct PositionSum {
   ExpressionId id = 0;
   std::set<std::uint32_t> coordinates = {};
 };
 
-std::vector<SoughtSum> typed_sums(const Model& model) {
+std::vector<PositionSum> typed_sums(const Model& model) {
   constexpr LeafSet others =
       Opcode::velocity | Opcode::acceleration | Opcode::open_value | Opcode::momentum;
-  std::vector<SoughtSum> sums;
-  for (const ExpressionId id : reached(model, equation_roots(model))) {
+  std::vector<PositionSum> sums;
+  for (const ExpressionId id : reachable_from(model, equation_roots(model))) {
     if (sums.size() == most_states) break;  // no more sums can be visited
-    if (model.expressions[id].kind != ExpressionKind::add || holds_leaf(model, id, others))
+    if (model.expressions[id].kind != ExpressionKind::add || contains_leaf(model, id, others))
       continue;
-    SoughtSum sum{id};
-    for (const ExpressionId below : reached(model, {id})) {
+    PositionSum sum{id};
+    for (const ExpressionId below : reachable_from(model, {id})) {
       const Expression& e = model.expressions[below];
       if (is_leaf(e, Opcode::coordinate) && !model.coordinates[e.index].rotation) {
         sum.coordinates.insert(e.index);
@@ -67,17 +67,17 @@ class NearZeros {
                                    most_work / (subject.model.expressions.size() + 1))) {}
 
   std::vector<SampledState<double>> make() {
-    const std::vector<SoughtSum> sums = typed_sums(subject_.model);
+    const std::vector<PositionSum> sums = typed_sums(subject_.model);
     Arguments<double> common = drawn_within(subject_, ranges_, draw_);
     std::set<std::uint32_t> held;
-    for (const SoughtSum& sum : sums) take_if_zero(sum, common, held);
+    for (const PositionSum& sum : sums) add_zero_of(sum, common, held);
     // The number of distances is odd, so two rounds cover each at rest and in motion.
     for (int i = 0; i < 2 && !held.empty(); ++i) add_near(common, held);
-    for (const SoughtSum& sum : sums) {
+    for (const PositionSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {
         if (states_.size() >= most_) break;
         Arguments<double> at = drawn_within(subject_, ranges_, draw_);
-        if (moves_to_zero(sum, coordinate, at)) add_near(at, {coordinate});
+        if (move_to_zero(sum, coordinate, at)) add_near(at, {coordinate});
       }
     }
     if (states_.size() > most_) states_.resize(most_);
@@ -86,16 +86,16 @@ class NearZeros {
 
  private:
   /// Infinite if the sum has no value, or if no evaluations remain.
-  double size_of(const SoughtSum& sum, const Arguments<double>& at) {
+  double size_of(const PositionSum& sum, const Arguments<double>& at) {
     constexpr double none = std::numeric_limits<double>::infinity();
     if (evaluations_left_ == 0) return none;
     --evaluations_left_;
     const auto value = oracle_expression(subject_.model, sum.id, exact_state(subject_, at));
-    return value ? ScalarTraits<double>::from_real(cln::abs(*value)) : none;
+    return value ? to_double(cln::abs(*value)) : none;
   }
 
   /// Moves one coordinate to the smallest |sum|; true if the sum is zero there.
-  bool moves_to_zero(const SoughtSum& sum, std::uint32_t coordinate, Arguments<double>& at) {
+  bool move_to_zero(const PositionSum& sum, std::uint32_t coordinate, Arguments<double>& at) {
     auto [low, high] = ranges_.q[coordinate];
     double place = at.q[coordinate];
     double smallest = std::numeric_limits<double>::infinity();
@@ -118,11 +118,11 @@ class NearZeros {
   }
 
   /// Makes one more sum 0 by moving a coordinate that no earlier sum depends on.
-  void take_if_zero(const SoughtSum& sum, Arguments<double>& common,
-                    std::set<std::uint32_t>& held) {
+  void add_zero_of(const PositionSum& sum, Arguments<double>& common,
+                   std::set<std::uint32_t>& held) {
     Arguments<double> at = common;
     for (auto c = sum.coordinates.rbegin(); c != sum.coordinates.rend(); ++c) {
-      if (held.contains(*c) || !moves_to_zero(sum, *c, at)) continue;
+      if (held.contains(*c) || !move_to_zero(sum, *c, at)) continue;
       common = at;
       held.insert(sum.coordinates.begin(), sum.coordinates.end());
       return;
@@ -138,7 +138,7 @@ class NearZeros {
       double share = 0;
       for (const std::uint32_t c : coordinates) {
         share = std::fmod(share + 0.618, 1.0);
-        values.q[c] = beside(zero.q[c], distance * (2 * share - 1), ranges_.q[c]);
+        values.q[c] = nearby_value(zero.q[c], distance * (2 * share - 1), ranges_.q[c]);
       }
       for (auto* rates : {&values.v, &values.a, &values.u}) {
         if (states_.size() % 2 != 0) std::ranges::fill(*rates, 0.0);
@@ -148,7 +148,7 @@ class NearZeros {
   }
 
   /// Moves x by a fraction of max(|x|, min(1, half the range)).
-  static double beside(double x, double distance, const Range& range) {
+  static double nearby_value(double x, double distance, const Range& range) {
     const double change =
         distance * std::max(std::abs(x), std::min(1.0, range.high / 2 - range.low / 2));
     const bool is_inside = x + change >= range.low && x + change <= range.high;

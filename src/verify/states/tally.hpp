@@ -34,8 +34,8 @@ class Tally {
     return worst_ <= tolerance ? Verdict::holds : Verdict::fails;
   }
   /// Writes the result into a row; `obstacle`: the reason for skipped states.
-  void tell(CertificateRow& row, const Subject& subject, double tolerance,
-            Obstacle obstacle = Obstacle::undefined) const {
+  void write_result(CertificateRow& row, const Subject& subject, double tolerance,
+                    Obstacle obstacle = Obstacle::undefined) const {
     row.samples = samples_;
     row.where = where(subject);
     row.verdict = verdict(tolerance);

@@ -21,7 +21,7 @@ namespace {
 /// than a tenth.
 constexpr std::size_t most_work_of_terms = 20'000;
 /// More differing terms are not a slip of the pen.
-constexpr std::size_t most_told = 4;
+constexpr std::size_t most_reported_terms = 4;
 /// The limit of `elgen diff`.
 constexpr std::size_t longest_form = 100;
 
@@ -89,8 +89,8 @@ bool has_divisor(const Fraction& form, std::uint32_t factor, std::int32_t expone
 
 /// True if the rest of both forms has only divisors that both forms have. Then the terms occur in
 /// the written forms.
-bool are_of_forms(Algebra& algebra, const Fraction& right, const Fraction& written,
-                  const DifferingTerms& terms) {
+bool occur_in_forms(Algebra& algebra, const Fraction& right, const Fraction& written,
+                    const DifferingTerms& terms) {
   Arithmetic arithmetic(algebra, most_work_of_terms);
   Value common = arithmetic.subtract(right, terms.missing);
   for (const auto& [times, form] : terms.multiples) common = arithmetic.subtract(common, form);
@@ -115,13 +115,13 @@ std::optional<DifferingTerms> terms_of_denominators(Algebra& algebra, const Frac
 }  // namespace
 
 TermsByPowers terms_by_powers(const Algebra& algebra, const Polynomial& sum) {
-  return parts_by(algebra, sum, is_no_angle);
+  return group_terms_by(algebra, sum, is_no_angle);
 }
 
 std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& right,
                                               const Fraction& written) {
   auto terms = terms_over_one(algebra, right, written);
-  if (!terms || are_of_forms(algebra, right, written, *terms)) return terms;
+  if (!terms || occur_in_forms(algebra, right, written, *terms)) return terms;
   return terms_of_denominators(algebra, right, written);
 }
 
@@ -131,8 +131,9 @@ std::string short_form(const Model& model, const Algebra& algebra, const Fractio
   return text.size() <= longest_form ? text : "";
 }
 
-std::string text_of(const Model& model, const Algebra& algebra, const DifferingTerms& terms) {
-  if (terms.count == 0 || terms.count > most_told) return {};
+std::string differing_terms_text(const Model& model, const Algebra& algebra,
+                                 const DifferingTerms& terms) {
+  if (terms.count == 0 || terms.count > most_reported_terms) return {};
   bool is_read = true;
   const auto read = [&](const Fraction& form) {
     std::string text = form.numerator.empty() ? "" : short_form(model, algebra, form);

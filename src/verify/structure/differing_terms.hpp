@@ -46,7 +46,7 @@ struct DifferingTerms {
                                      const Fraction& form);
 
 /// The terms in words; "" if there are too many, or they are too long.
-[[nodiscard]] std::string text_of(const Model& model, const Algebra& algebra,
-                                  const DifferingTerms& terms);
+[[nodiscard]] std::string differing_terms_text(const Model& model, const Algebra& algebra,
+                                               const DifferingTerms& terms);
 
 }  // namespace elgen

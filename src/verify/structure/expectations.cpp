@@ -45,7 +45,7 @@ SamplingStates random_points(const Model& model, std::uint64_t seed) {
   Kinks kinks(model);
   SamplingStates points;
   for (std::size_t turn = 0; turn < most_draws_for_kinks; ++turn) {
-    if (turn >= point_count && kinks.are_seen()) break;
+    if (turn >= point_count && kinks.all_are_seen()) break;
     State state = drawn_state(model, {}, draw, turn);
     const bool is_new = kinks.add(state);
     if (turn < point_count || is_new) points.states.push_back(std::move(state));
@@ -56,7 +56,7 @@ SamplingStates random_points(const Model& model, std::uint64_t seed) {
 
 double quotient(const cl_R& difference, const cl_R& scale) {
   if (cln::zerop(difference)) return 0;
-  return ScalarTraits<double>::from_real(cln::abs(difference) / scale);
+  return to_double(cln::abs(difference) / scale);
 }
 
 const std::string& written_name(const Expectation& expectation) {
@@ -66,7 +66,7 @@ const std::string& written_name(const Expectation& expectation) {
 std::string formula_of(const ExpectedEntry& entry) {
   const std::string text = to_string(entry.subject.model, entry.expression());
   if (entry.of.is_conserved()) return fmt::format("d/dt ({}) = 0 at u = 0", text);
-  if (entry.of.are_equations()) return fmt::format("{} = 0 along the motion", text);
+  if (entry.of.is_equations()) return fmt::format("{} = 0 along the motion", text);
   return text;
 }
 
@@ -74,9 +74,9 @@ CertificateRow proved_row(const ExpectedEntry& entry) {
   CertificateRow row = blank_row(entry);
   row.worst = "equal";
   row.evidence = Evidence::proof;
-  row.tolerance = entry.of.is_conserved()    ? proof_of_rate
-                  : entry.of.are_equations() ? proof_of_equation
-                                             : proof;
+  row.tolerance = entry.of.is_conserved()   ? proof_of_rate
+                  : entry.of.is_equations() ? proof_of_equation
+                                            : proof;
   return row;
 }
 
@@ -92,7 +92,7 @@ std::string wrong_text(const ExpectedEntry& entry, const Sample& sample, const S
   const std::string written = short_text(sample.written);
   if (entry.of.is_conserved())
     return fmt::format("its rate is {} instead of 0 at {}", written, where);
-  if (entry.of.are_equations())
+  if (entry.of.is_equations())
     return fmt::format("left - right is {} instead of 0 along the motion at {}", written, where);
   return fmt::format("{} is {} by this form, {} as derived, {} too much, at {}", name_of(entry),
                      written, short_text(sample.derived),
@@ -131,7 +131,7 @@ std::optional<Sample> value_sample(const ExpectedEntry& entry, const SampledPoin
 
 /// The state with its accelerations; none if M is singular, or if the constraints cannot be met.
 std::optional<State> motion_at(const Model& model, const State& start) {
-  std::optional<State> state = on_constraints(model, start);
+  std::optional<State> state = move_onto_constraints(model, start);
   if (!state) return std::nullopt;
   const OracleValues solution =
       oracle_values(model, {.kind = OutputKind::forward_dynamics}, *state);
@@ -179,7 +179,7 @@ std::optional<Sample> motion_sample(const ExpectedEntry& entry, const State& mot
   const Model& model = entry.subject.model;
   const ExpressionId id = entry.expression();
   const auto value = [&](const State& at) { return oracle_expression(model, id, at); };
-  if (entry.of.are_equations()) {
+  if (entry.of.is_equations()) {
     // A zero acceleration has rounding errors of the size of the largest one.
     const std::vector<cl_R> largest(motion.a.size(), largest_of(motion.a));
     return sample_of_parts(value, motion, 0, largest);
@@ -190,8 +190,8 @@ std::optional<Sample> motion_sample(const ExpectedEntry& entry, const State& mot
   return sample_of_parts(rate, motion, cln::abs(*size), motion.a);
 }
 
-bool is_of_motion(const Expectation& expectation) {
-  return expectation.is_conserved() || expectation.are_equations();
+bool needs_motion(const Expectation& expectation) {
+  return expectation.is_conserved() || expectation.is_equations();
 }
 
 /// The points at which one expectation is sampled.
@@ -200,7 +200,7 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
   const auto request = find_request(model, expectation.output);
   std::vector<SampledPoint> points;
   for (const State& state : states) {
-    if (is_of_motion(expectation)) {
+    if (needs_motion(expectation)) {
       const auto motion =
           expectation.is_conserved() ? free_motion(model, state) : motion_at(model, state);
       if (motion) points.push_back({*motion});
@@ -221,13 +221,13 @@ std::string difference_text(const ExpectedEntry& entry, Proofs& proofs) {
   const std::optional<Fraction> written = proofs.written(entry.of, entry.index);
   if (!written) return {};
   if (entry.of.is_conserved()) return difference_from_conserved(proofs, *written);
-  if (entry.of.are_equations()) return difference_from_motion(proofs, *written);
+  if (entry.of.is_equations()) return difference_from_motion(proofs, *written);
   const std::optional<Fraction> derived = proofs.derived(entry.of, entry.index);
   if (!derived) return {};
   Algebra& algebra = *proofs.algebra();
   const Model& model = entry.subject.model;
   const auto terms = differing_terms(algebra, *derived, *written);
-  std::string text = terms ? text_of(model, algebra, *terms) : "";
+  std::string text = terms ? differing_terms_text(model, algebra, *terms) : "";
   if (!text.empty()) return text;
   const Value difference = Arithmetic(algebra).subtract(*written, *derived);
   text = difference ? short_form(model, algebra, *difference) : "";
@@ -235,7 +235,7 @@ std::string difference_text(const ExpectedEntry& entry, Proofs& proofs) {
 }
 
 std::optional<Sample> sample_at(const ExpectedEntry& entry, const SampledPoint& point) {
-  return is_of_motion(entry.of) ? motion_sample(entry, point.state) : value_sample(entry, point);
+  return needs_motion(entry.of) ? motion_sample(entry, point.state) : value_sample(entry, point);
 }
 
 double error_of(const Sample& sample) {
@@ -293,7 +293,7 @@ void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proo
   }
   CertificateRow& row = report.rows.emplace_back(blank_row(entry));
   row.tolerance = sampled_reason;
-  tally.tell(row, entry.subject, tolerance);
+  tally.write_result(row, entry.subject, tolerance);
   row.worst = fmt::format("{:.1e} relative", tally.worst());
   if (row.verdict == Verdict::holds) row.where.clear();
   // The author expects a value: without a value, the expectation fails.
@@ -330,7 +330,7 @@ void check(ExpectationReport& report, const Expectation& expectation, Proofs& pr
     if (!points) points = points_of(subject.model, expectation, all.states);
     compare(report, entry, proofs, {*points, all.unseen});
   }
-  if (expectation.are_equations()) {
+  if (expectation.is_equations()) {
     check_rank(report, expectation, subject, first_motions(subject.model, all.states));
   }
 }

@@ -22,7 +22,7 @@ Balance balance_of(const std::vector<BalanceTerms>& all) {
 }
 
 Arguments<Real> unit_position(const ExactValues& at, std::size_t i) {
-  Arguments<Real> direction = at.at_rest();
+  Arguments<Real> direction = at.zero_direction();
   std::vector<Real> velocity(at.size());
   velocity[i] = Real(1);
   direction.q = at.coordinate_rates(velocity);
@@ -35,7 +35,7 @@ using K = OutputKind;
 using Values = std::vector<Real>;
 
 /// factor * sum_j matrix_ij x_j
-BalanceTerms product(const Values& matrix, const Values& x, int factor = 1) {
+BalanceTerms matrix_vector_terms(const Values& matrix, const Values& x, int factor = 1) {
   BalanceTerms terms{matrix, factor, std::max<std::size_t>(x.size(), 1)};
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     terms.values[i] = matrix[i] * x[i % x.size()];
@@ -44,7 +44,7 @@ BalanceTerms product(const Values& matrix, const Values& x, int factor = 1) {
 }
 
 Arguments<Real> unit_rate(const ExactValues& at, std::size_t i) {
-  Arguments<Real> direction = at.at_rest();
+  Arguments<Real> direction = at.zero_direction();
   direction.v[i] = Real(1);
   return direction;
 }
@@ -77,7 +77,7 @@ Values input_force(ExactValues& at) {
 }
 
 /// A^T lambda of the program's forward dynamics; zero without constraints.
-Values held_force(ExactValues& at) {
+Values constraint_force(ExactValues& at) {
   Values force(at.size());
   const Subject& subject = at.subject();
   if (subject.model.constraints.empty()) return force;
@@ -94,7 +94,7 @@ Values held_force(ExactValues& at) {
 
 /// N = (sum_k dM/dq_k v_k) - 2 C, N + N^T = 0
 Balance skew(ExactValues& at) {
-  Arguments<Real> direction = at.at_rest();
+  Arguments<Real> direction = at.zero_direction();
   direction.q = at.coordinate_rates(at.arguments().v);
   const Values rate = at.slopes(K::mass_matrix, direction);
   const Values& c = at.value(K::coriolis_matrix);
@@ -114,35 +114,36 @@ Balance skew(ExactValues& at) {
 /// dE/dt - v.(B u + Q - dD/dv + A^T lambda) + dL/dt. L = v.p - E gives -dL/dt = dE/dt - v.dp/dt,
 /// with partial derivatives by t.
 Balance power(ExactValues& at) {
-  Arguments<Real> motion = at.at_rest();
+  Arguments<Real> motion = at.zero_direction();
   motion.q = at.coordinate_rates(at.arguments().v);
   motion.v = acceleration(at);
   motion.t = Real(1);
   const Values& v = at.arguments().v;
   std::vector<BalanceTerms> terms{{at.slopes(K::energy_function, motion)},
-                                  product(input_force(at), v, -1),
-                                  product(held_force(at), v, -1),
-                                  product(at.value(K::applied_force), v, -1),
-                                  product(at.value(K::dissipation), v)};
+                                  matrix_vector_terms(input_force(at), v, -1),
+                                  matrix_vector_terms(constraint_force(at), v, -1),
+                                  matrix_vector_terms(at.value(K::applied_force), v, -1),
+                                  matrix_vector_terms(at.value(K::dissipation), v)};
   if (!at.subject().model.uses_time) return balance_of(terms);
-  Arguments<Real> direction = at.at_rest();
+  Arguments<Real> direction = at.zero_direction();
   direction.t = Real(1);
   terms.push_back({at.slopes(K::energy_function, direction), -1});
-  terms.push_back(product(at.slopes(K::momentum, direction), v));
+  terms.push_back(matrix_vector_terms(at.slopes(K::momentum, direction), v));
   return balance_of(terms);
 }
 
 Balance inverse_of_forward(ExactValues& at) {
   Arguments<Real> arguments = at.arguments();
   arguments.a = acceleration(at);
-  return balance_of(
-      {{at.value_at(K::inverse_dynamics, arguments)}, {input_force(at), -1}, {held_force(at), -1}});
+  return balance_of({{at.value_at(K::inverse_dynamics, arguments)},
+                     {input_force(at), -1},
+                     {constraint_force(at), -1}});
 }
 
 Balance constrained_motion(ExactValues& at) {
   const Values& residual = at.value(K::constraint_residual);
   return balance_of({{at.value(K::constraint_bias)},
-                     product(at.value(K::constraint_jacobian), acceleration(at)),
+                     matrix_vector_terms(at.value(K::constraint_jacobian), acceleration(at)),
                      {stabilising_terms(at.subject().model, at.state(), residual)}});
 }
 
@@ -157,7 +158,7 @@ Balance momentum_gradient(ExactValues& at) {
 }
 
 Balance energy_gradient(ExactValues& at) {
-  return balance_of({product(at.value(K::mass_matrix), at.arguments().v),
+  return balance_of({matrix_vector_terms(at.value(K::mass_matrix), at.arguments().v),
                      {gradient(at, K::energy_function, unit_rate), -1}});
 }
 
@@ -173,8 +174,8 @@ Balance gravity_gradient(ExactValues& at) {
 }
 
 Balance coriolis_product(ExactValues& at) {
-  return balance_of(
-      {{at.value(K::velocity_force)}, product(at.value(K::coriolis_matrix), at.arguments().v, -1)});
+  return balance_of({{at.value(K::velocity_force)},
+                     matrix_vector_terms(at.value(K::coriolis_matrix), at.arguments().v, -1)});
 }
 
 Balance bias_parts(ExactValues& at) {
@@ -188,7 +189,7 @@ Balance bias_parts(ExactValues& at) {
 
 Balance inverse_parts(ExactValues& at) {
   return balance_of({{at.value(K::inverse_dynamics)},
-                     product(at.value(K::mass_matrix), at.arguments().a, -1),
+                     matrix_vector_terms(at.value(K::mass_matrix), at.arguments().a, -1),
                      {at.value(K::bias), -1}});
 }
 
@@ -197,7 +198,7 @@ Balance forces_of_regressor(ExactValues& at) {
   const Values& parameters = at.value(K::regressor_parameters);
   const auto rest = both.end() - static_cast<std::ptrdiff_t>(at.size());
   return balance_of({{at.value(K::inverse_dynamics)},
-                     product({both.begin(), rest}, parameters, -1),
+                     matrix_vector_terms({both.begin(), rest}, parameters, -1),
                      {{rest, both.end()}, -1}});
 }
 
@@ -209,7 +210,7 @@ Balance regressor_of_reference(ExactValues& at) {
 }
 
 /// The state with the velocities of its momenta; none if M is singular.
-std::optional<ExactValues> at_momenta(ExactValues& at) {
+std::optional<ExactValues> with_momentum_velocities(ExactValues& at) {
   const OracleValues v = defined_values(at.value(K::velocities_of_momenta));
   if (!v) return std::nullopt;
   State state = at.state();
@@ -221,22 +222,22 @@ std::optional<ExactValues> at_momenta(ExactValues& at) {
 Balance undefined() { return balance_of({BalanceTerms{{Real::undefined()}}}); }
 
 Balance momenta_of_velocities(ExactValues& at) {
-  std::optional<ExactValues> moving = at_momenta(at);
+  std::optional<ExactValues> moving = with_momentum_velocities(at);
   if (!moving) return undefined();
   return balance_of({{moving->value(K::momentum)}, {at.arguments().momenta, -1}});
 }
 
 Balance hamiltonian_energy(ExactValues& at) {
-  std::optional<ExactValues> moving = at_momenta(at);
+  std::optional<ExactValues> moving = with_momentum_velocities(at);
   if (!moving) return undefined();
   return balance_of({{at.value(K::hamiltonian)}, {moving->value(K::energy_function), -1}});
 }
 
 /// d/dt (q, dL/dv) along the motion, minus (dq/dt, dp/dt)
 Balance canonical_motion(ExactValues& at) {
-  std::optional<ExactValues> moving = at_momenta(at);
+  std::optional<ExactValues> moving = with_momentum_velocities(at);
   if (!moving) return undefined();
-  Arguments<Real> motion = moving->at_rest();
+  Arguments<Real> motion = moving->zero_direction();
   motion.q = moving->coordinate_rates(moving->arguments().v);
   motion.v = acceleration(*moving);
   motion.t = Real(1);

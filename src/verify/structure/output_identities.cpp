@@ -53,7 +53,7 @@ Values axes_of(const Values& pose, bool in_world) {
 Values second_rate(ExactValues& at, const Arguments<Real>& motion, std::uint32_t user) {
   Values result = at.curvatures(K::user_value, motion, user);
   if (at.subject().model.rotations.empty()) return result;
-  Arguments<Real> turning = at.at_rest();
+  Arguments<Real> turning = at.zero_direction();
   turning.q = at.coasting_accelerations();
   const Values of_turning = at.slopes(K::user_value, turning, user);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] + of_turning[i];
@@ -79,7 +79,7 @@ Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
 
 Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
   const UserOutput& output = at.subject().model.outputs[user];
-  Arguments<Real> motion = at.at_rest();
+  Arguments<Real> motion = at.zero_direction();
   motion.q = at.coordinate_rates(at.arguments().v);
   motion.t = Real(1);
   const Values& bias = at.value(K::user_bias, user);
@@ -115,7 +115,7 @@ Balance derivatives_balance(ExactValues& at, std::uint32_t user) {
   for (const auto leaf : {&Arguments<Real>::v, &Arguments<Real>::a, &Arguments<Real>::u}) {
     if (leaf == &Arguments<Real>::a && has_own_acceleration) continue;
     append_slopes(slopes, at, user, (at.arguments().*leaf).size(), [&](std::size_t j) {
-      Arguments<Real> unit = at.at_rest();
+      Arguments<Real> unit = at.zero_direction();
       (unit.*leaf)[j] = Real(1);
       return unit;
     });

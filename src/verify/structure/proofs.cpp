@@ -15,7 +15,7 @@ namespace {
 /// others.
 bool has_other_forms(const Subject& subject) {
   const auto is_other = [](const Expression& e) {
-    return e.kind == ExpressionKind::function && is_taken_apart(e.function);
+    return e.kind == ExpressionKind::function && is_rewritten_for_proofs(e.function);
   };
   return std::ranges::any_of(subject.model.expressions, is_other) ||
          calls(subject.program, FunctionId::stumpff);
@@ -89,7 +89,7 @@ std::optional<Fraction> Proofs::free_rate(const Fraction& form) const {
 bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
   auto own = written(expectation, entry);
   const bool has_momenta =
-      holds_leaf(subject_.model, expectation.entries[entry], Opcode::momentum | Opcode::energy);
+      contains_leaf(subject_.model, expectation.entries[entry], Opcode::momentum | Opcode::energy);
   if (own && has_momenta) own = substituted(forms_->algebra, *own, momenta());
   const std::optional<Fraction> rate = own ? free_rate(*own) : std::nullopt;
   return rate && rate->numerator.empty();
@@ -106,14 +106,14 @@ std::optional<Fraction> Proofs::along_motion(const Fraction& form) const {
 }
 
 bool Proofs::holds(const Expectation& expectation, std::size_t entry) {
-  if (holds_as_it_is(expectation, entry)) return true;
+  if (holds_in_forms(expectation, entry)) return true;
   if (forms_ == nullptr || !has_other_forms(subject_)) return false;
   if (!other_forms_) {
     Program derived = subject_.program;
     derived.functions.resize(forms_->functions.size());  // steps, which come last, have no forms
     other_forms_ = present_for_proofs(derived);
   }
-  return Proofs(subject_, &*other_forms_).holds_as_it_is(expectation, entry);
+  return Proofs(subject_, &*other_forms_).holds_in_forms(expectation, entry);
 }
 
 ClosedForms* Proofs::quotients() {
@@ -124,14 +124,14 @@ ClosedForms* Proofs::quotients() {
   return is_typed ? &*other_forms_ : nullptr;
 }
 
-bool Proofs::holds_as_it_is(const Expectation& expectation, std::size_t entry) {
+bool Proofs::holds_in_forms(const Expectation& expectation, std::size_t entry) {
   if (expectation.is_conserved()) return conserved(expectation, entry);
-  const bool is_equation = expectation.are_equations();
+  const bool is_equation = expectation.is_equations();
   const std::optional<Fraction> right = is_equation ? std::nullopt : derived(expectation, entry);
   if (!is_equation && !right) return false;
   const std::optional<Fraction> own = written(expectation, entry);
   if (!own) return false;
-  if (!is_equation) return proved_equal(*forms_, *own, *right);
+  if (!is_equation) return is_proved_equal(*forms_, *own, *right);
   const std::optional<Fraction> rest = along_motion(*own);
   return rest && rest->numerator.empty();
 }

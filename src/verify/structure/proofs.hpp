@@ -49,7 +49,7 @@ class Proofs {
                                      std::size_t entry) const;
   [[nodiscard]] Replacements momenta() const;
   [[nodiscard]] bool conserved(const Expectation& expectation, std::size_t entry);
-  [[nodiscard]] bool holds_as_it_is(const Expectation& expectation, std::size_t entry);
+  [[nodiscard]] bool holds_in_forms(const Expectation& expectation, std::size_t entry);
 
   const Subject& subject_;
   ClosedForms* forms_;

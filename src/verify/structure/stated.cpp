@@ -97,7 +97,8 @@ std::vector<cl_R> slopes_of(const Model& model, const Expectation& equations, co
   for (const ExpressionId equation : equations.entries) {
     for (cl_R& along : direction.a) {
       along = 1;
-      const std::optional<cl_R> slope = oracle_slope(model, equation, motion, direction);
+      const std::optional<cl_R> slope =
+          oracle_directional_derivative(model, equation, motion, direction);
       if (!slope) return {};
       slopes.push_back(*slope);
       along = 0;
@@ -184,12 +185,12 @@ std::string row_text(const Model& model, const Algebra& algebra, std::size_t row
 }
 
 /// The oracle's values of the field of an expectation.
-SettledValues field_at(const Model& model, const Expectation& expectation, const State& state) {
+StableValues field_at(const Model& model, const Expectation& expectation, const State& state) {
   const auto request = find_request(model, expectation.output);
   if (!request) return {};
-  SettledValues field = settled_values(model, *request, state);
+  StableValues field = stable_values(model, *request, state);
   const std::size_t end = expectation.first + expectation.entries.size();
-  if (!field.values || field.values->size() < end) return {.is_told = field.is_told};
+  if (!field.values || field.values->size() < end) return {.is_decided = field.is_decided};
   const auto first = field.values->begin();
   field.values = std::vector(first + expectation.first, first + static_cast<std::ptrdiff_t>(end));
   return field;
@@ -203,9 +204,7 @@ std::string also_met(const State& motion) {
 }
 
 /// 15 digits, as many as doubles keep.
-std::string digits_of(const cl_R& value) {
-  return fmt::format("{:.15g}", ScalarTraits<double>::from_real(value));
-}
+std::string digits_of(const cl_R& value) { return fmt::format("{:.15g}", to_double(value)); }
 
 }  // namespace
 
@@ -233,7 +232,8 @@ std::string difference_from_motion(const Proofs& proofs, const Fraction& equatio
   const Value right = rest ? arithmetic.subtract(written, *rest) : std::nullopt;
   auto terms = right ? differing_terms(algebra, *right, *written) : std::nullopt;
   if (nearest.is_farther(terms)) nearest = {"the accelerations of the motion", std::move(terms)};
-  const std::string text = nearest.terms ? text_of(model, algebra, *nearest.terms) : "";
+  const std::string text =
+      nearest.terms ? differing_terms_text(model, algebra, *nearest.terms) : "";
   if (!text.empty()) return fmt::format("compared with {}: {}", nearest.right, text);
   const std::string whole = rest ? short_form(model, algebra, *rest) : "";
   return whole.empty() ? "" : fmt::format("left - right is {} along the motion", whole);
@@ -263,7 +263,7 @@ std::string difference_from_conserved(const Proofs& proofs, const Fraction& writ
     if (!right) continue;
     if (cln::zerop(factor)) difference.surplus = *term;
     if (!cln::zerop(factor)) difference.multiples[1 / factor] = *right;
-    const std::string text = text_of(proofs.subject().model, algebra, difference);
+    const std::string text = differing_terms_text(proofs.subject().model, algebra, difference);
     if (!text.empty()) words.push_back(text);
   }
   return words.empty()
@@ -307,17 +307,17 @@ void check_numbers(ExpectationReport& report, const Expectation& expectation,
   const Model& model = subject.model;
   const State state = with_leaves(model, start_state(model, {}), expectation.at->leaves);
   const std::string where = describe(subject, state);
-  const SettledValues settled = field_at(model, expectation, state);
+  const StableValues settled = field_at(model, expectation, state);
   const std::vector<cl_R> field = settled.values.value_or(std::vector<cl_R>());
   const cl_R largest = largest_of(field);
-  const std::string within = short_text(expectation.at->within);
+  const std::string within = short_text(expectation.at->tolerance);
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const ExpectedEntry entry{expectation, index, subject};
-    const SettledValues number = settled_expression(model, entry.expression(), state);
+    const StableValues number = stable_expression_value(model, entry.expression(), state);
     CertificateRow& row = report.rows.emplace_back(blank_row(entry));
     row.output += " at a state";
     row.tolerance = fmt::format("{} of the largest entry, at the state of the file", within);
-    if (!settled.is_told || !number.is_told) {
+    if (!settled.is_decided || !number.is_decided) {
       row.verdict = Verdict::skipped;
       row.skipped = {{Obstacle::unsettled, 1}};
       continue;
@@ -335,7 +335,7 @@ void check_numbers(ExpectationReport& report, const Expectation& expectation,
     const cl_R share = cln::zerop(difference) ? cl_R(0) : cln::abs(difference) / scale;
     row.samples = 1;
     row.worst = fmt::format("{} of the largest entry", short_text(share));
-    if (share <= expectation.at->within) continue;
+    if (share <= expectation.at->tolerance) continue;
     row.verdict = Verdict::fails;
     row.where = where;
     report.diagnostics.push_back(

@@ -79,7 +79,7 @@ CertificateRow identity_row(CertificateRow row, std::vector<ExactValues>& points
   });
   row.worst = fmt::format("{:.1e} relative", tally.worst());
   row.tolerance = identity_reason;
-  tally.tell(row, points.front().subject(), identity_tolerance);
+  tally.write_result(row, points.front().subject(), identity_tolerance);
   return row;
 }
 
@@ -115,7 +115,7 @@ std::vector<ExactValues> points_at(const Subject& subject, const std::vector<Sta
 
 /// The states with quaternions of norm 1. In double the norm is 1 to 16 digits only, and then R is
 /// no rotation.
-std::vector<State> on_sphere(const Subject& subject, std::vector<State> states) {
+std::vector<State> with_unit_quaternions(const Subject& subject, std::vector<State> states) {
   for (State& state : states) scale_to_length_one(subject.model, state);
   return states;
 }
@@ -133,7 +133,7 @@ void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& po
       const bool is_of_frame = subject.model.outputs[user].frame.has_value();
       const bool turns = is_of_frame && !subject.model.rotations.empty();
       if (turns && points_on_sphere.empty()) {
-        points_on_sphere = points_at(subject, on_sphere(subject, states));
+        points_on_sphere = points_at(subject, with_unit_quaternions(subject, states));
       }
       const auto formula = is_of_frame ? identity.formula_of_frame : identity.formula;
       rows.push_back(identity_row(row_of(*function, identity.check, formula),
@@ -164,7 +164,7 @@ CertificateRow symmetry_row(const Subject& subject, const Function& function,
   CertificateRow row = row_of(function, "mass matrix symmetric", "M_ij = M_ji in double");
   row.worst = fmt::format("largest difference {:g}", tally.worst());
   row.tolerance = "exact: both entries are the same value";
-  tally.tell(row, subject, 0);
+  tally.write_result(row, subject, 0);
   return row;
 }
 
@@ -180,7 +180,7 @@ std::optional<double> smallest_pivot(const std::vector<Real>& m, std::size_t n) 
   if (!pivots) return 0;
   double smallest = 1;
   for (const cln::cl_R& pivot : *pivots) {
-    smallest = std::fmin(smallest, ScalarTraits<double>::from_real(pivot));
+    smallest = std::fmin(smallest, to_double(pivot));
   }
   return smallest;
 }
@@ -197,7 +197,7 @@ CertificateRow definiteness_row(const Function& function, std::vector<ExactValue
                                    : fmt::format("smallest pivot {:.2g}", -tally.worst());
   row.tolerance = fmt::format(
       "> {:g}; charts with smaller pivots count as singular and are skipped", singular_pivot);
-  tally.tell(row, points.front().subject(), -singular_pivot, Obstacle::singular);
+  tally.write_result(row, points.front().subject(), -singular_pivot, Obstacle::singular);
   return row;
 }
 

@@ -14,7 +14,7 @@ using GiNaC::ex;
 namespace {
 
 /// The written-out potential energy V of a model with one coordinate x and one parameter k.
-ex translated(const std::string& text, Lagrangian& lagrangian) {
+ex translate_potential(const std::string& text, Lagrangian& lagrangian) {
   const auto result = formulate(checked_model(model_text("one", R"toml(
 [[coordinate]]
 name = "x"
@@ -36,7 +36,7 @@ V = "E*()toml" + text + ")\"\n"))
 
 TEST_CASE("every operation and function is translated") {
   Lagrangian l;
-  const auto value = [&](const std::string& text) { return translated(text, l); };
+  const auto value = [&](const std::string& text) { return translate_potential(text, l); };
   const auto x = [&] { return l.symbols.q[0]; };
   const auto k = [&] { return l.symbols.parameters[0]; };
   CHECK(value("-x^2*k/3").is_equal(-pow(x(), 2) * k() / 3));
@@ -53,7 +53,7 @@ TEST_CASE("a long sum becomes a tree of small definitions with the same value") 
   std::string text = "sin(x)";
   for (int i = 2; i < 200; ++i) text += " + sin(" + std::to_string(i) + "*x)/k";
   Lagrangian l;
-  const ex whole = translated("(" + text + ")^2", l);
+  const ex whole = translate_potential("(" + text + ")^2", l);
   ex sum = sin(l.symbols.q[0]);
   for (int i = 2; i < 200; ++i) sum += sin(i * l.symbols.q[0]) / l.symbols.parameters[0];
   CHECK(vanishes(whole - sum * sum, {l.symbols.q[0], l.symbols.parameters[0]}));
@@ -66,7 +66,7 @@ TEST_CASE("nested functions become separate definitions") {
   std::string text = "x";
   for (int i = 0; i < 60; ++i) text = "sin(" + text + ")";
   Lagrangian l;
-  CHECK_FALSE(translated(text, l).is_zero());
+  CHECK_FALSE(translate_potential(text, l).is_zero());
   CHECK(l.definitions.list.size() >= 5);
 }
 

@@ -26,7 +26,7 @@ Model model() {
   return result;
 }
 
-Lagrangian formulated() {
+Lagrangian formulate_model() {
   Result<WholeLagrangian> lagrangian = formulate(model());
   REQUIRE(lagrangian);
   return std::move(*lagrangian);
@@ -117,7 +117,7 @@ V = "k/(x + 1 - (x + 1))"
 }
 
 TEST_CASE("the rate of a scalar is its velocity, the rate of a quaternion a definition") {
-  const Lagrangian lagrangian = formulated();
+  const Lagrangian lagrangian = formulate_model();
   const Symbols& s = lagrangian.symbols;
   REQUIRE(s.q_rates.size() == 5);
   CHECK(s.q_rates[0].is_equal(s.v[0]));
@@ -130,7 +130,7 @@ TEST_CASE("the rate of a scalar is its velocity, the rate of a quaternion a defi
 }
 
 TEST_CASE("N^T e = 0 and N^T N = 1/4 for unit quaternions") {
-  const Lagrangian lagrangian = formulated();
+  const Lagrangian lagrangian = formulate_model();
   const Symbols& s = lagrangian.symbols;
   const auto n = rate_matrix(s, s.rotations[0]);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
-// Frames become elementary transforms ("steps") in order from the root; frames without contents are
-// omitted.
+// Frames become elementary transforms ("transforms") in order from the root; frames without
+// contents are omitted.
 #include <catch2/catch.hpp>
 
 #include "derive/formulate/expressions.hpp"
@@ -43,19 +43,19 @@ std::string text(const Lagrangian& lagrangian, const GiNaC::ex& value) {
 }
 
 /// Steps such as "shift(l,0,0) turn(z,q)"; a number gives the parent if it is not the previous
-/// step.
+/// transform.
 std::string steps(const Lagrangian& lagrangian) {
   std::string result;
-  const std::vector<TreeStep>& list = lagrangian.tree.steps;
+  const std::vector<TreeTransform>& list = lagrangian.tree.transforms;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const TreeStep& step = list[i];
+    const TreeTransform& step = list[i];
     const auto three = [&](const ExVector3& x) {
       return text(lagrangian, x[0]) + "," + text(lagrangian, x[1]) + "," + text(lagrangian, x[2]);
     };
     result += i == 0 ? "" : " ";
-    if (step.kind == FrameStepKind::translation) {
+    if (step.kind == TransformKind::translation) {
       result += "shift(" + three(step.vector) + ")";
-    } else if (step.kind == FrameStepKind::turn) {
+    } else if (step.kind == TransformKind::turn) {
       result += "turn(" + three(step.vector) + ";" + text(lagrangian, step.angle) + ")";
     } else {
       result += "quaternion";
@@ -76,10 +76,10 @@ TEST_CASE("a frame is a translation followed by its rotations", "[frames]") {
       "rotate = [[\"x\", \"1/3\"], [\"y\", \"q\"]]\n" +
       body_in("f"));
   CHECK(steps(lagrangian) == "shift(l,s,0) turn(1,0,0;1/3) turn(0,1,0;q)");
-  CHECK(lagrangian.tree.steps[2].name == "f");
-  CHECK(lagrangian.tree.steps[2].origin.kind == EntityKind::frame);
+  CHECK(lagrangian.tree.transforms[2].name == "f");
+  CHECK(lagrangian.tree.transforms[2].origin.kind == EntityKind::frame);
   REQUIRE(lagrangian.tree.bodies.size() == 1);
-  CHECK(lagrangian.tree.bodies[0].step == 2U);
+  CHECK(lagrangian.tree.bodies[0].transform == 2U);
   CHECK(lagrangian.masses.empty());
 }
 
@@ -88,8 +88,8 @@ TEST_CASE("identity steps are omitted", "[frames]") {
   CHECK(steps_of(frame + "translate = [\"0\", \"0\", \"0\"]\nrpy = [\"0\", \"q\", \"0\"]\n" +
                  body_in("f")) == "turn(0,1,0;q)");
   const Lagrangian fixed = with_frames(frame + body_in("f"));
-  CHECK(fixed.tree.steps.empty());
-  CHECK_FALSE(fixed.tree.bodies[0].step);
+  CHECK(fixed.tree.transforms.empty());
+  CHECK_FALSE(fixed.tree.bodies[0].transform);
 }
 
 TEST_CASE("a translation along the axis of a rotation comes after the rotation", "[frames]") {
@@ -148,9 +148,9 @@ TEST_CASE("a point that slides in its frame has its own step", "[frames]") {
   const std::string force = "[[force]]\nat = \"p\"\nvalue = [\"u\", \"0\", \"0\"]\n";
   const Lagrangian with_mass = with_frames(entries + "mass = \"m\"\n" + force + force);
   CHECK(steps(with_mass) == "turn(1,0,0;q) shift(s,l,0)");
-  CHECK(with_mass.tree.bodies[0].step == 1U);
+  CHECK(with_mass.tree.bodies[0].transform == 1U);
   REQUIRE(with_mass.tree.wrenches.size() == 2);
-  CHECK(with_mass.tree.wrenches[1].step == 1U);
+  CHECK(with_mass.tree.wrenches[1].transform == 1U);
   CHECK(with_mass.tree.wrenches[1].at[0].is_zero());
   CHECK(steps(with_frames(entries + force)) == "turn(1,0,0;q) shift(s,l,0)");
 }
@@ -164,13 +164,13 @@ TEST_CASE("wrenches and outputs refer to their steps and axes", "[frames]") {
       "[[output]]\nname = \"w\"\nframe = \"f\"\n");
   const std::vector<Wrench>& wrenches = lagrangian.tree.wrenches;
   REQUIRE(wrenches.size() == 2);
-  CHECK(wrenches[0].step == 1U);
+  CHECK(wrenches[0].transform == 1U);
   CHECK(wrenches[0].axes == 1U);
-  CHECK(wrenches[1].step == 0U);
+  CHECK(wrenches[1].transform == 0U);
   CHECK(wrenches[1].axes == 1U);
   CHECK(wrenches[1].moment[0].is_equal(-wrenches[0].moment[0]));
   REQUIRE(lagrangian.outputs[0].twist);
-  CHECK(lagrangian.outputs[0].twist->step == 1U);
+  CHECK(lagrangian.outputs[0].twist->transform == 1U);
   CHECK_FALSE(lagrangian.outputs[0].twist->in_world);
   CHECK(lagrangian.outputs[1].twist->in_world);
 }

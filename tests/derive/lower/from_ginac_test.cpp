@@ -14,7 +14,7 @@ using GiNaC::ex;
 namespace {
 
 /// Imports a value; returns its node and sign.
-Ref imported(EquationsOfMotion& equations, const ex& value, Graph& graph) {
+Ref import_value(EquationsOfMotion& equations, const ex& value, Graph& graph) {
   equations.outputs.clear();
   testing::add_output(equations, OutputKind::bias, {value});
   Result<ImportedOutput> result = from_ginac(equations, equations.outputs.back().request, 1000);
@@ -53,26 +53,27 @@ TEST_CASE("GiNaC's functions, including kinked ones, are mapped to ours") {
   const ex x = equations.symbols.q[0];
   const ex y = equations.symbols.q[1];
   Graph graph;
-  Ref value = imported(equations, elgen_min(x, y), graph);
+  Ref value = import_value(equations, elgen_min(x, y), graph);
   CHECK(graph.node(value.node).function == FunctionId::min);
-  value = imported(equations, elgen_abs(-x), graph);
+  value = import_value(equations, elgen_abs(-x), graph);
   CHECK(graph.node(value.node).function == FunctionId::abs);
-  value = imported(equations, atan2(x, y), graph);
+  value = import_value(equations, atan2(x, y), graph);
   CHECK(graph.node(value.node).function == FunctionId::atan2);
-  value = imported(equations, exp(x), graph);
+  value = import_value(equations, exp(x), graph);
   CHECK(graph.node(value.node).function == FunctionId::exp);
-  value = imported(equations, ex(elgen_expm1(x)).diff(GiNaC::ex_to<GiNaC::symbol>(x)), graph);
+  value = import_value(equations, ex(elgen_expm1(x)).diff(GiNaC::ex_to<GiNaC::symbol>(x)), graph);
   CHECK(graph.node(value.node).function == FunctionId::exp);
-  value = imported(equations, elgen_hypot(-y, x) - elgen_hypot(x, y), graph);
+  value = import_value(equations, elgen_hypot(-y, x) - elgen_hypot(x, y), graph);
   CHECK(graph.is_zero(value.node));
-  value = imported(equations, ex(elgen_stumpff(x, 3)).subs(x == 0), graph);
+  value = import_value(equations, ex(elgen_stumpff(x, 3)).subs(x == 0), graph);
   CHECK(graph.rational_of(value.node) == cln::cl_RA(1) / 6);
-  value = imported(equations, ex(elgen_stumpff(x, -3)).diff(GiNaC::ex_to<GiNaC::symbol>(x)), graph);
+  value =
+      import_value(equations, ex(elgen_stumpff(x, -3)).diff(GiNaC::ex_to<GiNaC::symbol>(x)), graph);
   const Ref by_hand =
-      imported(equations, x * (ex(elgen_stumpff(x, -4)) - 3 * ex(elgen_stumpff(x, -5))), graph);
+      import_value(equations, x * (ex(elgen_stumpff(x, -4)) - 3 * ex(elgen_stumpff(x, -5))), graph);
   CHECK(value == by_hand);
-  CHECK_FALSE(imported(equations, ex(elgen_stumpff(-x, -4)), graph) ==
-              imported(equations, ex(elgen_stumpff(x, 4)), graph));
+  CHECK_FALSE(import_value(equations, ex(elgen_stumpff(-x, -4)), graph) ==
+              import_value(equations, ex(elgen_stumpff(x, 4)), graph));
 }
 
 TEST_CASE("an inexact number is refused, because its exact value is lost") {
@@ -87,7 +88,7 @@ TEST_CASE("only the needed definitions are imported, and only once") {
   testing::define_as(equations, "cosine", cos(equations.symbols.q[0]));
   const ex alias = testing::define_as(equations, "alias", -sine);
   Graph graph;
-  const Ref value = imported(equations, alias * sine, graph);
+  const Ref value = import_value(equations, alias * sine, graph);
   CHECK(value.negative);
   bool has_cosine = false;
   for (NodeId id = 0; id < graph.size(); ++id) {
@@ -112,7 +113,7 @@ TEST_CASE("an open function is a leaf, whatever its arguments") {
   EquationsOfMotion equations = testing::leaves();
   const ex x = equations.symbols.q[0];
   Graph graph;
-  const Ref value = imported(equations, elgen_open(0, 1, 11, x * x, 0, 0, 0), graph);
+  const Ref value = import_value(equations, elgen_open(0, 1, 11, x * x, 0, 0, 0), graph);
   CHECK(graph.node(value.node).leaf == Opcode::open_value);
   CHECK(graph.node(value.node).index == 2);
   CHECK(failure(equations, elgen_open(0, 1, 111, x, 0, 0, 0)) ==

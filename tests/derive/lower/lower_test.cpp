@@ -15,7 +15,7 @@ struct ModelLeaves {
   ex m, l, x, y, vx, vy, ax, u, t;
 };
 
-ModelLeaves named(const Symbols& s) {
+ModelLeaves leaves_of(const Symbols& s) {
   return {s.parameters[0], s.parameters[1], s.q[0], s.q[1], s.v[0], s.v[1], s.a[0], s.u[0], s.t};
 }
 
@@ -23,7 +23,7 @@ using Strings = std::vector<std::string>;
 
 /// Parses the texts by GiNaC.
 std::vector<ex> expressions(const Symbols& s, const Strings& texts) {
-  const auto [m, l, x, y, vx, vy, ax, u, t] = named(s);
+  const auto [m, l, x, y, vx, vy, ax, u, t] = leaves_of(s);
   GiNaC::parser reader({{"m", m}, {"l", l}, {"x", x}, {"y", y}, {"vx", vx}}, true);
   std::vector<ex> result;
   for (const std::string& text : texts) result.push_back(reader(text));
@@ -85,7 +85,7 @@ TEST_CASE("common subexpressions of outputs are computed once, up to sign") {
 
 TEST_CASE("definitions stay shared and keep their names") {
   EquationsOfMotion equations = testing::leaves();
-  const ModelLeaves s = named(equations.symbols);
+  const ModelLeaves s = leaves_of(equations.symbols);
   const ex height = testing::define_as(equations, "height", s.x + s.l * sin(s.y));
   const ex unused = testing::define_as(equations, "unused", s.x * s.y);
   const OutputRequest request =
@@ -101,7 +101,7 @@ TEST_CASE("definitions stay shared and keep their names") {
 
 TEST_CASE("dynamics computes all outputs without a and u together") {
   EquationsOfMotion equations = testing::leaves();
-  const ModelLeaves s = named(equations.symbols);
+  const ModelLeaves s = leaves_of(equations.symbols);
   std::vector<OutputRequest> requests = {
       testing::add_output(equations, OutputKind::gravity, {sin(s.x)}),
       testing::add_output(equations, OutputKind::bias, {s.vx * sin(s.x)}),
@@ -119,7 +119,7 @@ TEST_CASE("dynamics computes all outputs without a and u together") {
 
 TEST_CASE("limits and mistakes") {
   EquationsOfMotion equations = testing::leaves();
-  const ModelLeaves s = named(equations.symbols);
+  const ModelLeaves s = leaves_of(equations.symbols);
   ex chain = s.x;
   for (int i = 0; i < 20; ++i) chain = testing::define_as(equations, "", sin(chain));
   const OutputRequest request = testing::add_output(equations, OutputKind::bias, {chain});
@@ -137,7 +137,7 @@ TEST_CASE("limits and mistakes") {
 TEST_CASE("a denominator that simplifies to 0 is reported, as a pivot if the output solves for M") {
   const auto message = [](const std::string& denominator, const std::vector<OutputKind>& kinds) {
     EquationsOfMotion equations = testing::leaves();
-    const ex m = named(equations.symbols).m;
+    const ex m = leaves_of(equations.symbols).m;
     const ex m_xx = expressions(equations.symbols, {denominator})[0];
     std::vector<OutputRequest> requests;
     for (const OutputKind kind : kinds) {
@@ -167,7 +167,7 @@ TEST_CASE("a denominator that simplifies to 0 is reported, as a pivot if the out
 
 TEST_CASE("a chain of 5000 definitions is lowered without deep recursion") {
   EquationsOfMotion equations = testing::leaves();
-  const ModelLeaves s = named(equations.symbols);
+  const ModelLeaves s = leaves_of(equations.symbols);
   ex position = s.x;
   for (int i = 0; i < 5000; ++i) {
     Definition definition;

@@ -19,9 +19,9 @@ struct Routes {
   [[nodiscard]] Function lowered() const { return lowered(equations); }
 
   /// Lowered by elimination of M only.
-  [[nodiscard]] Function eliminated() const {
+  [[nodiscard]] Function lowered_by_elimination() const {
     EquationsOfMotion usual = equations;
-    usual.other_routes.clear();
+    usual.alternatives.clear();
     return lowered(usual);
   }
 
@@ -44,17 +44,17 @@ TEST_CASE("with few velocities there is one route, which eliminates from the fir
           "[frames]") {
   CHECK_FALSE(Framed(links_text(9)).lagrangian.eliminates_last_first);
   CHECK(Framed(links_text(10)).lagrangian.eliminates_last_first);
-  CHECK(Routes(links_text(9)).equations.other_routes.empty());
-  CHECK(Routes(two_turns_text()).equations.other_routes.empty());
+  CHECK(Routes(links_text(9)).equations.alternatives.empty());
+  CHECK(Routes(two_turns_text()).equations.alternatives.empty());
 }
 
 TEST_CASE("a chain of twenty revolute joints is solved by articulated bodies, which cost less",
           "[frames]") {
   const Routes routes(links_text(20));
   REQUIRE(routes.equations.outputs.size() == 1);
-  REQUIRE(routes.equations.other_routes.size() == 1);
+  REQUIRE(routes.equations.alternatives.size() == 1);
   const std::size_t chosen = cost_of(routes.lowered());
-  CHECK(10 * chosen < 9 * cost_of(routes.eliminated()));
+  CHECK(10 * chosen < 9 * cost_of(routes.lowered_by_elimination()));
 }
 
 TEST_CASE("M is eliminated if this costs less", "[frames]") {
@@ -73,8 +73,8 @@ TEST_CASE("M is eliminated if this costs less", "[frames]") {
       "[[frame]]\nname = \"carriage\"\nparent = \"world\"\ntranslate = [\"x\", \"0\", \"0\"]\n"
       "[[body]]\nname = \"hull\"\nframe = \"carriage\"\nmass = \"m2\"\n";
   const Routes routes(frame_model("wagon", names, carriage + text));
-  REQUIRE(routes.equations.other_routes.size() == 1);
-  CHECK(cost_of(routes.lowered()) <= cost_of(routes.eliminated()));
+  REQUIRE(routes.equations.alternatives.size() == 1);
+  CHECK(cost_of(routes.lowered()) <= cost_of(routes.lowered_by_elimination()));
 }
 
 TEST_CASE("without pivots M_ii is not computed, and accelerations are the only field", "[frames]") {
@@ -96,6 +96,6 @@ TEST_CASE("without pivots M_ii is not computed, and accelerations are the only f
 TEST_CASE("M of a long chain is not derived for forward dynamics", "[frames]") {
   const Routes routes(links_text(60));
   CHECK(routes.equations.outputs.empty());
-  REQUIRE(routes.equations.other_routes.size() == 1);
+  REQUIRE(routes.equations.alternatives.size() == 1);
   CHECK(routes.lowered().fields.size() == 2 + 1);
 }

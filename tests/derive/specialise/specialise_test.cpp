@@ -125,7 +125,7 @@ TEST_CASE("a locked coordinate disappears with its velocity and force") {
   CHECK(l.forces.size() == 1);
   CHECK(l.leaves.q == std::vector<std::string>{"theta"});
   CHECK(l.leaves.uses_time);
-  CHECK_FALSE(l.holding.has_value());
+  CHECK_FALSE(l.reaction_source.has_value());
 }
 
 TEST_CASE("positions are evaluated at the locked function of time") {
@@ -138,11 +138,11 @@ TEST_CASE("positions are evaluated at the locked function of time") {
 
 TEST_CASE("for a requested reaction the whole Lagrangian is kept") {
   const Lagrangian l = locked(cart_pole_text(), "[lock]\ntheta = { value = 0, reaction = true }\n");
-  REQUIRE(l.holding.has_value());
-  CHECK(l.holding->velocities == std::vector<std::uint32_t>{1});
-  CHECK(l.holding->whole->symbols.q.size() == 2);
-  CHECK(l.holding->whole->definitions.list.empty());
-  CHECK(l.holding->values.at(l.holding->whole->symbols.v[1]).is_zero());
+  REQUIRE(l.reaction_source.has_value());
+  CHECK(l.reaction_source->velocities == std::vector<std::uint32_t>{1});
+  CHECK(l.reaction_source->whole->symbols.q.size() == 2);
+  CHECK(l.reaction_source->whole->definitions.list.empty());
+  CHECK(l.reaction_source->values.at(l.reaction_source->whole->symbols.v[1]).is_zero());
 }
 
 TEST_CASE("a scene may fix parameters and lock coordinates") {

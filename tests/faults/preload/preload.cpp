@@ -60,7 +60,7 @@ void write_counts() {
 }
 
 /// True if this call must fail. A signal is raised here; the call itself then succeeds.
-bool is_due(Kind kind) {
+bool is_fault_due(Kind kind) {
   if (++counts[kind] != fault_number || kind != fault_kind) return false;
   if (fault_action > 0) {
     errno = fault_action;
@@ -72,8 +72,8 @@ bool is_due(Kind kind) {
 
 bool fails(Kind kind) {
   if (!is_armed) return false;
-  const bool by_any = kind != memory_call && is_due(any_call);
-  return is_due(kind) || by_any;
+  const bool by_any = kind != memory_call && is_fault_due(any_call);
+  return is_fault_due(kind) || by_any;
 }
 
 template <class Function>

@@ -48,10 +48,10 @@ TEST_CASE("division by zero and an exhausted budget give no value") {
   Leaves l;
   CHECK_FALSE(l.arithmetic.divide(l.x, Fraction{}));
   std::size_t little = 3;
-  Arithmetic poor(l.algebra, little, 1000);
+  Arithmetic exhausted(l.algebra, little, 1000);
   const Value sum = l.arithmetic.add(l.x, l.y);
-  CHECK_FALSE(poor.multiply(sum, sum));
-  CHECK_FALSE(poor.add(poor.multiply(sum, sum), l.x));
+  CHECK_FALSE(exhausted.multiply(sum, sum));
+  CHECK_FALSE(exhausted.add(exhausted.multiply(sum, sum), l.x));
 }
 
 TEST_CASE("equal atoms are identified") {

@@ -31,7 +31,7 @@ bool is_proved(const Pair& pair) {
   const auto right = closed_form(forms, model, {}, model.outputs[0].values[1]);
   REQUIRE(left);
   REQUIRE(right);
-  return proved_equal(forms, *left, *right);
+  return is_proved_equal(forms, *left, *right);
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ TEST_CASE("fixed parameters are numbers") {
   const auto left = closed_form(forms, model, fixed, model.outputs[0].values[0]);
   const auto right = closed_form(forms, model, fixed, model.outputs[0].values[1]);
   REQUIRE(left);
-  CHECK(proved_equal(forms, *left, *right));
+  CHECK(is_proved_equal(forms, *left, *right));
 }
 
 TEST_CASE("a form beyond the budget is abandoned, not approximated") {

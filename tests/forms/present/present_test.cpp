@@ -17,7 +17,7 @@ Proofs proved(const std::string& code, const PresentBudget& budget = {}) {
       "parameters m\ncoordinates x\nfunction gravity\n"
       "  0 = parameter m\n  1 = coordinate x\n" +
       code);
-  return proved_zeros(program, program.functions[0], budget);
+  return prove_zeros(program, program.functions[0], budget);
 }
 
 const std::string circle =

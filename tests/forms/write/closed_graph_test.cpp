@@ -12,7 +12,7 @@ using namespace elgen;
 namespace {
 
 /// The entry of a function with one entry in a layout, as text.
-std::string written(const std::string& function, Layout layout) {
+std::string written_text(const std::string& function, Layout layout) {
   const Program program = testing::read_program("parameters m l\ncoordinates x y\n" + function);
   const ClosedForms forms = present(program);
   Expressions expressions;
@@ -38,8 +38,8 @@ const std::string two_rates =
 }  // namespace
 
 TEST_CASE("terms are grouped by their rates") {
-  CHECK(written(two_rates, {std::nullopt, Grouping::none}) == "m*dot(x) + l*dot(x) + dot(y)");
-  CHECK(written(two_rates, {std::nullopt, Grouping::by_rates}) == "(m + l)*dot(x) + dot(y)");
+  CHECK(written_text(two_rates, {std::nullopt, Grouping::none}) == "m*dot(x) + l*dot(x) + dot(y)");
+  CHECK(written_text(two_rates, {std::nullopt, Grouping::by_rates}) == "(m + l)*dot(x) + dot(y)");
 }
 
 TEST_CASE("a common denominator divides the sum of its terms") {
@@ -47,7 +47,7 @@ TEST_CASE("a common denominator divides the sum of its terms") {
       "function bias\n  0 = coordinate x\n  1 = coordinate y\n  2 = parameter l\n"
       "  3 = divide 0 2\n  4 = multiply 2 2\n  5 = divide 1 4\n  6 = add 3 5\n"
       "  result 1 1 = 6\n";
-  CHECK(written(text, {}) == "(y + l*x)/l^2");
+  CHECK(written_text(text, {}) == "(y + l*x)/l^2");
 }
 
 TEST_CASE("more terms than the limit give no graph") {

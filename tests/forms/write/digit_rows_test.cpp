@@ -41,7 +41,7 @@ int equal_values(const Expressions& from, const Expressions& to) {
 }
 
 /// The value in double at five values of the letters.
-double in_double(const Expressions& expressions, const std::vector<double>& letters) {
+double value_in_double(const Expressions& expressions, const std::vector<double>& letters) {
   Arguments<double> point;
   point.q = letters;
   const Program program = testing::program_of(make_network(expressions));
@@ -83,7 +83,7 @@ TEST_CASE("every row matches its own text, also with a common factor in its term
         from.values[0] =
             GraphTerms(from.graph).sum({from.graph.product({{factor}, {from.values[0]}})});
       }
-      const auto after = with_kept_digits(from, Squares::apart);
+      const auto after = rewrite_to_keep_digits(from, Squares::factored);
       REQUIRE(after);
       CHECK(testing::texts_of(*after) != testing::texts_of(from));
       const int compared = with_digits(50, [&] { return equal_values(from, *after); });
@@ -106,11 +106,11 @@ TEST_CASE("rewritten differences keep their digits near 0 in double") {
       NearZero{"log((1 + a)/(1 - a))", "log1p(a) - log1p(-a)"});
   INFO(row.text);
   const auto from = testing::expressions_of({row.text});
-  const auto after = with_kept_digits(from, Squares::whole);
+  const auto after = rewrite_to_keep_digits(from, Squares::whole);
   REQUIRE(after);
   const auto reference = testing::expressions_of({row.reference});
   const std::vector<double> point{1e-7, 3e-7, 2e-8, 0.5, 2};
-  CHECK(in_double(*after, point) == Approx(in_double(reference, point)).epsilon(1e-14));
+  CHECK(value_in_double(*after, point) == Approx(value_in_double(reference, point)).epsilon(1e-14));
 }
 
 TEST_CASE(
@@ -119,13 +119,13 @@ TEST_CASE(
                                     "cosh(a) - 1 - a^2/2", "a*cosh(a) - sinh(a)");
   INFO(text);
   const auto from = testing::expressions_of({text});
-  const auto after = with_kept_digits(from, Squares::whole);
+  const auto after = rewrite_to_keep_digits(from, Squares::whole);
   REQUIRE(after);
   for (const double a : {-45.0, -8.0, -1.5, -1e-6, 1e-6, 1.5, 8.0, 45.0}) {
     INFO(a);
     Arguments<Real> point;
     point.q.assign(5, Real(exact_value(a)));
-    const Real value(exact_value(in_double(*after, std::vector<double>(5, a))));
+    const Real value(exact_value(value_in_double(*after, std::vector<double>(5, a))));
     CHECK(abs(value / testing::value_of(from, point) - Real(1)) < Real(exact_value(0x1p-49)));
   }
 }

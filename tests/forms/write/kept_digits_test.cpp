@@ -14,9 +14,9 @@ namespace {
 
 std::string kept(const std::string& text) {
   const Expressions before = testing::expressions_of({text});
-  const auto better = with_kept_digits(before, Squares::whole);
+  const auto better = rewrite_to_keep_digits(before, Squares::whole);
   if (better) return testing::texts_of(*better).at(0);
-  const auto apart = with_kept_digits(before, Squares::apart);
+  const auto apart = rewrite_to_keep_digits(before, Squares::factored);
   return apart ? testing::texts_of(*apart).at(0) : "none";
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("every rewriting has the value of the original") {
                            "d*(a^2 - b^2) + e"}) {
     INFO(text);
     const Expressions before = testing::expressions_of({text});
-    const auto after = with_kept_digits(before, Squares::apart);
+    const auto after = rewrite_to_keep_digits(before, Squares::factored);
     REQUIRE(after);
     for (int i = 0; i < 4; ++i) {
       Arguments<Real> point;
@@ -146,7 +146,7 @@ TEST_CASE("a product with a repeated factor has the value of the sum") {
                            "cos(c) + a^2 - 2*a + 1", "4*a^3*b - 12*a^2*b + 9*a*b"}) {
     INFO(text);
     const Expressions before = testing::expressions_of({text});
-    const auto after = with_kept_digits(before, Squares::apart);
+    const auto after = rewrite_to_keep_digits(before, Squares::factored);
     REQUIRE(after);
     Arguments<Real> point;
     for (const int k : {3, 5, 7, 11, 13}) point.q.push_back(Real(cln::cl_RA(k) / 17));

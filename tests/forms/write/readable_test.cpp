@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-std::string written(const std::string& expression) {
+std::string written_text(const std::string& expression) {
   const std::string text =
       model_text("written",
                  "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n"
@@ -76,20 +76,20 @@ TEST_CASE("the shortest form is written") {
   };
   for (const auto& [expression, expected] : rows) {
     INFO(expression);
-    CHECK(written(expression) == expected);
+    CHECK(written_text(expression) == expected);
   }
 }
 
 TEST_CASE("a shorter derived form is written only if it loses no digits") {
-  CHECK(written("(x + a)^3 - x^3") == "a*(3*x*(a + x) + a^2)");
-  CHECK(written("(a - sqrt(x^2 + y^2))^2") == "(a - sqrt(x^2 + y^2))^2");
+  CHECK(written_text("(x + a)^3 - x^3") == "a*(3*x*(a + x) + a^2)");
+  CHECK(written_text("(a - sqrt(x^2 + y^2))^2") == "(a - sqrt(x^2 + y^2))^2");
   // Both forms are only as precise as the angle.
-  CHECK(written("cos(x + pi/6)") == "cos(1/6*pi + x)");
+  CHECK(written_text("cos(x + pi/6)") == "cos(1/6*pi + x)");
 }
 
 TEST_CASE("no entry of any output contains both squares") {
   // The spherical pendulum: l^2 (theta'^2 + sin(theta)^2 phi'^2) from three Cartesian components.
-  const Chosen c = chosen(model_text("spherical", R"toml(
+  const ChosenForms c = chosen(model_text("spherical", R"toml(
 [[coordinate]]
 name = "theta"
 [[coordinate]]

@@ -42,10 +42,10 @@ struct Counts {
 };
 
 void work(const Corpus& corpus, std::uint64_t seed, Counts& counts) {
-  const Trial trial = drawn(corpus, seed);
+  const Trial trial = random_trial(corpus, seed);
   Verdict verdict;
   try {
-    verdict = tried(trial, seed % runs_per_compiled_header == 0);
+    verdict = run_trial(trial, seed % runs_per_compiled_header == 0);
   } catch (const std::exception& error) {
     verdict.fault = std::string("the fuzzer itself fails: ") + error.what();
   }
@@ -69,7 +69,7 @@ void print(std::uint64_t process, const Counts& counts) {
 }
 
 /// Tries the runs with this remainder modulo the number of processes; false if one failed.
-bool work_on(const Task& task, std::uint64_t remainder) {
+bool run_task(const Task& task, std::uint64_t remainder) {
   Corpus corpus(random_models);
   if (const char* const robots = std::getenv("ELGEN_ROBOTS")) corpus.add_robots(robots);
   Counts counts;
@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   task.processes = number_from(argc, argv, 3, "ELGEN_PROCESSES",
                                std::max(1U, std::thread::hardware_concurrency()));
   for (std::uint64_t k = 0; k < task.processes; ++k) {
-    if (fork() == 0) _exit(work_on(task, k) ? 0 : 1);
+    if (fork() == 0) _exit(run_task(task, k) ? 0 : 1);
   }
   int worst = 0;
   int status = 0;

@@ -14,7 +14,7 @@ namespace {
 /// A trial with a shell script in place of elgen.
 std::string fault_of_script(const std::string& script) {
   const Trial trial{{"m.toml", {{"m.toml", "x"}}}, {"/bin/sh", "-c", script}};
-  return tried(trial, false).fault;
+  return run_trial(trial, false).fault;
 }
 
 }  // namespace
@@ -23,9 +23,9 @@ TEST_CASE("mutated inputs are refused in order or work") {
   const Corpus corpus(10);
   std::size_t worked = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
-    const Trial trial = drawn(corpus, seed);
+    const Trial trial = random_trial(corpus, seed);
     INFO("run " << seed << " of " << trial.input.name);
-    const Verdict verdict = tried(trial, seed % 50 == 0);
+    const Verdict verdict = run_trial(trial, seed % 50 == 0);
     CHECK(verdict.fault == "");
     worked += verdict.worked ? 1 : 0;
   }
@@ -39,8 +39,8 @@ TEST_CASE("a seed gives one mutation, which changes the text") {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     Draw one(seed);
     Draw same(seed);
-    const std::string result = mutated(text, one);
-    CHECK(result == mutated(text, same));
+    const std::string result = mutate(text, one);
+    CHECK(result == mutate(text, same));
     changed += result != text ? 1 : 0;
   }
   CHECK(changed > 80);

@@ -155,15 +155,15 @@ Token part_of_expression(const std::string& text, Draw& draw) {
 }
 
 void change_byte(std::string& text, Draw& draw) {
-  text[draw.below(text.size())] = static_cast<char>(draw.below(256));
+  text[draw.number_below(text.size())] = static_cast<char>(draw.number_below(256));
 }
 
 void insert_byte(std::string& text, Draw& draw) {
-  text.insert(draw.below(text.size() + 1), 1, static_cast<char>(draw.below(256)));
+  text.insert(draw.number_below(text.size() + 1), 1, static_cast<char>(draw.number_below(256)));
 }
 
 void remove_bytes(std::string& text, Draw& draw) {
-  text.erase(draw.below(text.size()), 1 + draw.below(8));
+  text.erase(draw.number_below(text.size()), 1 + draw.number_below(8));
 }
 
 void swap_token(std::string& text, Draw& draw) {
@@ -189,14 +189,14 @@ void change_expression(std::string& text, Draw& draw) {
   if (at.kind != Token::Kind::other && from.kind != Token::Kind::other) {
     replace(text, at, text.substr(from.begin, from.size));
   } else if (signs.find(text[at.begin]) != std::string::npos) {
-    text[at.begin] = signs[draw.below(signs.size())];
+    text[at.begin] = signs[draw.number_below(signs.size())];
   }
 }
 
 void put_word(std::string& text, Draw& draw) {
   const std::string& word = draw.one_of(words);
-  if (draw.below(2) == 0) {
-    text.insert(draw.below(text.size() + 1), word);
+  if (draw.number_below(2) == 0) {
+    text.insert(draw.number_below(text.size() + 1), word);
   } else {
     replace(text, any_token(text, draw, {Token::Kind::name, Token::Kind::other}), word);
   }
@@ -204,7 +204,7 @@ void put_word(std::string& text, Draw& draw) {
 
 void put_number(std::string& text, Draw& draw) {
   const std::string number =
-      draw.below(2) == 0 ? draw.one_of(numbers) : std::to_string(1 + draw.below(9));
+      draw.number_below(2) == 0 ? draw.one_of(numbers) : std::to_string(1 + draw.number_below(9));
   replace(text, any_token(text, draw, {Token::Kind::number}), number);
 }
 
@@ -220,9 +220,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 void move_lines(std::string& text, Draw& draw) {
   std::vector<std::string> lines = lines_of(text);
-  const std::size_t first = draw.below(lines.size());
-  const std::size_t second = draw.below(lines.size());
-  switch (draw.below(3)) {
+  const std::size_t first = draw.number_below(lines.size());
+  const std::size_t second = draw.number_below(lines.size());
+  switch (draw.number_below(3)) {
     case 0:
       lines[first].clear();
       break;
@@ -236,7 +236,7 @@ void move_lines(std::string& text, Draw& draw) {
   for (const std::string& line : lines) text += line;
 }
 
-void cut_off(std::string& text, Draw& draw) { text.resize(draw.below(text.size())); }
+void cut_off(std::string& text, Draw& draw) { text.resize(draw.number_below(text.size())); }
 
 }  // namespace
 
@@ -257,7 +257,7 @@ std::vector<Token> tokens_of(const std::string& text) {
   return tokens;
 }
 
-std::string mutated(std::string text, Draw& draw) {
+std::string mutate(std::string text, Draw& draw) {
   // Edits of expressions and numbers are repeated in the list, because they get past the parser
   // most often.
   static constexpr std::array mutations{
@@ -265,7 +265,7 @@ std::string mutated(std::string text, Draw& draw) {
       put_word,         put_number,        put_number,        put_number,        move_lines,
       cut_off,          change_expression, change_expression, change_expression, change_expression,
       change_expression};
-  const std::size_t count = draw.below(3) > 0 ? 1 : 2 + draw.below(3);
+  const std::size_t count = draw.number_below(3) > 0 ? 1 : 2 + draw.number_below(3);
   for (std::size_t i = 0; i < count && !text.empty(); ++i) draw.one_of(mutations)(text, draw);
   return text;
 }

@@ -13,10 +13,10 @@ class Draw {
   explicit Draw(std::uint64_t seed) : engine_(seed) {}
 
   /// A random number from 0 to count - 1; `count` is positive.
-  std::size_t below(std::size_t count) { return engine_() % count; }
+  std::size_t number_below(std::size_t count) { return engine_() % count; }
   template <class Items>
   const auto& one_of(const Items& items) {
-    return items[below(items.size())];
+    return items[number_below(items.size())];
   }
 
  private:
@@ -37,6 +37,6 @@ struct Token {
 /// another token of the text or a word of the language; replaces a number by an extreme one;
 /// removes, repeats or exchanges lines; or truncates the text. The same draws give the same text in
 /// every build.
-[[nodiscard]] std::string mutated(std::string text, Draw& draw);
+[[nodiscard]] std::string mutate(std::string text, Draw& draw);
 
 }  // namespace elgen::fuzz

@@ -23,7 +23,7 @@
 namespace elgen::fuzz {
 namespace {
 
-struct Ended {
+struct ProcessResult {
   int status = 0;           ///< the exit code, if the process ended by itself
   int signal = 0;           ///< the signal that ended the process, or 0
   std::string output = {};  ///< standard output
@@ -64,8 +64,8 @@ void redirect(const std::filesystem::path& path, int flags, int descriptor) {
 }
 
 /// Runs words[0] in `folder`, without standard input. Throws if it cannot be started.
-Ended run(const std::vector<std::string>& words, const std::filesystem::path& folder,
-          const ProcessLimits& limits) {
+ProcessResult run(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                  const ProcessLimits& limits) {
   const test::Workspace captured;
   const pid_t child = fork();
   if (child == 0) become(words, folder, limits, captured.path());
@@ -73,7 +73,7 @@ Ended run(const std::vector<std::string>& words, const std::filesystem::path& fo
   if (child < 0 || waitpid(child, &status, 0) != child) {
     throw std::runtime_error("cannot run " + words[0]);
   }
-  Ended ended;
+  ProcessResult ended;
   ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   ended.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (ended.status == not_started) throw std::runtime_error("cannot start " + words[0]);
@@ -86,7 +86,7 @@ namespace fs = std::filesystem;
 
 /// Well above the limits given to elgen, so that this limit only ends an elgen that ignores its
 /// own.
-constexpr ProcessLimits around{.seconds = 40, .memory_mib = 3000};
+constexpr ProcessLimits process_limits{.seconds = 40, .memory_mib = 3000};
 constexpr const char* seconds_limit = "seconds=10";
 constexpr const char* memory_limit = "memory_mib=1000";
 
@@ -138,7 +138,7 @@ std::vector<std::string> command_for(const Input& input, Draw& draw) {
   const auto add = [&words](const std::vector<std::string>& more) {
     words.insert(words.end(), more.begin(), more.end());
   };
-  const std::size_t choice = draw.below(8);
+  const std::size_t choice = draw.number_below(8);
   if (is_robot(input)) {
     add({"import", input.name, "-o", "imported.toml"});
   } else if (choice < 5) {
@@ -178,7 +178,7 @@ std::string false_alarm(const std::string& certificate) {
   return {};
 }
 
-std::string fault_of_ending(const Ended& ended) {
+std::string fault_of_ending(const ProcessResult& ended) {
   static constexpr std::array documented{0, 1, 2, 3, 4};
   if (ended.signal != 0) return "signal " + std::to_string(ended.signal);
   const auto* const known = std::find(documented.begin(), documented.end(), ended.status);
@@ -194,7 +194,7 @@ std::string fault_of_ending(const Ended& ended) {
 
 /// A path that was written unexpectedly; a failed command may write nothing, a successful one only
 /// its output.
-std::string leftover(const Trial& trial, const fs::path& folder, bool succeeded) {
+std::string unexpected_file(const Trial& trial, const fs::path& folder, bool succeeded) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string path = entry.path().lexically_relative(folder).string();
     const bool is_output =
@@ -246,22 +246,23 @@ void Corpus::add_robots(const fs::path& folder) {
   }
 }
 
-Trial drawn(const Corpus& corpus, std::uint64_t seed) {
+Trial random_trial(const Corpus& corpus, std::uint64_t seed) {
   Draw draw(seed);
   Trial trial{draw.one_of(corpus.inputs()), {}};
   auto file = trial.input.files.begin();
-  std::advance(file, draw.below(trial.input.files.size()));
-  file->second = mutated(file->second, draw);
+  std::advance(file, draw.number_below(trial.input.files.size()));
+  file->second = mutate(file->second, draw);
   trial.command = command_for(trial.input, draw);
   return trial;
 }
 
-Verdict tried(const Trial& trial, bool compiles) {
+Verdict run_trial(const Trial& trial, bool compiles) {
   const test::Workspace workspace;
   write(trial.input, workspace.path());
-  const Ended ended = run(trial.command, workspace.path(), around);
+  const ProcessResult ended = run(trial.command, workspace.path(), process_limits);
   Verdict verdict{ended.signal == 0 && ended.status == 0, fault_of_ending(ended)};
-  if (verdict.fault.empty()) verdict.fault = leftover(trial, workspace.path(), verdict.worked);
+  if (verdict.fault.empty())
+    verdict.fault = unexpected_file(trial, workspace.path(), verdict.worked);
   if (verdict.fault.empty() && verdict.worked && compiles) {
     verdict.fault = fault_of_headers(workspace.path());
   }

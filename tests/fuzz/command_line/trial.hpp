@@ -35,7 +35,7 @@ struct Trial {
 };
 
 /// Deterministic for a seed and a corpus.
-[[nodiscard]] Trial drawn(const Corpus& corpus, std::uint64_t seed);
+[[nodiscard]] Trial random_trial(const Corpus& corpus, std::uint64_t seed);
 
 struct Verdict {
   bool worked = false;  ///< the exit code was 0
@@ -45,7 +45,7 @@ struct Verdict {
   std::string fault = {};
 };
 
-[[nodiscard]] Verdict tried(const Trial& trial, bool compiles);
+[[nodiscard]] Verdict run_trial(const Trial& trial, bool compiles);
 
 /// Writes the files and the command, so that the trial can be repeated by hand.
 void save(const Trial& trial, const std::string& fault, const std::filesystem::path& folder);

@@ -68,10 +68,10 @@ Scene scene_for() {
 template <class Scalar>
 double in_ulps(Scalar value, const Real& truth) {
   constexpr int digits_of_scalar = std::numeric_limits<Scalar>::digits;
-  const double magnitude = ScalarTraits<double>::from_real(truth.value());
+  const double magnitude = to_double(truth.value());
   const double ulp = std::ldexp(1.0, std::ilogb(magnitude) + 1 - digits_of_scalar);
   const Real error = Real(exact_value(static_cast<double>(value))) - truth;
-  return std::abs(ScalarTraits<double>::from_real(error.value())) / ulp;
+  return std::abs(to_double(error.value())) / ulp;
 }
 
 /// The larger error of sine and cosine at an angle, for single numbers.
@@ -85,7 +85,7 @@ double worst_ulps(const Sines<Scalar>& numbers, Scalar angle) {
 /// The largest error next to multiples of pi/4 in the domain, from the `first`, every `stride`th.
 template <class Scalar>
 double worst_beside(std::size_t first, std::size_t stride) {
-  const Sines<Scalar> numbers(scene_for<Scalar>(), SinesOf::numbers);
+  const Sines<Scalar> numbers(scene_for<Scalar>(), SineArithmetic::numbers);
   const double domain = angle_reduction(scalar_kind<Scalar>).domain;
   const double eighth = std::acos(-1.0) / 4;
   double worst = 0;
@@ -102,7 +102,7 @@ double worst_beside(std::size_t first, std::size_t stride) {
 /// The largest error of sine and cosine of packs, over random angles.
 template <class Scalar>
 double largest_error(const Numerics& numerics) {
-  const Sines<Scalar> packs(scene_of(numerics), SinesOf::packs);
+  const Sines<Scalar> packs(scene_of(numerics), SineArithmetic::packs);
   const double domain = angle_reduction(scalar_kind<Scalar>).domain;
   Random random(7);
   double most = 0;
@@ -114,7 +114,7 @@ double largest_error(const Numerics& numerics) {
     for (const auto& [value, truth] :
          {std::pair(sine, sin(exact)), std::pair(cosine, cos(exact))}) {
       const Real error = Real(exact_value(static_cast<double>(value))) - truth;
-      most = std::max(most, std::abs(ScalarTraits<double>::from_real(error.value())));
+      most = std::max(most, std::abs(to_double(error.value())));
     }
   }
   return most;
@@ -197,7 +197,7 @@ TEST_CASE("sines and cosines have at most the permitted error, and not much less
 }
 
 TEST_CASE("packs have no value for angles outside the domain") {
-  const Sines<float> packs(Scene{}, SinesOf::packs);
+  const Sines<float> packs(Scene{}, SineArithmetic::packs);
   CHECK(std::isnan(packs.of(1001.0F).sine));
   CHECK(std::isnan(packs.of(-1001.0F).cosine));
   CHECK(std::isnan(packs.of(std::nanf("")).sine));
@@ -205,7 +205,7 @@ TEST_CASE("packs have no value for angles outside the domain") {
 }
 
 TEST_CASE("quarter turns are exact") {
-  const Sines<double> packs(Scene{}, SinesOf::packs);
+  const Sines<double> packs(Scene{}, SineArithmetic::packs);
   CHECK(packs.of(0).sine == 0);
   CHECK(packs.of(0).cosine == 1);
   CHECK(packs.of(std::acos(-1.0)).cosine == -1);
@@ -218,7 +218,7 @@ TEST_CASE("sines of single numbers have errors of 1.5 ulp, float 0.9 ulp, and 0.
   CHECK(worst_beside<double>(1, 62) <= 1.5);  // odd multiples of pi/4, where polynomials are worst
   CHECK(worst_beside<float>(1, 2) <= 0.9);
   Random random(3);
-  const Sines<double> numbers(Scene{}, SinesOf::numbers);
+  const Sines<double> numbers(Scene{}, SineArithmetic::numbers);
   double worst = 0;
   for (int i = 0; i < 4000; ++i) {
     const double angle = random.uniform(-1, 1) * std::pow(10, random.uniform(-20, 5));
@@ -228,27 +228,27 @@ TEST_CASE("sines of single numbers have errors of 1.5 ulp, float 0.9 ulp, and 0.
 }
 
 TEST_CASE("the numbers nearest to multiples of pi/2 keep their digits") {
-  const Sines<double> in_double(scene_for<double>(), SinesOf::numbers);
+  const Sines<double> in_double(scene_for<double>(), SineArithmetic::numbers);
   CHECK(worst_ulps(in_double, 0x1.6c6cbc45dc8dep+5) <= 0.5001);  // 29 pi/2
-  const Sines<float> in_float(scene_for<float>(), SinesOf::numbers);
+  const Sines<float> in_float(scene_for<float>(), SineArithmetic::numbers);
   CHECK(worst_ulps(in_float, 0x1.f9cbe2p+7F) <= 0.5001);  // 161 pi/2
 }
 
 TEST_CASE("single numbers outside the domain use the library's sines") {
-  const Sines<double> numbers(Scene{}, SinesOf::numbers);
+  const Sines<double> numbers(Scene{}, SineArithmetic::numbers);
   CHECK(numbers.of(1.1e5).sine == std::sin(1.1e5));
   CHECK(numbers.of(-1e300).cosine == std::cos(-1e300));
   CHECK(std::isnan(numbers.of(std::numeric_limits<double>::infinity()).sine));
-  const Sines<float> floats(Scene{}, SinesOf::numbers);
+  const Sines<float> floats(Scene{}, SineArithmetic::numbers);
   CHECK(floats.of(1.1e3F).sine == std::sin(1.1e3F));
 }
 
 TEST_CASE("a scene may select the library's sines for single numbers") {
   Scene scene;
   scene.numerics.has_library_sines = true;
-  const Sines<double> numbers(scene, SinesOf::numbers);
-  const Sines<double> packs(scene, SinesOf::packs);
-  const Sines<double> in_line(Scene{}, SinesOf::packs);
+  const Sines<double> numbers(scene, SineArithmetic::numbers);
+  const Sines<double> packs(scene, SineArithmetic::packs);
+  const Sines<double> in_line(Scene{}, SineArithmetic::packs);
   for (int i = 0; i < 100; ++i) {
     const double angle = 0.7 * i;
     CHECK(numbers.of(angle).cosine == std::cos(angle));
@@ -257,7 +257,7 @@ TEST_CASE("a scene may select the library's sines for single numbers") {
 }
 
 TEST_CASE("the sine of a signed zero keeps the sign") {
-  for (const SinesOf arithmetic : {SinesOf::packs, SinesOf::numbers}) {
+  for (const SineArithmetic arithmetic : {SineArithmetic::packs, SineArithmetic::numbers}) {
     const Sines<double> sines(Scene{}, arithmetic);
     CHECK(std::signbit(sines.of(-0.0).sine));
     CHECK_FALSE(std::signbit(sines.of(0.0).sine));

@@ -23,8 +23,7 @@ double conditioning(const std::string& text, const State& state,
   const Conditioning all(program, function, evaluate_instructions(program, function, arguments),
                          std::move(parameters));
   const Real k = all.of(function.fields[0].entries[0]);
-  return k.is_defined() ? ScalarTraits<double>::from_real(k.value())
-                        : std::numeric_limits<double>::infinity();
+  return k.is_defined() ? to_double(k.value()) : std::numeric_limits<double>::infinity();
 }
 
 State at(double m, double x, double y) {

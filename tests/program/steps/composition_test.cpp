@@ -32,11 +32,11 @@ TEST_CASE("a call copies the instructions of its entries, with its leaves replac
   const std::uint32_t h = compose.leaf(Opcode::step);
   const Places q = compose.leaves(Opcode::coordinate, 1);
   const Places v = compose.leaves(Opcode::velocity, 1);
-  const Places moved = compose.moved(q, h, v);
-  compose.name(moved, Opcode::coordinate, 2);
+  const Places add_scaled = compose.add_scaled(q, h, v);
+  compose.name(add_scaled, Opcode::coordinate, 2);
   compose.name(q, Opcode::coordinate, 1);  // no effect: a leaf keeps its own name
   Places entries = compose.call(from, from.functions[0], from.functions[0].fields[0],
-                                {.q = moved, .v = v, .number = 2});
+                                {.q = add_scaled, .v = v, .number = 2});
   function.kind = OutputKind::bias;
   function.name = "bias";
   function.fields = {{"", 2, 1, std::move(entries)}};

@@ -33,19 +33,19 @@ TEST_CASE("one step of rk4 has an error of O(h^5), of verlet O(h^3)") {
   const cln::cl_RA h = cln::cl_RA(1) / 100;
   for (const char* const name : {"cart_pole", "two_link_arm", "furuta_pendulum", "free_body"}) {
     INFO(name);
-    const Stepped step(model_file(name), "rk4");
-    CHECK(local_order(step, somewhere(step), h) == Approx(5).margin(0.15));
+    const StepProgram step(model_file(name), "rk4");
+    CHECK(local_order(step, generic_state(step), h) == Approx(5).margin(0.15));
   }
-  const Stepped rk4(shaken, "rk4");
-  CHECK(local_order(rk4, somewhere(rk4), h) == Approx(5).margin(0.15));
-  const Stepped verlet(shaken, "verlet");
-  CHECK(local_order(verlet, somewhere(verlet), h) == Approx(3).margin(0.15));
+  const StepProgram rk4(shaken, "rk4");
+  CHECK(local_order(rk4, generic_state(rk4), h) == Approx(5).margin(0.15));
+  const StepProgram verlet(shaken, "verlet");
+  CHECK(local_order(verlet, generic_state(verlet), h) == Approx(3).margin(0.15));
 }
 
 TEST_CASE("a projected step is the step followed by `projected`, bit by bit") {
   for (const std::string& model : {model_file("five_bar"), model_file("rolling_ball"), swinging}) {
-    const Stepped whole(model, "rk4", ", projected = true");
-    State state = somewhere(whole);
+    const StepProgram whole(model, "rk4", ", projected = true");
+    State state = generic_state(whole);
     state.h = cln::cl_RA(1) / 100;
     const Products parts = stepped({model, "rk4", "", "projected = true\n"});
     REQUIRE(parts.program);
@@ -70,17 +70,18 @@ TEST_CASE("one step of a composition has an error of O(h^(order + 1))") {
   const cln::cl_RA h = cln::cl_RA(1) / 100;
   for (const int order : {4, 8}) {
     const std::string more = ", order = " + std::to_string(order);
-    const Stepped verlet(shaken, "verlet", more);
-    CHECK(local_order(verlet, somewhere(verlet), h) == Approx(order + 1).margin(0.15));
-    const Stepped midpoint(shaken, "midpoint", more + ", iterations = 10");
-    CHECK(local_order(midpoint, somewhere(midpoint), h) == Approx(order + 1).margin(0.15));
+    const StepProgram verlet(shaken, "verlet", more);
+    CHECK(local_order(verlet, generic_state(verlet), h) == Approx(order + 1).margin(0.15));
+    const StepProgram midpoint(shaken, "midpoint", more + ", iterations = 10");
+    CHECK(local_order(midpoint, generic_state(midpoint), h) == Approx(order + 1).margin(0.15));
   }
 }
 
 TEST_CASE("substeps of a composition are symmetric and meet the conditions of their order") {
-  CHECK(step_parts(0) == std::vector<cln::cl_RA>{1});
+  CHECK(composition_coefficients(0) == std::vector<cln::cl_RA>{1});
   for (const int order : {4, 8}) {
-    const std::vector<cln::cl_RA> parts = step_parts(static_cast<std::uint32_t>(order));
+    const std::vector<cln::cl_RA> parts =
+        composition_coefficients(static_cast<std::uint32_t>(order));
     CHECK(parts.size() == (order == 4 ? 5U : 17U));
     CHECK(std::vector<cln::cl_RA>(parts.rbegin(), parts.rend()) == parts);
     for (int power = 1; power < order; power += 2) {
@@ -104,7 +105,7 @@ V = "-1/sqrt(x^2 + y^2)"
 )toml");
   // The kicks of adjacent substeps are merged.
   const std::size_t accelerations =
-      count_operations(Stepped(kepler, "verlet", ", order = 8").function()).sqrt;
+      count_operations(StepProgram(kepler, "verlet", ", order = 8").function()).sqrt;
   CHECK(accelerations == 18);
   const int steps = 116 * 1000;
   CHECK(static_cast<double>(steps) * static_cast<double>(accelerations) < 2.1e6);
@@ -124,7 +125,7 @@ TEST_CASE("a step of rk4 agrees with an independent run up to rounding") {
   SimulationOptions options = steps_of("rk4", 0.05, 0.05);
   options.from = 0.25;
   const std::vector<double> last = compiled.trajectory(options).last;
-  const Stepped step(shaken, "rk4");
+  const StepProgram step(shaken, "rk4");
   Arguments<double> at = arguments_at<double>(step.origin());
   at.q = {0.3, -0.2};
   at.v = {1, 2};
@@ -138,16 +139,16 @@ TEST_CASE("a step of rk4 agrees with an independent run up to rounding") {
 }
 
 TEST_CASE("verlet calls the accelerations twice, rk4 four times, with shared operations") {
-  const OperationCounts once = count_operations(Stepped(shaken, "verlet").function());
-  const OperationCounts all = count_operations(Stepped(shaken, "rk4").function());
+  const OperationCounts once = count_operations(StepProgram(shaken, "verlet").function());
+  const OperationCounts all = count_operations(StepProgram(shaken, "rk4").function());
   // sin(3 t) at the midpoint is computed once.
   CHECK(once.sincos == 4);
   CHECK(all.sincos == 7);
 }
 
 TEST_CASE("quaternions keep length 1 for any step size") {
-  const Stepped step(model_file("quadrotor"), "rk4");
-  State state = somewhere(step);
+  const StepProgram step(model_file("quadrotor"), "rk4");
+  State state = generic_state(step);
   state.h = 2;
   const std::vector<double> next = step.values<double>(state);
   double square = 0;
@@ -156,8 +157,8 @@ TEST_CASE("quaternions keep length 1 for any step size") {
 }
 
 TEST_CASE("a step of length 0 changes nothing") {
-  const Stepped step(model_file("two_link_arm"), "rk4");
-  const State state = somewhere(step);
+  const StepProgram step(model_file("two_link_arm"), "rk4");
+  const State state = generic_state(step);
   const std::vector<double> next = step.values<double>(state);
   const Arguments<double> at = arguments_at<double>(state);
   CHECK(std::vector<double>(next.begin(), next.begin() + 2) == at.q);

@@ -18,9 +18,9 @@ Model model_of(std::size_t n, bool branches) {
 }
 
 /// Solves M x = r. Non-zero entries of M and r are parameters.
-class Solved {
+class LinearSolution {
  public:
-  Solved(const Model& model, std::vector<double> entries, std::size_t n)
+  LinearSolution(const Model& model, std::vector<double> entries, std::size_t n)
       : numbers_(std::move(entries)) {
     Function function{.kind = OutputKind::bias, .name = "bias"};
     program_.leaves.parameters.resize(numbers_.size(), "m");
@@ -30,7 +30,7 @@ class Solved {
       all.push_back(numbers_[i] == 0 ? compose.number(0) : compose.leaf(Opcode::parameter, i));
     }
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(n * n);
-    const Factorised mass(compose, order_of_elimination(model), {all.begin(), middle});
+    const MassFactorisation mass(compose, elimination_order(model), {all.begin(), middle});
     Places x = mass.solve({middle, all.end()});
     function.fields = {{"", static_cast<std::uint32_t>(n), 1, std::move(x)}};
     program_.functions.push_back(std::move(function));
@@ -65,13 +65,13 @@ void check_arrow(const std::vector<double>& x) {
 }  // namespace
 
 TEST_CASE("x solves M x = r in both orders of elimination") {
-  check_arrow(Solved(model_of(3, false), arrow, 3).x());
-  check_arrow(Solved(model_of(3, true), arrow, 3).x());
+  check_arrow(LinearSolution(model_of(3, false), arrow, 3).x());
+  check_arrow(LinearSolution(model_of(3, true), arrow, 3).x());
 }
 
 TEST_CASE("zeros between branches stay zero and cost nothing") {
-  const OperationCounts filled = Solved(model_of(3, false), arrow, 3).counts();
-  const OperationCounts kept = Solved(model_of(3, true), arrow, 3).counts();
+  const OperationCounts filled = LinearSolution(model_of(3, false), arrow, 3).counts();
+  const OperationCounts kept = LinearSolution(model_of(3, true), arrow, 3).counts();
   // Three reciprocals 1/D_i; products for each L_ij and W_ij of L_21 and L_31, and for two
   // substitutions. On a chain L_32 fills in.
   CHECK(kept.div == 3);
@@ -80,7 +80,7 @@ TEST_CASE("zeros between branches stay zero and cost nothing") {
 }
 
 TEST_CASE("a diagonal matrix only needs divisions") {
-  const Solved diagonal(model_of(2, false), {2, 0, 0, 4, 6, 6}, 2);
+  const LinearSolution diagonal(model_of(2, false), {2, 0, 0, 4, 6, 6}, 2);
   CHECK(diagonal.x() == std::vector<double>{3, 1.5});
   CHECK(diagonal.counts() == OperationCounts{.mul = 2, .div = 2});
 }
@@ -108,7 +108,7 @@ struct Columns {
       Places& places = right.emplace_back();
       for (const int entry : column) places.push_back(place(entry));
     }
-    const Factorised factors(compose, {2, 1, 0}, mass);
+    const MassFactorisation factors(compose, {2, 1, 0}, mass);
     Places entries;
     for (const Places& x : factors.solve_columns(right)) {
       entries.insert(entries.end(), x.begin(), x.end());

@@ -20,7 +20,7 @@ std::string obstacle(const std::string& energies) {
   options.goals = {Goal::choose};
   options.scene.outputs = {make_source("outputs", "mass_matrix, momentum, bias")};
   const Products products = run_pipeline({make_source("plane.toml", text), nullptr}, options);
-  return not_separable(*products.checked, *products.program);
+  return nonseparable_reason(*products.checked, *products.program);
 }
 
 Model point(const std::string& potential) {
@@ -55,8 +55,8 @@ TEST_CASE("midpoint is refused unless p = M v + b with coordinates only") {
 TEST_CASE("the outputs of a midpoint step are computed together, in the requested form") {
   const CheckedModel checked = checked_model(shaken);
   OutputRequest step{
-      .kind = OutputKind::step, .form = Form::closed, .step = step_by(StepMethod::midpoint)};
-  const std::vector<OutputRequest> needed = needed_for_step(checked.model, step);
+      .kind = OutputKind::step, .form = Form::closed, .step = default_step(StepMethod::midpoint)};
+  const std::vector<OutputRequest> needed = outputs_for_step(checked.model, step);
   CHECK(needed.size() == 7);
   CHECK(needed.back().kind == OutputKind::dynamics);
   for (const OutputRequest& each : needed) CHECK(each.form == Form::closed);
@@ -64,9 +64,9 @@ TEST_CASE("the outputs of a midpoint step are computed together, in the requeste
 
 TEST_CASE("a step calls the requested form, and its requirements have no form") {
   const CheckedModel checked = checked_model(shaken);
-  OutputRequest step{.kind = OutputKind::step, .step = step_by(StepMethod::verlet)};
+  OutputRequest step{.kind = OutputKind::step, .step = default_step(StepMethod::verlet)};
   step.form = Form::recursive;
-  const std::vector<OutputRequest> needed = needed_for_step(checked.model, step);
+  const std::vector<OutputRequest> needed = outputs_for_step(checked.model, step);
   REQUIRE(needed.size() == 4);
   CHECK(needed[0].kind == OutputKind::mass_matrix);
   CHECK_FALSE(needed[0].form);

@@ -39,8 +39,8 @@ TEST_CASE("one step of midpoint has an error of O(h^3)") {
   const cln::cl_RA h = cln::cl_RA(1) / 100;
   for (const std::string& model : {model_file("cart_pole"), model_file("double_pendulum"),
                                    model_file("charged_particle"), shaken, lifted}) {
-    const Stepped step(model, "midpoint");
-    CHECK(local_order(step, somewhere(step), h) == Approx(3).margin(0.15));
+    const StepProgram step(model, "midpoint");
+    CHECK(local_order(step, generic_state(step), h) == Approx(3).margin(0.15));
   }
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("residuals shrink by a factor of about h per iteration, down to roundi
 }
 
 TEST_CASE("a numeric M costs nothing, and loop-invariant values are computed once") {
-  const OperationCounts counts = count_operations(Stepped(shaken, "midpoint").function());
+  const OperationCounts counts = count_operations(StepProgram(shaken, "midpoint").function());
   CHECK(counts.div == 0);
   CHECK(counts.sincos == 9 + 1);  // sin(3 (t + h/2)) is shared by all iterations
 }

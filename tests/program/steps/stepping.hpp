@@ -36,9 +36,9 @@ inline Products stepped(const StepScene& wanted) {
 }
 
 /// The step as a function of states. The constructor throws the diagnostics if there is no program.
-class Stepped {
+class StepProgram {
  public:
-  Stepped(const std::string& model, const std::string& method, const std::string& more = {})
+  StepProgram(const std::string& model, const std::string& method, const std::string& more = {})
       : products_(stepped({model, method, more})) {
     if (!products_.program) throw std::runtime_error(format(products_.diagnostics));
   }
@@ -94,7 +94,7 @@ on = "y"
 )toml");
 
 /// A generic state in motion, with inputs, at t = 2/7.
-inline State somewhere(const Stepped& step) {
+inline State generic_state(const StepProgram& step) {
   State state = step.origin();
   const cln::cl_RA part = cln::cl_RA(1) / 7;
   for (std::size_t i = 0; i < state.q.size(); ++i) state.q[i] = state.q[i] + part * (1 + i);
@@ -106,7 +106,7 @@ inline State somewhere(const Stepped& step) {
 }
 
 /// log2 of the error ratio between one step of h and one of h/2: the order of the method plus 1.
-inline double local_order(const Stepped& step, State state, const cln::cl_RA& h) {
+inline double local_order(const StepProgram& step, State state, const cln::cl_RA& h) {
   const auto error = [&](const cln::cl_R& length) {
     state.h = length;
     const State once = step.after(state, 1);

@@ -115,7 +115,7 @@ TEST_CASE("a start off the constraints is moved onto them, and the report states
   stretched.replace(stretched.find("0.5"), 3, "0.6");
   const CompiledSystem system(stretched);
   const Trajectory run = evaluated(system, steps_of("rk4", 0.01, 0.1));
-  const std::vector<StartMove>& start = run.constraints->start;
+  const std::vector<StartCorrection>& start = run.constraints->start;
   REQUIRE(start.size() == 4);
   // Positions change along the rod; the rate along the rod becomes zero.
   const double stretch = 1.3 / std::sqrt(1.8);
@@ -134,7 +134,7 @@ TEST_CASE("a start off the constraints is moved onto them, and the report states
 
 TEST_CASE("stated values are fixed, and the others are solved for") {
   const CompiledSystem system(bob_on_rod, start_options("x=0.6, dot(y)=0.5"));
-  const Numbers start = stated_start(assembled_model(system.checked(), 0)->model);
+  const Numbers start = stated_start(assemble_model(system.checked(), 0)->model);
   CHECK(start[0] == 0.6);
   CHECK(std::abs(start[1] + std::sqrt(1.69 - 0.36)) < 1e-15);
   CHECK(std::abs(start[2] - 0.5 * std::sqrt(1.69 - 0.36) / 0.6) < 1e-15);
@@ -191,13 +191,13 @@ kind = "velocity"
 equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
 )toml");
   const CompiledSystem named(disc, start_options("dot(roll)=6, dot(head)=0.3"));
-  const Numbers start = stated_start(assembled_model(named.checked(), 0)->model);
+  const Numbers start = stated_start(assemble_model(named.checked(), 0)->model);
   CHECK(start[4] == Approx(2.4 * std::cos(0.2)).epsilon(1e-14));
   CHECK(start[5] == Approx(2.4 * std::sin(0.2)).epsilon(1e-14));
   CHECK(start[6] == 6);
   CHECK(start[7] == 0.3);
   const CompiledSystem torn(disc, start_options("dot(roll)=6, dot(x)=1"));
-  const Result<CheckedModel> refused = assembled_model(torn.checked(), 0);
+  const Result<CheckedModel> refused = assemble_model(torn.checked(), 0);
   REQUIRE_FALSE(refused);
   CHECK(refused.diagnostics.front().message ==
         "with the values of `--state`, no rates near the start meet the constraints: the left is "
@@ -207,13 +207,13 @@ equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
 TEST_CASE("a printed state is accepted despite its rounded digits") {
   const CompiledSystem system(
       bob_on_rod, start_options("x=0.6, y=-1.1532562595, dot(x)=0.96104688289, dot(y)=0.5"));
-  const Result<CheckedModel> assembled = assembled_model(system.checked(), 0);
+  const Result<CheckedModel> assembled = assemble_model(system.checked(), 0);
   REQUIRE(assembled);
   const Numbers start = stated_start(assembled->model);
   CHECK(std::abs(std::hypot(start[0], start[1]) - 1.3) < 1e-15);
   CHECK(std::abs(start[0] - 0.6) < 1e-9);
   const CompiledSystem rounded(bob_on_rod, start_options("x=0.6, y=-1.153"));
-  CHECK_FALSE(assembled_model(rounded.checked(), 0));
+  CHECK_FALSE(assemble_model(rounded.checked(), 0));
 }
 
 TEST_CASE("the work of a rod of variable length is subtracted from the energy") {
@@ -370,7 +370,7 @@ TEST_CASE("E538: no pose near the start meets the constraints") {
   const CheckedModel checked = checked_model(
       plane("{ value = 1 }",
             free_in_plane + "[[constraint]]\nname = \"rod\"\nequation = \"x^2 + y^2 = -1\"\n"));
-  const Result<CheckedModel> assembled = assembled_model(checked, 0);
+  const Result<CheckedModel> assembled = assemble_model(checked, 0);
   REQUIRE_FALSE(assembled);
   CHECK(assembled.diagnostics.front().code == Code::E538);
 }

@@ -31,7 +31,7 @@ Result<Trajectory> by_rk4(const std::string& text, double step, double time,
 }
 
 /// The message of the only diagnostic, an E648; "" if there is none.
-std::string told(const Result<Trajectory>& run) {
+std::string loss_message(const Result<Trajectory>& run) {
   REQUIRE(run);
   if (run.diagnostics.empty()) return "";
   CHECK(run.diagnostics.size() == 1);
@@ -45,7 +45,7 @@ TEST_CASE("an orbit ejected from its well by large steps loses energy, for any o
   for (const std::string offset : {"", " + 1000000", " - 1000000"}) {
     INFO(offset);
     const auto run = by_rk4(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)" + offset + "\"\n"), 0.01, 5);
-    CHECK(mentions(told(run),
+    CHECK(mentions(loss_message(run),
                    "E - E0 deviates by up to 1.9e+02, 74.8 % of the largest |T| and the "));
     CHECK(run->loses_energy);
     CHECK(run->last.front() == 5);
@@ -55,17 +55,17 @@ TEST_CASE("an orbit ejected from its well by large steps loses energy, for any o
 TEST_CASE("the energy of a Lagrangian given as L is scaled by |v.p| + |L|") {
   const auto run =
       by_rk4(orbit("L = \"1/2*(dot(x)^2 + dot(y)^2) + 1/sqrt(x^2 + y^2)\"\n"), 0.01, 5);
-  CHECK(mentions(told(run), " of the largest |v.p| + |L|, "));
+  CHECK(mentions(loss_message(run), " of the largest |v.p| + |L|, "));
   CHECK(run->loses_energy);
 }
 
 TEST_CASE("short steps lose nothing, and neither does a system at rest") {
   const std::string far = orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n");
   const auto kept = by_rk4(far, 0.01, 1);
-  CHECK(told(kept).empty());
+  CHECK(loss_message(kept).empty());
   CHECK_FALSE(kept->loses_energy);
   const auto still = by_rk4(orbit(kinetic), 0.01, 1, start_options("dot(y)=0"));
-  CHECK(told(still).empty());
+  CHECK(loss_message(still).empty());
   // The rounding error of V exceeds T here.
   const std::string top = model_text("top", R"toml([[coordinate]]
 name = "q"
@@ -74,16 +74,16 @@ start = { value = "pi", rate = 0 }
 T = "1/2*dot(q)^2"
 V = "-7.3*cos(q) + 1/3"
 )toml");
-  CHECK(told(by_rk4(top, 0.01, 2)).empty());
+  CHECK(loss_message(by_rk4(top, 0.01, 2)).empty());
 }
 
 TEST_CASE("the work of forces and inputs is not a loss") {
-  CHECK(told(by_rk4(spring_text(), 0.01, 5, start_options("", "u=-dot(x)"))).empty());
+  CHECK(loss_message(by_rk4(spring_text(), 0.01, 5, start_options("", "u=-dot(x)"))).empty());
 }
 
 TEST_CASE("a loss between 1 and 10 % is only reported") {
   const auto run = by_rk4(spring_text(), 0.4, 10);
-  CHECK(mentions(told(run), " % of the largest |T| plus the range of V, "));
+  CHECK(mentions(loss_message(run), " % of the largest |T| plus the range of V, "));
   CHECK_FALSE(run->loses_energy);
 }
 
@@ -93,31 +93,31 @@ TEST_CASE("the energy of verlet and midpoint may oscillate but not drift") {
     return spring.run(steps_of(method, step, time));
   };
   const auto swings = run("verlet", 0.4, 1000);
-  CHECK(told(swings).empty());
+  CHECK(loss_message(swings).empty());
   CHECK(swings->energy.worst > 0.15);
   CHECK_FALSE(swings->loses_energy);
-  CHECK(told(run("midpoint", 0.1, 20)).empty());
+  CHECK(loss_message(run("midpoint", 0.1, 20)).empty());
   const CompiledSystem thrown(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n"));
   const auto lost = thrown.run(steps_of("verlet", 0.01, 5));
-  CHECK(mentions(told(lost), "E - E0 drifts by "));
+  CHECK(mentions(loss_message(lost), "E - E0 drifts by "));
   CHECK(lost->loses_energy);
 }
 
 TEST_CASE("a changed entry of `conserved` is reported, but the run does not fail") {
   const std::string text = spring_text() + "[[expect]]\nconserved = [\"E\"]\n";
-  CHECK(told(by_rk4(text, 0.01, 5)).empty());
+  CHECK(loss_message(by_rk4(text, 0.01, 5)).empty());
   const auto run = by_rk4(text, 0.01, 5, start_options("", "u=1"));
-  CHECK(mentions(told(run), "`E` of `conserved` deviates by up to "));
+  CHECK(mentions(loss_message(run), "`E` of `conserved` deviates by up to "));
   CHECK_FALSE(run->loses_energy);
   // The terms cancel: y and its rate stay 0.
   const std::string turn = orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n") +
                            "[[expect]]\nconserved = [\"x*dot(y) - y*dot(x)\"]\n";
-  CHECK(told(by_rk4(turn, 0.001, 0.5, start_options("dot(y)=0"))).empty());
+  CHECK(loss_message(by_rk4(turn, 0.001, 0.5, start_options("dot(y)=0"))).empty());
 }
 
 TEST_CASE("runs with adaptive steps are judged by their tolerance") {
   const CompiledSystem system(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n"));
   const auto run = system.run({.time = 5});
-  CHECK(told(run).empty());
+  CHECK(loss_message(run).empty());
   CHECK_FALSE(run->loses_energy);
 }

@@ -103,7 +103,7 @@ Rest rest_of(const std::string& text) {
   System system(compiled.checked(), compiled.program(), nullptr);
   const auto stepper = make_dopri5(system, {.tolerance = 1e-11, .shortest = 2e-12});
   Numbers state = system.start();
-  stepper->aim(0, 2);
+  stepper->set_interval(0, 2);
   double t = 0;
   while (t < 2 && state[1] != 0) {
     const std::optional<double> reached = stepper->step(state);

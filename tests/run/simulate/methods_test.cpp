@@ -87,9 +87,9 @@ TEST_CASE("compositions have the requested order") {
 }
 
 TEST_CASE("runs of verlet and midpoint use the output `step`") {
-  CHECK(step_of_run({.method = "verlet"}) == step_by(StepMethod::verlet));
-  CHECK(step_of_run({.method = "verlet", .order = 2}) == step_by(StepMethod::verlet));
-  CHECK(step_of_run({.method = "midpoint", .order = 8}) == step_by(StepMethod::midpoint, 8));
+  CHECK(step_of_run({.method = "verlet"}) == default_step(StepMethod::verlet));
+  CHECK(step_of_run({.method = "verlet", .order = 2}) == default_step(StepMethod::verlet));
+  CHECK(step_of_run({.method = "midpoint", .order = 8}) == default_step(StepMethod::midpoint, 8));
   for (const char* name : {"rk4", "dopri5", "rk5"}) CHECK_FALSE(step_of_run({.method = name}));
 }
 

@@ -53,13 +53,13 @@ Result<Trajectory> in_evaluator(const CompiledSystem& system, const SimulationOp
 }
 
 /// The message for the last of these states; no earlier state has one.
-std::string said_of(const CompiledSystem& system, const std::vector<Numbers>& states) {
+std::string message_of(const CompiledSystem& system, const std::vector<Numbers>& states) {
   System evaluator(system.checked(), system.program(), nullptr);
   RankWatch ranks(evaluator, "go elsewhere");
   Diagnostics said;
   for (const Numbers& state : states) {
     REQUIRE(said.empty());
-    said = ranks.look(state, 7);
+    said = ranks.check_ranks(state, 7);
   }
   if (said.empty()) return "";
   CHECK(said.front().code == Code::E624);
@@ -71,12 +71,12 @@ std::string said_of(const CompiledSystem& system, const std::vector<Numbers>& st
 
 TEST_CASE("a pivot that becomes small or changes its sign is reported with its velocity") {
   const CompiledSystem shrinking(two_rates("y^2"));
-  CHECK(said_of(shrinking, {{0, 1, 0, 0}, {0, 1e-3, 0, 0}}).empty());
-  CHECK(said_of(shrinking, {{0, 1, 0, 0}, {0, 1e-5, 3, -2}}) ==
+  CHECK(message_of(shrinking, {{0, 1, 0, 0}, {0, 1e-3, 0, 0}}).empty());
+  CHECK(message_of(shrinking, {{0, 1, 0, 0}, {0, 1e-5, 3, -2}}) ==
         "rank is nearly lost, because the pivot of `dot(y)` in M is 2.0e-10 of its largest value, "
         "at t = 7, where x = 0, y = 1e-05, dot(x) = 3, dot(y) = -2");
   const CompiledSystem turning(two_rates("y"));
-  CHECK(said_of(turning, {{0, 1, 0, 0}, {0, -0.5, 0, 0}}) ==
+  CHECK(message_of(turning, {{0, 1, 0, 0}, {0, -0.5, 0, 0}}) ==
         "rank is lost, because the pivot of `dot(y)` in M changes its sign, before t = 7, where x "
         "= 0, y = -0.5, dot(x) = 0, dot(y) = 0");
 }
@@ -84,11 +84,11 @@ TEST_CASE("a pivot that becomes small or changes its sign is reported with its v
 TEST_CASE("a constraint row that shrinks or reverses is reported with its constraint") {
   const CompiledSystem system(crank);
   const auto at = [](double a) { return Numbers{a, -a, 1, -1}; };
-  CHECK(said_of(system, {at(0.5), at(1.5)}).empty());
+  CHECK(message_of(system, {at(0.5), at(1.5)}).empty());
   CHECK(mentions(
-      said_of(system, {at(0.5), at(M_PI / 2 - 1e-5)}),
+      message_of(system, {at(0.5), at(M_PI / 2 - 1e-5)}),
       "rank is nearly lost, because the pivot of `guide` in A is 1.3e-10 of its largest value"));
-  CHECK(mentions(said_of(system, {at(0.5), at(1.5), at(1.7)}),
+  CHECK(mentions(message_of(system, {at(0.5), at(1.5), at(1.7)}),
                  "rank is lost, because the row of `guide` in A reverses, before t = 7"));
 }
 
@@ -102,7 +102,7 @@ name = "phi"
 T = "1/2*dot(r)^2 + 1/2*r^2*dot(phi)^2"
 V = "-1/r"
 )toml"));
-  CHECK(said_of(orbit, {{1, 0, 0, 1}, {1e-6, 0, 0, 1}}).empty());
+  CHECK(message_of(orbit, {{1, 0, 0, 1}, {1e-6, 0, 0, 1}}).empty());
   const CompiledSystem rod(model_text("rod", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 0 }
@@ -114,7 +114,7 @@ T = "1/2*dot(x)^2 + 1/2*dot(y)^2"
 name = "rod"
 equation = "x^2 + y^2 = 1"
 )toml"));
-  CHECK(said_of(rod, {{1, 0, 0, 1}, {-0.3, std::sqrt(0.91), 1, 0}, {-1, 0, 0, 0}}).empty());
+  CHECK(message_of(rod, {{1, 0, 0, 1}, {-0.3, std::sqrt(0.91), 1, 0}, {-1, 0, 0, 0}}).empty());
 }
 
 TEST_CASE("runs into a singular state stop for every tolerance and step") {

@@ -53,7 +53,7 @@ TEST_CASE("reference runs of fourteen systems end at their known states") {
       for (std::size_t i = 0; i < known["state"].size(); ++i) {
         const auto truth = known["state"][i].get<double>();
         error = std::max(error, std::abs(run->last[i] - truth));
-        rougher = std::max(rougher, std::abs(run->rougher[i] - run->last[i]));
+        rougher = std::max(rougher, std::abs(run->rough_last[i] - run->last[i]));
       }
       const double steps = 100 + known["t"].get<double>();
       CHECK(error < steps * (tolerance + std::numeric_limits<double>::epsilon()) * sensitivity);

@@ -19,7 +19,7 @@ TEST_CASE("one step of verlet has the values computed by hand") {
 TEST_CASE("a run calls the emitted step") {
   const std::string text =
       read_text(std::string(ELGEN_SOURCE_DIR) + "/models/double_pendulum.toml");
-  const CompiledSystem compiled(text, {}, step_by(StepMethod::midpoint));
+  const CompiledSystem compiled(text, {}, default_step(StepMethod::midpoint));
   const SimulationOptions options = steps_of("midpoint", 0.01, 1);
   const Result<Trajectory> run =
       simulate(compiled.checked(), compiled.program(), &compiled.functions(), options);

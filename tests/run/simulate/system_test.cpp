@@ -136,7 +136,7 @@ TEST_CASE("power uses the laws at the state, held_power the inputs of the last c
   // 5 x + u - dot(y)/2
   CHECK(system.power(q, v, 0) == Approx(10 + 0.2 - 0.5));
   const double near[] = {1, 0};
-  CHECK(system.held_power(near, v, 0) == Approx(5 + 0.2 - 0.5));
+  CHECK(system.power_at_last_inputs(near, v, 0) == Approx(5 + 0.2 - 0.5));
   CHECK(system.power(near, v, 0) == Approx(5 + 0.1 - 0.5));
 }
 
@@ -158,7 +158,7 @@ on = "turn"
   System system(compiled.checked(), compiled.program(), nullptr);
   const double q[] = {4};
   const double v[] = {0};
-  CHECK(system.shown(q).front() == Approx(4 - 2 * M_PI));
+  CHECK(system.displayed_position(q).front() == Approx(4 - 2 * M_PI));
   CHECK(system.inputs(q, v, 0).front() == Approx(2 * M_PI - 4));
 }
 

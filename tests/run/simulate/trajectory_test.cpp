@@ -66,7 +66,7 @@ TEST_CASE("the text has the last state, the drifts and the cost of a step") {
 TEST_CASE("constraints are reported with their common unit") {
   Trajectory trajectory = two_columns();
   trajectory.last = {1, 0.5};
-  trajectory.constraints = KeptConstraints{{1e-15, 2e-14}, "m^2", "m^2/s", {{"x", "m", -1e-3}}};
+  trajectory.constraints = ConstraintAccuracy{{1e-15, 2e-14}, "m^2", "m^2/s", {{"x", "m", -1e-3}}};
   CHECK(
       mentions(to_text(trajectory),
                "\n  start projected onto the constraints: x by -1.000e-03 m\n"
@@ -76,7 +76,7 @@ TEST_CASE("constraints are reported with their common unit") {
   CHECK(kept["unit"] == "m^2");
   CHECK(kept["rate"] == 2e-14);
   CHECK(kept["start_moved"][0]["by"] == -1e-3);
-  trajectory.constraints = KeptConstraints{{0, 2e-14}, {}, "", {}};
+  trajectory.constraints = ConstraintAccuracy{{0, 2e-14}, {}, "", {}};
   CHECK(mentions(to_text(trajectory),
                  "= 3\n  p(phi) = 3 kg*m^2/s at the start, drift 1.500e-12 kg*m^2/s\n"
                  "  rates of the constraints: residual at most 2.000e-14\n"));

@@ -65,7 +65,7 @@ TEST_CASE(
 }
 
 TEST_CASE("every method and order is planned with steps of three sizes, singly and in packs") {
-  const std::vector<PlannedRun> runs = planned_runs(10);
+  const std::vector<PlannedRun> runs = plan_runs(10);
   CHECK(runs.size() == (1 + 3 + 3) * 3 * 2);
   const auto named = [&](const std::vector<std::string>& values) {
     const auto found = std::ranges::find(runs, values, &PlannedRun::values);
@@ -74,15 +74,15 @@ TEST_CASE("every method and order is planned with steps of three sizes, singly a
   };
   const PlannedRun rk4 = named({"rk4", "4", "0.01 s", "one"});
   CHECK(rk4.steps == 1000);
-  CHECK(rk4.design == Design{.step = step_by(StepMethod::rk4), .doc = "For steps of 0.01 s."});
+  CHECK(rk4.design == Design{.step = default_step(StepMethod::rk4), .doc = "For steps of 0.01 s."});
   const PlannedRun verlet = named({"verlet", "8", "0.1 s", "packs"});
   CHECK(verlet.steps == 100);
   CHECK(verlet.design.in_packs);
-  CHECK(verlet.design.step == step_by(StepMethod::verlet, 8));
+  CHECK(verlet.design.step == default_step(StepMethod::verlet, 8));
 }
 
 TEST_CASE("runs are planned with the requested step sizes") {
-  const std::vector<PlannedRun> runs = planned_runs(0.3, {0.1, 1e-3});
+  const std::vector<PlannedRun> runs = plan_runs(0.3, {0.1, 1e-3});
   CHECK(runs.size() == (1 + 3 + 3) * 2 * 2);
   CHECK(runs[0].values == std::vector<std::string>{"rk4", "4", "0.1 s", "one"});
   CHECK(runs[0].steps == 3);

@@ -24,7 +24,7 @@ TEST_CASE("alternatives take turns in at least nine rounds") {
       pass(std::chrono::microseconds(50));
     };
   };
-  std::vector<Spread> spreads(2);
+  std::vector<Quartiles> spreads(2);
   find_costs({{work('a'), 1, spreads.data()}, {work('b'), 50, &spreads.back()}}, 0);
   CHECK(calls ==
         "aabb"
@@ -33,7 +33,7 @@ TEST_CASE("alternatives take turns in at least nine rounds") {
   CHECK(spreads.front().low >= 5e4);
   CHECK(spreads.back().low >= 1e3);
   CHECK(spreads.back().low < 5e4);
-  for (const Spread& spread : spreads) {
+  for (const Quartiles& spread : spreads) {
     CHECK(spread.low <= spread.median);
     CHECK(spread.median <= spread.high);
   }
@@ -41,7 +41,7 @@ TEST_CASE("alternatives take turns in at least nine rounds") {
 
 TEST_CASE("work shorter than a clock tick is repeated") {
   std::size_t calls = 0;
-  Spread spread;
+  Quartiles spread;
   find_costs({{[&calls] { ++calls; }, 1, &spread}}, 0);
   CHECK(calls > 100);
 }

@@ -122,7 +122,7 @@ TEST_CASE("designs that differ only in scalar, packs or sines share a derivation
                       .trigonometry = "1e-7",
                       .is_fixed = true,
                       .order = "3"};
-  const Design derivation = derivation_of(design);
+  const Design derivation = derivation_key(design);
   CHECK(derivation.scalar == ScalarKind::double_precision);
   CHECK_FALSE(derivation.in_packs);
   CHECK(derivation.trigonometry.empty());

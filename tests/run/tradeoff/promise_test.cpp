@@ -19,8 +19,8 @@ std::vector<CertificateRow> rows_of(const std::string& numeric, double factor) {
   CompiledHeaders headers;
   headers.push_back({"", false, std::make_unique<Changed>(code)});
   headers.push_back({"Eigen", false, std::make_unique<Changed>(code)});
-  headers.push_back({"", false, std::make_unique<Changed>(code), Build::as_users});
-  return promised_errors(*products.checked, *products.program, headers, {});
+  headers.push_back({"", false, std::make_unique<Changed>(code), Build::user_flags});
+  return check_max_error(*products.checked, *products.program, headers, {});
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ V = "sqrt(x - 9/10)"
   const Changed code(*products.program, "", [](double x) { return x; });
   CompiledHeaders headers;
   headers.push_back({"", false, std::make_unique<Changed>(code)});
-  const auto rows = promised_errors(*products.checked, *products.program, headers, {});
+  const auto rows = check_max_error(*products.checked, *products.program, headers, {});
   REQUIRE(rows.size() == 1);
   CHECK(rows[0].verdict == Verdict::skipped);
 }
@@ -88,5 +88,5 @@ V = "sqrt(x - 9/10)"
 TEST_CASE("without max_error or without compiled code there are no rows") {
   CHECK(rows_of("prefer = \"speed\"\n", 2).empty());
   const Products products = derived(pendulum_text(), "gravity", "[numeric]\nmax_error = 1e-6\n");
-  CHECK(promised_errors(*products.checked, *products.program, {}, {}).empty());
+  CHECK(check_max_error(*products.checked, *products.program, {}, {}).empty());
 }

@@ -90,7 +90,7 @@ TEST_CASE("only a design with the library's sines has the key `trigonometry`") {
   CHECK(mentions(text, "\ntrigonometry = { scalar = \"library\" }\n"));
   CHECK(run(text).checked->scene.numerics.has_library_sines);
   CHECK_FALSE(mentions(text_of({}, library), "library"));
-  CHECK(mentions(text_of({.step = step_by(StepMethod::rk4)}, library), "\"library\""));
+  CHECK(mentions(text_of({.step = default_step(StepMethod::rk4)}, library), "\"library\""));
 }
 
 TEST_CASE("a design with fixed parameters fixes all, and keeps the scene's fixed values") {
@@ -109,12 +109,13 @@ TEST_CASE("an expansion is about the start, and an exact design omits the scene'
 }
 
 TEST_CASE("the step of a run is a scene with its method and order, and a doc of its step size") {
-  const std::string text = text_of(
-      {.in_packs = true, .step = step_by(StepMethod::verlet, 8), .doc = "For steps of 0.01 s."});
+  const std::string text = text_of({.in_packs = true,
+                                    .step = default_step(StepMethod::verlet, 8),
+                                    .doc = "For steps of 0.01 s."});
   CHECK(mentions(text, "name = \"double_packs_verlet_8\"\ndoc = \"For steps of 0.01 s.\"\n"));
   CHECK(mentions(text, "[outputs]\nstep = { method = \"verlet\", order = 8 }\n"));
   CHECK(mentions(text, "[emit]\nbatch = true\n"));
-  CHECK(mentions(text_of({.step = step_by(StepMethod::rk4)}),
+  CHECK(mentions(text_of({.step = default_step(StepMethod::rk4)}),
                  "[outputs]\nstep = { method = \"rk4\" }\n"));
 }
 

@@ -41,7 +41,7 @@ class Searched {
   }
 
   [[nodiscard]] FoundErrors found(const DesignValues& design) const {
-    return found_errors(*products_.checked, *products_.program, states_, design);
+    return find_errors(*products_.checked, *products_.program, states_, design);
   }
 
   [[nodiscard]] double worst_of_states(const DesignValues& design) const {
@@ -112,7 +112,7 @@ TEST_CASE("the number of visited states is proportional to the sample") {
       all += asked.size();
       return std::vector<double>(asked.size());
     };
-    static_cast<void>(found_errors(*products.checked, *products.program, *states, design));
+    static_cast<void>(find_errors(*products.checked, *products.program, *states, design));
     return static_cast<double>(all);
   };
   CHECK(visited(300) == Approx(21 * 300).epsilon(0.05));

@@ -54,7 +54,7 @@ struct Figures {
 /// The first values of the rows with their ranks, and a star on the front: "b1* a1 c2".
 std::string order_in(TradeoffTable table) {
   std::string text;
-  for (const TradeoffRow& row : judged(std::move(table)).rows) {
+  for (const TradeoffRow& row : rank_rows(std::move(table)).rows) {
     text += (text.empty() ? "" : " ") + row.values.front() + std::to_string(row.rank);
     if (row.is_on_pareto_front) text += '*';
   }
@@ -74,7 +74,7 @@ std::string order_of(const std::vector<Figures>& rows) {
 }  // namespace
 
 TEST_CASE("rows are sorted by cost, failed rows are last, and undominated rows are the front") {
-  const TradeoffTable table = judged(sample_table());
+  const TradeoffTable table = rank_rows(sample_table());
   REQUIRE(table.rows.size() == 5);
   CHECK(name_of(table.rows[0]) == "float, packs");
   CHECK(name_of(table.rows[1]) == "double, packs");
@@ -142,7 +142,7 @@ TEST_CASE("a row below the reference is not on the front, but may be picked") {
   TradeoffTable table = sample_table();
   table.rows[0] = row_of({"double", "1"}, 2, 1e-13);
   table.rows[0].is_below_reference = true;
-  table = judged(table);
+  table = rank_rows(table);
   CHECK(name_of(table.rows[0]) == "double, 1");
   CHECK_FALSE(table.rows[0].is_on_pareto_front);
   for (const TradeoffRow& row : table.rows) {
@@ -156,7 +156,7 @@ TEST_CASE("a row below the reference is not on the front, but may be picked") {
 }
 
 TEST_CASE("cheapest_within and most_accurate select rows") {
-  const TradeoffTable table = judged(sample_table());
+  const TradeoffTable table = rank_rows(sample_table());
   CHECK(name_of(*cheapest_within(table, 1e-6)) == "float, packs");
   CHECK(name_of(*cheapest_within(table, 1e-15)) == "double, packs");
   CHECK(cheapest_within(table, 1e-17) == nullptr);
@@ -165,17 +165,17 @@ TEST_CASE("cheapest_within and most_accurate select rows") {
 }
 
 TEST_CASE("of designs with equal cost the most accurate is picked") {
-  TradeoffTable table = judged(
+  TradeoffTable table = rank_rows(
       {.dimensions = {"name"}, .rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, 10.4, 1e-9)}});
-  CHECK(picked(table) == nullptr);
+  CHECK(picked_row(table) == nullptr);
   table.max_error = 1e-6;
-  CHECK(name_of(*picked(table)) == "b");
+  CHECK(name_of(*picked_row(table)) == "b");
   table.max_error = 1e-12;
-  CHECK(picked(table) == nullptr);
+  CHECK(picked_row(table) == nullptr);
 }
 
 TEST_CASE("text has columns, stars on the front, and the reasons of failures") {
-  TradeoffTable table = judged(sample_table());
+  TradeoffTable table = rank_rows(sample_table());
   table.sentences = {"one", "two"};
   table.max_error = 1e-6;
   CHECK(to_text(table) == R"(arm, gravity: errors, relative
@@ -197,13 +197,13 @@ cheapest within 1e-06: float, packs; 4 ns per state, 20 ns per call, error 2.0e-
 }
 
 TEST_CASE("without call costs there is no column, and without a pick there is no line") {
-  TradeoffTable table = judged({.model = "arm",
-                                .subject = "2 s in time",
-                                .cost = "ns per run",
-                                .error = "errors",
-                                .dimensions = {"method"},
-                                .rows = {row_of({"rk4"}, 40, 1e-5)},
-                                .machine = {.compiler = "g++ 12", .processor = "a processor"}});
+  TradeoffTable table = rank_rows({.model = "arm",
+                                   .subject = "2 s in time",
+                                   .cost = "ns per run",
+                                   .error = "errors",
+                                   .dimensions = {"method"},
+                                   .rows = {row_of({"rk4"}, 40, 1e-5)},
+                                   .machine = {.compiler = "g++ 12", .processor = "a processor"}});
   const std::string text = R"(arm, 2 s in time: errors
 
   rank  method  ns per run  quartiles  worst error  median error
@@ -221,7 +221,7 @@ measured on a processor, g++ 12
 }
 
 TEST_CASE("JSON has a design for every row") {
-  TradeoffTable table = judged(sample_table());
+  TradeoffTable table = rank_rows(sample_table());
   table.sentences = {"one"};
   const auto json = nlohmann::json::parse(to_json(table));
   CHECK(json["model"] == "arm");
@@ -242,7 +242,7 @@ TEST_CASE("JSON has a design for every row") {
 }
 
 TEST_CASE("JSON has the picked row, or null") {
-  TradeoffTable table = judged(sample_table());
+  TradeoffTable table = rank_rows(sample_table());
   table.max_error = 1e-15;
   const auto json = nlohmann::json::parse(to_json(table));
   CHECK(json["max_error"] == 1e-15);
@@ -257,7 +257,7 @@ TEST_CASE("an infinite error is null in JSON") {
 }
 
 TEST_CASE("CSV quotes cells with quotes, and failed rows have no numbers") {
-  TradeoffTable table = judged(sample_table());
+  TradeoffTable table = rank_rows(sample_table());
   table.rows.erase(table.rows.begin() + 1, table.rows.end() - 1);
   table.max_error = 1e-6;
   CHECK(to_csv(table) ==
@@ -268,7 +268,7 @@ TEST_CASE("CSV quotes cells with quotes, and failed rows have no numbers") {
 }
 
 TEST_CASE("a plot is XML with every measured design, and a staircase of the Pareto front") {
-  const std::string svg = to_svg(judged(sample_table()));
+  const std::string svg = to_svg(rank_rows(sample_table()));
   tinyxml2::XMLDocument document;
   REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
   CHECK(count(svg, "fill=\"black\"") == 2 * 3);
@@ -281,7 +281,7 @@ TEST_CASE("a plot is XML with every measured design, and a staircase of the Pare
 
 TEST_CASE("a plot labels its axes and dimensions, and explains its marks and lines") {
   TradeoffTable table = sample_table();
-  const std::string svg = to_svg(judged(table));
+  const std::string svg = to_svg(rank_rows(table));
   for (const char* const text :
        {">arm, gravity: errors, relative<", ">worst error, relative<", ">cost [ns per state]<",
         ">scalar, batch<", ">3  double, one state at a time<", ">black: the front", ">line: "}) {
@@ -290,26 +290,26 @@ TEST_CASE("a plot labels its axes and dimensions, and explains its marks and lin
   }
   CHECK_FALSE(mentions(svg, ">grey: "));
   table.rows[1].is_below_reference = true;
-  const std::string with_grey = to_svg(judged(table));
+  const std::string with_grey = to_svg(rank_rows(table));
   CHECK(mentions(with_grey, ">grey: "));
   CHECK(count(with_grey, "fill=\"#bbb\"") == 2);
 }
 
 TEST_CASE("marks of the front are drawn last, so that no other mark covers them") {
-  const std::string svg = to_svg(
-      judged({.dimensions = {"name"}, .rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, 10, 1e-7)}}));
+  const std::string svg = to_svg(rank_rows(
+      {.dimensions = {"name"}, .rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, 10, 1e-7)}}));
   CHECK(svg.rfind("fill=\"black\"") > svg.rfind("fill=\"white\""));
 }
 
 TEST_CASE("shapes distinguish the values of the first dimension") {
-  const std::string svg = to_svg(judged(sample_table()));
+  const std::string svg = to_svg(rank_rows(sample_table()));
   CHECK(count(svg, "d=\"M-5 0A") == 4);
   CHECK(count(svg, "d=\"M-4.5 ") == 4);
 }
 
 TEST_CASE("errors without a logarithm stay inside the plot") {
-  const std::string svg = to_svg(
-      judged({.dimensions = {"a"}, .rows = {row_of({"1"}, 1, 0), row_of({"2"}, 0.5, INFINITY)}}));
+  const std::string svg = to_svg(rank_rows(
+      {.dimensions = {"a"}, .rows = {row_of({"1"}, 1, 0), row_of({"2"}, 0.5, INFINITY)}}));
   CHECK_FALSE(mentions(svg, "nan"));
   CHECK_FALSE(mentions(svg, "inf"));
 }

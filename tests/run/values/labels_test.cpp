@@ -62,7 +62,7 @@ CheckedModel with_all_outputs(const std::string& text, const FileSyntax* scene) 
   for (const OutputRow& row : output_table()) {
     for (std::uint32_t user = 0; user < (row.of_user ? checked.model.outputs.size() : 1); ++user) {
       const OutputRequest request = request_of(checked.model, row.kind, user);
-      if (row.repeats || row.steps || !is_available(checked.model, request)) continue;
+      if (row.is_summary || row.steps || !is_available(checked.model, request)) continue;
       names += (names.empty() ? "" : ",") + request.name;
     }
   }
@@ -89,7 +89,7 @@ TEST_CASE("rows and columns of all outputs of all models and scenes have distinc
     INFO(path.filename());
     const SourcePointer source = source_of(path);
     const Result<FileSyntax> scene = parse_scene(source, Limits{});
-    const std::optional<Span> named = named_model(*source);
+    const std::optional<Span> named = model_key(*source);
     REQUIRE((scene && named));
     const std::string quoted(covered_text(*named));
     const std::string model = quoted.substr(1, quoted.size() - 2);

@@ -76,8 +76,8 @@ equation = "x^2 + d^2 = l^2"
 )toml");
   const Vectors vectors(wall, {.samples = 7}, "forward_dynamics");
   REQUIRE(vectors.table);
-  REQUIRE(vectors.table->unmet.value_or(0) > 0);
-  CHECK(vectors.table->records.size() + *vectors.table->unmet == 7);
+  REQUIRE(vectors.table->skipped_states.value_or(0) > 0);
+  CHECK(vectors.table->records.size() + *vectors.table->skipped_states == 7);
   CHECK(mentions(to_header(*vectors.table), " omitted: not projected onto the constraints."));
 }
 

@@ -219,7 +219,7 @@ name = "joint"
 coincide = ["tip", "pivot"]
 )toml";
 
-ExactNumbers of_twin(const Constrained& free, OutputKind kind, const State& state) {
+ExactNumbers minimal_output(const Constrained& free, OutputKind kind, const State& state) {
   return free.truth(kind, "", state);
 }
 
@@ -233,20 +233,20 @@ ExactNumbers times(const ExactNumbers& matrix, const ExactNumbers& x) {
 
 /// The state and acceleration of the constrained model for a state of its minimal model. The output
 /// `twin` of the minimal model gives the constrained model's coordinates.
-State lifted(const Constrained& bound, const Constrained& free, const State& state) {
+State constrained_state(const Constrained& bound, const Constrained& free, const State& state) {
   State result = bound.nominal();
   result.u = state.u;
-  const ExactNumbers jacobian = of_twin(free, OutputKind::user_jacobian, state);
-  result.q = of_twin(free, OutputKind::user_value, state);
+  const ExactNumbers jacobian = minimal_output(free, OutputKind::user_jacobian, state);
+  result.q = minimal_output(free, OutputKind::user_value, state);
   result.v = times(jacobian, state.v);
   result.a = times(jacobian, free.truth(OutputKind::forward_dynamics, "acceleration", state));
-  const ExactNumbers bias = of_twin(free, OutputKind::user_bias, state);
+  const ExactNumbers bias = minimal_output(free, OutputKind::user_bias, state);
   for (std::size_t i = 0; i < bias.size(); ++i) result.a[i] = result.a[i] + bias[i];
   return result;
 }
 
-void check_twins(const std::string& bound_text, const std::string& free_text,
-                 const std::vector<State>& states) {
+void check_equivalent(const std::string& bound_text, const std::string& free_text,
+                      const std::vector<State>& states) {
   const Constrained bound(bound_text, "forward_dynamics");
   const Constrained free(free_text, "forward_dynamics,twin,twin_jacobian,twin_bias");
   for (const State& each : states) {
@@ -254,7 +254,7 @@ void check_twins(const std::string& bound_text, const std::string& free_text,
     state.q = each.q;
     state.v = each.v;
     if (!state.u.empty()) state.u = each.u;
-    const State at = lifted(bound, free, state);
+    const State at = constrained_state(bound, free, state);
     check_field(bound, OutputKind::forward_dynamics, "acceleration", at, at.a);
   }
 }
@@ -288,17 +288,17 @@ ExactNumbers quaternion_of(const ExactNumbers& angles) {
 }  // namespace
 
 TEST_CASE("a mass on a rod has the accelerations of a pendulum with an angle") {
-  check_twins(pendulum_on_rod, pendulum_by_angle,
-              {motion({exact("0.7")}, {exact("-1.9")}, {}), motion({exact("2.8")}, {4}, {}),
-               motion({0}, {1}, {})});
+  check_equivalent(pendulum_on_rod, pendulum_by_angle,
+                   {motion({exact("0.7")}, {exact("-1.9")}, {}), motion({exact("2.8")}, {4}, {}),
+                    motion({0}, {1}, {})});
 }
 
 TEST_CASE(
     "a four-bar linkage with three angles moves like the linkage with the crank's angle only") {
-  check_twins(linkage_of_three_angles, linkage_of_one_angle,
-              {motion({exact("0.8")}, {exact("2.5")}, {exact("0.6")}),
-               motion({exact("-1.1")}, {exact("-3.5")}, {exact("-1.5")}),
-               motion({exact("2.9")}, {0}, {0})});
+  check_equivalent(linkage_of_three_angles, linkage_of_one_angle,
+                   {motion({exact("0.8")}, {exact("2.5")}, {exact("0.6")}),
+                    motion({exact("-1.1")}, {exact("-3.5")}, {exact("-1.5")}),
+                    motion({exact("2.9")}, {0}, {0})});
 }
 
 TEST_CASE("a wheel rolls like the model with two angles") {

@@ -9,7 +9,7 @@
 
 namespace elgen {
 
-struct Lack {
+struct UnmetNeed {
   Code code;
   std::string reason;
   std::optional<Span> related = {};  ///< the part of the model that prevents the output
@@ -17,6 +17,7 @@ struct Lack {
 };
 
 /// None if the model can give the output.
-[[nodiscard]] std::optional<Lack> lack_of(const Model& model, const OutputRequest& request);
+[[nodiscard]] std::optional<UnmetNeed> find_unmet_need(const Model& model,
+                                                       const OutputRequest& request);
 
 }  // namespace elgen

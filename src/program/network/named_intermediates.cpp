@@ -1,6 +1,6 @@
-// told_values: values in double with random leaves. Sums, products and quotients round the same on
-// every machine. Functions are computed in 64 digits, so that they do, too.
-#include "program/network/told_values.hpp"
+// named_intermediates: values in double with random leaves. Sums, products and quotients round the
+// same on every machine. Functions are computed in 64 digits, so that they do, too.
+#include "program/network/named_intermediates.hpp"
 
 #include <cmath>
 
@@ -20,7 +20,7 @@ struct PortableRules : interpreter::NumberRules<double> {
     const auto is_usual = [](double number) { return number == 0 || std::isnormal(number); };
     if (!is_usual(x) || !is_usual(y)) return 0;
     const Real value = interpreter::call(function, Real(cln::cl_R(x)), Real(cln::cl_R(y)));
-    return value.is_defined() ? ScalarTraits<double>::from_real(value.value()) : 0;
+    return value.is_defined() ? to_double(value.value()) : 0;
   }
 };
 
@@ -30,7 +30,7 @@ std::vector<double> values_of(const Program& program, const Function& function) 
   return fold<double>(PortableRules{{at}}, program, function);
 }
 
-ToldValues::const_iterator found(const ToldValues& told, double value) {
+NamedIntermediates::const_iterator found(const NamedIntermediates& told, double value) {
   const auto next = told.lower_bound(std::abs(value) * (1 - rounding));
   const bool is_near = next != told.end() && next->first <= std::abs(value) * (1 + rounding);
   return is_near ? next : told.end();
@@ -38,12 +38,13 @@ ToldValues::const_iterator found(const ToldValues& told, double value) {
 
 }  // namespace
 
-ToldValues told_values(const Expressions& told, const std::vector<std::string>& names,
-                       const LeafNames& leaves) {
+NamedIntermediates named_intermediates(const Expressions& told,
+                                       const std::vector<std::string>& names,
+                                       const LeafNames& leaves) {
   Linearised all(make_network(told));
   all.program.leaves = leaves;
   const std::vector<double> values = entries_of(all.function, values_of(all.program, all.function));
-  ToldValues result;
+  NamedIntermediates result;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const bool is_new = std::isnormal(values[i]) && found(result, values[i]) == result.end();
     if (is_new) result.try_emplace(std::abs(values[i]), names[i], values[i] < 0);
@@ -51,14 +52,15 @@ ToldValues told_values(const Expressions& told, const std::vector<std::string>& 
   return result;
 }
 
-void name_told(const ToldValues& told, const Program& program, Function& function) {
+void name_intermediates(const NamedIntermediates& told, const Program& program,
+                        Function& function) {
   const std::vector<double> values = values_of(program, function);
   for (std::size_t at = 0; at < values.size(); ++at) {
     const auto known = found(told, values[at]);
     if (known == told.end() || operand_count(function.instructions[at]) == 0) continue;
     const auto& [name, is_negative] = known->second;
     const bool is_opposite = is_negative != (values[at] < 0);
-    take_name(function.names[at], told_mark + (is_opposite ? "minus_" + name : name));
+    merge_name(function.names[at], intermediate_mark + (is_opposite ? "minus_" + name : name));
   }
 }
 

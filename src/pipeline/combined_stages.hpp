@@ -24,14 +24,14 @@ namespace elgen {
 /// The functions of a scene in the forms that are emitted, and the integration steps that call such
 /// functions. Errors of choose() and add_step(). Cost: the functions that `step` calls are derived
 /// again.
-[[nodiscard]] Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
-                                    const ClosedForms& forms, const CheckedModel& checked,
-                                    const Limits& limits);
+[[nodiscard]] Result<Choice> choose_forms(const Lagrangian& lagrangian, const Program& recursive,
+                                          const ClosedForms& forms, const CheckedModel& checked,
+                                          const Limits& limits);
 
 /// The verdict on every [[equilibrium]].
-[[nodiscard]] Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,
-                                                            const CheckedModel& checked,
-                                                            const Limits& limits);
+[[nodiscard]] Result<std::vector<EquilibriumVerdict>> claims(const Lagrangian& lagrangian,
+                                                             const CheckedModel& checked,
+                                                             const Limits& limits);
 
 /// The content of pages. If the scene has no page, it has no functions. E915.
 [[nodiscard]] Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms,

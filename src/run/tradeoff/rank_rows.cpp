@@ -11,8 +11,8 @@ namespace elgen {
 namespace {
 
 /// True if `cost` is higher beyond noise.
-bool is_dearer(const Spread& cost, const Spread& than) {
-  return cost.low > than.high && cost.median > alike_within * than.median;
+bool is_more_expensive(const Quartiles& cost, const Quartiles& than) {
+  return cost.low > than.high && cost.median > equality_factor * than.median;
 }
 
 /// Ranks all rows that have not failed.
@@ -24,7 +24,7 @@ void number_ranks(std::vector<TradeoffRow>& rows) {
   std::ranges::stable_sort(by_cost, {}, [](const TradeoffRow* row) { return row->cost.median; });
   const TradeoffRow* cheapest = nullptr;
   for (TradeoffRow* const row : by_cost) {
-    const bool is_next = cheapest == nullptr || is_dearer(row->cost, cheapest->cost);
+    const bool is_next = cheapest == nullptr || is_more_expensive(row->cost, cheapest->cost);
     row->rank = (cheapest == nullptr ? 0 : cheapest->rank) + (is_next ? 1 : 0);
     if (is_next) cheapest = row;
   }
@@ -32,7 +32,7 @@ void number_ranks(std::vector<TradeoffRow>& rows) {
 
 }  // namespace
 
-TradeoffTable judged(TradeoffTable table) {
+TradeoffTable rank_rows(TradeoffTable table) {
   number_ranks(table.rows);
   std::ranges::stable_sort(table.rows, {}, [](const TradeoffRow& row) {
     return std::tuple(!row.failure.empty(), row.rank, row.error.worst);
@@ -44,7 +44,7 @@ TradeoffTable judged(TradeoffTable table) {
     if (!row.failure.empty()) break;
     const double error = row.error.worst;
     row.is_on_pareto_front =
-        !row.is_below_reference && error <= largest_error && alike_within * error < least;
+        !row.is_below_reference && error <= largest_error && equality_factor * error < least;
     // A row whose error is below the reference's is good enough to exclude rows of higher cost,
     // too.
     if (row.is_on_pareto_front || row.is_below_reference) least = std::min(least, row.error.least);
@@ -63,7 +63,7 @@ const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error)
   return found == table.rows.end() ? nullptr : &*found;
 }
 
-const TradeoffRow* picked(const TradeoffTable& table) {
+const TradeoffRow* picked_row(const TradeoffTable& table) {
   return table.max_error ? cheapest_within(table, *table.max_error) : nullptr;
 }
 

@@ -11,22 +11,22 @@
 
 namespace elgen {
 
-class Telling {
+class NameScope {
  public:
   /// `kind` is appended to the kind of the enclosing Telling; an empty `frame` keeps its frame.
-  Telling(Definitions& definitions, const std::string& kind, const std::string& frame = {})
-      : wording_(definitions.wording), around_(definitions.wording) {
+  NameScope(Definitions& definitions, const std::string& kind, const std::string& frame = {})
+      : wording_(definitions.meaning), around_(definitions.meaning) {
     if (!wording_.kind.empty() && !kind.empty()) wording_.kind += "_";
     wording_.kind += kind;
     if (!frame.empty()) wording_.frame = frame;
   }
-  Telling(const Telling&) = delete;
-  Telling& operator=(const Telling&) = delete;
-  ~Telling() { wording_ = std::move(around_); }
+  NameScope(const NameScope&) = delete;
+  NameScope& operator=(const NameScope&) = delete;
+  ~NameScope() { wording_ = std::move(around_); }
 
  private:
-  Wording& wording_;
-  Wording around_;
+  ValueMeaning& wording_;
+  ValueMeaning around_;
 };
 
 }  // namespace elgen

@@ -1,6 +1,6 @@
 // The step of a scene, which follows the chosen functions and costs its executed operations; and
 // the derivation as text.
-#include "pipeline/byways.hpp"
+#include "pipeline/combined_stages.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // By-ways: the choice of forms, then the integration steps that call the chosen functions; the
 // steps of elgen/steps.hpp for readers, with the names of the masses.
-#include "pipeline/byways.hpp"
+#include "pipeline/combined_stages.hpp"
 
 #include <fmt/format.h>
 
@@ -57,11 +57,11 @@ Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, Choice
   if (!derived) return {};
   Result<Program> lowered = lower(derived->equations, derived->requests, input.limits);
   if (!lowered) return lowered.diagnostics;
-  const auto potential = rewritten_potential(cancel(std::move(*lowered)), domain, input.scene);
+  const auto potential = rewrite_potential(cancel(std::move(*lowered)), domain, input.scene);
   if (!potential) return {};
   Result<Choice> open = open_choice(input, derived->variables, *potential, domain);
   if (!open) return open.diagnostics;
-  put_potential(*potential, *open, domain, choice);
+  insert_potential(*potential, *open, domain, choice);
   return {};
 }
 
@@ -77,10 +77,10 @@ Result<Choice> forms_of(const ChoiceInput& input, const Program& recursive,
 }
 
 /// The functions that the step calls, in the forms that the scene would choose.
-Result<Program> calls_of(const Lagrangian& lagrangian, const CheckedModel& checked,
-                         const OutputRequest& step, const Limits& limits) {
+Result<Program> step_callees(const Lagrangian& lagrangian, const CheckedModel& checked,
+                             const OutputRequest& step, const Limits& limits) {
   Scene scene = checked.scene;
-  scene.outputs = needed_for_step(checked.model, step);
+  scene.outputs = outputs_for_step(checked.model, step);
   const Result<Program> recursive = recursive_program(lagrangian, scene.outputs, limits);
   if (!recursive) return recursive.diagnostics;
   Result<Choice> choice =
@@ -128,7 +128,7 @@ std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
   Model& model = result.model;
   for (const auto& [id, quotient] : checked.model.typed) model.expressions[id] = quotient;
   const bool has_series =
-      std::ranges::any_of(reached(model, all_roots(model)), [&model](ExpressionId id) {
+      std::ranges::any_of(reachable_from(model, all_roots(model)), [&model](ExpressionId id) {
         const Expression& node = model.expressions[id];
         return node.kind == ExpressionKind::function && node.function == FunctionId::stumpff;
       });
@@ -182,17 +182,18 @@ Result<Program> recursive_program(const Lagrangian& lagrangian,
   if (!equations) return equations.diagnostics;
   Result<Program> lowered = lower(*equations, outputs, limits);
   if (!lowered) return lowered.diagnostics;
-  return composed(cancel(std::move(*lowered)));
+  return compose_outputs(cancel(std::move(*lowered)));
 }
 
-Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
-                      const ClosedForms& forms, const CheckedModel& checked, const Limits& limits) {
+Result<Choice> choose_forms(const Lagrangian& lagrangian, const Program& recursive,
+                            const ClosedForms& forms, const CheckedModel& checked,
+                            const Limits& limits) {
   Result<Choice> choice =
       forms_of({lagrangian, checked.model, checked.scene, limits}, recursive, forms);
   if (!choice) return choice;
   for (const OutputRequest& output : checked.scene.outputs) {
     if (!output_row(output.kind).steps) continue;
-    const Result<Program> calls = calls_of(lagrangian, checked, output, limits);
+    const Result<Program> calls = step_callees(lagrangian, checked, output, limits);
     if (!calls) return calls.diagnostics;
     Diagnostics errors = add_step(checked, output, *calls, choice->program);
     if (!errors.empty()) return errors;
@@ -201,13 +202,13 @@ Result<Choice> chosen(const Lagrangian& lagrangian, const Program& recursive,
   return choice;
 }
 
-Result<std::vector<JudgedEquilibrium>> claims(const Lagrangian& lagrangian,
-                                              const CheckedModel& checked, const Limits& limits) {
-  if (checked.model.equilibria.empty()) return std::vector<JudgedEquilibrium>{};
+Result<std::vector<EquilibriumVerdict>> claims(const Lagrangian& lagrangian,
+                                               const CheckedModel& checked, const Limits& limits) {
+  if (checked.model.equilibria.empty()) return std::vector<EquilibriumVerdict>{};
   const Result<Program> moving =
       recursive_program(lagrangian, outputs_of_equilibria(checked.model), limits);
   if (!moving) return moving.diagnostics;
-  return judge_equilibria(checked, *moving);
+  return check_equilibria(checked, *moving);
 }
 
 Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const CheckedModel& checked,

@@ -1,6 +1,6 @@
 // Checks [[equilibrium]] entries by closed forms of the residual and of det(x M - K) at the point.
 // If the forms do not decide, the balance has been tested by inspect() at the states of
-// sampled_equilibrium(). At these states frequencies are compared in 64 digits.
+// sample_equilibrium(). At these states frequencies are compared in 64 digits.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -140,8 +140,8 @@ class DeclaredEquilibrium {
         declared_(declared),
         at_(forms.algebra) {}
 
-  JudgedEquilibrium operator()() {
-    JudgedEquilibrium result{declared_.name};
+  EquilibriumVerdict operator()() {
+    EquilibriumVerdict result{declared_.name};
     find_forms();
     const bool states_frequencies = !declared_.frequencies_squared.empty();
     const bool balances =
@@ -151,9 +151,9 @@ class DeclaredEquilibrium {
     if (balances) result.balance = ClaimStatus::proved;
     if (states_frequencies && has_frequencies()) result.frequencies = ClaimStatus::proved;
     if (balances && result.frequencies.has_value() == states_frequencies) return result;
-    const std::vector<State> points = sampled_equilibrium(checked_, declared_);
+    const std::vector<State> points = sample_equilibrium(checked_, declared_);
     if (!balances && !points.empty()) result.balance = ClaimStatus::sampled;
-    if (states_frequencies && !result.frequencies) judge_frequencies(points, result);
+    if (states_frequencies && !result.frequencies) compare_frequencies(points, result);
     return result;
   }
 
@@ -228,7 +228,7 @@ class DeclaredEquilibrium {
   }
 
   /// Compares frequencies at sampled states. The first state at which they differ is the witness.
-  void judge_frequencies(const std::vector<State>& points, JudgedEquilibrium& result) const {
+  void compare_frequencies(const std::vector<State>& points, EquilibriumVerdict& result) const {
     result.frequencies = ClaimStatus::open;
     for (const State& point : points) {
       const std::optional<bool> holds = has_frequencies_at(model_, moving_, declared_, point);
@@ -253,12 +253,12 @@ class DeclaredEquilibrium {
 
 }  // namespace
 
-std::vector<JudgedEquilibrium> judge_equilibria(const CheckedModel& checked,
-                                                const Program& recursive) {
-  std::vector<JudgedEquilibrium> result;
+std::vector<EquilibriumVerdict> check_equilibria(const CheckedModel& checked,
+                                                 const Program& recursive) {
+  std::vector<EquilibriumVerdict> result;
   const bool is_exact = !checked.model.approximation && checked.model.open_values.empty();
   if (checked.model.equilibria.empty() || !is_exact) return result;
-  const Program moving = written(recursive, Reader::code);  // without leaves that cancel
+  const Program moving = with_closed_forms(recursive, Reader::code);  // without leaves that cancel
   ClosedForms forms = present(moving);
   for (const Equilibrium& declared : checked.model.equilibria) {
     result.push_back(DeclaredEquilibrium(checked, moving, forms, declared)());

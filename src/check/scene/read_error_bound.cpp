@@ -15,19 +15,19 @@ namespace elgen {
 namespace {
 
 /// The names of the state variables, as models write them.
-std::vector<std::string> names_of_states(const Model& model) {
+std::vector<std::string> state_variable_names(const Model& model) {
   std::vector<std::string> names;
   const LeafNames leaves = leaf_names(model);
   const auto visit = [&](Opcode kind, std::uint32_t number, const std::string& name) {
-    if (is_of_state(kind) && !name.empty()) names.push_back(leaf_text(leaves, kind, number));
+    if (is_in_state(kind) && !name.empty()) names.push_back(leaf_text(leaves, kind, number));
   };
   for_each_leaf(visit, leaves);
   return names;
 }
 
-class PromiseReader {
+class ErrorBoundReader {
  public:
-  PromiseReader(Context& context, Numerics& numerics)
+  ErrorBoundReader(Context& context, Numerics& numerics)
       : context_(context), values_(context), numerics_(numerics) {}
 
   void read_error(const ValueSyntax& value) {
@@ -75,9 +75,9 @@ class PromiseReader {
 
 }  // namespace
 
-void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions& options,
-                  Numerics& numerics) {
-  PromiseReader reader(context, numerics);
+void read_error_bound(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                      Numerics& numerics) {
+  ErrorBoundReader reader(context, numerics);
   const KeySyntax* const error = find_key(syntax, "numeric", "max_error");
   if (error != nullptr) reader.read_error(error->value);
   const KeySyntax* const ranges = find_key(syntax, "numeric", "ranges");
@@ -86,7 +86,7 @@ void read_promise(Context& context, const FileSyntax* syntax, const SceneOptions
   if (ranges != nullptr) {
     keys.insert(keys.begin(), ranges->value.entries.begin(), ranges->value.entries.end());
   }
-  const std::vector<std::string> names = names_of_states(context.model);
+  const std::vector<std::string> names = state_variable_names(context.model);
   for (const KeySyntax& key : keys) reader.read_range(key, names);
 }
 

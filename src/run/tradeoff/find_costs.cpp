@@ -31,7 +31,7 @@ std::size_t calls_of_turn(const Work& work) {
 }
 
 /// `numbers` must not be empty.
-Spread spread_of(std::vector<double> numbers) {
+Quartiles quartiles_of(std::vector<double> numbers) {
   std::sort(numbers.begin(), numbers.end());
   return {numbers[numbers.size() / 2], numbers[numbers.size() / 4],
           numbers[3 * numbers.size() / 4]};
@@ -52,7 +52,7 @@ void find_costs(const std::vector<TimedWork>& works, double seconds) {
       times[i].push_back(duration(works[i].run, calls[i]) / static_cast<double>(works[i].parts));
     }
   }
-  for (std::size_t i = 0; i < works.size(); ++i) *works[i].cost = spread_of(std::move(times[i]));
+  for (std::size_t i = 0; i < works.size(); ++i) *works[i].cost = quartiles_of(std::move(times[i]));
 }
 
 }  // namespace elgen

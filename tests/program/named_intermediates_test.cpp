@@ -1,5 +1,5 @@
 // Named intermediates are recognised by value, however a program computes them.
-#include "program/network/told_values.hpp"
+#include "program/network/named_intermediates.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -20,7 +20,8 @@ TEST_CASE("instructions with the value of a named intermediate get its name") {
       "  2 = sin 1\n  3 = constant 1/2\n  4 = multiply 3 2\n  5 = multiply 4 0\n"
       "  6 = multiply 5 2\n  7 = negate 6  ; own\n  8 = cos 1\n  result 1 3 = 6 7 8\n");
   Function& function = program.functions[0];
-  name_told(told_values(told, {"moment", "later", "turn"}, program.leaves), program, function);
+  name_intermediates(named_intermediates(told, {"moment", "later", "turn"}, program.leaves),
+                     program, function);
   CHECK(function.names ==
         std::vector<std::string>{"", "", "~minus_turn", "", "", "", "~moment", "own", ""});
 }
@@ -28,11 +29,11 @@ TEST_CASE("instructions with the value of a named intermediate get its name") {
 TEST_CASE(
     "a named intermediate's name is replaced by an own name, but by no other intermediate's") {
   std::string name;
-  take_name(name, "~first");
-  take_name(name, "~second");
-  take_name(name, "");
+  merge_name(name, "~first");
+  merge_name(name, "~second");
+  merge_name(name, "");
   CHECK(name == "~first");
-  take_name(name, "own");
-  take_name(name, "other");
+  merge_name(name, "own");
+  merge_name(name, "other");
   CHECK(name == "own");
 }
