@@ -1,5 +1,5 @@
-// derive: Lagrangian -> EquationsOfMotion. The function with the name of an output
-// (outputs/outputs.hpp) derives it; only requested outputs are derived.
+// derive: Lagrangian -> EquationsOfMotion. Each output is derived by the function of the same name
+// (outputs/outputs.hpp). Only requested outputs are derived.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 using Fields = std::vector<FieldEquations>;
 
-/// The entries of each field of an output, in the order of the table.
+/// The entries of each field of an output, in the order of the table of outputs.
 using FieldEntries = std::vector<Vector>;
 
 FieldEntries parts(Vector x) { return {std::move(x)}; }
@@ -65,8 +65,8 @@ FieldEquations field_of(std::string_view name, const Vector& entries, std::size_
           static_cast<std::uint32_t>(entries.size() / rows), entries};
 }
 
-/// An output with several fields omits empty fields, such as derivatives by u of a model without
-/// inputs. The table of outputs has no row for `diagonal`.
+/// The fields of an output. If it has several, empty fields are omitted, such as derivatives by u
+/// of a model without inputs. The table of outputs has no row for the field `diagonal`.
 Fields fields(const Derivation& derivation, const OutputRequest& request, FieldEntries all) {
   if (request.without_pivots) remove_pivots(all);
   if (all.size() == 1) return {{"", request.rows, request.columns, all.front()}};
@@ -111,7 +111,7 @@ OperationalDynamics user_operational(Derivation& derivation, const NamedOutput& 
   return operational_dynamics(derivation, jacobian, bias);
 }
 
-/// Calls the function of an output, with the request if it takes one.
+/// Calls the function of an output; passes the request if the function takes it.
 template <class Function>
 auto call_output(const Function& function, Derivation& derivation, const OutputRequest& request) {
   if constexpr (std::is_invocable_v<Function, Derivation&, const OutputRequest&>) {
@@ -121,8 +121,8 @@ auto call_output(const Function& function, Derivation& derivation, const OutputR
   }
 }
 
-/// The function of each output, in the order of the table; null if the output is composed of other
-/// outputs.
+/// The function of each output, in the order of the table of outputs; null if the output is
+/// composed of other outputs.
 constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 #define ELGEN_OUTPUT(name)                                                                      \
   [](Derivation& d, const OutputRequest& request) {                                             \
@@ -150,7 +150,7 @@ std::optional<OutputEquations> composed_output(Derivation& derivation,
   Fields fields{field_of(mass_part, parts->mass, n), field_of(force_part, parts->force, n),
                 field_of(position_part, by_position, n), field_of(velocity_part, by_velocity, n)};
   if (!by_input.empty()) fields.push_back(field_of(input_part, by_input, n));
-  // A branch on the kind: only the linearization has rows for dq/dt.
+  // Only the linearization has rows for dq/dt.
   if (request.kind == OutputKind::linearization) {
     fields.push_back(field_of(rate_part, parts->rates, n));
   }
@@ -181,8 +181,10 @@ std::size_t operations_of(const ex& value) {
   return total;
 }
 
-/// Forward dynamics by articulated bodies; none if they do not apply. The route through M reports a
-/// singular M. `is_shorter`: needs fewer operations than the factorisation of M alone.
+/// Forward dynamics by the articulated-body algorithm. `is_shorter`: it needs fewer operations than
+/// the factorisation of M, so forward dynamics through M is not derived. articulated_route()
+/// returns none if the algorithm does not apply, or if a pivot is 0: the route through M then
+/// reports the singular M.
 struct ArticulatedRoute {
   EquationsOfMotion equations = {};
   bool is_shorter = false;
@@ -191,7 +193,7 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
                                                   const OutputRequest& request,
                                                   const Limits& limits) {
   const bool may_be_shorter = lagrangian.symbols.v.size() >= min_articulated_velocities;
-  // A branch on the kind: articulated bodies give forward dynamics only.
+  // The articulated-body algorithm only gives forward dynamics.
   if (request.kind != OutputKind::forward_dynamics || !may_be_shorter) return std::nullopt;
   Derivation derivation(lagrangian);
   ArticulatedRoute route;
@@ -261,7 +263,8 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
   equations.symbols = derivation.symbols;
   equations.leaves = lagrangian.leaves;
   for (const OutputRequest& request : outputs) {
-    // Integration steps are composed later, and h gets its name then.
+    // Integration steps have no equations here: they are composed later, and the leaf h gets its
+    // name then.
     const OutputRow& row = output_row(request.kind);
     if (has_equations(row)) name_optional_leaves(row.takes, equations.leaves);
   }

@@ -1,5 +1,5 @@
-// The potential energy of [energy] as equations on their own, and as a leaf of the Lagrangian. A
-// rewriting of V then has the same form in every function.
+// Derives the potential energy V of [energy] as separate equations, and replaces V and its
+// derivatives by leaves in the Lagrangian. Then all functions use the same rewritten form of V.
 //
 //     before    V = 1/2*k*(sqrt(l^2 + x^2) - l)^2
 //               bias = c*v + k*(sqrt(l^2 + x^2) - l)*x/sqrt(l^2 + x^2)

@@ -79,7 +79,8 @@ class StepByStep {
     add("constraints", std::move(sides));
   }
 
-  /// The non-zero summands: points and bodies together, then `others`. Without any: a single 0.
+  /// The non-zero summands: the sum over points and bodies, then `others`. If all are 0, a single
+  /// 0.
   [[nodiscard]] Terms summands(const ex& of_masses, const Terms& others) {
     Terms result{of_masses};
     result.insert(result.end(), others.begin(), others.end());

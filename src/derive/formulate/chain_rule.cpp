@@ -1,4 +1,5 @@
-// The chain rule through definitions. No function recurses along the list, as chains may be long.
+// The chain rule through definitions. No function recurses from a definition to its operands,
+// because chains of definitions may be too long for the call stack.
 #include "derive/formulate/chain_rule.hpp"
 
 #include <map>
@@ -28,7 +29,7 @@ void append_partials(const Definitions& definitions, const ex& term, const IsWan
 
 bool is_sum(const ex& value) { return GiNaC::is_a<GiNaC::add>(value); }
 
-/// The partial derivatives of `value` by its wanted symbols.
+/// The partial derivatives of `value` by its symbols for which `is_wanted` is true.
 template <class IsWanted>
 std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& value,
                                      const IsWanted& is_wanted) {
@@ -37,7 +38,8 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& v
     append_partials(definitions, value, is_wanted, result);
     return result;
   }
-  // Term by term: differentiating a sum of n terms by its n symbols would cost n^2.
+  // Differentiates term by term: differentiating a whole sum of n terms by its n symbols would cost
+  // n^2.
   ExpressionMap<GiNaC::exvector> by_symbol;
   for (std::size_t i = 0; i < value.nops(); ++i) {
     std::vector<Partial> of_term;
@@ -53,7 +55,8 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& v
   return result;
 }
 
-/// The same for a definition. A definition whose value is a leaf has its derivatives in `slopes`.
+/// The partial derivatives of a definition by the symbols for which `is_wanted` is true. If the
+/// value of the definition is a leaf, its derivatives are in `slopes`.
 template <class IsWanted>
 std::vector<Partial> wanted_partials(const Definitions& definitions, const Definition& definition,
                                      const IsWanted& is_wanted) {
@@ -65,7 +68,8 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const Defin
   return result;
 }
 
-/// `value`: an expression or a definition.
+/// The partial derivatives of `value`, an expression or a definition, by its symbols that depend on
+/// a leaf in `mask`.
 template <class Value>
 std::vector<Partial> partials_of(const Definitions& definitions, const Value& value, LeafSet mask) {
   return wanted_partials(definitions, value, [&](const ex& symbol) {
@@ -109,8 +113,8 @@ Tangent::Tangent(Definitions& definitions, Seeds seeds, std::string suffix)
 template <class Value>
 ex Tangent::from_known(const Value& value) const {
   GiNaC::exvector terms;
-  // Only by symbols with a tangent. By all n symbols, a matrix of n columns would cost n^2
-  // derivatives.
+  // Differentiates only by symbols that have a tangent. Differentiating by all n symbols would cost
+  // n^2 derivatives for the n columns of a matrix.
   const auto moves = [this](const ex& symbol) { return tangents_.find(symbol) != tangents_.end(); };
   for (const Partial& partial : wanted_partials(definitions_, value, moves)) {
     terms.push_back(partial.value * tangents_.at(partial.variable));
@@ -129,7 +133,7 @@ void Tangent::differentiate(std::uint32_t definition) {
 }
 
 ex Tangent::operator()(const ex& value) {
-  // Outputs share the definitions of rates, so these get no names from the current output.
+  // Outputs share the definitions of rates, so rates get no names from the current output.
   ValueMeaning wording = std::exchange(definitions_.meaning, {});
   visit_needed(definitions_, value, mask_, known_,
                [this](std::uint32_t definition) { differentiate(definition); });
@@ -139,7 +143,8 @@ ex Tangent::operator()(const ex& value) {
 
 namespace {
 
-/// Summands of the adjoints: of definitions still to be visited (latest first), and of variables.
+/// The summands of each adjoint: for definitions that are not processed yet (latest first), and for
+/// variables.
 struct Adjoints {
   std::map<std::uint32_t, GiNaC::exvector, std::greater<>> of_definitions;
   ExpressionMap<GiNaC::exvector> of_variables;

@@ -1,7 +1,7 @@
 // The chain rule through an ordered list of definitions: forward, reverse, and substitution.
 //
 // GiNaC differentiates only the small value of one definition; these functions combine the partial
-// derivatives. So a derivative costs a small constant times its function. New definitions are
+// derivatives. So a derivative costs at most a small multiple of its function. New definitions are
 // appended to the same list. Results do not depend on GiNaC's order of terms.
 #pragma once
 
@@ -15,8 +15,9 @@
 
 namespace elgen {
 
-/// Visits the definitions that `value` needs, if they depend on `mask` and are not `known` yet,
-/// operands first. Iterative, because chains of definitions may be long.
+/// Calls visit(index) for each definition that `value` needs directly or indirectly, operands
+/// first. Skips definitions that are `known` or do not depend on a leaf in `mask`; marks visited
+/// definitions as known. Iterative, because chains of definitions may be long.
 template <class Visit>
 void visit_needed(const Definitions& definitions, const GiNaC::ex& value, LeafSet mask,
                   std::vector<bool>& known, const Visit& visit) {
@@ -46,7 +47,7 @@ void visit_needed(const Definitions& definitions, const GiNaC::ex& value, LeafSe
   }
 }
 
-/// One factor of the chain rule: d value/d variable.
+/// One factor of the chain rule: `value` is the partial derivative of an expression by `variable`.
 struct Partial {
   GiNaC::ex variable;
   GiNaC::ex value;
@@ -57,16 +58,17 @@ struct Partial {
 [[nodiscard]] std::vector<Partial> partials(const Definitions& definitions, const GiNaC::ex& value,
                                             LeafSet mask);
 
-/// For a Tangent: the rate of each leaf along the direction, default 0. For a Substitution: the
-/// value of each leaf, default the leaf itself.
+/// A value for each listed leaf. For a Tangent, the rate of the leaf along the direction; leaves
+/// that are not listed have rate 0. For a Substitution, the new value of the leaf; leaves that are
+/// not listed are kept.
 using Seeds = ExpressionMap<GiNaC::ex>;
 
 /// seeds[leaves[i]] = values[i], unless the leaf has a seed already.
 void add_seeds(Seeds& seeds, const std::vector<GiNaC::ex>& leaves,
                const std::vector<GiNaC::ex>& values);
 
-/// N of de/dt = N w, for the quaternion e = (w, x, y, z) from body to parent, and the angular
-/// velocity w in the axes of the body:
+/// The 4 x 3 matrix N of de/dt = N omega. The quaternion e = (w, x, y, z) rotates body axes to
+/// parent axes; omega is the angular velocity in body axes:
 ///
 ///     N = 1/2 [ -x -y -z;  w -z  y;  z  w -x;  -y  x  w ]
 [[nodiscard]] std::array<std::array<GiNaC::ex, 3>, 4> rate_matrix(const Symbols& symbols,
@@ -80,8 +82,9 @@ void add_seeds(Seeds& seeds, const std::vector<GiNaC::ex>& leaves,
 ///     before    p = l*sin(q)              direction q -> v
 ///     after     p_dot = l*cos(q)*v
 ///
-/// A definition is differentiated once, at its first use. If it has a name, its derivative has that
-/// name with `suffix` appended, such as "_dot"; an empty suffix gives no names.
+/// A definition is differentiated once, at its first use. If the definition has a name, its
+/// derivative has that name with `suffix` appended, such as "_dot". If `suffix` is empty,
+/// derivatives have no names.
 class Tangent {
  public:
   Tangent(Definitions& definitions, Seeds seeds, std::string suffix = {});
@@ -90,7 +93,8 @@ class Tangent {
   [[nodiscard]] GiNaC::ex operator()(const GiNaC::ex& value);
 
  private:
-  /// `value`: an expression or a definition.
+  /// The derivative of `value` (an expression or a definition) along the direction, from the
+  /// tangents that are known so far.
   template <class Value>
   [[nodiscard]] GiNaC::ex from_known(const Value& value) const;
   void differentiate(std::uint32_t definition);
@@ -113,7 +117,7 @@ struct Weighted {
 ///     before    E = m*p^2, p = l*q        by q
 ///     after     adjoint of p = 2*m*p, dE/dq = adjoint*l
 ///
-/// Each definition is visited once, for any number of variables.
+/// Each definition is differentiated once, whatever the number of variables.
 [[nodiscard]] std::vector<GiNaC::ex> gradient(Definitions& definitions,
                                               const std::vector<Weighted>& sum,
                                               const std::vector<GiNaC::ex>& variables);

@@ -1,5 +1,5 @@
-// The ordered list of definitions: appending, dependence of expressions on leaves, and a sorted
-// text form for readers, which is not parsed.
+// The ordered list of definitions: appending, dependence of expressions on leaves, and a text form
+// with sorted terms, which is never parsed.
 #include <algorithm>
 #include <sstream>
 
@@ -34,7 +34,8 @@ void collect_symbols(const ex& value, std::vector<ex>& symbols) {
   for (std::size_t i = 0; i < value.nops(); ++i) collect_symbols(value.op(i), symbols);
 }
 
-/// Names `value` after the current wording if it is a definition without a name. Returns `value`.
+/// If `value` is the symbol of a definition without a name, names it after `definitions.meaning`.
+/// Returns `value`.
 ex add_name(Definitions& definitions, const ex& value) {
   const auto& [kind, frame, axis] = definitions.meaning;
   if (kind.empty() || definitions.value_names.names.contains(value)) return value;

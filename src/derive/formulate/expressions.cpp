@@ -17,15 +17,16 @@ using GiNaC::ex;
 namespace {
 
 /// An expression above this size becomes a definition. This keeps GiNaC's derivatives of one value
-/// and the products of the chain rule small, but `l*sin(q1 + q2)` in one expression.
+/// and the products of the chain rule small. The limit is large enough to keep `l*sin(q1 + q2)` in
+/// one expression.
 constexpr unsigned largest_inline_size = 10;
 
 constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
 
 ex number(const cln::cl_RA& value) { return GiNaC::numeric(value); }
 
-/// The functions of the table by their names. The namespace separates them from functions of the
-/// same names on numbers.
+/// GiNaC's functions under their names in the table of functions. The namespace separates them from
+/// functions of the same names that compute numbers.
 namespace ginac_calls {
 
 using GiNaC::sqrt;
@@ -56,8 +57,9 @@ ex call(FunctionId function, const ex& x, const ex& y) {
   return 0;
 }
 
-/// The derivative by one argument. check() allows functions with kinks in forces only, which are
-/// not differentiated; so a kinked function here is an internal error.
+/// The derivative of a function by the argument with index `argument`. check() allows functions
+/// with kinks only in forces, which are not differentiated; so a kinked function here is an
+/// internal error.
 ex slope(FunctionId function, const ex& x, const ex& y, unsigned argument) {
   if (is_kinked(function)) throw std::logic_error("derivative of a kinked function");
   const ex f = call(function, x, y);
@@ -83,8 +85,8 @@ ex slope_2(const ex& x, const ex& y, unsigned argument) {
   return ginac_calls::slope(function, x, y, argument);
 }
 
-/// The exact value of a call with rational arguments, if it is known; else the call, `held`.
-/// Functions with kinks always stay calls, because Graph evaluates them.
+/// The exact value of a call with rational arguments, if it is known; else `held`, the call itself.
+/// Calls with kinks are not evaluated here, because Graph evaluates them.
 ex evaluated(FunctionId function, const ex& x, const ex& y, const ex& held) {
   const bool is_known = x.info(GiNaC::info_flags::rational) && y.info(GiNaC::info_flags::rational);
   if (is_kinked(function) || !is_known) return held;
@@ -111,8 +113,8 @@ ex evaluated(FunctionId function, const ex& x, const ex& y, const ex& held) {
 #undef ELGEN_EVALUATED_1
 #undef ELGEN_EVALUATED_2
 
-/// Inserts a digit in ascending order: (1, 2) -> 12, (2, 1) -> 12. Digits are the arguments of a
-/// derivative.
+/// Inserts a digit into ascending digits: (1, 2) -> 12 and (2, 1) -> 12. Each digit stands for one
+/// differentiation, by the argument with that number.
 int with_digit(int digits, int digit) {
   const int last = digits % 10;
   return last <= digit ? digits * 10 + digit : with_digit(digits / 10, digit) * 10 + last;
@@ -265,8 +267,9 @@ Translation::Sized Translation::product(const std::vector<ExpressionId>& operand
   return result;
 }
 
-/// The definition of a named entry. For a frame: rotation link_R11 …, origin link_x …, angular
-/// velocity in world axes link_wx …, and in the axes of the frame link_spin_x ….
+/// The definition of a named entry. The components of a frame `link` are named link_R11 …
+/// (rotation), link_x … (origin), link_wx … (angular velocity in world axes) and link_spin_x …
+/// (angular velocity in the axes of the frame).
 Translation::Sized Translation::component(const Expression& expression) {
   static constexpr std::array<const char*, components_per_frame> suffixes{
       "_R11", "_R12", "_R13", "_R21", "_R22", "_R23", "_R31",    "_R32",    "_R33",
@@ -320,7 +323,8 @@ std::optional<std::uint32_t> open_leaf(const ex& value) {
   const int first = integer(value.op(0));
   const int count = integer(value.op(1));
   const int digits = integer(value.op(2));
-  // V, V_1 to V_n, then the rows of the upper triangle of second derivatives.
+  // The leaves of a function V: V itself, V_1 to V_n, then the upper triangle of the second
+  // derivatives, row by row.
   const int i = digits / 10;
   const int j = digits % 10;
   if (i >= 10) return std::nullopt;

@@ -10,14 +10,15 @@
 namespace elgen {
 
 /// Translates each expression of a Model once. A result beyond a small size becomes a definition;
-/// named entries of the model (definitions, points, prescribed motions) always do.
+/// named entries of the model (definitions, points, prescribed motions) always become definitions.
 class Translation {
  public:
   Translation(const Model& model, Lagrangian& lagrangian);
 
-  /// Translates all definitions, prescribed motions and points of the world under their names, so
-  /// that errors in unused entries are reported. Also names the poses of the frames that forces
-  /// refer to, because the tree computes the same values without names.
+  /// Translates all definitions, prescribed motions and points outside frames under their names, so
+  /// that errors in unused entries are reported. If the model is expanded, also points in frames.
+  /// Also names the poses of the frames that forces refer to, because the tree computes the same
+  /// values without names.
   void define_named();
 
   /// The expression over definitions. If GiNaC rejects a part, the error (E312 or E313) is kept,
@@ -25,7 +26,7 @@ class Translation {
   [[nodiscard]] GiNaC::ex value(ExpressionId id);
   [[nodiscard]] const Diagnostics& errors() const { return errors_; }
 
-  /// A symbol that is defined as the value, so that expressions with it stay small.
+  /// The symbol of a definition of this value, so that expressions that contain it stay small.
   [[nodiscard]] GiNaC::ex named(ExpressionId id, const std::string& name, Entity origin);
   /// name_x, name_y, name_z
   [[nodiscard]] ExVector3 vector(const Vector3& values, const std::string& name, Entity origin);
@@ -62,9 +63,9 @@ class Translation {
   return model.approximation.has_value() || !model.variant.cyclic.empty();
 }
 
-/// Fills lagrangian.tree (transforms, bodies, wrenches) and the twists of the outputs. Identity
-/// transforms are omitted, and frames whose subtree has no body, torque, force or output. If
-/// needs_energy_sums(), the tree serves outputs only. Errors: translation.errors().
+/// Fills lagrangian.tree (transforms, bodies, wrenches) and the twists of the outputs. Omits
+/// identity transforms, and frames whose subtree has no body, torque, force or output. If
+/// needs_energy_sums(), only outputs use the tree. Errors are kept in translation.errors().
 void add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian);
 
 }  // namespace elgen

@@ -4,8 +4,8 @@
 //     T = [energy] T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v^2
 //     V = [energy] V - sum m gravity.p
 //
-// Bodies, points and forces in frames become part of the tree of frames. But an expansion and
-// [routh] need the energies as sums, so then everything is written in world coordinates.
+// Bodies, points and forces in frames become part of the tree of frames. An expansion or [routh]
+// needs the energies as sums; in both cases everything is written in world coordinates.
 #include <fmt/format.h>
 
 #include <utility>
@@ -102,7 +102,8 @@ void add_rotation(const Body& body, Entity origin, Translation& translation,
   lagrangian.rotating_bodies.push_back({std::move(spin), std::move(inertia), origin});
 }
 
-/// Forces on velocities, and forces on points and torques on frames outside the tree.
+/// Collects the forces outside the tree of frames: forces on velocities, on points, and torques on
+/// frames.
 class Forces {
  public:
   Forces(const Model& model, Translation& translation, Lagrangian& lagrangian)
@@ -237,7 +238,7 @@ class Formulation {
     }
   }
 
-  /// Adds the operands of a sum as separate terms, which stay small.
+  /// Adds each operand of a sum as a separate term, so that terms stay small.
   void add_terms(std::optional<ExpressionId> energy, EnergyTerms& terms) {
     if (!energy) return;
     const Expression& expression = model_.expressions[*energy];
@@ -331,7 +332,7 @@ std::vector<ex> values_of(const EnergyTerms& terms) {
 
 Result<WholeLagrangian> formulate(const Model& model) {
   Result<WholeLagrangian> lagrangian = Formulation(whole_model(model)).build();
-  // `model`, not whole_of(model): held velocities are not eliminated.
+  // Passes `model`, not whole_model(model), because held velocities are not eliminated.
   if (lagrangian) lagrangian->eliminates_last_first = eliminates_last_first(model);
   if (lagrangian) lagrangian->inertial = inertial_parameters(model);
   return lagrangian;

@@ -61,14 +61,13 @@ std::vector<std::uint32_t> parents_first(const Model& model, const std::vector<b
   return order;
 }
 
-/// The identity transform.
 bool is_identity(const TreeTransform& transform) {
   if (transform.kind == TransformKind::turn) return transform.angle.is_zero();
   return transform.kind == TransformKind::translation && is_zero(transform.vector);
 }
 
-/// x := R^T x if R is a constant turn about a coordinate axis with rational cosine and sine; else
-/// returns false.
+/// If R is a constant turn about a coordinate axis, and its cosine and sine are rational: sets x to
+/// R^T x and returns true. Otherwise returns false.
 bool undo_quarter_turn(const TreeTransform& transform, ExVector3& x) {
   const ex cosine = GiNaC::cos(transform.angle);
   const ex sine = GiNaC::sin(transform.angle);
@@ -96,8 +95,9 @@ std::optional<std::size_t> single_axis(const ExVector3& x) {
   return axis;
 }
 
-/// A translation along the axis of a turn commutes with the turn, and is placed after it. So frames
-/// whose axes intersect share their origin, and passing a force between them adds no moment.
+/// A translation along the axis of a turn commutes with the turn, and is moved behind it. Frames
+/// whose axes intersect then share their origin, so a force passed between these frames adds no
+/// moment.
 ///
 ///     before    shift (a, d, 0), turn -pi/2 about x, turn q about z
 ///     after     shift (a, 0, 0), turn -pi/2 about x, turn q about z, shift (0, 0, d)
@@ -230,7 +230,7 @@ class TreeFormulation {
     ExVector3 at;
   };
 
-  /// A point that moves relative to its frame gets an additional translation.
+  /// The place of a point. A point that moves relative to its frame gets an additional translation.
   const PointPlace& place_of(std::uint32_t index) {
     std::optional<PointPlace>& known = point_places_[index];
     if (known) return *known;
@@ -288,7 +288,7 @@ class TreeFormulation {
   }
 
   void add_force_at(std::uint32_t index, Transform axes, const ExVector3& components) {
-    if (!model_.points[index].local) return;  // a PointForce
+    if (!model_.points[index].local) return;  // formulate.cpp adds it as a PointForce
     const PointPlace& place = place_of(index);
     tree_.wrenches.push_back({place.transform, axes, place.at, components, {0, 0, 0}});
   }

@@ -1,7 +1,8 @@
-// Telling: during its lifetime, definitions are named by kind and frame, for readers of the code.
+// NameScope: while it exists, new definitions are named after a kind and a frame, for readers of
+// the emitted code.
 //
-//     const Telling wrench(definitions, "wrench", "link5");       // wrench_link5
-//     { const Telling moment(definitions, "moment"); … }          // wrench_moment_link5
+//     const NameScope wrench(definitions, "wrench", "link5");       // wrench_link5
+//     { const NameScope moment(definitions, "moment"); … }          // wrench_moment_link5
 #pragma once
 
 #include <string>
@@ -13,7 +14,8 @@ namespace elgen {
 
 class NameScope {
  public:
-  /// `kind` is appended to the kind of the enclosing Telling; an empty `frame` keeps its frame.
+  /// `kind` is appended to the kind of the enclosing NameScope. If `frame` is empty, the frame of
+  /// the enclosing NameScope is kept.
   NameScope(Definitions& definitions, const std::string& kind, const std::string& frame = {})
       : wording_(definitions.meaning), around_(definitions.meaning) {
     if (!wording_.kind.empty() && !kind.empty()) wording_.kind += "_";

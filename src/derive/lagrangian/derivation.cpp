@@ -19,8 +19,8 @@ Seeds seeds(const Symbols& symbols, bool coordinates_move, bool time_passes) {
 }
 
 /// Splits an expression into its parts f0, f1, f2 of degree 0, 1 and 2 in the velocities:
-/// f(q, s v, t) = f0 + s f1 + s^2 f2 + …. This gives T = T2 + T1 + T0 and V = V1 + V0. By Taylor's
-/// formula for f(x, y, …), each variable x being a definition x0 + s x1 + s^2 x2:
+/// f(q, s v, t) = f0 + s f1 + s^2 f2 + …. This gives T = T2 + T1 + T0 and V = V1 + V0. If each
+/// variable of f(x, y, …) is a polynomial x = x0 + s x1 + s^2 x2, Taylor's formula gives:
 ///
 ///     f0 = f(x0),   f1 = sum df/dx x1,   f2 = sum df/dx x2 + 1/2 sum sum d2f/dxdy x1 y1
 ///

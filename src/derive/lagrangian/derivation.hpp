@@ -1,5 +1,5 @@
-// Derivation: a Lagrangian, and the directions of differentiation, energies by degree and tree of
-// frames that its outputs share.
+// Derivation: a Lagrangian, and the data that all its outputs share: directions of differentiation,
+// energies by degree in v, and the tree of frames.
 //
 // Equations (v = dq/dt; T = T2 + T1 + T0 and V = V1 + V0 by their degree in v):
 //
@@ -42,7 +42,7 @@ class Derivation {
   Derivation(const Derivation&) = delete;
   Derivation& operator=(const Derivation&) = delete;
 
-  Lagrangian lagrangian;     ///< derivation appends definitions
+  Lagrangian lagrangian;     ///< a copy, because derivation appends definitions
   Definitions& definitions;  ///< of `lagrangian`
   const Symbols& symbols;
 
@@ -61,11 +61,12 @@ class Derivation {
   /// sum weight dvalue/dv; each entry is a definition.
   [[nodiscard]] Vector by_velocity(const std::vector<Weighted>& sum);
 
-  /// The positions of the point masses, weighted by force(mass, axis).
+  /// The position components of all point masses, each with the weight force(mass, axis).
   template <class Force>
   [[nodiscard]] std::vector<Weighted> weighted_positions(const Force& force);
 
-  /// The derivative along dq = N e_j, and along dv = e_j; e_j is the unit vector of one velocity.
+  /// The directions dq = N e_j (`displacement`) and dv = e_j (`unit_velocity`); e_j is the unit
+  /// vector of velocity j.
   [[nodiscard]] Tangent displacement(std::size_t velocity);
   [[nodiscard]] Tangent unit_velocity(std::size_t velocity);
 
@@ -101,12 +102,12 @@ void append(std::vector<Weighted>& to, const std::vector<Weighted>& from);
 
 [[nodiscard]] Vector negative(Vector values);
 
-/// left + right. If both operands append definitions, evaluate one in a separate statement before:
-/// compilers differ in the order in which they evaluate arguments.
+/// left + right. If both arguments append definitions, evaluate them in separate statements:
+/// compilers evaluate arguments in different orders.
 [[nodiscard]] Vector plus(Vector left, const Vector& right);
 
-/// Calls `derive` for a Derivation of `other` that continues the definitions of `derivation`.
-/// Definitions are only appended, so everything that `derivation` has computed stays valid.
+/// The result of `derive` for a Derivation of `other` that appends its definitions to the list of
+/// `derivation`. Earlier results of `derivation` stay valid, because definitions are only appended.
 template <class Derive>
 [[nodiscard]] Vector derive_with_shared_definitions(Derivation& derivation, Lagrangian other,
                                                     const Derive& derive) {

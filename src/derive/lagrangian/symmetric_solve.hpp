@@ -1,9 +1,9 @@
-// Symmetric linear systems M x = r by a straight-line LDL^T factorisation, zeros skipped.
+// Symmetric linear systems M x = r by a straight-line LDL^T factorisation that skips zeros.
 //
 //     W_ij = M_ij - sum_{k<j} L_jk W_ik,   D_j = W_jj,   L_ij = W_ij / D_j
 //     z = L^-1 r,   x = L^-T D^-1 z
 //
-// with rows in the order of elimination. n^3/6 operations for a dense M. Golub, Van Loan, Matrix
+// Rows are in the order of elimination. A dense M costs n^3/6 operations. Golub, Van Loan, Matrix
 // Computations, 4th ed., sec. 4.1.2; Featherstone, Rigid Body Dynamics Algorithms (2008), sec. 6.5.
 #pragma once
 
@@ -25,7 +25,7 @@ struct ZeroPivot : std::domain_error {
       : std::domain_error("zero pivot"), rows(the_rows), row(the_row), is_diagonal(diagonal) {}
   RowsOf rows;
   std::size_t row;
-  bool is_diagonal;  ///< M_ii itself is 0, not only the pivot D_i
+  bool is_diagonal;  ///< true: M_ii itself is 0, not only the pivot D_i
 };
 
 class SymmetricSolve {
@@ -66,7 +66,7 @@ class SymmetricSolve {
   Definitions& definitions_;
   std::vector<std::size_t> order_;  ///< rows in the order of elimination
   Vector matrix_;                   ///< M, row-major
-  Vector lower_;                    ///< L without its unit diagonal; from here on by order_
+  Vector lower_;                    ///< L without its unit diagonal; L, W and D follow order_
   Vector unscaled_;                 ///< W = L D
   Vector pivots_;                   ///< D
   Vector reciprocals_;              ///< 1 / D
@@ -100,7 +100,7 @@ class ConstrainedSolve {
   /// Entries are definitions.
   [[nodiscard]] Solution solve(const Vector& r, const Vector& s);
 
-  /// Pivots of M by velocity, then pivots of S by constraint.
+  /// The relative pivots of M by velocity, then the relative pivots of S by constraint.
   [[nodiscard]] Vector relative_pivots() const;
   [[nodiscard]] Vector relative_pivots_of_constraints() const;
   [[nodiscard]] Vector diagonal() const;

@@ -1,4 +1,5 @@
-// Turning: quaternions among the coordinates, angular velocities among the velocities.
+// Turning: terms for models that have quaternions as coordinates and angular velocities as
+// velocities.
 #include "derive/lagrangian/turning.hpp"
 
 #include "derive/lagrangian/vector_algebra.hpp"

@@ -1,6 +1,8 @@
-// Turning: the terms that arise because a rotation's velocities are angular velocities, not dq/dt.
+// Turning: terms that exist because the velocities of a rotation are angular velocities w, not
+// dq/dt.
 //
-// With dq/dt = N(q) v, virtual displacements are dq = N w, and Lagrange's equation becomes Hamel's:
+// With dq/dt = N(q) v, a virtual displacement is dq = N x for any x, and Lagrange's equation
+// becomes Hamel's equation:
 //
 //     d/dt dL/dv + [w]x dL/dw - N^T dL/dq = Q       ([w]x on the velocities of rotations)
 //     C_ij = 1/2 d(C v)_i/dv_j + 1/2 (M [w]x)_ij    so that dM/dt - 2 C is skew
@@ -12,10 +14,10 @@
 
 namespace elgen {
 
-/// N^T g
+/// N^T g for a derivative g by q (`by_coordinates`); one entry per velocity.
 [[nodiscard]] Vector along_velocities(Derivation& derivation, const Vector& by_coordinates);
 
-/// dq of a unit displacement along velocity j.
+/// dq = N e_j for a unit displacement along velocity j.
 [[nodiscard]] Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity);
 
 /// [w]x dL/dw on the velocities of rotations, 0 elsewhere: Hamel's term. `momentum` is dL/dv.

@@ -86,7 +86,8 @@ class Importer {
     return graph.product(factors);
   }
 
-  /// Half-integer exponents: x^(5/2) = x^2 sqrt(x). Other exponents: x^y = exp(y log x).
+  /// The factors of a power: x^(5/2) = x^2 sqrt(x) for a half-integer exponent, else
+  /// x^y = exp(y log x).
   std::vector<Power> powers(const GiNaC::ex& e) {
     if (!GiNaC::is_a<GiNaC::power>(e)) return {{import(e), 1}};
     const Ref base = import(e.op(0));
@@ -121,7 +122,7 @@ class Importer {
                 fmt::format("cannot import the GiNaC function `{}`", name));
   }
 
-  /// Imports the value of an open function as a leaf, without its arguments.
+  /// Imports the value of a function without expression as a leaf, without its arguments.
   Ref open_value(const GiNaC::ex& e) {
     const std::optional<std::uint32_t> number = open_leaf(e);
     if (number) return graph.leaf(Opcode::open_value, *number);
@@ -164,7 +165,8 @@ std::vector<bool> needed_definitions(const Definitions& definitions,
   return needed;
 }
 
-/// The output of a request, or for `dynamics` all outputs that it repeats.
+/// The outputs whose entries a request contains: one output, or for `dynamics` all outputs that it
+/// repeats.
 std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equations,
                                                   const OutputRequest& request) {
   std::vector<const OutputEquations*> wanted;
@@ -178,7 +180,7 @@ std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equat
   return wanted;
 }
 
-/// A field has its own name, or for `dynamics` the name of the output that it repeats.
+/// A field keeps its name; for `dynamics` it gets the name of the repeated output.
 std::vector<Field> import_fields(Importer& importer, const OutputRequest& request,
                                  const std::vector<const OutputEquations*>& outputs,
                                  std::vector<Ref>& values) {

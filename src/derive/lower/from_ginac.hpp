@@ -17,23 +17,23 @@ struct ImportedOutput {
   Graph graph = {};
   std::vector<Field> fields = {};               ///< entries are indices into `values`
   std::vector<Ref> values = {};                 ///< every entry of every field
-  std::vector<std::uint32_t> elimination = {};  ///< order of elimination of M, for parts
-  /// Nodes that derive has names for, and these names. For `dynamics` a name starts with the name
-  /// of its output.
+  std::vector<std::uint32_t> elimination = {};  ///< order of elimination of M, for compose.hpp
+  /// Nodes that derive named for readers of the code, and their names. For `dynamics`, a name
+  /// starts with the name of the repeated output.
   std::vector<Ref> intermediate_values = {};
   std::vector<std::string> value_names = {};
 };
 
 /// Imports each definition that the output needs once, then the entries of the output. `dynamics`
-/// has the entries of every output that depends on q, v and t alone. E312: a denominator is 0.
-/// E908: more than `maximum_nodes` nodes. E912: an expression of a class that elgen never uses, or
-/// an output that was not derived.
+/// has the entries of every output that depends only on q, v and t. E312: a denominator is 0. E908:
+/// more than `maximum_nodes` nodes. E912: an expression of a class that elgen never uses, or an
+/// output that was not derived.
 [[nodiscard]] Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations,
                                                 const OutputRequest& request,
                                                 std::uint64_t maximum_nodes);
 
-/// The equations of every route that derived the output; `equations` itself first, unless only
-/// other routes have the output.
+/// The equations of every route by which the output was derived. `equations` comes first, unless
+/// only `equations.alternatives` have the output.
 [[nodiscard]] std::vector<const EquationsOfMotion*> routes_to(const EquationsOfMotion& equations,
                                                               const OutputRequest& request);
 

@@ -65,8 +65,8 @@ Result<FunctionNetwork> lower_by_route(const EquationsOfMotion& equations,
   return result;
 }
 
-/// Lowers an output by its cheapest route; on a tie, by the first. If every route fails, returns
-/// the errors of the last.
+/// Lowers an output by its cheapest route; of several equally cheap routes, by the first. If every
+/// route fails, returns the errors of the last route.
 Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest& request,
                          const Limits& limits, Program& program) {
   std::optional<FunctionNetwork> cheapest;
@@ -85,7 +85,7 @@ Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest
     linearise(cheapest->network.network, program, cheapest->function);
     name_intermediates(cheapest->value_names, program, cheapest->function);
   } catch (const cln::division_by_0_exception&) {
-    // Some denominators only become 0 by rewriting, e.g. sin(2*x) - 2*sin(x)*cos(x).
+    // Some denominators become 0 only when they are rewritten, e.g. sin(2*x) - 2*sin(x)*cos(x).
     return {zero_denominator(program, request)};
   }
   program.functions.push_back(std::move(cheapest->function));

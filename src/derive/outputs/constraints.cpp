@@ -25,7 +25,7 @@ Vector row_of(Derivation& derivation, const ConstraintEquation& constraint) {
   return gradient(derivation.definitions, sum, derivation.symbols.v);
 }
 
-/// The rows of A, of all constraints or of the position constraints only.
+/// The rows of A: all rows, or only the rows of position constraints.
 Vector rows_of(Derivation& derivation, bool positions_only) {
   Vector entries;
   for (const ConstraintEquation& constraint : derivation.lagrangian.constraints) {

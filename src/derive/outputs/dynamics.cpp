@@ -1,5 +1,5 @@
-// Forward dynamics by factorising M and S = A M^-1 A^T, or by articulated bodies.
-// Derivatives of the dynamics: columns of the tree for frames, forward passes for everything else.
+// Forward dynamics by factorising M and S = A M^-1 A^T, or by articulated bodies. Derivatives of
+// the dynamics: bodies in frames by columns (tree_matrices.hpp), everything else by forward passes.
 #include <string>
 #include <utility>
 
@@ -60,7 +60,8 @@ class Dynamics {
   [[nodiscard]] const ConstrainedSolve& solve() const { return solve_; }
 
  private:
-  /// Separate statements fix the order of definitions; compilers differ in evaluating arguments.
+  /// Separate statements fix the order of definitions; compilers evaluate arguments in different
+  /// orders.
   static ConstrainedSolve solve_of(Derivation& derivation) {
     const Vector mass = mass_matrix(derivation);
     return {derivation, mass, constraint_jacobian(derivation)};
@@ -108,7 +109,7 @@ std::optional<Vector> added_to_diagonal(Derivation& derivation) {
   return result;
 }
 
-/// d values/ds along direction(j) in column j; one column per velocity.
+/// The matrix whose column j is d values/ds along direction(j); one column per velocity.
 template <class Direction>
 Vector columns(Derivation& derivation, const Vector& values, const Direction& direction) {
   const std::size_t n = derivation.size();

@@ -1,5 +1,5 @@
-// Generalised forces: for each, one reverse pass over positions and energies, plus the rates of
-// momenta.
+// Generalised forces. Each takes one reverse pass over positions and energies, and forward passes
+// for the rates of momenta.
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_dynamics.hpp"
@@ -17,7 +17,8 @@ Vector rates(const Vector& values, Tangent& along) {
   return result;
 }
 
-/// d/dt dL/dv + [w]x dL/dv along a motion, with Hamel's term for angular velocities w.
+/// The rate of `momentum` = dL/dv along a motion, plus Hamel's term [w]x dL/dv for angular
+/// velocities w.
 Vector momentum_rates(Derivation& derivation, const Vector& momentum, Tangent& along) {
   Vector result = rates(momentum, along);
   const Vector turning = hamel_force(derivation, momentum);
@@ -37,7 +38,7 @@ std::string force_name(const PointMass& mass, const Derivation& derivation, std:
   return name.empty() ? std::string() : "force_" + name;
 }
 
-/// m (p'' - gravity) on each mass; `second` differentiates the velocity.
+/// m (p'' - gravity) of each point mass. `second` differentiates the velocity dp/dt.
 std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent& second) {
   const std::array<ex, 3> g = gravity_vector(derivation);
   return derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
@@ -49,7 +50,7 @@ std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent&
   });
 }
 
-/// Substitutes u = 0 in forces if the inputs are absent.
+/// The substitution u = 0 if the inputs are absent; else an empty substitution.
 Substitution acting(Derivation& derivation, InputForces inputs) {
   Seeds values;
   if (inputs == InputForces::absent) {
@@ -88,13 +89,13 @@ TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
   return opposite(tree_of(derivation).wrench_forces(std::ref(force)));
 }
 
-/// Inertial forces and weights of bodies in frames; gravity is an acceleration of the base.
+/// Inertial forces and weights of bodies in frames; gravity enters as an acceleration of the base.
 TreeForces tree_forces(Derivation& derivation, Tangent& second) {
   return inertial_forces(tree_of(derivation), {derivation.zero_acceleration, second, true});
 }
 
-/// M a + bias, less B u if the inputs act: inertial forces by `second`, weights, dissipation and
-/// declared forces. With `zero_acceleration` as `second`, a is 0.
+/// M a + bias; minus B u if the inputs act. `second` differentiates velocities: with
+/// `zero_acceleration`, a is 0.
 Vector left_side(Derivation& derivation, Tangent& second, InputForces inputs, Bodies bodies) {
   TreeForces forces{inertial_forces_of_masses(derivation, second)};
   append(forces.on_variables, negative_point_forces(derivation, inputs));
@@ -145,7 +146,7 @@ Vector velocity_force(Derivation& derivation, Bodies bodies) {
 
 Vector drift(Derivation& derivation) {
   Definitions& definitions = derivation.definitions;
-  // p'' at a = 0 without its part quadratic in v: 2 d/dt(dp/dq v) + d2p/dt2, both at fixed q.
+  // p'' at a = 0, without its part quadratic in v: 2 (d2p/dq dt) dq/dt + d2p/dt2.
   TreeForces forces{derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
     const ex passing = define(definitions, derivation.time_partial(mass.position[axis]));
     const ex at_rest = derivation.time_partial(passing);
@@ -157,7 +158,7 @@ Vector drift(Derivation& derivation) {
   append(linear, weighted(energies.potential1, -1));
   for (const Weighted& term : linear) forces.on_variables.push_back({term.value, -term.weight});
   append(forces.on_variables, weighted(energies.kinetic0, -1));
-  // For bodies in frames: all inertial forces, less the inertial forces at frozen time.
+  // For bodies in frames: all inertial forces at a = 0, minus the inertial forces at frozen time.
   Tree& tree = tree_of(derivation);
   append(forces,
          inertial_forces(tree, {derivation.zero_acceleration, derivation.zero_acceleration}));

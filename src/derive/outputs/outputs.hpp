@@ -1,4 +1,4 @@
-// The outputs: the function with the name of an output derives it, at the caller's state.
+// The outputs: each output is derived by the function of the same name.
 #pragma once
 
 #include <optional>
@@ -19,25 +19,25 @@ enum class Bodies : unsigned char { all, without_frames };
 /// tau = M a + bias.
 [[nodiscard]] Vector inverse_dynamics(Derivation& derivation);
 
-/// tau, less B u if the inputs act. Bodies::without_frames omits the inertial forces and weights of
-/// bodies in frames.
+/// tau; minus B u if the inputs act. Bodies::without_frames omits the inertial forces and weights
+/// of bodies in frames.
 [[nodiscard]] Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies);
 
-/// C v + drift + g + dD/dv - Q, less B u if the inputs act.
+/// C v + drift + g + dD/dv - Q; minus B u if the inputs act.
 [[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs = InputForces::absent,
                           Bodies bodies = Bodies::all);
 
-/// C v: the part quadratic in v. L quadratic in v.
+/// C v: the part quadratic in v. Requires L quadratic in v.
 [[nodiscard]] Vector velocity_force(Derivation& derivation, Bodies bodies = Bodies::all);
 
 /// dT/dv of the bodies in frames.
 [[nodiscard]] Vector momentum_of_frames(Derivation& derivation);
 
 /// (dM/dt) v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq with b.v = T1 - V1, d/dt at fixed q.
-/// L quadratic in v.
+/// Requires L quadratic in v.
 [[nodiscard]] Vector drift(Derivation& derivation);
 
-/// g = dV0/dq. L quadratic in v.
+/// g = dV0/dq. Requires L quadratic in v.
 [[nodiscard]] Vector gravity(Derivation& derivation);
 
 /// dD/dv.
@@ -50,11 +50,12 @@ enum class Bodies : unsigned char { all, without_frames };
 /// dL/dv = M v + b.
 [[nodiscard]] Vector momentum(Derivation& derivation);
 
-/// N^T dL/dq: dL/dq, and for rotations the derivative along the rotation vector.
+/// N^T dL/dq. For a rotation, the entries are derivatives of L along the rotation vector.
 [[nodiscard]] Vector position_gradient(Derivation& derivation);
 
-/// The forces that hold the locked coordinates whose reaction is wanted, besides the inputs:
-/// d/dt dL/dv - dL/dq + dD/dv - Q - B u with L before locking, at q = s(t), v = ds/dt, a = d2s/dt2.
+/// For each locked coordinate whose reaction is requested, the force that holds it in addition to
+/// the inputs: d/dt dL/dv - dL/dq + dD/dv - Q - B u with L before locking, at q = s(t), v = ds/dt,
+/// a = d2s/dt2.
 [[nodiscard]] Vector reaction(Derivation& derivation);
 
 /// v_c, the velocities of the cyclic coordinates that specialise removed.
@@ -62,10 +63,10 @@ enum class Bodies : unsigned char { all, without_frames };
 
 // Energies, in J.
 
-/// T. L quadratic in v.
+/// T. Requires L quadratic in v.
 [[nodiscard]] GiNaC::ex kinetic_energy(Derivation& derivation);
 
-/// V0, the potential energy at zero rates. L quadratic in v.
+/// V0, the potential energy at zero rates. Requires L quadratic in v.
 [[nodiscard]] GiNaC::ex potential_energy(Derivation& derivation);
 
 /// T of the point masses and of the bodies in frames, without the terms of [energy].
@@ -74,13 +75,13 @@ enum class Bodies : unsigned char { all, without_frames };
 /// V = -sum m gravity.p of the point masses and of the bodies in frames.
 [[nodiscard]] GiNaC::ex weight_of_masses(Derivation& derivation);
 
-/// T + V = T + V0 + V1.v. L quadratic in v.
+/// T + V = T + V0 + V1.v. Requires L quadratic in v.
 [[nodiscard]] GiNaC::ex total_energy(Derivation& derivation);
 
 /// E = sum v dL/dv - L, which is T2 - T0 + V0 if L is quadratic in v.
 [[nodiscard]] GiNaC::ex energy_function(Derivation& derivation);
 
-/// V0 - T0, which is E at v = 0. L quadratic in v.
+/// V0 - T0, which is E at v = 0. Requires L quadratic in v.
 [[nodiscard]] GiNaC::ex energy_at_rest(Derivation& derivation);
 
 // Matrices, row-major.
@@ -96,8 +97,8 @@ enum class Bodies : unsigned char { all, without_frames };
 /// B = dQ/du, n_v x n_u.
 [[nodiscard]] Vector input_matrix(Derivation& derivation);
 
-/// tau = Y pi + rest with the inertial parameters pi. Y is n_v x n_pi; its columns are tau for a
-/// unit of one parameter. `rest` is tau at pi = 0. Cost: a reverse pass per parameter of a body.
+/// tau = Y pi + rest with the inertial parameters pi. Y is n_v x n_pi; column k is the part of tau
+/// per unit of parameter k. `rest` is tau at pi = 0. Cost: a reverse pass per parameter of a body.
 struct Regressor {
   Vector matrix;
   Vector rest;
@@ -105,7 +106,7 @@ struct Regressor {
 [[nodiscard]] Regressor regressor(Derivation& derivation);
 
 /// The regressor of M a + C(q, v) r + drift(r) + g + dD/dv(r) - Q with a reference velocity r. C is
-/// coriolis_matrix(). L quadratic in v.
+/// coriolis_matrix(). Requires L quadratic in v.
 [[nodiscard]] Regressor regressor_reference(Derivation& derivation);
 
 /// pi, the values of the inertial parameters.
@@ -150,8 +151,8 @@ struct OperationalDynamics {
 /// d2y/dt2 at a = 0.
 [[nodiscard]] Vector second_rate(Derivation& derivation, const Terms& values);
 
-/// Of a frame's twist (angular velocity; velocity of its origin): d twist/dv, 6 x n_v, and
-/// d twist/dt at a = 0.
+/// The twist of a frame is (angular velocity; velocity of its origin). twist_jacobian() is
+/// d twist/dv, 6 x n_v; twist_bias() is d twist/dt at a = 0.
 [[nodiscard]] Vector twist_jacobian(Derivation& derivation, const TwistOutput& output);
 [[nodiscard]] Vector twist_bias(Derivation& derivation, const TwistOutput& output);
 
@@ -176,19 +177,21 @@ struct ConstraintResidual {
 /// A^T lambda.
 [[nodiscard]] Vector constraint_force(Derivation& derivation, const Vector& multipliers);
 
-/// Adds 2 zeta omega r + omega^2 f to dr/dt, or to gamma = dr/dt at a = 0. Along the motion the
-/// result is 0, or -A a respectively.
+/// Adds 2 zeta omega r + omega^2 f to `rates_of_rates`. If these are dr/dt, the result is 0 along
+/// the motion. If these are gamma = dr/dt at a = 0, the result is -A a.
 [[nodiscard]] Vector stabilised(Derivation& derivation, Vector rates_of_rates);
 
-/// One Newton step onto the constraints, S = A M^-1 A^T: first q - N M^-1 A^T S^-1 f with the
-/// position constraints, then v - M^-1 A^T S^-1 r with all, at the new q. Throws ZeroPivot.
+/// One Newton step onto the constraints, with S = A M^-1 A^T. The position constraints change q to
+/// q - N M^-1 A^T S^-1 f. Then all constraints, at the new q, change v to v - M^-1 A^T S^-1 r.
+/// Throws ZeroPivot.
 struct ProjectedState {
   Vector coordinates;
   Vector rates;
 };
 [[nodiscard]] ProjectedState projected(Derivation& derivation);
 
-/// With tau = M a + bias, S = A M^-1 A^T and G = M^-1 - M^-1 A^T S^-1 A M^-1:
+/// Inverse dynamics with constraints. tau = M a + bias, S = A M^-1 A^T and
+/// G = M^-1 - M^-1 A^T S^-1 A M^-1:
 ///
 ///     inputs      u = (B^T G B)^-1 B^T G tau
 ///     multipliers lambda = S^-1 A M^-1 (tau - B u)
@@ -202,9 +205,10 @@ struct ConstrainedInverse {
 };
 [[nodiscard]] ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation);
 
-/// All velocities and accelerations from the independent ones, i (OutputRequest::independent). The
-/// dependent ones, d, solve A_d v_d = -r(v_d = 0) and A_d a_d = -(A_i a_i + gamma); A_d is square.
-/// The solution factorises A_d A_d^T, whose condition number is cond(A_d)^2. Throws ZeroPivot.
+/// All velocities and accelerations, from the entries with independent indices i
+/// (OutputRequest::independent). The entries with dependent indices d solve A_d v_d = -r(v_d = 0)
+/// and A_d a_d = -(A_i a_i + gamma); A_d is square. The solution factorises A_d A_d^T, whose
+/// condition number is cond(A_d)^2. Throws ZeroPivot.
 struct Completed {
   Vector rates;
   Vector accelerations;
@@ -233,14 +237,15 @@ struct ForwardDynamics {
   Vector acceleration;
   Vector relative_pivots;  ///< of M, then of S = A M^-1 A^T
   Vector multipliers;
-  Vector diagonal;  ///< of M and S; a relative pivot is undefined if its entry is 0
+  Vector diagonal;  ///< of M and S; if an entry is 0, its relative pivot is undefined
 };
 [[nodiscard]] ForwardDynamics forward_dynamics(Derivation& derivation);
 
-/// Forward dynamics without M (tree/articulated.hpp), and the operations of factorising M. Needs: T
-/// and V instead of L, quadratic in v; no constraints and no point masses outside frames; T of
-/// [energy] adds at most a diagonal to M; tree_joints(); elimination of M from the last velocity
-/// (otherwise the pivots would differ). Else none. Without `has_pivots`, M_ii is not computed.
+/// Forward dynamics that does not form M (tree/articulated.hpp), and the number of operations of
+/// factorising M. Requires bodies in frames; T and V instead of L, quadratic in v; no constraints
+/// and no point masses outside frames; T of [energy] that adds at most a diagonal to M; a value of
+/// tree_joints(); elimination of M from the last velocity (otherwise the pivots would differ). None
+/// if a requirement is not met. If `has_pivots` is false, M_ii is not computed.
 struct ArticulatedDynamics {
   ForwardDynamics solution;
   std::size_t operations_of_factorisation = 0;
@@ -258,7 +263,7 @@ struct InverseDerivatives {
 };
 [[nodiscard]] InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation);
 
-/// n_v x n_v, n_v x n_v, n_v x n_u.
+/// Row-major; n_v x n_v, n_v x n_v and n_v x n_u.
 struct ForwardDerivatives {
   Vector by_position;
   Vector by_velocity;
@@ -271,24 +276,24 @@ struct ForwardDerivatives {
 struct ResponseParts {
   Vector mass;
   Vector force;
-  ForwardDerivatives forces;  ///< -dr/dq, -dr/dv, B
+  ForwardDerivatives forces;  ///< with r = M a + bias - B u: -dr/dq, -dr/dv, B
   Vector rates;               ///< the upper rows of A
 };
 
-/// None with constraints, and with fewer than min_composed_velocities velocities. Throws ZeroPivot
-/// if an M_ii is 0.
+/// None if the model has constraints or fewer than min_composed_velocities velocities. Throws
+/// ZeroPivot if an M_ii is 0.
 [[nodiscard]] std::optional<ResponseParts> response_parts(Derivation& derivation);
 
-/// 2 n_v x 2 n_v and 2 n_v x n_u.
+/// Row-major: A is 2 n_v x 2 n_v, and B is 2 n_v x n_u.
 struct Linearization {
   Vector a;
   Vector b;
 };
 [[nodiscard]] Linearization linearization(Derivation& derivation);
 
-// Functions of q and of momenta p = M v + b, b = dL/dv at v = 0. L quadratic in v. v is solved from
-// p and substituted in functions of (q, v), so nothing is differentiated again. Each function
-// throws ZeroPivot. Goldstein, Poole, Safko, 3rd ed., sec. 8.1.
+// Functions of q and of momenta p = M v + b, b = dL/dv at v = 0. Requires L quadratic in v. v is
+// computed from p and substituted in functions of (q, v), so these are not differentiated again.
+// Each function throws ZeroPivot. Goldstein, Poole, Safko, 3rd ed., sec. 8.1.
 //
 //     v = M^-1 (p - b)
 //     H = p.v - L = 1/2 (p - b).v + V0 - T0
@@ -300,7 +305,7 @@ struct Linearization {
 /// v = M^-1 (p - b).
 [[nodiscard]] Vector velocities_of_momenta(Derivation& derivation);
 
-/// n_q and n_v entries.
+/// `coordinate_rates` has n_q entries, `momentum_rates` n_v entries.
 struct HamiltonEquations {
   Vector coordinate_rates;
   Vector momentum_rates;

@@ -1,5 +1,5 @@
 // The regressor: tau for a unit of each inertial parameter, and tau without inertial parameters.
-// All columns of bodies in frames use the same motions of the transforms. The forces of a column
+// The columns of all bodies in frames share the motions of the transforms. The forces of a column
 // start at the transform of its body.
 #include <algorithm>
 #include <array>
@@ -29,7 +29,8 @@ Lagrangian kinematics_of(const Lagrangian& all) {
   return motion;
 }
 
-/// Adds the terms of `[energy]`. Terms of bodies, points and armatures have another origin.
+/// Adds only the terms of `[energy]`, not the terms of bodies, points and armatures, which have a
+/// different EnergyOrigin.
 void add_stated_energies(const Lagrangian& all, Lagrangian& to) {
   const auto add = [](const EnergyTerms& terms, EnergyTerms& stated) {
     std::ranges::copy_if(
@@ -72,7 +73,8 @@ auto* entry_of(List& list, const InertialParameter& parameter) {
   return found == list.end() ? nullptr : &*found;
 }
 
-/// A body on the same transform with this parameter 1 and all others 0. A point keeps its position.
+/// A body on the same transform, for which this parameter is 1 and all other inertial parameters
+/// are 0. A point keeps its position.
 RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
   RigidBody unit;
   unit.transform = body.transform;
@@ -136,7 +138,8 @@ class Polarisation {
   ex operator()(const ex& value) {
     const ex known = define(definitions_, value);
     const ex slope = define(definitions_, along_(known));
-    // Separate statements fix the order of definitions; compilers differ in evaluating operands.
+    // Separate statements fix the order of definitions; compilers evaluate operands in different
+    // orders.
     const ex value_at_rest = at_rest_(known);
     const ex slope_at_rest = at_rest_(slope);
     const ex sum = value_at_rest + (slope + slope_at_rest) / 2;
@@ -235,7 +238,8 @@ class RegressorColumns {
     return polar_ ? polar_->of(std::move(forces)) : forces;
   }
 
-  /// Forces of [energy], D and the declared forces. With a reference velocity r, dD/dv is at r.
+  /// Forces of [energy], D and the declared forces. With a reference velocity r, dD/dv is evaluated
+  /// at r.
   Vector other_forces() {
     const Lagrangian& all = derivation_.lagrangian;
     Lagrangian others = kinematics_of(all);

@@ -4,8 +4,9 @@
 //     after     T = 1/2*m*l^2*v^2,  V = -m*g*l + 1/2*m*g*l*q^2
 //
 // Equations of order k need forces to order k, and T - V and D to order k + 1, jointly in
-// deviations and rates: energies are still differentiated once. For a coordinate that is not small,
-// this derivative loses no order. Its equation has order k + 1, so its force is expanded to k + 1.
+// deviations and rates, because the equations contain first derivatives of the energies. For a
+// coordinate that is not small, this derivative loses no order. Its equation has order k + 1, so
+// its force is expanded to k + 1.
 #include "derive/specialise/expand.hpp"
 
 #include <algorithm>

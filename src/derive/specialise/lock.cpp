@@ -34,8 +34,8 @@ Seeds values_of(WholeLagrangian& lagrangian) {
   return values;
 }
 
-/// A copy without definitions. It shares the original's list, to which definitions are only
-/// appended.
+/// A copy with an empty list of definitions. Symbols in its expressions still refer to the list of
+/// the original, to which definitions are only appended.
 std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
   Definitions definitions = std::move(lagrangian.definitions);
   lagrangian.definitions = {};

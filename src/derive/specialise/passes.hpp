@@ -9,11 +9,12 @@
 namespace elgen {
 
 /// Substitutes `values` for leaves in every energy, force, frame and output. Old definitions stay
-/// in the list, where nothing refers to them.
+/// in the list, but no energy, force, frame or output refers to them.
 void replace(WholeLagrangian& lagrangian, const Seeds& values);
 
 /// Substitutes q_i = s(t), v_i = ds/dt and a_i = d2s/dt2 for each locked q_i, and removes its row
-/// and column. If a reaction is wanted, `holding` keeps the Lagrangian in which q_i moves.
+/// and column. If a reaction is requested, `reaction_source` keeps the Lagrangian in which q_i
+/// moves.
 void lock(WholeLagrangian& lagrangian);
 
 /// Removes cyclic coordinates: L becomes the Routhian R, in which their momenta are parameters.

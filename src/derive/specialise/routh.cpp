@@ -48,7 +48,7 @@ void join_energies(Lagrangian& lagrangian) {
   lagrangian.potential.clear();
 }
 
-/// M_cc and w, over definitions at v_c = 0.
+/// M_cc (`mass`) and w (`excess`) at v_c = 0, as definitions.
 struct CyclicEquations {
   std::vector<ex> mass = {};
   std::vector<ex> excess = {};

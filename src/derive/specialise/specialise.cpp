@@ -75,7 +75,7 @@ std::optional<Problem> run_checked(const Step& step, WholeLagrangian& lagrangian
   return std::nullopt;
 }
 
-/// One fixed parameter or one lock, run alone to find the cause of a problem.
+/// One fixed parameter or one lock. It is run by itself to find the cause of a problem.
 struct StepPart {
   std::string name;
   Span span;
@@ -87,7 +87,8 @@ struct Phrases {
   std::string many;
 };
 
-/// Names the first part that fails when run alone; if none fails, names all parts.
+/// The error for a problem. It names the first part that fails by itself; if no part fails by
+/// itself, it names all parts.
 Diagnostic diagnose(const Problem& problem, const std::vector<StepPart>& parts,
                     const WholeLagrangian& before, const Phrases& at) {
   std::string names;

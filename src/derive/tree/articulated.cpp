@@ -1,5 +1,6 @@
 // The inward pass computes articulated inertias and eliminates the joints; the outward pass
-// computes accelerations. Rigid parts are summed as composite inertias, with 10 entries, not 21.
+// computes accelerations. Bodies that no joint separates are summed as composite inertias, which
+// have 10 entries instead of 21.
 #include "derive/tree/articulated.hpp"
 
 #include <algorithm>
@@ -114,7 +115,7 @@ Spatial components(const ExVector3& angular, const ExVector3& linear) {
 
 SpatialForce force_of(const Spatial& p) { return {{p[3], p[4], p[5]}, {p[0], p[1], p[2]}}; }
 
-/// Index of the only non-zero component; none if several components or none are non-zero.
+/// Index of the only non-zero component; none if the number of non-zero components is not 1.
 std::optional<std::size_t> single_component(const Spatial& s) {
   std::optional<std::size_t> single;
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -135,8 +136,7 @@ std::vector<std::vector<std::uint32_t>> velocities_on_transforms(
 
 bool ancestors_come_first(const Tree& tree, const std::vector<TreeJoint>& joints) {
   const auto velocities_of = velocities_on_transforms(tree, joints);
-  std::vector<std::uint32_t> next(tree.size(),
-                                  0);  // 1 + the last velocity that moves the transform
+  std::vector<std::uint32_t> next(tree.size(), 0);  // 1 + the last velocity that moves it
   for (std::size_t k = 0; k < tree.size(); ++k) {
     const auto& parent = tree.transform(k).parent;
     if (parent) next[k] = next[*parent];
@@ -199,7 +199,7 @@ class ArticulatedRecursion {
     return result;
   }
 
-  /// Initialises I and p of each transform with its own bodies.
+  /// Initialises I and p of each transform from the bodies on that transform.
   void initialise() {
     Tangent& coasting = tree_.derivation().zero_acceleration;
     const std::vector<TransformMotion> motions = tree_motions(tree_, {coasting, coasting, true});
@@ -208,8 +208,9 @@ class ArticulatedRecursion {
         tree_, [&](const RigidBody& body) { return about_origin(algebra_, body); });
   }
 
-  /// If S has a single component s at index k, row and column k of I - L U^T are I J/D. This avoids
-  /// a cancelling difference. Without armature J they are 0, and component k of p + L e is Q/s.
+  /// If S has a single non-zero component s, at index k, then row and column k of I - L U^T equal
+  /// J/D times row and column k of I. Computed this way, no difference cancels. If the armature J
+  /// is also 0, that row and column are 0, and component k of p + L e is Q/s.
   void eliminate(std::uint32_t velocity) {
     const TreeJoint& joint = joints_[velocity];
     const ex& armature = armatures_[velocity];

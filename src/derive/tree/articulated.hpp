@@ -50,8 +50,9 @@ struct ArticulatedMotion {
                                                    const Vector& forces, const Vector& armatures,
                                                    bool has_diagonal);
 
-/// Operations of M = L D L^T alone, eliminated from the leaves to the root, if M_ij is 0 only
-/// between two limbs: d (d + 2) for each velocity with d velocities between it and the root.
+/// The number of operations of the factorisation M = L D L^T from the leaves to the root: the sum
+/// of d (d + 2) over all velocities, with d velocities between a velocity and the root. M_ij is
+/// assumed to be 0 only between two limbs.
 [[nodiscard]] std::size_t operations_of_factorisation(const Tree& tree,
                                                       const std::vector<TreeJoint>& joints);
 

@@ -135,8 +135,8 @@ ExMatrix3 spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, cons
   return result;
 }
 
-/// B of one body about the origin of its transform. From the com, A is translated as in
-/// to_parent().
+/// B of one body about the origin of its transform. If the inertia is about the com, A is
+/// translated from the com to the origin, as in to_parent().
 CompositeRate own_rate(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
   CompositeRate rate;
   if (!body.inertia.empty()) rate.a = spin_part(algebra, body.inertia, twist.spin);

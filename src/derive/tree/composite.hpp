@@ -26,13 +26,13 @@ struct CompositeInertia {
 /// to += from, both in the same frame.
 void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeInertia& to);
 
-/// One body about the origin of its transform: I_c + (c.h) 1 - c h^T.
+/// The inertia of one body about the origin of its transform: I_c + (c.h) 1 - c h^T.
 [[nodiscard]] CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body);
 
 /// S x
 [[nodiscard]] ExVector3 product(VectorAlgebra& algebra, const Symmetric3& s, const ExVector3& x);
 
-/// R S R^T with R of the transform.
+/// R S R^T and R A R^T, with R the rotation of the transform.
 [[nodiscard]] Symmetric3 to_parent(Tree& tree, std::size_t transform, const Symmetric3& s);
 [[nodiscard]] ExMatrix3 to_parent(Tree& tree, std::size_t transform, const ExMatrix3& a);
 
@@ -40,7 +40,7 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeI
 [[nodiscard]] CompositeInertia to_parent(Tree& tree, std::size_t transform,
                                          const CompositeInertia& c);
 
-/// Indexed by transform.
+/// The composite inertia of each transform's subtree, by transform.
 [[nodiscard]] std::vector<CompositeInertia> composite_inertias(Tree& tree);
 
 /// I (spin; velocity): linear momentum, and angular momentum about the origin.

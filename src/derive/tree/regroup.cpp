@@ -1,8 +1,9 @@
-// regroup: base inertial parameters. Some parameters of a link act on the motion exactly as
-// parameters of the link before it, and are added to them:
-//   turn about z     mass, h_z and an inertia diag(Iyy, Iyy, 0), which a turn does not change
-//   translation      inertia, which a translation does not change
-//   constant transform    all parameters
+// regroup: base inertial parameters. Some parameters of a link affect the motion exactly as
+// parameters of the previous link do, and are added to the parameters of the previous link:
+//
+//     turn about z        mass, h_z and an inertia diag(Iyy, Iyy, 0), which a turn does not change
+//     translation         inertia, which a translation does not change
+//     constant transform  all parameters
 //
 //     before    link 2: m, h = (hx, hy, hz), I = (Ixx, Iyy, Izz, Ixy, Ixz, Iyz)       about z
 //     after     link 2: 0, (hx, hy, 0), (Ixx - Iyy, 0, Izz, Ixy, Ixz, Iyz)
@@ -112,10 +113,11 @@ bool is_descendant(const Tree& tree, std::optional<std::uint32_t> transform, std
   return transform.has_value();
 }
 
-/// Moves the masses on a rotation to a point mass at its origin, on the parent transform. There
-/// 1/2 m v^2 contains no quaternion (R^T R = 1 is used), so that T, momenta and forces agree with M
-/// even if |q| is not 1. Bodies on descendants keep their masses. The sum of these masses is
-/// subtracted at the origin in the child frame and added there in the parent frame.
+/// Moves the masses on a rotation to a point mass at its origin, on the parent transform. There the
+/// term 1/2 m v^2 contains no quaternion (R^T R = 1 is used), so that T, momenta and forces agree
+/// with M even if |q| is not 1. Bodies on descendants keep their masses; the sum of their masses is
+/// subtracted as a point mass at the origin in the child frame, and added as a point mass at the
+/// origin in the parent frame.
 void lift_masses(Tree& tree, std::uint32_t rotation, std::vector<RigidBody>& bodies) {
   ex own = 0;
   ex behind = 0;

@@ -1,5 +1,5 @@
-// Transforms along the tree. Sine and cosine of a constant quarter turn are numbers, so that it
-// only permutes components.
+// Transforms along the tree. Sine and cosine of a constant quarter turn are 0 or +-1, so that the
+// turn only permutes components and changes signs.
 #include "derive/tree/tree.hpp"
 
 namespace elgen {

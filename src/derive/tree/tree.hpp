@@ -72,7 +72,7 @@ class Tree {
   /// The bodies of the Lagrangian after regrouped().
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
 
-  /// R x and R^T x of a transform.
+  /// R x and R^T x, with R the rotation of a transform.
   [[nodiscard]] ExVector3 to_parent(std::size_t transform, const ExVector3& x) {
     return rotated(rotations_[transform], x);
   }

@@ -1,6 +1,7 @@
-// A column starts in the parent frame of its transform. The axis of a turn has the same components
-// there, and the parent's twist can replace the transform's. A column of a rotation starts in the
-// child frame, because its axes turn with the transform.
+// A column (tree_matrices.hpp) starts in the parent frame of its transform. The axis of a turn has
+// the same components in both frames, and the twist of the parent can replace the twist of the
+// transform. A column of a rotation starts in the child frame, because its axes turn with the
+// transform.
 #include <algorithm>
 
 #include "derive/tree/tree_matrices.hpp"
@@ -123,7 +124,8 @@ TreeColumns::TransformQuantities TreeColumns::quantities_in_parent_frame(std::ui
   home.carried = tree_.before(transform, carried_[transform]);
   const auto& parent = tree_.transform(transform).parent;
   home.motion = parent ? motions_[*parent] : base_motion(tree_, by_.with_gravity);
-  // A turn adds a spin parallel to S, a translation adds none: both twists have the same v x S.
+  // The twist of the transform and the twist of its parent differ by a spin parallel to S (turn) or
+  // by no spin (translation). So both have the same v x S.
   home.own = home.parent_twist = parent ? twists_[*parent] : Twist{};
   return home;
 }

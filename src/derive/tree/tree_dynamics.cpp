@@ -41,7 +41,8 @@ ExVector3 sum(const ExVector3& a, const ExVector3& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-/// I w' + w x I w, from the entries of U that are known already. The x component, and cyclically:
+/// I w' + w x I w, from the known entries of U. The x component is below; y and z follow by cyclic
+/// permutation:
 ///     Ixx w'_x + (Izz - Iyy) w_y w_z - Ixy U_zx + Ixz U_yx + Iyz (U_yy - U_zz)
 ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia,
                           const TransformMotion& motion) {
@@ -229,7 +230,8 @@ TreeForces tree_momentum(Tree& tree) {
   const NameScope momenta = algebra.name_scope("momentum");
   return tree.pull_back(sum_over_bodies<SpatialForce>(tree, [&](const RigidBody& body) {
     const Twist& twist = twists[*body.transform];
-    // I w is about the com if the inertia is; the lever term then refers it to the origin.
+    // If the inertia is about the com, I w is about the com too, and the lever term moves it to the
+    // origin.
     SpatialForce momentum;
     momentum.moment = spin_momentum(algebra, body, twist.spin);
     momentum.force = momentum_of(algebra, body, twist);

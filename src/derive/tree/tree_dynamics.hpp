@@ -69,7 +69,7 @@ struct TransformMotion {
 [[nodiscard]] std::vector<SpatialForce> inertial_forces_on_transforms(
     Tree& tree, const std::vector<RigidBody>& bodies, const std::vector<TransformMotion>& motions);
 
-/// Generalised inertial forces of the bodies, less the weights if with_gravity is set.
+/// Generalised inertial forces of the bodies; minus the weights if with_gravity is set.
 [[nodiscard]] TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration);
 
 /// dV/dq of the bodies' weights. For the subtree of each transform, in the transform's child frame,

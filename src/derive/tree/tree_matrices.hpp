@@ -33,7 +33,7 @@ struct TreeVariable {
   ExVector3 spin{0, 0, 0};
   ExVector3 velocity{0, 0, 0};
   GiNaC::ex value = 0;                               ///< x(q, t)
-  std::optional<std::uint32_t> velocity_index = {};  ///< for a rotation, which has no x
+  std::optional<std::uint32_t> velocity_index = {};  ///< set for a rotation, which has no x(q, t)
 };
 
 /// An entry of dx/dq, along one velocity.
@@ -43,7 +43,8 @@ struct Coefficient {
 };
 
 /// Variables that depend on coordinates, by ascending transform. A quaternion given by expressions
-/// of coordinates has no variables: `is_complete` is then false, and matrices come from forces.
+/// of coordinates has no variables: `is_complete` is then false, and matrices are derived from
+/// generalised forces.
 struct TreeVariables {
   std::vector<TreeVariable> list = {};
   bool is_complete = true;
@@ -57,9 +58,9 @@ struct TreeVariables {
 /// True if no entry of the row depends on coordinates or time.
 [[nodiscard]] bool is_constant(const Definitions& definitions, const std::vector<Coefficient>& row);
 
-/// S is the unit twist of a variable; I, B and f are the composites of its subtree and the wrench
-/// on it; v and a are the twist and acceleration of the parent transform, v_own the twist of the
-/// transform:
+/// S is the unit twist of a variable. I and B are the composites of the subtree of its transform
+/// (see the top), and f is the wrench on that subtree. v and a are the twist and acceleration of
+/// the parent transform; v_own is the twist of the transform itself:
 ///
 ///     S'  = v_own x S    rate of S             R1 = v x S,   R2 = a x S + v x R1
 enum class ColumnKind : unsigned char {
@@ -78,8 +79,9 @@ enum class UnitKind : unsigned char {
   second,  ///< R2
 };
 
-/// Columns of variable `upper`, passed towards the root as far as variable `lower`, in the frame of
-/// the quantities of `lower`. `is_mutual`: two variables of one transform, visited in both orders.
+/// The columns of variable `upper`, passed towards the root to the transform of variable `lower`,
+/// in the frame of quantities(lower). `is_mutual`: both variables belong to one transform, and the
+/// pair is visited in both orders.
 struct ColumnPair {
   std::size_t upper = 0;
   std::size_t lower = 0;
@@ -152,9 +154,9 @@ void add_to_dense(const SparseMatrix& matrix, Vector& entries, std::size_t n);
 /// True if the variables are complete, and dx/dq of each is constant.
 [[nodiscard]] bool has_linear_variables(Tree& tree);
 
-/// d tau/dq and d tau/dv of the inertial forces and weights, if has_linear_variables(). With
-/// R1 = v x S, R2 = a x S + v x R1 (v, a of the parent transform, gravity an acceleration of the
-/// base):
+/// d tau/dq and d tau/dv of the inertial forces and weights. Requires has_linear_variables().
+/// R1 = v x S and R2 = a x S + v x R1, with v and a of the parent transform. Gravity enters as an
+/// acceleration of the base:
 ///
 ///     dtau_k/dq_l = (I_k S_k).R2_l + 2 (B_k^T S_k).R1_l         l an ancestor of k, or k
 ///     dtau_l/dq_k = S_l.(I_k R2_k + 2 B_k R1_k + S_k x* f_k)
