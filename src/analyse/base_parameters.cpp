@@ -1,4 +1,5 @@
-// base_parameters: the echelon form of Y at many states, over residues or in 160 digits.
+// base_parameters: the reduced echelon form of the regressor Y at many states, over residues, else
+// in 160 digits.
 #include "elgen/base_parameters.hpp"
 
 #include <cln/float.h>
@@ -48,7 +49,8 @@ struct ResiduePivot {
   }
 };
 
-/// States for twice as many rows as columns, and 8 more for columns that are 0 in most rows.
+/// The number of states: enough for twice as many rows as columns, plus 8 states for columns that
+/// are 0 in most rows.
 std::size_t states_for(std::size_t rows, std::size_t columns) {
   return 2 * (columns + rows - 1) / rows + 8;
 }
@@ -59,7 +61,7 @@ std::size_t entries_of_matrix(const Function& regressor) {
 }
 
 /// Stores the rows of an echelon form as base parameters. `number` converts a factor to a real
-/// number; if it returns none, the result is false.
+/// number. Returns false if `number` returns none for a factor.
 template <class Field, class ToNumber>
 bool store_base_parameters(const Echelon<Field>& echelon, const ToNumber& number,
                            BaseParameters& found) {
@@ -81,7 +83,8 @@ bool store_base_parameters(const Echelon<Field>& echelon, const ToNumber& number
   return true;
 }
 
-/// Returns false if an entry of Y has no residue, or if a factor is not rational.
+/// Finds exact base parameters. Returns false if an entry of Y has no residue, or if a factor is
+/// not rational.
 bool find_by_residues(const CheckedModel& checked, const Program& program,
                       const Function& regressor, BaseParameters& found) {
   Sampler draw(seed_of_states);
@@ -105,7 +108,7 @@ bool find_by_residues(const CheckedModel& checked, const Program& program,
 }
 
 /// Rows of Y at a drawn state in long floats, each scaled to a largest entry of 1. None if Y has no
-/// value there.
+/// value at the state.
 std::optional<std::vector<cl_R>> sampled_rows(const CheckedModel& checked, const Program& program,
                                               const Function& regressor, const State& state) {
   static const cln::float_format_t digits = cln::float_format(64 + more_digits);

@@ -18,14 +18,16 @@ namespace {
 
 using cln::cl_R;
 
-/// The start of the searched turn, so that halving it never splits at a multiple of a quarter turn.
+/// The searched turn starts at this angle, so that halving the turn never splits it at a multiple
+/// of a quarter turn.
 constexpr double first_angle = -2.6;
 constexpr double turn_above = 0x1.921fb54442d19p2;  // more than 2 pi
 
-/// Undecided boxes closer than this many of their lengths are joined.
+/// Undecided boxes are joined if their distance is less than this multiple of their lengths.
 constexpr double neighbourhood = 10;
 
-/// The limit of Newton starts in open boxes, and the limit of places that undecided boxes form.
+/// The largest numbers of Newton starts in open boxes, and of places. A place is a union of
+/// undecided boxes that touch.
 constexpr std::size_t most_starts = 64;
 constexpr std::size_t most_places = 16;
 
@@ -88,8 +90,9 @@ class BlockSearch {
     return with_entries(system_.residual(), entries);
   }
 
-  /// An equation without coordinates either has no root, or one root without values. Rational
-  /// values of the parameters prove that it is 0; 64 digits do not.
+  /// An equation without coordinates either has no root, or one root without values. It is proved
+  /// to be 0 only for rational values of the parameters; a value that is 0 in 64 digits proves
+  /// nothing.
   BlockRoots constant_equation() {
     const Real value = evaluate(system_.program, rows_, start())[0];
     if (value.is_defined() && !is_near(value, Real(), root_digits)) return std::move(result_);
@@ -138,8 +141,8 @@ class BlockSearch {
                       system_.state);
   }
 
-  /// The operations per box: two evaluations of f, values and slopes of f for every unknown, and
-  /// the products of Krawczyk's test.
+  /// The number of enclosures per box: two evaluations of f, values and slopes of f for every
+  /// unknown, and the products of Krawczyk's test.
   [[nodiscard]] std::uint64_t enclosures_of_box() const {
     const std::uint64_t n = unknowns_.coordinates.size();
     return 1 + square_.instructions.size() * (2 * n + 2) + 2 * n * n * n;
@@ -173,7 +176,7 @@ class BlockSearch {
     return at;
   }
 
-  /// Chooses at most one equation per unknown; equations of the unknowns' velocities come first.
+  /// Chooses at most one equation per unknown; equations of the unknowns' velocities are preferred.
   void choose_rows() {
     chosen_rows_ = block_.rows;
     std::stable_partition(chosen_rows_.begin(), chosen_rows_.end(), [this](std::uint32_t row) {
@@ -256,7 +259,8 @@ class BlockSearch {
     return places;
   }
 
-  /// Joins a box with all places that it touches, or with every place if they are too many.
+  /// Joins a box with all places that it touches, or with every place if there are `most_places`
+  /// places already.
   static void join(std::vector<Box>& places, Box whole) {
     const bool is_crowded = places.size() >= most_places;
     const auto joins = [&](const Box& place) {
@@ -283,8 +287,9 @@ class BlockSearch {
     return true;
   }
 
-  /// Adds the plain root of a place, if it exists. The place is undecided, unless it has one
-  /// coordinate and this root, a zero of any order, is proved to be its only root.
+  /// Adds the root that plain_root() finds, if it solves the equations. The place stays undecided,
+  /// unless it has one coordinate and the added root (a zero of any order) is proved to be its only
+  /// root.
   void decide_place(const BoxedEquations& equations, const Box& place) {
     if (const auto root = plain_root(place)) {
       add(*root);

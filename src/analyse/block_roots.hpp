@@ -16,7 +16,7 @@ namespace elgen {
 struct RestSystem {
   const Model& model;
   const Program& program;  ///< r, M and W of RestProgram
-  ClosedForms& forms;      ///< of these functions
+  ClosedForms& forms;      ///< of the functions in `program`
   const std::vector<SearchKind>& kinds;
   State state = {};  ///< values of parameters and inputs, start values of coordinates
 
@@ -36,15 +36,15 @@ struct BlockRoots {
   std::uint64_t boxes = 0;
   std::uint64_t enclosures = 0;
   std::uint64_t starts = 0;
-  std::string_view limit = {};  ///< that ended the search: "boxes" or "enclosures"; else empty
+  std::string_view limit = {};  ///< "boxes" or "enclosures"; empty: no limit was reached
 };
 
 /// E531: a coordinate has no range. The search stops at the limits of boxes and enclosures.
 [[nodiscard]] Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block,
                                              const Limits& most);
 
-/// The first derivative of a row by one coordinate that is not 0 at a root. The row and its lower
-/// derivatives are exactly 0 there, at the values of the parameters.
+/// The derivative of lowest order of a row by one coordinate that is not 0 at a root. At the root
+/// and the values of the parameters, the row and its derivatives of lower order are exactly 0.
 struct RootOrder {
   std::uint32_t order = 1;  ///< of the derivative, which is the multiplicity of the root
   Fraction derivative = {};

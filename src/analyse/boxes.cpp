@@ -19,8 +19,8 @@ double length(const Enclosure& x) { return x.high - x.low; }
 /// The relative enlargement of a tested box on each side.
 constexpr double margin = 0.05;
 
-/// The resolution decreases by this factor after all boxes have reached it. So boxes along a curve
-/// of solutions have equal sizes when the limit is reached.
+/// After all undecided boxes have reached the resolution, the resolution decreases by this factor.
+/// So boxes along a curve of solutions have equal sizes when the limit is reached.
 constexpr double refinement = 16;
 
 Box enlarged(const Box& box) {

@@ -18,8 +18,8 @@
 
 namespace elgen {
 
-/// Equations f = 0, at least as many as unknown coordinates. f are the entries of `function`, and
-/// `leaves` has the values of all known leaves.
+/// Equations f = 0, at least as many as unknown coordinates. `function` has the entries f; `leaves`
+/// has the values of all known leaves.
 struct BoxedEquations {
   const Program& program;
   const Function& function;
@@ -31,7 +31,7 @@ struct BoxedEquations {
 using Box = std::vector<Enclosure>;
 
 struct BoxSearch {
-  std::vector<Box> single = {};      ///< one simple solution each; two boxes may have the same
+  std::vector<Box> single = {};      ///< each has one simple solution; two may share a solution
   std::vector<Box> undecided = {};   ///< smaller than the resolution
   std::vector<Box> open_boxes = {};  ///< not yet decided when the limit was reached
   std::uint64_t examined = 0;

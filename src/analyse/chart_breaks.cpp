@@ -20,8 +20,8 @@ State shifted_state(State state, std::size_t coordinate) {
   return state;
 }
 
-/// True if a pivot of M is 0 that is not 0 after a shift of all coordinates. A root has 58 digits,
-/// so less than 1e-50 of a lost pivot remains.
+/// True if a pivot of M is 0 at the state, but not after a shift of all coordinates. A root has 58
+/// digits, so a pivot that vanishes is computed as less than 1e-50 of its shifted value.
 bool is_chart_broken(const RestProgram& rest, const State& state) {
   State moved = state;
   for (std::size_t i = 0; i < moved.q.size(); ++i) moved = shifted_state(std::move(moved), i);

@@ -16,8 +16,9 @@ namespace elgen {
 /// M at a state of rest, row-major.
 [[nodiscard]] std::vector<cln::cl_R> mass_at(const RestProgram& rest, const State& state);
 
-/// True if M is singular at a point. Adds the coordinates that cause it to `breaks`, each once: a
-/// coordinate whose shift alone makes M regular; else every coordinate in the equations at rest.
+/// True if M is singular at a point. Adds the coordinates that cause the break to `breaks`, each
+/// once: every coordinate whose shift makes M regular. If no single shift does, adds every
+/// coordinate in the equations at rest.
 [[nodiscard]] bool breaks_chart(const RestProgram& rest, const RestPoint& point,
                                 std::vector<ChartBreak>& breaks);
 

@@ -1,6 +1,6 @@
 // Checks [[equilibrium]] entries by closed forms of the residual and of det(x M - K) at the point.
-// If the forms do not decide, the balance has been tested by inspect() at the states of
-// sample_equilibrium(). At these states frequencies are compared in 64 digits.
+// If the forms do not decide, the states of sample_equilibrium() do: inspect() has tested the
+// balance at these states, and frequencies are compared there in 64 digits.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,15 +44,15 @@ Value determinant(Arithmetic& at, const std::vector<Value>& matrix, std::size_t 
   return minors.back();
 }
 
-/// The determinant in 64 digits; undefined if an entry is.
+/// The determinant in 64 digits; undefined if an entry is undefined.
 Real determinant(const std::vector<Real>& matrix, std::size_t n) {
   LargestPivot<Real> field;
   const Echelon<LargestPivot<Real>> echelon(field, matrix, n, n);
   return echelon.is_defined() ? echelon.determinant() : Real::undefined();
 }
 
-/// The replacement of a coordinate. For an angle rest +- acos(c) or rest +- asin(c), it has the
-/// cosine and sine by the addition theorem.
+/// The replacement of a coordinate. For an angle rest +- acos(c) or rest +- asin(c), it contains
+/// the cosine and sine of the angle, by the addition theorem.
 Replacement replacement_of(Arithmetic& at, const Algebra& algebra, const Fraction& value) {
   Replacement result{value};
   if (!value.denominator.empty()) return result;
@@ -101,8 +101,8 @@ std::vector<Real> slopes_at(const Model& model, const Program& moving, const Arg
   return slopes;
 }
 
-/// Compares det(x M - K) with det M (x - w1^2) (x - w2^2) … at n + 1 values of x, to 30 digits.
-/// None if a value is undefined.
+/// True if det(x M - K) = det M (x - w1^2) (x - w2^2) … at n + 1 values of x, to 30 digits. None if
+/// a value is undefined.
 std::optional<bool> has_frequencies_at(const Model& model, const Program& moving,
                                        const Equilibrium& declared, const State& state) {
   static const cl_R noise = power_of_ten(-30);
@@ -210,7 +210,7 @@ class DeclaredEquilibrium {
     }
   }
 
-  /// Compares det(x M - K) with det M (x - w1^2) (x - w2^2) ...
+  /// True if det(x M - K) and det M (x - w1^2) (x - w2^2) ... are equal as closed forms.
   bool has_frequencies() {
     const std::size_t n = size();
     if (stiffness_.size() != n * n || n > most_rows) return false;

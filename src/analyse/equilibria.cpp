@@ -23,7 +23,8 @@ namespace {
 
 using cln::cl_R;
 
-/// The limit of listed points. Their number is the product over all blocks.
+/// More equilibria are refused (E910). Their number is the product of the numbers of roots of all
+/// blocks.
 constexpr std::size_t most_points = 256;
 
 class EquilibriumSearch {
@@ -81,8 +82,8 @@ class EquilibriumSearch {
   }
 
  private:
-  /// Coordinates in no equation at rest keep their start value. If this is 0, or for an angle a
-  /// multiple of a quarter turn, it gets a closed form.
+  /// Coordinates in no equation at rest keep their start value. If the start value is 0, or for an
+  /// angle a multiple of a quarter turn, the coordinate gets a closed form.
   void name_free_coordinates(RestPoint& point) {
     for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
       CoordinateAtRest& coordinate = point.coordinates[i];
@@ -111,8 +112,8 @@ class EquilibriumSearch {
     return {};
   }
 
-  /// Drops coordinates from rows that do not contain them at the values of the parameters, as
-  /// cos(theta) vanishes from (m1 a - m2 b) g cos(theta) if m1 a = m2 b.
+  /// Removes coordinates from rows that do not contain them at the values of the parameters:
+  /// (m1 a - m2 b) g cos(theta) does not contain theta if m1 a = m2 b.
   void leave_out_coordinates() {
     const std::optional<Replacements> values = parameter_values(state_.parameters);
     for (std::uint32_t row = 0; values && row < rows_.size(); ++row) {
@@ -159,7 +160,8 @@ class EquilibriumSearch {
     return exact_root(system.forms, rows, unknowns, arguments_at<Real>(state_)).value_or(numbers);
   }
 
-  /// Orders plain values by value, then all other values by magnitude.
+  /// True if x comes before y in the list: closed forms without acos and asin come first, by value;
+  /// then all other values, by magnitude.
   static bool comes_before(const std::vector<CoordinateAtRest>& x,
                            const std::vector<CoordinateAtRest>& y) {
     static const cl_R noise = power_of_ten(-40);
@@ -294,7 +296,7 @@ class EquilibriumSearch {
     }
   }
 
-  /// Notes the leading term of W along a coordinate with K = 0, exactly at the parameters' values.
+  /// If K is exactly 0 along the coordinate of the block, notes the leading term of W.
   void note_degenerate(RestSystem& system, const RestBlock& block, const CoordinateAtRest& root,
                        const RestPoint& point, RestConditions& here) {
     const std::uint32_t coordinate = block.coordinates[0];
@@ -325,7 +327,7 @@ class EquilibriumSearch {
   Equilibria result_ = {};
 };
 
-/// The start. Inputs have the values of their laws, or 0.
+/// The start state. Inputs have the values of their laws, or 0.
 Result<State> start_of(const CheckedModel& checked) {
   const Model& model = checked.model;
   State state = nominal_state(model, checked.scene);
@@ -338,7 +340,8 @@ Result<State> start_of(const CheckedModel& checked) {
   return state;
 }
 
-/// The state of an [[equilibrium]]; coordinates that it does not set have their start value.
+/// The state of an [[equilibrium]], or the start state if `name` is empty. Coordinates that the
+/// [[equilibrium]] does not set have their start value.
 Result<State> state_at(const CheckedModel& checked, const std::string& name) {
   Result<State> state = start_of(checked);
   if (!state || name.empty()) return state;

@@ -1,5 +1,5 @@
-// Without denominators an equation is a sum of monomials in q, v, a and t, with coefficients in the
-// parameters. It holds for all motions if each coefficient is 0.
+// After denominators are cleared, an equation is a sum of monomials in q, v, a and t, with
+// coefficients in the parameters. It holds for all motions if each coefficient is 0.
 #include "analyse/exact_generators.hpp"
 
 #include <algorithm>
@@ -54,8 +54,9 @@ class Conditions {
   [[nodiscard]] std::vector<Equation> equations() && { return std::move(equations_); }
 
  private:
-  /// Notes whether the atoms are independent. Powers 0 and 1 of a single root are independent. But
-  /// sqrt(a) sqrt(b) may be a third root, and a root of sines and cosines may be a sine.
+  /// Sets is_complete_ to false if the atoms may depend on each other. Powers 0 and 1 of a single
+  /// root are independent. But sqrt(a) sqrt(b) may be a third root, and a root of an expression in
+  /// sines and cosines may equal a sine.
   void note(AtomId id) {
     if (algebra_.atoms[id].kind != AtomKind::root) {
       is_complete_ = is_complete_ && is_independent(algebra_, id);
@@ -78,7 +79,8 @@ class Conditions {
 
   using Denominator = std::map<std::uint32_t, std::int32_t>;
 
-  /// Repeats, because squares of roots may introduce new denominators.
+  /// Multiplies a row by its common denominator until no denominator remains: squares of roots may
+  /// introduce new denominators. Returns false if an entry has no form.
   bool clear_denominators(std::vector<Value>& row) {
     for (;;) {
       Denominator common;
@@ -130,7 +132,7 @@ std::vector<Equation> with_zero_unknowns(std::vector<Equation> equations) {
   return equations;
 }
 
-/// The slopes of R; none if one is unknown.
+/// The derivatives of R; none if a derivative has no form.
 std::optional<ResidualSlopes<Value>> slopes_of(ClosedForms& forms, const GeneratorClass& all,
                                                const OpenTerms& open_values,
                                                const std::vector<Value>& residual) {

@@ -13,7 +13,7 @@
 namespace elgen {
 
 /// Closed forms as the number type of generators.hpp and of Echelon. A form that exceeds the budget
-/// is none. The pivot of a column is in the shortest row.
+/// becomes none. The pivot of a column is in the shortest row.
 class FormField : public Arithmetic {
  public:
   using Number = Value;
@@ -44,8 +44,9 @@ class FormField : public Arithmetic {
 /// Generators with coefficients in the parameters.
 struct ExactGenerators {
   std::vector<std::vector<Fraction>> basis = {};
-  /// No other generators exist, because the functions that occur (leaves, sines, cosines and at
-  /// most one root) are independent. Not proved for a root of a square, see `has_root`.
+  /// True if no other generators exist, because the functions in the equations (leaves, sines,
+  /// cosines and at most one root) are independent. If `has_root`, this is not proved: the root may
+  /// be the root of a square.
   bool is_complete = false;
   bool has_root = false;
 };

@@ -233,7 +233,7 @@ class FormsAtParameters : public FormField {
 /// constant term.
 using RestEchelon = Echelon<FormsAtParameters>;
 
-/// The value of the unknown whose pivot was removed from this row.
+/// The value of the unknown of a pivot. `row` is the row of the pivot without the pivot itself.
 std::optional<CoordinateAtRest> solved_for(FormsAtParameters& field, const RestEchelon::Row& row,
                                            const std::vector<std::uint32_t>& unknowns) {
   const std::size_t n = unknowns.size();
@@ -275,7 +275,8 @@ std::optional<LinearSolution> solution_of(FormsAtParameters& field,
   return solution;
 }
 
-/// Multiplies a row by the powers of unknowns in its denominators, and notes these in `poles`.
+/// Multiplies a row by the powers of unknowns in its denominators, and adds these unknowns to
+/// `poles`.
 Value without_poles(Algebra& algebra, const Fraction& row, const Unknowns& unknowns,
                     std::set<std::uint32_t>& poles) {
   Monomial powers;
@@ -371,7 +372,7 @@ std::optional<std::vector<CoordinateAtRest>> exact_root(ClosedForms& forms,
   if (!open && is_solved(algebra, rows, replacements_of(unknowns.coordinates, values))) {
     return values;
   }
-  // A value may be plain at these parameters only: asin(tau/(m g l)) = pi/2.
+  // A root may be a multiple of a quarter turn only at these parameters: asin(tau/(m g l)) = pi/2.
   if (!open && values.size() == 1) open = 0;
   if (!open) return std::nullopt;
   values[*open] = {};

@@ -1,5 +1,5 @@
-// Exact roots: closed forms of roots known to 64 digits, accepted only if the equations reduce to
-// the empty sum with them.
+// Exact roots: closed forms of roots that are known to 64 digits. A form is accepted only if it
+// reduces the equations to the empty sum.
 //
 //     0, pi, +-pi/2      in any number of coordinates
 //     +-acos(c), asin(c), pi - asin(c)     of one angle, if the equation divided by the factors of

@@ -1,5 +1,5 @@
-// Both values w^2 of a block of two share one divisor, with their common factor in front. They are
-// written separately if the radicand is a square.
+// The two values w^2 of a block of two coordinates have one divisor and a common factor in front.
+// If the radicand is a square, they are two formulas without a root.
 #include "analyse/frequencies.hpp"
 
 #include <cln/integer.h>
@@ -52,13 +52,13 @@ class FrequencyForms {
     return at_rest_.stiffness[i * size_ + j];
   }
 
-  /// K/M
+  /// Adds w^2 = K/M.
   void add_one(std::vector<SquaredFrequency>& all, std::size_t i) {
     const Value square = Arithmetic(forms_.algebra).divide(k(i, i), m(i, i));
     if (square) all.push_back({*square});
   }
 
-  /// The roots b/2a -+ sqrt((b/2a)^2 - c/a) of a x^2 - b x + c = det(K - x M).
+  /// Adds the roots b/2a -+ sqrt((b/2a)^2 - c/a) of a x^2 - b x + c = det(K - x M).
   void add_two(std::vector<SquaredFrequency>& all, std::size_t i, std::size_t j) {
     Arithmetic at(forms_.algebra);
     const auto determinant = [&](const Fraction& x, const Fraction& y, const Fraction& z) {
@@ -74,10 +74,10 @@ class FrequencyForms {
     if (middle && square) add_pair(all, *middle, *square);
   }
 
-  /// middle -+ sqrt(square) with the common divisor d and the common factor s:
+  /// Adds middle -+ sqrt(square), with the common divisor d and the common factor s:
   ///     s (middle d/s -+ sqrt(square d^2/s^2))/d
-  /// If the radicand is a square, two formulas without root; the sign of the root is arbitrary,
-  /// because both signs occur.
+  /// If the radicand is a square, adds two formulas without a root. The sign of the root does not
+  /// matter, because both signs occur.
   void add_pair(std::vector<SquaredFrequency>& all, const Fraction& middle,
                 const Fraction& square) {
     if (square.numerator.empty()) {

@@ -31,7 +31,7 @@ struct SquaredFrequency {
 };
 
 /// w^2 of each block of one or two coordinates out of `size`. A block of two has two entries
-/// without a root if the radicand is a square. Empty if M or K is unknown.
+/// without a root if the radicand is a square. Empty if M or K has no closed form.
 [[nodiscard]] std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms,
                                                                 const FormsAtRest& at_rest,
                                                                 std::size_t size);

@@ -173,7 +173,7 @@ PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass
   return change;
 }
 
-/// to + sum_k slope_ik moved_k
+/// to + sum_k slope_ik change_k
 template <class Field>
 typename Field::Number add_slope_product(Field& field, typename Field::Number to,
                                          const std::vector<typename Field::Number>& slope,

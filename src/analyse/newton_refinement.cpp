@@ -33,7 +33,7 @@ std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
 }
 
 /// The derivatives of the entries of a function along `columns` directions, row-major.
-/// point(k, direction) sets direction k, which is 0 before.
+/// point(k, direction) sets the k-th direction; all leaves of `direction` are 0 before the call.
 template <class Point>
 std::vector<Real> slopes_along(const Program& program, const Function& function,
                                const Arguments<Real>& at, std::size_t columns, const Point& point) {

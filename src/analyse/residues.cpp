@@ -153,7 +153,7 @@ cl_MI residue_of(const cln::cl_RA& number) {
          cln::recip(residue_field()->canonhom(cln::denominator(number)));
 }
 
-/// Rational reconstruction: Euclid's algorithm of prime and residue, up to the first remainder
+/// Rational reconstruction: Euclid's algorithm for prime and residue, up to the first remainder
 /// below the bound.
 std::optional<cln::cl_RA> rational_of(const cl_MI& residue) {
   const cl_I bound = cln::ash(cl_I(1), 250);

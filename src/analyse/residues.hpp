@@ -29,7 +29,8 @@ struct PointOfCircle {
   cln::cl_MI sine;
 };
 
-/// A member is none if it is unknown, such as the value of pi or the angle of most numbers.
+/// A number: its residue, and its cosine and sine as an angle. A member is none if it is unknown,
+/// such as the value of pi or the angle of most numbers.
 struct Residue {
   std::optional<cln::cl_MI> value = {};
   std::optional<PointOfCircle> angle = {};

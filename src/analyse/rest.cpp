@@ -108,7 +108,7 @@ LinearOccurrence scaled(LinearOccurrence x, const cl_RA& factor) {
   return x;
 }
 
-/// Rules for fold(): which coordinates a value depends on.
+/// Rules for fold() that collect the coordinates on which a value depends.
 struct OccurrenceRules {
   [[nodiscard]] LinearOccurrence constant(const Constant& constant) const {
     LinearOccurrence result;

@@ -20,26 +20,26 @@ constexpr std::uint64_t seed = 1;
 /// The limit of draws per state: states outside the domain of a function have no value.
 constexpr std::size_t draws_per_state = 20;
 
-/// Numbers scaled to 1 that are smaller are 0 in elimination.
+/// Elimination scales rows and columns to 1; numbers below this then count as 0.
 const cl_R& noise() {
   static const cl_R value = power_of_ten(-100);
   return value;
 }
 
-/// Entries of a row scaled to 1 that are smaller are rounding errors of the samples.
+/// In a row with largest entry 1, entries below this are rounding errors of the samples.
 const cl_R& rounding() {
   static const cl_R value = power_of_ten(-125);
   return value;
 }
 
-/// R = M a + bias - dD/dv + Q; bias contains dD/dv and -Q, which thus cancel.
+/// R = M a + bias - dD/dv + Q; bias contains dD/dv and -Q, so dD/dv and Q cancel.
 constexpr std::array<std::pair<OutputKind, int>, 3> residual_outputs{
     {{OutputKind::inverse_dynamics, 1},
      {OutputKind::dissipation, -1},
      {OutputKind::applied_force, 1}}};
 
-/// Sums part(kind) over the outputs of `residual_outputs` that the program has; one entry per
-/// velocity.
+/// The signed sum of part(kind) over the outputs of `residual_outputs` that the program has; one
+/// entry per velocity.
 template <class Part>
 std::vector<Real> sum_of_outputs(const Program& program, std::size_t n, const Part& part) {
   std::vector<Real> sum(n);
@@ -197,7 +197,7 @@ std::vector<SampledGenerators> generators_at_other_parameters(const CheckedModel
   std::vector<SampledGenerators> found;
   for (std::size_t turn = 0; turn < draws_per_state && found.size() < sets; ++turn) {
     Sampler draw(seed + turn);
-    // In odd turns, drawn_state() draws parameters from their whole declared ranges.
+    // For odd numbers, drawn_state() draws parameters from their whole declared ranges.
     const State state = drawn_state(checked.model, checked.scene, draw, 2 * turn + 1);
     auto here = sampled_generators(checked, moving, state);
     if (here) found.push_back(std::move(*here));

@@ -1,5 +1,5 @@
 // The symmetries at the values of the parameters, from conditions at random states in 160 digits.
-// Every symmetry satisfies these conditions, so none is missed.
+// Every symmetry satisfies these conditions, so no symmetry is missed.
 #pragma once
 
 #include <cstddef>

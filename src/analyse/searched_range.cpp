@@ -1,4 +1,4 @@
-// A range of an angle also contains its angles shifted by whole turns.
+// The range of an angle also contains all angles that differ by whole turns from an angle in it.
 #include "analyse/searched_range.hpp"
 
 #include "numbers/exact_number.hpp"

@@ -1,7 +1,7 @@
 // Natural systems have normal modes. Eigen's self-adjoint solver gives the shapes in doubles. w^2
 // is the Rayleigh quotient in 64 digits, whose error is the squared error of the shape. All other
-// systems have poles. D counts as dissipative if dD/dv does not depend on q, and d2D/dv2 at v = 0
-// is positive semidefinite.
+// systems are judged by their poles. D counts as dissipative if dD/dv does not depend on q, and
+// d2D/dv2 at v = 0 is positive semidefinite.
 #include "analyse/stability.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -54,7 +54,7 @@ std::vector<double> real_values(const Matrix& matrix) {
   return {rows.data(), rows.data() + rows.size()};
 }
 
-/// [0 1; -K/M -D/M]; not finite if M is singular.
+/// [0 1; -M^-1 K, -M^-1 D] with D = `damping`; not finite if M is singular.
 Matrix state_matrix(const RestPoint& point) {
   const std::size_t n = point.state.v.size();
   const auto size = static_cast<Eigen::Index>(n);
@@ -131,7 +131,8 @@ bool is_natural(const RestPoint& point) {
 }
 
 /// The modes of a natural system with positive definite M, by ascending w^2. The error of w^2 is
-/// the squared error of its shape in doubles. Below 1e-20 of the largest, w^2 is set to 0.
+/// the squared error of its shape in doubles. Values of w^2 below 1e-20 of the largest are set to
+/// 0.
 std::vector<NormalMode> normal_modes(const RestPoint& point) {
   const std::size_t n = point.state.v.size();
   const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix> solver(matrix_of(point.stiffness, n),
@@ -258,7 +259,7 @@ bool no_entry_satisfies(const Program& moving, OutputKind kind, const Holds& hol
 
 bool holds_coordinates(const Occurrence& entry) { return !entry.coordinates.empty(); }
 
-/// Eliminates in 64 digits. The row and column of a zero pivot must be zero.
+/// Symmetric elimination in 64 digits. If a pivot is 0, its row and column must be 0.
 bool is_positive_semidefinite(std::vector<cl_R> a, std::size_t n) {
   const cl_R noise = largest_of(a) * power_of_ten(-40);
   for (std::size_t k = 0; k < n; ++k) {
@@ -308,7 +309,7 @@ bool is_positive_definite(const std::vector<cl_R>& matrix,
 }
 
 bool is_conservative(const Program& moving, const State& state) {
-  // E alone does not suffice: for a point with a prescribed motion, E may be free of t.
+  // A test of E is not enough: for a point with a prescribed motion, E may be free of t.
   const bool is_free_of_time = std::ranges::all_of(
       std::array{OutputKind::bias, OutputKind::mass_matrix, OutputKind::energy_function},
       [&](OutputKind kind) {

@@ -133,7 +133,7 @@ bool keeps_lagrangian_at(const Subject& subject, const Algebra& algebra, const G
   return figure && *figure < noise;
 }
 
-/// True if dL = 0 at all states; then F = 0.
+/// True if the generator does not change L at any state: dL = 0, so F = 0.
 bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Generator& generator,
                       const std::vector<State>& states) {
   return with_digits(sampling_digits, [&] {
@@ -143,7 +143,8 @@ bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Gene
   });
 }
 
-/// Each unknown as a simple fraction that agrees to 35 digits, else rounded to six digits.
+/// The generator with each unknown as a simple fraction that agrees to 35 digits. Other unknowns
+/// are rounded to six digits, and `is_rounded` is set.
 Generator simple_generator(const std::vector<cl_R>& numbers, bool& is_rounded) {
   static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
   static const cl_RA near = power_of_ten(-35);
@@ -181,7 +182,8 @@ void add_rates(FormField& field, const MotionForms& motion, const Entries& displ
   symmetry.loss = std::move(loss);
 }
 
-/// True if a generator with rational unknowns satisfies the conditions of all sets.
+/// True if a generator with rational unknowns satisfies the conditions of all sets; false if `sets`
+/// is empty.
 bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& generator) {
   std::vector<cl_R> numbers;
   for (const Fraction& entry : generator) {
@@ -192,8 +194,8 @@ bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& gen
   });
 }
 
-/// True if E is conserved, but T + V is not: T + V - E = 2 T0 + T1 with T1 = 0 is constant unless
-/// it contains q or t. False if T1 is not 0.
+/// True if E is conserved, but T + V is not. If T1 = 0, T + V - E = 2 T0 is constant unless it
+/// contains q or t. If T1 is not 0, returns false.
 bool loses_energy(Symmetries& found, const MotionForms& motion) {
   const bool has_time = std::ranges::any_of(
       found.all, [](const Symmetry& symmetry) { return symmetry.kind == SymmetryKind::time; });

@@ -1,4 +1,5 @@
-// Replaces basis vectors by common rotations of all points that are their linear combinations.
+// Replaces basis vectors by common rotations of all points, if the rotations are linear
+// combinations of the basis vectors.
 #include "analyse/symmetry_basis.hpp"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ std::vector<Generator> common_rotations(const GeneratorClass& all, std::size_t d
   return result;
 }
 
-/// Replaces basis vectors by common rotations that are solutions.
+/// Replaces basis vectors by common rotations that are symmetries.
 class BasisChange {
  public:
   BasisChange(ClosedForms& forms, std::vector<Generator>& basis) : forms_(forms), basis_(basis) {

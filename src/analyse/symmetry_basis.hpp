@@ -8,7 +8,7 @@
 
 namespace elgen {
 
-/// The unknowns of a generator in the order of the class.
+/// The unknowns of a generator, in the order of GeneratorClass.
 using Generator = std::vector<Fraction>;
 
 /// Replaces basis vectors by common rotations of all pairs, or triples, of coordinates, if these

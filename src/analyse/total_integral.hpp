@@ -11,7 +11,8 @@ namespace elgen {
 
 /// F(q, t) whose total derivative, sum dF/dq dq/dt + dF/dt at fixed q, is proved to be `rate`.
 /// `rates` is dq/dt of all coordinates, or empty if dq/dt = v. Terms x^n and x^n e^(c x) are
-/// integrated by each variable. None for other terms, or if `rate` is not a total derivative.
+/// integrated, with x a coordinate or t. None for other terms, or if `rate` is not a total
+/// derivative.
 [[nodiscard]] std::optional<Fraction> total_integral(ClosedForms& forms, const Model& model,
                                                      const std::vector<Fraction>& rates,
                                                      const OpenTerms& open_values,
