@@ -2,7 +2,8 @@
 //
 // Operands precede their users. Leaves and constants exist. Nothing is computed twice, except in
 // repetitions, which execute the same operations in the same order. No instruction is dead. Every
-// field has rows * columns entries. Unused operand slots are 0, so that equal means equal bytes.
+// field has rows * columns entries. Unused operand slots are 0, so that equal instructions have
+// equal bytes.
 #include <fmt/core.h>
 
 #include <stdexcept>
@@ -66,8 +67,8 @@ std::string broken_field(const Function& function) {
   return "";
 }
 
-/// True if the operand is the previous repetition's, shifted by one length. Operands before the
-/// repetitions may be any.
+/// True if the operand is the previous repetition's, shifted by one length. If the previous operand
+/// lies before the repetitions, this operand may be any value before the repetitions.
 bool is_shifted(std::uint32_t before, std::uint32_t now, std::size_t first, std::uint32_t length) {
   return before < first ? now < first : now == before + length;
 }

@@ -60,7 +60,8 @@ Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
   }
 }
 
-/// Unknown if an error bound overflows: it grows without limit if no precision decides the form.
+/// The value of a form, computed with this many digits. Unknown if an error bound overflows, as it
+/// does for a form that no precision decides.
 Enclosed value_with(const ConstantForm& form, int digits) {
   try {
     return value_of(form, EnclosedArithmetic(digits));
@@ -78,7 +79,7 @@ Formula sum_formula(const std::vector<ConstantPart>& parts) {
   return sum_of(std::move(terms));
 }
 
-/// Base with exponent. A sum of one negative term keeps its sign in brackets: (-x)^2.
+/// The base with its exponent. A sum of one negative term keeps its sign in brackets: (-x)^2.
 Formula factor_formula(const ConstantPart& factor) {
   const bool is_signed = factor.form.kind == ConstantKind::sum && factor.form.parts.size() == 1;
   Formula base = constant_formula(factor.form);
@@ -157,8 +158,8 @@ std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form) {
     last = found.number;
     if (last->error <= share * cln::abs(last->value)) return last;
   }
-  // The sum cancels. It counts as 0 if its absolute error is that small. Otherwise no precision
-  // decides, and the constant has no value.
+  // The relative error is never small, because digits cancel. If the absolute error is at most
+  // `share`, the constant is 0. Otherwise no precision decides, and it has no value.
   const bool is_negligible = last && last->error <= share;
   return is_negligible ? last : std::nullopt;
 }

@@ -1,5 +1,5 @@
-// L = v.p - E, so L contains no t if E and p contain none. A momentum is constant if its row of
-// dL/dq, of the forces and of B and its column of A are 0.
+// L = v.p - E, so L contains no t if E and p contain none. A momentum is constant if its rows of
+// dL/dq, of the forces and of B are 0, and its column of A is 0.
 #include "program/evaluate/conservation.hpp"
 
 #include <algorithm>
@@ -10,8 +10,9 @@
 namespace elgen {
 namespace {
 
-/// True if the entries selected by `stands` are proved to be 0. Without `needs_proof`, sampled
-/// zeros suffice, and a missing function counts as 0.
+/// True if every entry with stands(row, column) is 0. If `needs_proof` is true, each 0 must be
+/// proved and the function must exist. If it is false, a zero found only by sampling is accepted,
+/// and a missing function counts as 0.
 template <class Stands>
 bool are_zero(const Program& program, OutputKind kind, bool needs_proof, const Stands& stands) {
   const Function* const function = find_function(program, kind);

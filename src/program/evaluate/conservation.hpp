@@ -1,5 +1,5 @@
-// Conservation: constant momenta and causes of energy change. Both follow from entries of outputs
-// that are the number 0.
+// Conservation: constant momenta and causes of energy change. Both are found from the entries of
+// outputs that are the number 0.
 #pragma once
 
 #include "elgen/model.hpp"
@@ -8,17 +8,18 @@
 namespace elgen {
 
 struct Conservation {
-  std::vector<std::uint32_t> momenta = {};  ///< indices of velocities, never of angular ones
+  std::vector<std::uint32_t> momenta = {};  ///< indices of velocities, never of angular velocities
   bool is_forced = false;                   ///< an input, a force or dissipation acts
-  bool has_time = false;                    ///< L contains t: E or a momentum does
+  bool has_time = false;                    ///< E or a momentum contains t, and so does L
 };
 
-/// `has_inputs`: inputs act on the system. Without `needs_proof`, zeros found by sampling count,
-/// and an output that the program lacks counts as zero.
+/// `has_inputs`: inputs act on the system. If `needs_proof` is false, a zero found only by sampling
+/// is accepted as 0, and an output that the program does not have is 0.
 [[nodiscard]] Conservation find_conservation(const Model& model, const Program& program,
                                              bool has_inputs, bool needs_proof);
 
-/// True if the function contains t, directly or in an argument of an open value.
+/// True if the function contains t, directly or in an argument of a function without expression
+/// (`open_value`).
 [[nodiscard]] bool contains_time(const Model& model, const Function& function);
 
 }  // namespace elgen

@@ -33,8 +33,8 @@ ExactValues::ExactValues(const Subject& subject, State state)
   for (const Function& function : subject_.program.functions) {
     const std::vector<Real> values = evaluate_instructions(subject_.program, function, arguments_);
     const Real here = largest_magnitude(values);
-    // If a function is undefined here, only its own rows fail or are skipped; the floor stays
-    // defined.
+    // Functions that are undefined at this state do not contribute, so that the floor stays
+    // defined. Only rows of an undefined function fail or are skipped.
     if (here.is_defined()) largest = max(largest, here);
     values_[{function.kind, function.user}] = entries_of(function, values);
   }
@@ -63,7 +63,8 @@ std::vector<Real> ExactValues::slopes(OutputKind kind, const Arguments<Real>& di
   return result;
 }
 
-/// df = sum_i f_i dx_i
+/// The direction, with the tangents of the values of functions without expression:
+/// df = sum_i f_i dx_i, f_i = df/dx_i.
 Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
   const Model& model = subject_.model;
   if (model.functions.empty()) return direction;

@@ -20,15 +20,16 @@ class ExactValues {
   [[nodiscard]] const Arguments<Real>& arguments() const { return arguments_; }
   [[nodiscard]] std::size_t size() const { return state_.v.size(); }
 
-  /// The program's entries, or the oracle's if the program has no such function. Entries without a
-  /// value are undefined.
+  /// The entries of a function of the program, or the oracle's entries if the program does not have
+  /// the function. Entries without a value are undefined.
   [[nodiscard]] const std::vector<Real>& value(OutputKind kind, std::uint32_t user = 0);
 
   /// The entries of the program's function at other arguments.
   [[nodiscard]] std::vector<Real> value_at(OutputKind kind, const Arguments<Real>& arguments) const;
 
-  /// Directional derivatives of the program's entries. Open values follow their arguments by the
-  /// chain rule; second derivatives of open functions are held constant.
+  /// Directional derivatives of the program's entries. Values of functions without expression
+  /// change with their arguments, by the chain rule; the second derivatives of these functions are
+  /// held constant.
   [[nodiscard]] std::vector<Real> slopes(OutputKind kind, const Arguments<Real>& direction,
                                          std::uint32_t user = 0) const;
 
@@ -45,7 +46,7 @@ class ExactValues {
   /// d2q/dt2 at the state's velocities if they are constant: 0 except for quaternions.
   [[nodiscard]] std::vector<Real> coasting_accelerations() const;
 
-  /// Smaller differences are rounding errors: 1e-20 of the largest intermediate value.
+  /// 1e-20 of the largest intermediate value. Smaller differences are rounding errors.
   [[nodiscard]] Real floor() const { return floor_; }
 
  private:

@@ -1,4 +1,4 @@
-// Same order of operations as in templates/cpp/trigonometry.hpp.mustache and
+// The order of operations is the order in templates/cpp/trigonometry.hpp.mustache and
 // templates/c99/sine_cosine.h.mustache, so that every bit is equal.
 #include "program/evaluate/sines.hpp"
 
@@ -70,8 +70,8 @@ const std::vector<SinePolynomial>& cosine_polynomials() {
 
 /// The product of k and every part except the last is exact. Float: 14, 13 and 13 bits times a k of
 /// 10 bits fit 24 bits. Double: 35 and 33 bits times a k of 16 bits fit 53 bits. No float up to 1e3
-/// is nearer to a multiple of pi/2 than 2^-28, no double up to 1e5 than 2^-61: the last part keeps
-/// 0.5 ulp.
+/// is nearer to a multiple of pi/2 than 2^-28, no double up to 1e5 is nearer than 2^-61. So the
+/// last part limits the error next to multiples of pi/2 to 0.5 ulp.
 const AngleReduction& angle_reduction(ScalarKind scalar) {
   static const AngleReduction in_float{ScalarKind::single_precision,
                                        1e3,

@@ -7,8 +7,9 @@
 //     cos r = (1 - r^2/2) + (r^4 c(r^2) + r rest + the rounding error of 1 - r^2/2)
 //
 // The last two bits of k select sin r or cos r as the sine of x, and its sign. pi/2 is a sum of
-// parts, so that the product of k and every part except the last is exact. Errors of functions of
-// numbers are at most 1.5 ulp (0.9 in float), and 0.5 ulp next to multiples of pi/2.
+// parts, so that the product of k and every part except the last is exact. In functions of single
+// numbers (not of packs), errors are at most 1.5 ulp (0.9 in float), and 0.5 ulp next to multiples
+// of pi/2.
 #pragma once
 
 #include <cln/rational.h>
@@ -50,10 +51,12 @@ struct AngleReduction {
 [[nodiscard]] const SinePolynomial& cheapest(const std::vector<SinePolynomial>& all,
                                              const cln::cl_RA& max_error, ScalarKind scalar);
 
-/// Arithmetic of the emitted function. Beyond the domain packs give NaN; numbers call the library.
+/// The arguments of the emitted function: packs of numbers (one number for each state of a batch),
+/// or single numbers. For an angle beyond the domain, a function of packs returns NaN, and a
+/// function of numbers calls the library.
 enum class SineArithmetic : std::uint8_t { packs, numbers };
 
-/// Largest permitted error of the polynomials. For packs the scene may ask for fewer digits.
+/// Largest permitted error of the polynomials. For packs, the scene may permit a larger error.
 [[nodiscard]] cln::cl_RA sine_error(const Numerics& numerics, SineArithmetic arithmetic,
                                     ScalarKind scalar);
 
@@ -71,7 +74,7 @@ struct SineNumber {
 [[nodiscard]] std::vector<SineNumber> sine_numbers(const Numerics& numerics,
                                                    SineArithmetic arithmetic, ScalarKind scalar);
 
-/// Scalar: float or double.
+/// Computes sine and cosine with the bits of emitted code. Scalar: float or double.
 template <class Scalar>
 class Sines {
  public:

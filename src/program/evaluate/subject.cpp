@@ -19,7 +19,7 @@ namespace {
 
 using cln::cl_R;
 
-/// Six digits, or the 17 that identify a double.
+/// Six digits; if `exactly`, the 17 digits that identify a double.
 std::string number_text(const cl_R& value, bool exactly) {
   if (!exactly) return short_text(value);
   return fmt::format("{:.17g}", to_double(value));
@@ -78,9 +78,9 @@ State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
   for (const auto& fixed : subject.scene.specialisation.fixed) {
     state.parameters[fixed.first] = nominal.parameters[fixed.first];
   }
-  // Quaternions have length 1 only up to rounding. Off the unit sphere, the two sides of a
-  // comparison may legitimately differ; on it, a few roundings away from the arguments, they must
-  // agree.
+  // Quaternions have length 1 only up to rounding. If the length is not 1, the two sides of a
+  // comparison may legitimately differ. After scaling, which changes the arguments by a few
+  // roundings, they must agree.
   scale_to_length_one(subject.model, state);
   return state;
 }

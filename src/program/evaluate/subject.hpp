@@ -1,4 +1,4 @@
-// Subject: model, scene and program of one system, which verification compares, and conversions
+// Subject: the model, scene and program of one system, which verification compares; and conversions
 // between their states.
 #pragma once
 
@@ -34,7 +34,7 @@ template <class Scalar>
                     state);
 }
 
-/// The numbers of the Reals; none if one is undefined.
+/// The values as numbers; none if a value is undefined.
 [[nodiscard]] OracleValues defined_values(const std::vector<Real>& values);
 
 /// Null if the program has no function of this kind.

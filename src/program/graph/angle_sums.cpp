@@ -83,11 +83,11 @@ std::vector<AngleTerms> angles_of(const Expressions& expressions) {
   return angles;
 }
 
-/// The search takes cubic time.
+/// More angles are not searched, because the search takes cubic time.
 constexpr std::size_t most_angles = 40;
 
 /// angle = first + second, or first - second, if nothing cancels. q1 + q3 as (q1 + q2) - (q2 - q3)
-/// would carry the rounding error of q2, which it does not contain.
+/// would contain the rounding error of q2, although q2 does not occur in q1 + q3.
 std::optional<Split> split_into(const AngleTerms& angle, const AngleTerms& first,
                                 const AngleTerms& second, Splits which) {
   if (first.size + second.size != angle.size) return std::nullopt;
@@ -116,7 +116,7 @@ std::map<NodeId, Split> splits_of(const Expressions& expressions, Splits which) 
   const std::vector<AngleTerms> angles = angles_of(expressions);
   if (angles.size() > most_angles) return splits;
   for (const AngleTerms& angle : angles) {
-    // Multiples of an angle stay: the difference of squares loses digits near its zeros.
+    // Multiples of an angle are not split: cos(x)^2 - sin(x)^2 loses digits near its zeros.
     const Graph& graph = expressions.graph;
     if (is_exact_multiple(graph, angle.argument) || graph.is_constant(angle.argument)) continue;
     std::vector<AngleTerms> simpler;
@@ -131,8 +131,8 @@ std::map<NodeId, Split> splits_of(const Expressions& expressions, Splits which) 
   return splits;
 }
 
-/// The rule of one rebuild. Results are memoised, because chains of splits refer to an angle again
-/// and again.
+/// The rule of one rebuild. Results are memoised, because chains of splits refer to one angle many
+/// times.
 class AngleSums {
  public:
   AngleSums(std::map<NodeId, Split> splits, std::size_t nodes)

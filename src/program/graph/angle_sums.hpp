@@ -5,8 +5,8 @@
 //     after:   cos(q1), sin(q2), cos(q1)*cos(q2) - sin(q1)*sin(q2), cos(q1)*cos(1) - sin(q1)*sin(1)
 //
 // Three operations replace a call if the sines and cosines of both angles exist already or are
-// constants. The cost decides whether that pays. Angles are split into simpler angles only. 2*q1 is
-// not split: cos(q1)^2 - sin(q1)^2 loses digits that the call keeps.
+// constants. The cost decides if the split pays. An angle is split only into simpler angles. 2*q1
+// is not split: cos(q1)^2 - sin(q1)^2 loses digits that the call keeps.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,12 @@ namespace elgen {
 /// True for 2^k x of a leaf x: the multiple is exact, so its sine and cosine have all digits.
 [[nodiscard]] bool is_exact_multiple(const Graph& graph, NodeId id);
 
-/// Angles that are split. The sine of a difference of nearly equal angles keeps all digits as a
-/// call, and loses all as a difference of products.
+/// Selects the angles that are split: only sums, or also differences. For nearly equal a and b, the
+/// call sin(a - b) keeps all digits, but sin(a)*cos(b) - cos(a)*sin(b) cancels and loses all
+/// digits.
 enum class Splits : std::uint8_t { sums, sums_and_differences };
 
-/// None if no angle is a sum or difference of others.
+/// None if no angle is a sum or difference of other angles.
 [[nodiscard]] std::optional<Expressions> expand_angle_sums(
     const Expressions& expressions, Splits which = Splits::sums_and_differences);
 

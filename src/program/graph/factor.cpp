@@ -73,8 +73,8 @@ class FactorRule {
     return result;
   }
 
-  /// If the product is a coefficient times a product used nowhere else, the inner factors are
-  /// appended.
+  /// Appends the factors of a product to a term. If the product is a coefficient times a product
+  /// that is used nowhere else, appends the factors of the inner product.
   void append_factors(const Graph& graph, const Graph& old_graph, NodeId old_node,
                       const Node& product, FactoredTerm& term) const {
     const std::vector<Operand>& old = old_graph.node(old_node).operands;
@@ -156,8 +156,9 @@ class FlattenRule {
   }
 
  private:
-  /// True if the operand has its user's kind before and after renewal, and is used once or a
-  /// product that `all_products` asks for.
+  /// True if the operands of this operand move into its user. It must have the kind of its user, in
+  /// the old and in the new graph. It must be used once, or be a product while `all_products` is
+  /// selected.
   bool is_spliced(const Graph& graph, const RebuildStep& step, const Operand& operand) const {
     const NodeKind kind = step.old_graph.node(step.old_node).kind;
     const bool is_wanted = uses_[operand.node] == 1 ||

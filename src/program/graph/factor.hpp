@@ -1,14 +1,15 @@
-// factor: multiplies a sum once by the factor that most of its terms share.
+// factor: pulls the factor that most terms of a sum share out of these terms.
 //
 //     before:  m*a*c + m*b*c - d
 //     after:   m*c*(a + b) - d
 //
-// Only products used nowhere else take part, because a shared product is computed anyway. Greedy:
-// the factor that most terms have goes first, on a tie the earlier factor in the order of the
-// graph. Then the inner sum and the remaining terms are factored.
+// Only products that are used nowhere else are factored, because a shared product is computed
+// anyway. Greedy: the factor of most terms is pulled out first; of several such factors, the first
+// in the order of the graph. Then the inner sum and the remaining terms are factored.
 //
-// flatten, the inverse: expands a sum that is used once, as a term of a sum, and a product that is
-// used once, as a factor of a product.
+// flatten, the inverse: if a sum is used only once, as a term of a sum, its terms move to the outer
+// sum. If a product is used only once, as a factor of a product, its factors move to the outer
+// product.
 //
 //     before:  p = a + b   s = p - c   t = m*u   w = t*x     (p and t used nowhere else)
 //     after:               s = a + b - c          w = m*u*x
@@ -24,7 +25,8 @@ namespace elgen {
 
 [[nodiscard]] Expressions factor(const Expressions& expressions);
 
-/// Products that are expanded in products. Sums are expanded only if they are used once.
+/// The products that are expanded if they are factors of a product. Sums are expanded only if they
+/// are used once.
 enum class FlattenedProducts : std::uint8_t { used_once, all_products };
 
 [[nodiscard]] Expressions flatten(const Expressions& expressions,

@@ -32,8 +32,9 @@ bool same(const Node& x, const Node& y) {
          x.operands == y.operands;
 }
 
-/// 2 * pi * m * l * theta * cos(theta) * v: numbers, constants, parameters, coordinates, the rest,
-/// open values, rates, inputs, time.
+/// The rank of a node in the order of operands, as in 2 * pi * m * l * theta * cos(theta) * v:
+/// numbers, constants, parameters, coordinates, nodes that are not leaves, open values, rates,
+/// inputs, time.
 int rank(const Node& node) {
   if (node.kind == NodeKind::rational) return 0;
   if (node.constant_size > 0) return 1;
@@ -117,7 +118,8 @@ std::optional<int> Graph::constant_sign(Ref value) const {
   return sign && value.negative ? std::optional(-*sign) : sign;
 }
 
-/// abs, sign, min and max of constants: an argument or its sign; none if the sign is undecided.
+/// The value of abs, sign, min or max of constants; none if an argument is not constant or a sign
+/// is undecided.
 std::optional<Ref> Graph::kinked_call(FunctionId function, const std::vector<Ref>& arguments) {
   const Ref x = arguments.front();
   if (arguments.size() == 1) {
@@ -131,7 +133,8 @@ std::optional<Ref> Graph::kinked_call(FunctionId function, const std::vector<Ref
   return (*order < 0) == (function == FunctionId::min) ? x : arguments.back();
 }
 
-/// The call if it is a number known without rounding, or one of its arguments.
+/// The value of the call, if it is a number that is known without rounding or an argument of the
+/// call; else none.
 std::optional<Ref> Graph::exact_call(FunctionId function, const std::vector<Ref>& arguments) {
   if (is_kinked(function)) return kinked_call(function, arguments);
   const std::optional<cln::cl_RA> x = rational_value(arguments.front());

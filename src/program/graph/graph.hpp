@@ -4,8 +4,9 @@
 // sum is positive, sin(-x) = -sin(x), cos(-x) = cos(x). Equal terms and equal bases are merged with
 // exact coefficients. less() orders operands: rational numbers, constants, leaves by kind and
 // declaration, then all other nodes by birth and structure. The birth of a node is the definition
-// during whose import the node first appeared. The order of arguments has no effect. pi, roots and
-// functions of numbers are ordinary nodes: only rational numbers are computed with.
+// during whose import the node first appeared. The order in which operands are passed has no
+// effect. pi, roots and functions of numbers are ordinary nodes: only rational numbers are
+// evaluated.
 #pragma once
 
 #include <cln/rational.h>
@@ -51,7 +52,8 @@ struct Node {
   std::uint32_t index = 0;                ///< of the leaf or the rational number
   std::vector<Operand> operands = {};     ///< a rational factor or term comes first, then constants
   std::uint32_t birth = 0;
-  /// Nodes of a constant written as a tree, at most most_constant_nodes; 0 if it contains leaves.
+  /// The number of nodes of a constant as a tree, at most most_constant_nodes. 0: the node contains
+  /// leaves.
   std::uint32_t constant_size = 0;
   std::string name = {};  ///< for readers; "" if it has none
   /// Cache: the product without its rational coefficient.

@@ -53,7 +53,7 @@ void Graph::collect(const Power& power, Factors& factors) {
     factors.coefficient = factors.coefficient * value;
     return;
   }
-  // The products of a constant are spliced, so that it has one form.
+  // Products inside a constant are spliced, so that equal constants have one form.
   const Node& base = node(power.base.node);
   if (base.kind == NodeKind::product && is_constant(power.base.node)) {
     const std::vector<Operand> operands = base.operands;
@@ -191,8 +191,8 @@ std::vector<Graph::Term*> Graph::sorted_terms(std::vector<Term>& terms,
   return sorted;
 }
 
-/// Replaces the first pair f*sin(x)^2 + f*cos(x)^2 by f. The first in the order of the graph,
-/// because another pair could give another sum.
+/// Replaces the first pair f*sin(x)^2 + f*cos(x)^2, in the order of the graph, by f; false if no
+/// pair exists. The order is fixed, because another pair could give another sum.
 bool Graph::join_squares(std::vector<Term>& terms) {
   const auto has_squared_sine = [this](NodeId id) {
     return squared_sine_index(id) < node(id).operands.size();
@@ -225,8 +225,9 @@ void Graph::merge_terms(std::vector<Term>& terms) {
   std::erase_if(terms, [](const Term& term) { return cln::zerop(term.coefficient); });
 }
 
-/// Expands the first sum among the terms that contains the opposite of another term. If the two did
-/// not cancel, the result would carry rounding errors of their size.
+/// Expands the first sum among the terms that contains the opposite of another term. If the
+/// opposite terms did not cancel, the result would contain rounding errors of their size. Returns
+/// false if no such sum exists.
 bool Graph::expand_opposite_terms(std::vector<Term>& terms) {
   const auto has_opposite = [&terms](const Term& part) {
     return std::any_of(terms.begin(), terms.end(), [&part](const Term& term) {

@@ -79,7 +79,7 @@ Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
 
 namespace {
 
-/// The values of a cone, by instruction index.
+/// The new values of the instructions of a cone, by instruction index.
 struct ConeRefs {
   const std::vector<std::uint32_t>& cone;
   std::vector<Ref> made;

@@ -1,5 +1,5 @@
-// Expressions: a Graph with its outputs, built from the instructions of a Program, or from other
-// Expressions, node by node, by a rule.
+// Expressions: a Graph with its outputs. It is built from the instructions of a Program, or by a
+// rule from each node of other Expressions.
 #pragma once
 
 #include <functional>
@@ -28,7 +28,7 @@ struct RebuildStep {
 /// Copies the only value of `from` to another graph.
 [[nodiscard]] Ref copy_value(Graph& graph, const Expressions& from);
 
-/// The new value of an old node. `rebuild` carries over births and names.
+/// Returns the new value of an old node. `rebuild` copies births and names.
 using RebuildRule = std::function<Ref(Graph&, const RebuildStep&)>;
 
 [[nodiscard]] Expressions rebuild(const Expressions& expressions, const RebuildRule& rule);

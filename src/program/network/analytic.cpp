@@ -80,7 +80,8 @@ class SignAnalysis {
   }
 
  private:
-  /// A longer product is one factor, so that chains of products do not take quadratic time.
+  /// A product with more factors counts as one factor, so that chains of products do not take
+  /// quadratic time.
   static constexpr std::size_t most_factors = 16;
 
   [[nodiscard]] std::vector<std::uint32_t> factors(const Instruction& i) const {

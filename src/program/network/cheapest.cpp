@@ -10,7 +10,8 @@
 namespace elgen {
 namespace {
 
-/// For larger graphs the forms with all products expanded are skipped: they take longest.
+/// For larger graphs, the forms with all products expanded are skipped, because they take the most
+/// time.
 constexpr std::size_t maximal_nodes_written_out = 20'000;
 
 CostedNetwork candidate(Network network, const Function& unfilled) {

@@ -2,8 +2,9 @@
 //
 // Factoring sums saves products but can destroy common subexpressions of two sums. Expanding
 // products lets factors meet but splits shared products. The sine of a sum of angles can be a call,
-// or products of values that exist already. So several forms are built, counted after
-// common-subexpression elimination, and sorted by cost (on a tie, in the order of building).
+// or products of values that exist already. So several forms are built, their operations are
+// counted after common-subexpression elimination, and the forms are sorted by cost (forms of equal
+// cost in the order in which they were built).
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,8 @@ struct CostedNetwork {
   std::size_t cost = 0;
 };
 
-/// All forms, the cheapest first. The entries of `unfilled` are indices of values, see unfilled().
+/// All forms, the cheapest first. The entries of `unfilled` are indices of values, see
+/// without_instructions().
 [[nodiscard]] std::vector<CostedNetwork> networks_by_cost(
     const Expressions& expressions, const Function& unfilled,
     Splits splits = Splits::sums_and_differences);

@@ -10,7 +10,8 @@
 namespace elgen {
 namespace {
 
-/// In longer operations only operands this near are paired, so that time is linear in their length.
+/// Operands are paired only if their positions differ by at most this, so that the time is linear
+/// in the length of an operation.
 constexpr std::size_t pairing_distance = 24;
 
 struct Pair {
@@ -121,7 +122,8 @@ class CommonPairElimination {
     }
   }
 
-  /// A user that equals the pair; the number of operations if there is none.
+  /// A user whose only operands are the pair; the number of operations if no user has only these
+  /// operands.
   NodeId existing_operation(const std::vector<NodeId>& users) const {
     for (const NodeId user : users) {
       if (network_.operations[user].operands.size() == 2) return user;

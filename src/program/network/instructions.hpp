@@ -15,14 +15,15 @@ class Instructions {
     }
   }
 
-  /// The index of the value, which may exist already.
+  /// The index of the instruction. If the function already contains an equal instruction, its
+  /// index.
   std::uint32_t add(const Instruction& instruction) {
     const auto next = static_cast<std::uint32_t>(function_.instructions.size());
     const auto [known, is_new] = known_.emplace(instruction, next);
     return is_new ? append(instruction) : known->second;
   }
 
-  /// Appends the instruction even if its value exists.
+  /// Appends the instruction even if the function already contains an equal instruction.
   std::uint32_t append(const Instruction& instruction) {
     function_.instructions.push_back(instruction);
     function_.names.emplace_back();
@@ -33,8 +34,8 @@ class Instructions {
     return add(Instruction{.opcode = opcode, .a = a, .b = b});
   }
 
-  /// Adds all instructions of `from` and returns the indices of their values. Values without a name
-  /// get the name in `from`.
+  /// Adds all instructions of `from` and returns the indices of their values. Instructions that
+  /// have no name yet get the name in `from`.
   std::vector<std::uint32_t> add_all(const Function& from) {
     std::vector<std::uint32_t> places;
     for (std::size_t at = 0; at < from.instructions.size(); ++at) {

@@ -3,8 +3,8 @@
 //     sum(a, -b, product(m, x))  ->  0 = a   1 = b   2 = subtract 0 1
 //                                    3 = m   4 = x   5 = multiply 3 4   6 = add 2 5
 //
-// Depth-first from the entries in their order, operands from left to right, only operations that an
-// entry needs.
+// The traversal is depth-first, from the entries in their order, operands from left to right.
+// Operations that no entry needs get no instruction.
 #pragma once
 
 #include "elgen/program.hpp"

@@ -1,5 +1,6 @@
-// named_intermediates: values in double with random leaves. Sums, products and quotients round the
-// same on every machine. Functions are computed in 64 digits, so that they do, too.
+// named_intermediates: evaluates in double at random leaves. Sums, products and quotients are
+// rounded equally on every machine. Functions are computed in 64 digits, so that they are rounded
+// equally, too.
 #include "program/network/named_intermediates.hpp"
 
 #include <cmath>
@@ -11,8 +12,8 @@
 namespace elgen {
 namespace {
 
-/// Equal values differ by rounding, about 1e-15. Of ten thousand different values, two are this
-/// near with a probability of 1e-4.
+/// Equal values differ by rounding, about 1e-15. The probability that two of ten thousand different
+/// values are this near is 1e-4.
 constexpr double rounding = 1e-12;
 
 struct PortableRules : interpreter::NumberRules<double> {

@@ -1,5 +1,6 @@
-// named_intermediates: passes change the instructions of the derivation. Its named intermediates
-// are found again by their numeric values, to name instructions that have no name.
+// named_intermediates: passes change the instructions that derive produced. Intermediate values
+// that derive named are found again by their numeric values, to name instructions that have no
+// name.
 //
 //     moment_link5_y = m*l*cos(a + b)       ~moment_link5_y of  l*(cos(a)*cos(b) - sin(a)*sin(b))*m
 //                                           ~minus_moment_link5_y of its opposite
@@ -14,16 +15,16 @@
 
 namespace elgen {
 
-/// Magnitude with random leaves -> the name, and whether the value is negative.
+/// Magnitude of a value at random leaves -> its name, and true if the value is negative.
 using NamedIntermediates = std::map<double, std::pair<std::string, bool>>;
 
-/// `names`: one for each value of `told`. Of equal values the first name counts.
+/// `names` has one name for each value of `told`. If values are equal, the first name is kept.
 [[nodiscard]] NamedIntermediates named_intermediates(const Expressions& told,
                                                      const std::vector<std::string>& names,
                                                      const LeafNames& leaves);
 
-/// Names the instructions without a name. The leaves of `program` must be the `leaves` of
-/// named_intermediates.
+/// Names each instruction that has no name and computes a named intermediate. The leaves of
+/// `program` must be the `leaves` of named_intermediates.
 void name_intermediates(const NamedIntermediates& told, const Program& program, Function& function);
 
 }  // namespace elgen

@@ -12,16 +12,18 @@
 namespace elgen {
 namespace {
 
-/// Higher powers are squared repeatedly. Up to this one, factors are repeated, and may be shared.
+/// Powers up to this exponent are products of repeated factors, which may be shared. Higher powers
+/// are computed by repeated squaring.
 constexpr std::int32_t most_repeated_factors = 4;
 
-/// Larger constants are not joined: a reader would not join them either, and forms are trees.
+/// Constants with more nodes are not joined: their forms are trees, which grow, and a person would
+/// not join them either.
 constexpr std::uint32_t largest_joined = 64;
 
 /// The operands of a sum or product: operands with leaves, and all constants as one number.
 struct Operands {
   std::vector<Operand> rest = {};
-  std::optional<NodeId> constant = {};  ///< its operation
+  std::optional<NodeId> constant = {};  ///< the operation of that number
   bool is_negative = false;             ///< the constant is negative
 };
 
@@ -81,8 +83,9 @@ class Operations {
            std::ranges::count_if(operation.operands, is_exact) <= 1;
   }
 
-  /// Multiplies terms by a number and adds terms that differ only in their numbers. If a number has
-  /// no value or too many nodes, returns false and changes nothing.
+  /// Multiplies the terms by `scale`, if it is set, and merges terms that differ only in their
+  /// numeric factors. If a new factor has no value or too many nodes, returns false and changes
+  /// nothing.
   bool join(std::vector<Ref>& terms, std::optional<NodeId> scale = {}) {
     struct Group {
       std::vector<Ref> rest;
@@ -228,7 +231,7 @@ class Conversion {
     return is_n_ary ? operands_of(id).rest : graph_.node(id).operands;
   }
 
-  /// True if the node became a number.
+  /// Converts a constant node to a number; false if it has no value.
   bool fold(NodeId id) {
     if (!converted_[id]) converted_[id] = builder_.constant_value(graph_.form_of(id));
     return converted_[id].has_value();

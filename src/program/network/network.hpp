@@ -6,7 +6,8 @@
 //
 // A power is a repeated factor. A divisor of two or more products becomes a reciprocal, computed
 // once. The constants of a sum or product are folded into one number, which keeps its form. NodeIds
-// are dense and follow the canonical order of the graph, so that they may decide ties from here on.
+// are dense and follow the canonical order of the graph, so that later passes may use them to
+// decide ties.
 #pragma once
 
 #include "program/graph/rebuild.hpp"
@@ -47,17 +48,18 @@ enum class Numbers : std::uint8_t { unjoined, joined };
 [[nodiscard]] Network make_network(const Expressions& expressions,
                                    Numbers numbers = Numbers::unjoined);
 
-/// Computes sub-sums and sub-products that several operations share once.
+/// Computes each sub-sum or sub-product only once, even if several operations contain it.
 ///
 ///     before:  y = product(m, l, c)   z = product(m, l, s)
 ///     after:   p = product(m, l)   y = product(p, c)   z = product(p, s)
 ///
-/// The only common-subexpression elimination. Greedy: the pair of operands with most users becomes
-/// an operation. In sums, a - b and b - a are one pair. On a tie, the first pair in the network
-/// wins.
+/// No other pass eliminates common subexpressions. Greedy: the pair of operands with most users
+/// becomes an operation. In sums, a - b and b - a are one pair. On a tie, the first pair in the
+/// network wins.
 void eliminate_common_subexpressions(Network& network);
 
-/// Computes a value negated if all its uses negate it and a difference can be reversed at no cost.
+/// Computes -x instead of x if all uses of x negate it, and a difference in x can be reversed at no
+/// cost.
 ///
 ///     before:  s = a - b   result -s        p = product(m, a - b)   result -p
 ///     after:   s = b - a   result s         p = product(m, b - a)   result p

@@ -45,7 +45,7 @@ OperandName difference(const OperandName& a, const OperandName& b) {
   return reads_otherwise ? OperandName{} : joined(a, "_minus_", b, End::sum);
 }
 
-/// "sin_half_theta". Only of one name, because sin_a_b reads as sin(a + b).
+/// "sin_half_theta". The argument must be one name, because sin_a_b reads as sin(a + b).
 OperandName named_call(std::string_view function, OperandName a) {
   if (a.end != End::name || a.names != 1) return {};
   a.text = fmt::format("{}_{}", function, a.text);

@@ -26,10 +26,11 @@ struct OperandName {
   End end = End::name;
 };
 
-/// Spells the constants 1, 2, 3, 4 and 1/2; others have no spelling.
+/// Spells the constants 1, 2, 3, 4 and 1/2; other constants have no spelling.
 [[nodiscard]] OperandName spell_name(const ConstantForm& form);
 
-/// Spells an operation on spelt values. If it has one operand, `b` must have a spelling, too.
+/// Spells an operation on values with the spellings `a` and `b`. If the operation has one operand,
+/// `b` is not used, but must have a spelling.
 [[nodiscard]] OperandName spell_name(const Instruction& operation, const OperandName& a,
                                      const OperandName& b);
 

@@ -4,14 +4,14 @@
 //     an instruction that has a name             that name
 //     an operation on few leaves                 m_l_cos_theta, M_plus_m (spelling.hpp)
 //     a named intermediate of the derivation     moment_link5_y
-//     an operation on few of all these           m5_moment_link5_y
-//     a part of one of these                     moment_link5_y_part, moment_link5_y_part_2
+//     an operation on few named values           m5_moment_link5_y
+//     a part of a named value                    moment_link5_y_part, moment_link5_y_part_2
 //     else                                       t_4f2a9: a hash of the computation
 //
-// The last five name only values that are used twice, are too long to read, or are a sine or cosine
-// whose counterpart is used, too. They depend on the value alone: if two values claim one name, or
-// the name has another meaning, they get hashes. A hash covers leaves, constants and operations,
-// not positions, so that it survives changes elsewhere.
+// The last five kinds of names are given only to values that are used twice, are too long to read,
+// or are a sine or cosine whose counterpart is used, too. These names depend only on the value: if
+// two values claim one name, or the name has another meaning, the values get hashes. A hash covers
+// leaves, constants and operations, not positions, so that it survives changes elsewhere.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -34,11 +34,11 @@ constexpr std::size_t longest_name = 40;
 /// The longest name that fits on a line of 100 columns.
 constexpr std::size_t longest_temporary = 60;
 constexpr int shortest_hash = 5;
-/// Beyond this, a number says less than a hash, and changes more often.
+/// Further parts get no number: a higher number tells less than a hash, and changes more often.
 constexpr std::size_t most_parts = 9;
 
-/// Names that emitted functions use, besides arguments and functions of the language, and keywords
-/// and types that a spelling may produce: co*await.
+/// Names that emitted functions use, besides arguments and functions of the language; and keywords
+/// and types that a spelling may produce, such as co_await for co*await.
 constexpr std::array<std::string_view, 16> reserved_names{
     "sqrt",         "constant",     "result",           "parameters", "Scalar",  "std",
     "co_await",     "co_yield",     "co_return",        "wchar_t",    "char8_t", "char16_t",
@@ -49,8 +49,8 @@ bool is_like_macro(const std::string& name) {
   return std::ranges::none_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
 }
 
-/// The number of uses of each value. A negation is written at each of its uses, so they count for
-/// its operand.
+/// The number of uses of each value. A negation is written at each of its uses, so the uses of a
+/// negation count as uses of its operand.
 std::vector<std::size_t> use_counts_of(const Function& function) {
   std::vector<std::size_t> uses(function.instructions.size(), 0);
   for (const std::uint32_t entry : entries_of(function)) ++uses[entry];
@@ -83,7 +83,8 @@ std::vector<std::uint64_t> hashes_of(const Program& program, const Function& fun
   return hashes;
 }
 
-/// The indices of `wanted` within the expression of `whole`, down to named values.
+/// The instructions of `wanted` that the expression of `whole` contains, without entering named
+/// values; at most most_parts.
 std::vector<std::size_t> part_indices(std::size_t whole, const Function& function,
                                       const std::vector<std::string>& names,
                                       const std::set<std::size_t>& wanted) {
@@ -103,7 +104,7 @@ std::vector<std::size_t> part_indices(std::size_t whole, const Function& functio
 }
 
 /// "moment_link5_y_part", "moment_link5_y_part_2", … for `wanted`. If a value has several such
-/// names, the shortest counts, then the alphabetically first.
+/// names, the shortest is used; of equally short names, the alphabetically first.
 std::vector<std::string> part_names(const Function& function, const std::vector<std::string>& names,
                                     const std::set<std::size_t>& wanted) {
   std::vector<std::string> result(names.size());
@@ -219,7 +220,7 @@ class TemporaryNamer {
     }
   }
 
-  /// One call computes both sine and cosine of the angle.
+  /// True if sine and cosine of the angle are used, so that one call computes both.
   bool has_sine_and_cosine(const Instruction& i) const {
     return is_trigonometric(i) && angles_.at(i.a).size() == 2;
   }
@@ -231,7 +232,8 @@ class TemporaryNamer {
     return angle_name(i).value_or(name.starts_with(intermediate_mark) ? "" : name);
   }
 
-  /// An operation on leaves is spelt. Otherwise a named intermediate is a single name.
+  /// The spelling of a value. An operation on leaves is spelt out; any other named intermediate
+  /// counts as a single name.
   OperandName spelling(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
     if (i.opcode == Opcode::constant) return spell_name(program_.constants[i.a].form);
@@ -249,7 +251,8 @@ class TemporaryNamer {
     return {.text = function_.names[at].substr(1), .has_intermediate = true};
   }
 
-  /// Places that remain without a name, because another place claims it or it has another meaning.
+  /// Reserves the names of `places`. Clears a name that two places claim or that has another
+  /// meaning; returns the places with cleared names.
   std::vector<std::size_t> assign_unique_names(const std::vector<std::size_t>& places,
                                                std::vector<std::string>& names) {
     std::map<std::string, int> claims;
@@ -300,7 +303,7 @@ class TemporaryNamer {
   std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< functions called with each angle
   const std::vector<std::uint64_t> hashes_;
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
-  std::vector<std::string> own_;                  ///< names of the first two rows above
+  std::vector<std::string> own_;                  ///< names of the first two kinds at the top
   std::vector<OperandName> spellings_;
 };
 

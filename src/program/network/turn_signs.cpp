@@ -1,5 +1,5 @@
-// turn_signs: see network.hpp. Only if a negation would be executed: at results, in calls and
-// roots.
+// turn_signs: see network.hpp. A value is turned only if this saves an executed negation: at
+// results, in calls and in roots.
 #include <algorithm>
 
 #include "program/network/network.hpp"
@@ -49,8 +49,8 @@ class SignTurner {
     }
   }
 
-  /// Negates the operation at no cost: a difference, or a factor with no other use that can be
-  /// negated.
+  /// Negates the operation if that costs nothing: reverses a difference, or turns a factor of a
+  /// product or quotient that has no other use. Otherwise returns false.
   bool turn(NodeId id) {
     Operation& operation = network_.operations[id];
     std::vector<Ref>& operands = operation.operands;

@@ -1,4 +1,5 @@
-// composed: calls the parts twice: M and forces first, then the derivatives at the accelerations.
+// compose_outputs: calls the parts twice: first M and forces, then the derivatives at the resulting
+// accelerations.
 #include "elgen/compose.hpp"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ class Derivatives {
   }
 
  private:
-  /// The parts with these names that exist, by one call.
+  /// The values of the parts with these names, by one call; parts that do not exist are omitted.
   std::vector<ValueMatrix> call_parts(const std::vector<std::string_view>& names,
                                       const CallPoint& at) {
     Field all;
@@ -93,8 +94,8 @@ class Derivatives {
     return forces;
   }
 
-  /// Writes the fields of the output. Without `rates` each derivative is a field. With `rates`, A =
-  /// [rates; d/dq, d/dv] and B = [0; d/du].
+  /// Writes the fields of the output: each derivative if `rates` is empty, else the matrices
+  /// A = [rates; d/dq, d/dv] and B = [0; d/du].
   void write(const std::vector<ValueMatrix>& derivatives, const std::vector<ValueMatrix>& rates) {
     if (rates.empty()) {
       for (const ValueMatrix& matrix : derivatives) add_field(matrix);

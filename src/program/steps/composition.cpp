@@ -1,5 +1,5 @@
-// Composition: instruction by instruction; two calls share the values that both compute. L D L^T
-// and its substitutions: entry by entry, without operations on zeros.
+// Composition copies instruction by instruction; two calls share the values that both compute.
+// L D L^T and its substitutions are computed entry by entry, without operations on zeros.
 #include "program/steps/composition.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,8 @@ bool Composition::is_one(std::uint32_t place) const {
   return i.opcode == Opcode::constant && program_.constants[i.a].value == 1;
 }
 
-/// An existing value, 0 or a negation that the instruction reduces to.
+/// The simpler value to which the instruction reduces: an operand, 0 or a negation. None if it does
+/// not reduce.
 std::optional<std::uint32_t> Composition::simplified_value(const Instruction& i) {
   switch (i.opcode) {
     case Opcode::add:
@@ -116,7 +117,8 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
 Places Composition::call(const Program& from, const Function& callee, const Field& field,
                          const CallPoint& at, bool is_inner) {
   const std::vector<bool> needed = needed_instructions(callee, field.entries);
-  // Spelt names describe the operands of the callee, which differ here, so only own names are kept.
+  // Names that are spelt from operands are not kept, because the operands differ here from the
+  // operands in the callee.
   const std::vector<std::string> names = context_free_names(from, callee);
   const std::string suffix = at.number > 1 ? fmt::format("_{}", at.number) : "";
   Places places(callee.instructions.size());

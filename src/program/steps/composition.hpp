@@ -1,5 +1,6 @@
-// Composition: builds a function from calls of others, each copied with its leaves replaced.
-// Operations that then give 0, add 0, or multiply or divide by 1 are omitted.
+// Composition: builds a function from calls of other functions. A call copies the instructions of
+// the callee and replaces its leaves. Operations that then give 0, add 0, or multiply or divide by
+// 1 are omitted.
 //
 //     a(q, u) = q*u   called at   q + h v   ->   0 = q   1 = h   2 = v   3 = multiply 1 2
 //                                                4 = add 0 3   5 = u   6 = multiply 4 5
@@ -20,13 +21,13 @@ namespace elgen {
 /// Indices of instructions.
 using Places = std::vector<std::uint32_t>;
 
-/// The arguments q, v, t of a call, and a if the callee needs it. Parameters and u are the
-/// caller's.
+/// The arguments q, v, t of a call, and a if the callee needs it. Parameters and u are passed on
+/// from the caller.
 struct CallPoint {
   Places q = {};
   Places v = {};
   std::uint32_t t = 0;
-  std::uint32_t number = 1;  ///< of the call: a suffix of names from 2 on
+  std::uint32_t number = 1;  ///< of the call; from 2 on, it is a suffix of names
   Places a = {};
 };
 
@@ -56,14 +57,15 @@ class Composition {
                             const CallPoint& at, bool is_inner = false);
 
   using Body = std::function<Places(Composition&, const Places&)>;
-  /// Applies `body` to each column. Columns with few zeros become the repetitions of the function,
-  /// and no instruction may follow them. The others are composed one by one: columns that need at
-  /// most two thirds of the operations, or all columns if fewer than 16 need more.
+  /// Applies `body` to each column. Columns with few zeros become the repetitions of the function
+  /// (Function::repeated), and no instruction may follow them. A column that needs at most two
+  /// thirds of the operations is composed without repetition; so are all columns if fewer than 16
+  /// need more.
   ///
   ///     r -> r/d   of   (0 = q), (1 = v)   ->   3 = divide 0 2   4 = divide 1 2
   [[nodiscard]] std::vector<Places> repeat(const std::vector<Places>& columns, const Body& body);
 
-  /// Names values "theta_2", if they are computed and have no name yet.
+  /// Names values "theta_2", if they are computed (not leaves or constants) and have no name yet.
   void name(const Places& values, Opcode kind, std::uint32_t number);
   /// Names a value `name`, under the same condition.
   void name(std::uint32_t value, const std::string& name);
@@ -91,8 +93,9 @@ class Composition {
 ///     W_ij = M_ij - sum_{k<j} L_jk W_ik,   D_j = W_jj,   L_ij = W_ij / D_j
 ///     z = L^-1 r,   x = L^-T D^-1 z
 ///
-/// n^3/6 operations, minus the ones on zeros. If frames branch, the last row is eliminated first,
-/// so that zeros stay zero (derive/lagrangian/symmetric_solve.hpp is the same on formulas).
+/// Cost: n^3/6 operations, minus operations on zeros. If frames branch, the last row is eliminated
+/// first, so that zeros stay zero. derive/lagrangian/symmetric_solve.hpp does the same for
+/// formulas.
 class MassFactorisation {
  public:
   /// `mass`: n x n, row-major. `order`: its rows in the order of elimination. No pivoting, because

@@ -1,5 +1,6 @@
 // The explicit methods. They call only accelerations, and coordinate rates if there are rotations.
-// All values carry tangents; tangents of accelerations are a call of their derivatives.
+// All values have tangents; the tangents of accelerations come from a call of the derivatives of
+// accelerations.
 //
 //     da = (da/dq) dq + (da/dv) dv + (da/du) du
 #include <algorithm>

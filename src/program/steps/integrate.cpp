@@ -22,7 +22,8 @@ constexpr NextState (*methods[])(const StepContext&) = {
 #undef ELGEN_STEP_METHOD
 };
 
-/// Suffix of projected values: rk4, the only method for models with constraints, has calls 1 to 4.
+/// The suffix of projected values is 5: rk4, the only method for models with constraints, has calls
+/// 1 to 4.
 constexpr std::uint32_t projected_suffix = 5;
 
 StepDomain domain_of(const OutputRequest& step) { return step_row(step.step->method).domain; }
@@ -33,7 +34,8 @@ void add_field(Function& function, std::string name, Places entries) {
   function.fields.push_back({std::move(name), rows, 1, std::move(entries)});
 }
 
-/// All entries if a called function rests on zeros that are not proved; otherwise none.
+/// The indices of all entries of `step`, if a called function has zeros found only by sampling;
+/// otherwise none.
 std::vector<std::uint32_t> sampled_zeros(const Program& calls, const Function& step) {
   const bool is_sampled = std::ranges::any_of(
       calls.functions, [](const Function& f) { return !f.sampled_zeros.empty(); });
@@ -42,16 +44,15 @@ std::vector<std::uint32_t> sampled_zeros(const Program& calls, const Function& s
   return entries;
 }
 
-/// True if an explicit method carries tangents, computed with derivatives of accelerations. That is
-/// shorter than differentiating its instructions, except with rotations or if the derivatives are
-/// loops.
+/// True if an explicit method computes tangents from derivatives of accelerations. That needs fewer
+/// instructions than differentiating the step, unless the model has rotations or the derivatives
+/// are loops.
 bool carries_tangents(const Model& model, const OutputRequest& step) {
   return output_row(step.kind).differentiates && domain_of(step) != StepDomain::quadratic &&
          model.rotations.empty() && model.velocities.size() < min_composed_velocities;
 }
 
-/// A and B from their columns. If the method gives none, the instructions of the step are
-/// differentiated.
+/// A and B from their columns. If `columns` is empty, differentiates the instructions of the step.
 Function derivatives(const Model& model, const Program& calls, Function function,
                      std::vector<Places> columns, Program& program) {
   if (columns.empty()) {
@@ -75,14 +76,14 @@ Function derivatives(const Model& model, const Program& calls, Function function
   return pruned(function);
 }
 
-/// Outputs that only show if the method applies.
+/// Outputs that are needed only to decide if the method applies.
 std::vector<OutputKind> kinds_for_applicability(const OutputRequest& step) {
   if (domain_of(step) != StepDomain::separable) return {};
   return {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum};
 }
 
-/// Outputs that the method calls if it applies; `dynamics` computes the ones listed before it
-/// together.
+/// Outputs that the method calls if it applies. `dynamics` computes all outputs that are listed
+/// before it in one function.
 std::vector<OutputKind> called_kinds(const OutputRequest& step) {
   switch (domain_of(step)) {
     case StepDomain::separable:
@@ -118,8 +119,8 @@ std::string refusal(const CheckedModel& checked, const OutputRequest& step, cons
   return {};
 }
 
-/// "theta", "dot(x)" or "t": the first leaf of these kinds that the output reads; "" if it reads
-/// none.
+/// "theta", "dot(x)" or "t": the first leaf of these kinds that the output contains; "" if it
+/// contains no such leaf.
 std::string leaf_read(const Program& program, OutputKind kind, LeafSet kinds) {
   const Function* const function = find_function(program, kind);
   if (function == nullptr) return {};

@@ -15,9 +15,9 @@ struct StepContext {
   StepContext(const CheckedModel& checked, const OutputRequest& request, const Program& the_calls,
               Composition& composition);
 
-  /// t + c; meaningless if the model does not contain t.
+  /// t + c; 0 and unused if the model does not contain t.
   [[nodiscard]] std::uint32_t time_after(std::uint32_t c) const;
-  /// t + c h, with the same exception.
+  /// t + c h; 0 and unused if the model does not contain t.
   [[nodiscard]] std::uint32_t time_at(const cln::cl_RA& c) const;
   /// c h
   [[nodiscard]] std::uint32_t part(const cln::cl_RA& c) const;
@@ -27,7 +27,7 @@ struct StepContext {
   const Model& model;
   const Program& calls;
   Composition& compose;
-  bool has_inner;                 ///< accelerations in float
+  bool has_inner;                 ///< accelerations are computed in float
   std::size_t directions;         ///< number of tangents of explicit methods; 0: none
   std::uint32_t iterations;       ///< of an implicit method
   std::vector<cln::cl_RA> parts;  ///< steps of a composed symmetric method, in units of h
@@ -45,9 +45,9 @@ struct NextState {
 };
 
 /// The columns of A and B of x(t + h) = Phi(x, u) about a state, x = (dq, v). Appends them to
-/// `step`, which has the coordinates and rates of Phi. They are exact for its instructions,
-/// including iterations and scalings of quaternions. `calls` needs coordinate_rates if the model
-/// has rotations. Cost: about one step per column.
+/// `step`, which has the coordinates and rates of Phi. They are the exact derivatives of its
+/// instructions, including iterations and scalings of quaternions. `calls` needs coordinate_rates
+/// if the model has rotations. Cost: about one step per column.
 [[nodiscard]] std::vector<Places> step_columns(const Model& model, const Program& calls,
                                                const Function& step, Composition& compose);
 

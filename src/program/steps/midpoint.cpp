@@ -1,5 +1,5 @@
-// The implicit midpoint rule on q and p = M v + b, by successive substitution. At m = (q + h/2 w,
-// w, t + h/2), starting with w = v:
+// The implicit midpoint rule on q and p = M v + b, by successive substitution, starting with w = v.
+// At m = (q + h/2 w, w, t + h/2):
 //
 //     M(m) w = p + h/2 dp/dt(m) - b(m)        dp/dt = dL/dq + F,   F = B u + Q - dD/dv
 //
@@ -7,9 +7,10 @@
 //
 // If no force acts on a cyclic coordinate, its momentum is exact after any number of substitutions.
 // Each substitution multiplies the error of w by about h/2 |M^-1 (dp/dq - d2L/dv dq)|. Newton's
-// method would need half as many, each with a Coriolis matrix and an unsymmetric elimination more.
-// M is evaluated at each point, for the bound on rounding errors: with w -= M^-1 r(w) the bound
-// would grow by 1 + cond M each time; here it shrinks with the error.
+// method would need half as many substitutions, but each would also need a Coriolis matrix and the
+// elimination of an unsymmetric matrix. M is evaluated at each point to keep the bound on rounding
+// errors small: w -= M^-1 r(w) would multiply the bound by 1 + cond M each time; here it shrinks
+// with the error.
 //
 // Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. VIII.6.
 #include <algorithm>
@@ -25,7 +26,7 @@ class Midpoint {
   explicit Midpoint(const StepContext& step) : step_(step), compose_(step.compose) {}
 
   /// p passes through the parts of the step; v is computed after the last part. The last w of a
-  /// part is the first w of the next.
+  /// part is the first w of the next part.
   NextState operator()() {
     Places p = part(OutputKind::momentum, step_.start);
     CallPoint end = step_.start;

@@ -17,8 +17,9 @@
 namespace elgen {
 namespace {
 
-/// A derivative of a function, as the table writes it over values of a composition. It is composed
-/// later, from left to right, because compilers evaluate operands in different orders.
+/// A derivative from the table of functions, as a tree over values of a composition. Its
+/// instructions are added later, from left to right, because compilers evaluate operands in
+/// different orders.
 struct Slope {
   std::uint32_t place = 0;  ///< of a value, if there are no operands
   Opcode opcode = Opcode::constant;
@@ -142,7 +143,7 @@ class Differentiation {
                   Composition& compose)
       : model_(model), calls_(calls), step_(step), compose_(compose) {}
 
-  /// The columns of A, then those of B.
+  /// The columns of A, then the columns of B.
   [[nodiscard]] std::vector<Places> columns() {
     const std::vector<Places> moves = moves_at(compose_.leaves(Opcode::coordinate, size_of_q()));
     const std::vector<Places> moves_after = moves_at(step_.fields[0].entries);
