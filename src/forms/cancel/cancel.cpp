@@ -1,4 +1,5 @@
-// cancel: see cancel.hpp. Works function by function. A function without zeros is unchanged.
+// cancel: see elgen/cancel.hpp. Treats one function at a time. A function without zeros is
+// unchanged.
 #include "elgen/cancel.hpp"
 
 #include <algorithm>
@@ -62,8 +63,8 @@ Zeros classify_zeros(const Program& program, const Function& function, const Pla
   return zeros;
 }
 
-/// The outermost zeros. If an outermost candidate turns out not to be 0, its operands may be, so
-/// all candidates are judged.
+/// The outermost zeros. If an outermost candidate is not 0, one of its operands may still be 0, so
+/// all candidates are then classified.
 Zeros find_zeros(const Program& program, const Function& function) {
   const Places candidates = vanishing(program, function);
   const Places places = outermost_zeros(function, candidates);
@@ -93,8 +94,8 @@ Places dependent_entries(const Function& function, const Places& places) {
   return result;
 }
 
-/// Longer functions keep their sums and products. Without a few zeros they hardly have new ones,
-/// and searching takes as long as lowering did.
+/// Longer functions are lowered without a search for shorter sums and products. The search would
+/// take as long as the first lowering, and a few removed zeros hardly give new ones.
 constexpr std::size_t most_lowered_again = 2'000;
 
 Network network_of(const Expressions& expressions, const Function& function) {

@@ -26,7 +26,8 @@ bool is_below(const Real& x, const Real& y, const Real& share) {
 
 Number random_value(const cln::cl_RA& value) { return running_leaf(value, rounding<double>()); }
 
-/// Marks calls of functions with kinks, which may be 0 in a whole region. Roots are computed.
+/// For each instruction: true for a call of a function with kinks, which may be 0 in a whole
+/// region. A random number replaces its value. Roots are not marked; their values are computed.
 std::vector<bool> kinks(const Function& function) {
   std::vector<bool> result;
   for (const Instruction& i : function.instructions) {
@@ -50,7 +51,7 @@ bool hides_digits(const Instruction& i, const Values& values, const Number& x) {
          (is_below(x.error - abs(x.value), x.value, hidden) || is_below(x.value, x.error, hidden));
 }
 
-/// True if the rounding error that a zero may hide is small compared with the terms.
+/// True if `noise`, the error that a vanishing value may hide, is below 1e-20 of the operands.
 bool has_small_noise(const Instruction& i, const Values& values, const Real& noise) {
   static const Real hidden(power_of_ten(-20));
   Real terms = abs(values[i.a].value);
@@ -58,7 +59,8 @@ bool has_small_noise(const Instruction& i, const Values& values, const Real& noi
   return is_below(noise, terms, hidden);
 }
 
-/// The value at the point: exactly 0 if it vanishes, lost if its digits do not decide.
+/// Replaces x, the value of the instruction, by exactly 0 if it vanishes. Marks it as lost if 64
+/// digits do not decide.
 Number round_to_zero(const Instruction& i, const Values& values, Number x) {
   static const Real vanished(power_of_ten(-40));
   if (!x.value.is_defined() || operand_count(i) == 0) return x;
@@ -86,7 +88,7 @@ Values evaluate_at_random(const Program& program, const Function& function,
   return values;
 }
 
-/// The instructions on which undefined values depend.
+/// For each instruction: true if an undefined value depends on it.
 std::vector<bool> needed_for_undefined(const Function& function, const Values& values,
                                        const std::vector<bool>& needed) {
   std::vector<std::uint32_t> undefined;

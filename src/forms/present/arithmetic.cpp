@@ -1,6 +1,6 @@
-// Field operations on fractions. A denominator is a product of factors that were met before. A
-// later multiplication therefore cancels the factors that a division introduced, without a general
-// gcd.
+// Field operations on fractions. A denominator is a product of powers of Algebra::factors, to which
+// each division may add a factor. A later multiplication cancels these factors by exact division,
+// so no general gcd is needed.
 #include "forms/present/arithmetic.hpp"
 
 #include <algorithm>
@@ -35,8 +35,8 @@ std::size_t hash_of(const Atom& atom) {
   return hash;
 }
 
-/// The angles of a sum's exponentials, and their halves if all exponents are even. Of an angle and
-/// its negative, only one counts.
+/// The angles of the exponentials in x, each preceded by its half if all its exponents are even.
+/// Only one of an angle and its negative is listed.
 std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
   std::vector<Monomial> angles;
   const auto add = [&](const Monomial& angle) {
@@ -88,7 +88,7 @@ std::optional<Polynomial> Arithmetic::multiply_sums(const Polynomial& x, const P
   return product(x, y);
 }
 
-/// x * factors[factor]^exponent; none beyond the budget.
+/// x * factors[factor]^exponent; none if the budget is used up.
 std::optional<Polynomial> Arithmetic::times_factor(Polynomial x, std::uint32_t factor,
                                                    std::int32_t exponent) {
   for (std::int32_t i = 0; i < exponent; ++i) {
@@ -187,8 +187,8 @@ Value Arithmetic::reduce_roots(Fraction x) {
   return cancel_factors(std::move(*result));
 }
 
-/// The index of the factor that equals `polynomial` up to a monomial; adds a new factor if none is
-/// known. `unit` becomes this monomial.
+/// The index of the factor that equals `polynomial` up to a single term; adds a new factor if none
+/// does. `unit` becomes polynomial/factor.
 std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial& unit) {
   const auto inverse = [](const Monomial& x) { return elgen::power(x, -1); };
   const Monomial powers = common_powers(polynomial);
@@ -209,7 +209,8 @@ std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial&
   return index;
 }
 
-/// Moves known factors from `rest` to `denominator`; false if the budget is used up.
+/// Divides `rest` by every known factor that divides it, and counts these factors in `denominator`.
+/// False if the budget is used up.
 bool Arithmetic::split_factors(Polynomial& rest,
                                std::map<std::uint32_t, std::int32_t>& denominator) {
   for (std::uint32_t i = 0; i < algebra_.factors.size(); ++i) {
@@ -223,7 +224,8 @@ bool Arithmetic::split_factors(Polynomial& rest,
   return work_ > 0;
 }
 
-/// Registers the sines and cosines that divide `rest` as factors: 1 - cos(2 x) is 2 sin(x)^2.
+/// Adds each sine and cosine that divides `rest` to the factors. For example, sin(x)
+/// divides 1 - cos(2 x) = 2 sin(x)^2.
 void Arithmetic::note_circular_factors(const Polynomial& rest) {
   const cl_RA half = cl_RA(1) / 2;
   for (const Monomial& angle : angles_of(rest, algebra_)) {

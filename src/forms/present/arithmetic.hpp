@@ -11,8 +11,8 @@ namespace elgen {
 
 using Value = std::optional<Fraction>;
 
-/// Angles are counted in twelfths of their monomials, so that halves, thirds and quarters are
-/// powers.
+/// The atom of an exponential is e^(i m/12), with m a monomial of the angle. Therefore e^(i m/2),
+/// e^(i m/3) and e^(i m/4) are integer powers of it.
 inline constexpr int angle_parts = 12;
 
 [[nodiscard]] Fraction fraction_of(const Polynomial& numerator);
@@ -40,9 +40,10 @@ class Arithmetic {
 
   [[nodiscard]] Value leaf(Opcode leaf, std::uint32_t index);
   [[nodiscard]] Value pi();
-  /// The atom of a sum that stays whole: `index` is its number in Algebra::sums, `form` its value.
+  /// The atom in place of an unexpanded sum: `index` is its number in Algebra::sums, `form` its
+  /// expanded value.
   [[nodiscard]] Value whole_sum(std::uint32_t index, const Fraction& form);
-  /// Converts the parts of sums, products, roots and calls one by one.
+  /// Converts a constant operation by operation: sums, products, roots and calls.
   [[nodiscard]] Value constant(const ConstantForm& form);
   [[nodiscard]] Value constant(const Constant& constant) { return this->constant(constant.form); }
 

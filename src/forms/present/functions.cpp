@@ -152,8 +152,12 @@ Value Arithmetic::sine_or_cosine(FunctionId function, const Fraction& x) {
   return multiply(both, fraction_of(Polynomial{{Monomial{}, half}}));
 }
 
-/// stumpff(x, k) as a quotient: sin(x)/x for k = 1, (1 - cos(x))/x^2 for k = 2, and otherwise (1/(k
-/// - 2)! - stumpff(x, k - 2))/x^2. None at x = 0.
+/// stumpff(x, k) as a quotient; none at x = 0 if k > 0:
+///
+///     k = 0    cos(x)
+///     k = 1    sin(x)/x
+///     k = 2    (1 - cos(x))/x^2
+///     k > 2    (1/(k - 2)! - stumpff(x, k - 2))/x^2
 Value Arithmetic::stumpff_quotient(const Fraction& x, const cl_I& order) {
   if (order == 0) return sine_or_cosine(FunctionId::cos, x);
   if (order == 1) return divide(sine_or_cosine(FunctionId::sin, x), x);

@@ -44,7 +44,8 @@ class ModelExpressions {
     Value form = {};
   };
 
-  /// The operands; for a fixed parameter the expression of its value, if it has one.
+  /// The expressions to be converted first: the operands, or, for a fixed parameter, the expression
+  /// of its value if it has one.
   [[nodiscard]] std::vector<ExpressionId> dependencies_of(ExpressionId id) const {
     const Expression& e = model_.expressions[id];
     if (!is_leaf(e, Opcode::parameter)) return references(model_, id);
@@ -86,7 +87,8 @@ class ModelExpressions {
       case ExpressionKind::function:
         return call(e);
       case ExpressionKind::time_derivative:
-        return std::nullopt;  // derivatives of leaves are leaves; others are sampled
+        // The derivative of a leaf is a leaf itself. Other derivatives are checked at samples.
+        return std::nullopt;
     }
     return std::nullopt;
   }

@@ -167,7 +167,7 @@ std::map<Monomial, Polynomial, MonomialLess> group_terms_by(const Algebra& algeb
 
 namespace {
 
-/// Replaces each square of `atom` by one + other^2.
+/// Replaces each square of `atom` by one + other^2, with `one` = 1 or -1.
 Polynomial replace_squares(const Polynomial& sum, AtomId atom, AtomId other, int one) {
   Polynomial result;
   for (const auto& [monomial, coefficient] : sum) {

@@ -34,8 +34,8 @@ void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& c
 [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y);
 
 /// x / y if y divides x, by long division from the leading term; otherwise none. y must have at
-/// least two terms, x at least one. Lowers `work` by the products of terms; none also if it is used
-/// up.
+/// least two terms, x at least one. Decreases `work` by the number of products of terms; the result
+/// is also none if `work` is used up.
 [[nodiscard]] std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y,
                                                  std::size_t& work);
 
@@ -77,11 +77,11 @@ struct AtomRange {
 /// In ascending order of atoms.
 [[nodiscard]] std::vector<AtomRange> exponents_of(const Polynomial& x);
 
-/// The least exponent of every atom, if it is not 0. After division by these powers, x has no
-/// divisors and no power common to all terms.
+/// The product of all atoms, each to its least exponent in x if that is not 0. After division by
+/// it, x has neither divisors nor a power common to all terms.
 [[nodiscard]] Monomial common_powers(const Polynomial& x);
 
-/// The least exponent of every atom other than exponentials, if it is negative.
+/// The product of all atoms except exponentials, each to its least exponent if that is negative.
 [[nodiscard]] Monomial lowest_powers(const Algebra& algebra, const Polynomial& sum);
 
 /// True if the sum is its own complex conjugate.
@@ -92,15 +92,16 @@ struct AtomRange {
 /// Ascending, without duplicates.
 [[nodiscard]] std::vector<AtomId> atoms_of(const Polynomial& sum);
 
-/// A product of atoms as powers * e^(i angle): the circular atoms make the exponential.
+/// A product of atoms as powers * e^(i angle).
 struct SplitMonomial {
-  Monomial powers;  ///< of all other atoms
+  Monomial powers;  ///< of all atoms that are not exponentials
   Monomial angle;
 };
 
 [[nodiscard]] SplitMonomial split(const Algebra& algebra, const Monomial& monomial);
 
-/// Groups the terms by their factors with `is_key_atom`: key -> sum of the remaining factors.
+/// Maps each product of atoms that satisfy `is_key_atom` to its coefficient, a sum of products of
+/// the other atoms.
 [[nodiscard]] std::map<Monomial, Polynomial, MonomialLess> group_terms_by(
     const Algebra& algebra, const Polynomial& sum, bool (*is_key_atom)(const Atom&));
 

@@ -2,8 +2,9 @@
 //
 //     0 = sin theta   1 = multiply 0 0   2 = cos theta   3 = multiply 2 2   4 = add 1 3   ->   1
 //
-// With whole sums, every value has two forms: one expanded, by which sums are identified, and one
-// with whole sums.
+// If the program `whole_sums` lists sums that may stay unexpanded ("whole"), every value has two
+// forms: one fully expanded, by which these sums are recognised, and one in which they stay
+// unexpanded.
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -17,8 +18,9 @@ namespace elgen {
 
 namespace {
 
-/// Closed forms of long programs exceed any budget. Beyond `short_program` instructions the budget
-/// falls with the square of the length, so that trying costs less than lowering did.
+/// Long programs have closed forms that exceed any budget. Beyond `short_program` instructions the
+/// budget therefore falls with the square of the length. A failed attempt then costs less than
+/// lowering the program did.
 std::size_t budget_of(const Function& function, const PresentBudget& budget) {
   constexpr double short_program = 500;
   const double length = std::max(static_cast<double>(function.instructions.size()), short_program);
@@ -45,7 +47,7 @@ ZeroProof proof_of(const Algebra& algebra, const std::optional<Fraction>& form) 
   return is_decided ? ZeroProof::not_zero : ZeroProof::open;
 }
 
-/// One proof per entry of the only function.
+/// One verdict per entry of functions[0], the only function.
 std::vector<ZeroProof> proofs_of(const ClosedForms& forms) {
   std::vector<ZeroProof> result;
   for (const ClosedField& field : forms.functions[0].fields) {
@@ -58,7 +60,8 @@ std::vector<ZeroProof> proofs_of(const ClosedForms& forms) {
 
 Algebra algebra_of_proofs() { return {.has_quotients = true, .has_exponentials = true}; }
 
-/// Whether a function that repeats entries of others gets closed forms.
+/// Whether a summary, a function whose entries repeat entries of other functions, gets closed
+/// forms.
 enum class Repeats : std::uint8_t { left_out, presented };
 
 /// Appends the closed forms of all entries of all functions, within one budget.
@@ -72,7 +75,7 @@ void present_functions(const Program& program, const PresentBudget& budget, Clos
     if (repeats == Repeats::left_out && output_row(function.kind).is_summary) continue;
     const std::size_t share = std::min(left, budget_of(function, budget));
     Arithmetic arithmetic(forms.algebra, share, budget.terms);
-    // A function with a repeated block gets no closed forms: they would contain M^-1.
+    // A function with a repeated block gets no closed forms, because they would contain M^-1.
     const bool is_open = function.repeated.count > 0;
     const std::vector<Value> values = is_open ? std::vector<Value>(function.instructions.size())
                                               : values_of(arithmetic, function);
@@ -94,13 +97,13 @@ ClosedForms present_over(Algebra algebra, const Program& program, const PresentB
   return forms;
 }
 
-/// A value: expanded, and with whole sums.
+/// A value fully expanded, and with some sums unexpanded ("whole").
 struct PlainAndWhole {
   Value plain = {};
   Value whole = {};
 };
 
-/// Folding rules (fold.hpp).
+/// Folding rules (fold.hpp) for values in both forms.
 class WholeArithmetic {
  public:
   WholeArithmetic(Arithmetic& arithmetic, const std::vector<Value>& sums)
@@ -139,8 +142,8 @@ class WholeArithmetic {
  private:
   static PlainAndWhole same_in_both(const Value& x) { return {x, x}; }
 
-  /// Replaces x.whole by a multiple of one whole sum if x is such a multiple, and otherwise by
-  /// x.plain if that has fewer terms.
+  /// If x is a rational multiple of a whole sum, x.whole becomes this multiple. Otherwise it
+  /// becomes x.plain if that has fewer terms.
   PlainAndWhole shorter(PlainAndWhole x) {
     if (!x.plain || x.plain->numerator.empty()) return same_in_both(x.plain);
     for (std::uint32_t i = 0; i < sums_.size(); ++i) {
@@ -155,7 +158,7 @@ class WholeArithmetic {
   }
 
   Arithmetic& arithmetic_;
-  const std::vector<Value>& sums_;  ///< expanded
+  const std::vector<Value>& sums_;  ///< expanded forms of the whole sums
 };
 
 /// The expanded forms of the sums of typed_sums().

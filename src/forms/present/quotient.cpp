@@ -8,7 +8,7 @@
 namespace elgen {
 namespace {
 
-/// The exponents of each atom, in ascending order of atoms.
+/// The range of exponents of each atom, in ascending order of atoms.
 using Box = std::vector<AtomRange>;
 
 /// The range of an atom; a missing atom is inserted with exponent 0.
@@ -126,8 +126,8 @@ std::optional<Polynomial> quotient(const Polynomial& x, const Polynomial& y, std
   const Gaussian inverse_coefficient = reciprocal(y.rbegin()->second);
   const Monomial last = product(x.begin()->first, power(y.begin()->first, -1));
   if (!is_inside(last, *box)) return std::nullopt;
-  // The products of the quotient with the lower terms of y, to be subtracted from x. The rest of x
-  // is never stored.
+  // The products of the quotient with all terms of y below its leading term. They are subtracted
+  // from x one by one, so no remainder is stored.
   ProductHeap taken(y.begin(), y.end() - 1);
   auto own = x.rbegin();
   while (own != x.rend() || !taken.empty()) {

@@ -13,8 +13,8 @@ using cln::cl_RA;
 
 namespace {
 
-/// An operand with its arithmetic, so that the derivatives of functions apply to closed forms as
-/// they do to numbers.
+/// A Value with operators that use its arithmetic, so that the table of derivatives of functions
+/// (function_derivatives.def) applies to closed forms.
 struct ArithmeticValue {
   Arithmetic* arithmetic;
   Value value;
@@ -48,8 +48,8 @@ ArithmeticValue called(FunctionId function, const ArithmeticValue& x, const Arit
   return {x.arithmetic, x.arithmetic->call(function, x.value, is_binary ? y.value : Value())};
 }
 
-/// The derivatives of an opaque function by each argument; `call` is the atom itself. None beyond
-/// the budget, and for functions with kinks.
+/// The derivatives of an opaque function by each argument; `call` is the atom itself. A derivative
+/// is none if the budget is used up or the function has kinks.
 ///
 ///     tanh(x) -> 1 - tanh(x)^2      atan2(x, y) -> y/(x^2 + y^2), -x/(x^2 + y^2)
 std::vector<Value> call_slopes(Arithmetic& arithmetic, const Atom& atom, const Fraction& call) {

@@ -1,5 +1,5 @@
-// The sums of a program as typed. Two sums are the same if their closed forms are equal up to a
-// rational factor.
+// typed_sums: see elgen/closed_forms.hpp. Two sums are the same if their closed forms are equal up
+// to a rational factor.
 #include <algorithm>
 
 #include "elgen/closed_forms.hpp"
@@ -14,12 +14,14 @@ bool is_product(const Instruction& i) {
   return i.opcode == Opcode::multiply || i.opcode == Opcode::divide;
 }
 
-/// Angles become exponentials of their terms, so sums in them do not stay whole.
+/// True for sin, cos and tan. Their angles become exponentials of single terms, so no sum in an
+/// angle can stay unexpanded.
 bool takes_angle(FunctionId function) {
   return is_circular(function) || function == FunctionId::tan;
 }
 
-/// Finds the sums in squares, roots, denominators and arguments of functions.
+/// Finds the sums with a coordinate or t in squares, roots, denominators and arguments of
+/// functions.
 class SumSearch {
  public:
   explicit SumSearch(const Function& function)

@@ -30,8 +30,8 @@ int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<s
   return rates.size() == 1 ? 2 : 3;
 }
 
-/// The exponents by leaf number. Atom numbers do not serve here, as they follow the order of
-/// creation.
+/// Pairs of a leaf's number and its negated exponent, sorted. Numbers of atoms are no sort key,
+/// because they depend on the order of creation.
 std::vector<std::pair<std::uint32_t, std::int32_t>> numbers_of(const Algebra& algebra,
                                                                const Monomial& rates) {
   std::vector<std::pair<std::uint32_t, std::int32_t>> numbers;
@@ -63,8 +63,8 @@ bool divides_only(const BookProduct& product) {
                              [](const BookFactor& factor) { return factor.exponent < 0; });
 }
 
-/// True if a term of a sum starts with a parameter that belongs before the front factors: textbooks
-/// do not write -g ((m1 + m2) a + m2 b).
+/// True if a term of the bracketed sum starts with a factor that belongs before the first factor of
+/// the product. Textbooks do not write -g ((m1 + m2) a + m2 b).
 bool hides_leading_factors(const BookProduct& product) {
   const FactorPlace first = product.factors.front().place;
   const auto sum = std::ranges::find(product.factors, BookFactorKind::sum, &BookFactor::kind);
@@ -94,7 +94,7 @@ BookSum Arranger::terms(const Polynomial& sum, std::optional<std::uint32_t> own)
   return result;
 }
 
-/// Splits a fraction by rates; each part has its own denominator.
+/// One product per product of rates in the numerator, each over its own reduced denominator.
 BookSum Arranger::parts(const Fraction& form, std::optional<std::uint32_t> own) {
   BookSum result;
   for (auto& [rates, rest] : rate_groups(algebra_, form.numerator, own)) {

@@ -1,13 +1,14 @@
 // arrange: converts closed forms to sums of products as in textbooks.
 //
-//     in front    1/2 m r'^2 + 1/2 m r^2 phi'^2   ->   1/2 m (r'^2 + r^2 phi'^2)
-//     spread      no common factor; the coefficients of each product of rates are collected,
-//                 accelerations first
+//     factor_out         1/2 m r'^2 + 1/2 m r^2 phi'^2   ->   1/2 m (r'^2 + r^2 phi'^2)
+//     collect_by_rates   no common factor; one coefficient for each product of rates,
+//                        accelerations first
 //
-// Typed sums of the model stay together: k (r - l0)^2. The coefficient of each product of
-// parameters has its own shortest trigonometric form, so that A sin^2 + C cos^2 does not become C +
-// (A - C) sin^2. TypedForms hold the properties of a model that closed forms lose: which sums were
-// typed, the order and signs of their terms, and the order of the parameters of a product.
+// Typed sums of the model stay together: k (r - l0)^2. Each product of parameters has a coefficient
+// in its own shortest trigonometric form, so that A sin^2 + C cos^2 stays as typed instead of
+// becoming C + (A - C) sin^2. TypedForms hold the properties of a model that closed forms lose:
+// which sums were typed, the order and signs of their terms, and the order of the parameters of a
+// product.
 #pragma once
 
 #include <map>
@@ -25,8 +26,8 @@ namespace elgen {
 /// A sum typed in the energies, forces, points or definitions: r - l0.
 struct TypedSum {
   Polynomial value = {};
-  std::vector<AtomId> atoms = {};    ///< of the value, ascending
-  Polynomial square = {};            ///< value^2 if the value has a root: of sqrt(x^2 + y^2) - l
+  std::vector<AtomId> atoms = {};  ///< of the value, ascending
+  Polynomial square = {};  ///< value^2 if the value contains a root, as in sqrt(x^2 + y^2) - l
   std::vector<Fraction> terms = {};  ///< as typed, with signs
   /// The index in Model::definitions of a definition with this value.
   std::optional<std::uint32_t> definition = {};
@@ -34,12 +35,12 @@ struct TypedSum {
 
 struct TypedForms {
   std::vector<TypedSum> sums = {};  ///< longest first, without duplicates
-  /// The place of each parameter among the factors of a product: as in typed products, otherwise as
-  /// declared, with gravity after the masses (m g l).
+  /// The position of each parameter among the factors of a product: as in the products of the
+  /// model, otherwise as declared, with gravity after the masses (m g l).
   std::vector<std::uint32_t> places = {};
-  std::vector<bool> are_accelerations = {};  ///< for each parameter: g and other accelerations
-  /// For each prescribed function its value, if that is a single term with a root or a function;
-  /// otherwise empty. Angles are then written with the function's name.
+  std::vector<bool> are_accelerations = {};  ///< by parameter: true for g and other accelerations
+  /// For each prescribed function: its value if this is a single term with a root or a function,
+  /// otherwise the empty sum. Angles with such a value are written with the function's name.
   std::vector<Polynomial> prescribed = {};
 };
 
@@ -53,15 +54,14 @@ struct TooLongForABook : std::length_error {
   TooLongForABook() : std::length_error("a sum of too many terms") {}
 };
 
-/// The limit of operations of an entry without common subexpressions, and of factors of a typed
-/// sum. Nested functions are short with common subexpressions, but their length doubles per level
-/// without them.
+/// The most operations of an entry, and the most factors of a typed sum, if common subexpressions
+/// are written out. For nested functions this number doubles with each level.
 inline constexpr std::size_t longest_entry_of_a_book = 5'000;
 
 /// The rank of sums that are not typed in the model.
 inline constexpr std::uint32_t untyped = 10'000;
 
-/// The limit of terms in a search for common factors, which nobody would see in longer sums.
+/// Longer sums are not searched for common factors, which nobody would see there.
 inline constexpr std::size_t longest_collected = 40;
 
 class Arranger {
@@ -71,7 +71,7 @@ class Arranger {
   [[nodiscard]] BookSum factor_out(const Fraction& form);
   /// Arranges each summand separately.
   [[nodiscard]] BookSum factor_out_each(const std::vector<Fraction>& summands);
-  /// Arranges the terms with rates or momenta separately from the others: T and V of an energy.
+  /// Arranges the terms with rates or momenta first, then the other terms: T before V in an energy.
   [[nodiscard]] BookSum split_by_motion(const Fraction& form);
   /// Collects the coefficient of each product of rates. `own` is the velocity whose acceleration
   /// comes first.

@@ -11,7 +11,8 @@
 namespace elgen {
 namespace {
 
-/// Calls and roots come after sines and cosines, and cosh comes after sinh.
+/// The rank of calls and roots, which follow sines and cosines. cosh has the next rank, so that it
+/// follows sinh.
 constexpr std::uint32_t rank_of_functions = 1'000'000;
 
 FactorGroup group_of(const Atom& atom) {

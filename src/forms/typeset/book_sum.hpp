@@ -2,8 +2,9 @@
 //
 //     1/2 m (r'^2 + r^2 phi'^2)     one product: 1/2, m, and a sum of two products
 //
-// Places order the factors of a product: multipliers, parameters, sums with other leaves than
-// parameters, coordinates, rates, accelerations, inputs, functions; by rank within a group.
+// Places order the factors of a product by group: multipliers, parameters, sums that contain other
+// leaves than parameters, coordinates, rates, accelerations, inputs, functions. Within a group the
+// rank decides.
 #pragma once
 
 #include <compare>
@@ -28,7 +29,8 @@ struct BookProduct {
   std::vector<BookFactor> factors;  // no initializer: BookFactor is incomplete here
 };
 
-/// A sum; 0 if it has no terms.
+/// A sum; 0 if it has no terms. Unlike a Polynomial it has brackets, and an order of terms and
+/// factors for readers.
 struct BookSum {
   std::vector<BookProduct> terms;
 };
@@ -54,7 +56,7 @@ struct BookFactor {
 };
 
 /// The number of printed factors, including factors in sums, but not factors ±1. A name counts as
-/// one factor, or as its value if `opens_names`.
+/// one factor, or as the factors of its value if `opens_names`.
 [[nodiscard]] std::size_t written_factors(const BookSum& sum, bool opens_names = false);
 
 [[nodiscard]] FactorPlace place_of(const Atom& atom, const std::vector<std::uint32_t>& places);
@@ -84,7 +86,7 @@ void append(BookSum& to, BookSum from);
 /// Multiplies by the powers of the sine and cosine of an angle.
 void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power);
 
-/// Divides by the largest number that leaves integer coefficients, with the sign of the first term.
+/// Divides by the largest number that leaves integer coefficients and a positive first term.
 /// Returns this number.
 [[nodiscard]] cln::cl_RA take_number(BookSum& sum);
 

@@ -1,4 +1,6 @@
-// collect: collects the terms of a sum: (m1 + m2) g l1 sin x + m2 g l2 sin y.
+// collect: groups terms that share coordinates or a parameter:
+//
+//     (m1 + m2) g l1 sin x + m2 g l2 sin y
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -74,7 +76,7 @@ BookProduct Arranger::book_product(MixedSum sum) {
   return result;
 }
 
-/// Combines all terms with the same coordinates, sines and cosines to one product.
+/// Combines all terms with the same coordinates, sines and cosines into one product.
 BookSum Arranger::group_by_kind(const MixedSum& sum) {
   struct Kind {
     RealTerm shared = {};
@@ -153,7 +155,8 @@ const BookSum& Arranger::collected(const MixedSum& sum) {
   return collected_.emplace(sum, collect_terms(sum)).first->second;
 }
 
-/// The shorter of two forms; if both are equally long, the form with a typed sum.
+/// The shorter result of group_by_kind() and collect_by_parameter(). If both are equally long, the
+/// result that contains a typed sum.
 BookSum Arranger::collect_terms(const MixedSum& sum) {
   BookSum best = group_by_kind(sum);
   if (sum.size() > 2 && sum.size() <= longest_collected) {

@@ -15,7 +15,7 @@ bool moves(const Algebra& algebra, const Fraction& form) {
                              [&](const auto& term) { return elgen::moves(algebra, term.first); });
 }
 
-/// The acceleration in a term, which has at most one; otherwise the end.
+/// The acceleration among the factors of a term, which has at most one; the end if it has none.
 Monomial::const_iterator acceleration_in(const Algebra& algebra, const Monomial& term) {
   return std::ranges::find_if(term, [&](const AtomPower& power) {
     const Atom& atom = algebra.atoms[power.atom];
@@ -27,7 +27,7 @@ Fraction opposite(const Fraction& form) {
   return {scaled(form.numerator, {-1, 0}), form.denominator};
 }
 
-/// Removes zeros and pairs that cancel: V = a*x + b - a*x has no force.
+/// Removes zeros and pairs that cancel: V = a*x + b - a*x exerts no force.
 std::vector<Fraction> remove_cancelled(std::vector<Fraction> summands) {
   for (std::size_t i = 0; i < summands.size(); ++i) {
     for (std::size_t k = i + 1; k < summands.size(); ++k) {
@@ -42,7 +42,8 @@ std::vector<Fraction> remove_cancelled(std::vector<Fraction> summands) {
 
 }  // namespace
 
-/// Empty if the summands add up to 0: V = a*x + b*x - (a + b)*x has no force either.
+/// The summands without zeros and cancelling pairs; empty if all summands add up to 0, as for
+/// V = a*x + b*x - (a + b)*x.
 std::vector<Fraction> Equations::nonzero_summands(const std::vector<Fraction>& summands) {
   Value sum = Fraction{};
   for (const Fraction& form : summands) sum = arithmetic_.add(sum, form);
@@ -94,7 +95,7 @@ BookSum Equations::arrange_row(std::vector<Fraction> summands, std::uint32_t own
 
 struct Equations::Linear {
   std::map<std::uint32_t, Fraction> inertia = {};  ///< coefficient of each acceleration
-  Fraction rest = {};                              ///< force - all other terms
+  Fraction rest = {};                              ///< force minus all terms without acceleration
 };
 
 std::optional<Equations::Linear> Equations::linear(const std::optional<EquationRow>& row) {
@@ -118,7 +119,7 @@ std::optional<Equations::Linear> Equations::linear(const std::optional<EquationR
   return result;
 }
 
-/// Divides term by term; the divisor must be a single product.
+/// The acceleration `own`, with each term divided by `inertia`, which must be a single product.
 BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia,
                                  std::uint32_t own) {
   std::vector<Fraction> moving;

@@ -30,7 +30,7 @@ class Equations {
   /// None if a closed form is missing.
   [[nodiscard]] std::optional<EquationRow> row(const ClosedFunction& function);
 
-  /// Arranges each summand separately; empty if they add up to 0.
+  /// Arranges each summand separately; empty if all summands add up to 0.
   [[nodiscard]] BookSum each(const std::vector<Fraction>& summands) {
     return arranger_.factor_out_each(nonzero_summands(summands));
   }
@@ -42,8 +42,8 @@ class Equations {
     return arrange_row(row.inertia, own, row.dissipation);
   }
 
-  /// The acceleration, if its row has no other acceleration, or one other whose row has no third.
-  /// Otherwise none.
+  /// The acceleration `own` as a sum, if its row contains no other acceleration, or one other
+  /// acceleration whose row contains no third acceleration. Otherwise none.
   [[nodiscard]] std::optional<BookSum> solve_acceleration(
       const std::vector<std::optional<EquationRow>>& rows, std::uint32_t own);
 

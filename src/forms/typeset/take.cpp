@@ -13,7 +13,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// A longer sum is written as its name if the model defines one.
+/// A sum with more factors is written by its name if a definition of the model has its value.
 constexpr std::size_t longest_unnamed_sum = 12;
 
 bool is_root_of(const Algebra& algebra, const BookFactor& factor, const Polynomial& radicand) {
@@ -146,7 +146,8 @@ Arranger::SplitSum Arranger::split_sum(Polynomial sum) {
   return result;
 }
 
-/// Extracts c (a + b)^2 with real a and b. For sines the root of the square is i times a real sum.
+/// If rest = c (a + b)^2 with real a and b, extracts the square. For a square of sines, division
+/// gives an imaginary root; it is multiplied by i, and c changes its sign.
 void Arranger::take_square(SplitSum& taken) {
   if (taken.rest.size() < 3 || taken.rest.size() > longest_collected) return;
   const Gaussian lead = taken.rest.rbegin()->second;
@@ -187,7 +188,7 @@ bool Arranger::take_coefficient(SplitSum& taken) {
   return false;
 }
 
-/// front * rest, with the divisors of single terms as divisors of the whole sum.
+/// front * rest, with the divisors of the terms of `rest` as divisors of the product.
 BookProduct Arranger::book_product(const SplitSum& taken) {
   BookProduct result = taken.front;
   if (is_one(taken.rest)) return result;

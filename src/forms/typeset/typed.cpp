@@ -14,9 +14,9 @@ namespace {
 constexpr std::size_t most_sums = 200;
 constexpr std::size_t most_terms_of_a_sum = 30;
 
-/// True if the author of the model wrote the expression of a root. elgen itself adds places, spins
-/// and inertias of points and bodies in frames, reactions, and with frames the equations of
-/// constraints.
+/// True if the author of the model wrote the expression of a root. elgen itself adds the places,
+/// spins and inertias of points and bodies in frames, the reactions, and, in a model with frames,
+/// the equations of constraints.
 bool is_typed_by_author(const Model& model, const Root& root) {
   const auto stands_in_frame = [&](const auto& entries) {
     return entries[root.entity.index].local.has_value();
@@ -32,8 +32,9 @@ bool is_typed_by_author(const Model& model, const Root& root) {
   return true;
 }
 
-/// All energies, definitions, points, bodies, forces and constraints that the author wrote. A sum
-/// that occurs in several of them is typed as in the first, in this order.
+/// All expressions of energies, definitions, points, bodies, forces and constraints that the author
+/// wrote, in this order. If a sum occurs several times, its first occurrence decides how it is
+/// written.
 std::vector<ExpressionId> written_roots(const Model& model) {
   const std::vector<Root> all = roots_of(model);
   std::vector<ExpressionId> written;
@@ -99,7 +100,7 @@ Polynomial long_term(ClosedForms& forms, const Model& model, const FixedParamete
   return is_long ? form->numerator : Polynomial{};
 }
 
-/// For each parameter: true if it has this unit or is a leaf of one of the expressions.
+/// For each parameter: true if its unit is `unit`, or if it is a leaf of one of the expressions.
 std::vector<bool> parameter_flags(const Model& model, const Unit& unit,
                                   const std::vector<ExpressionId>& expressions) {
   std::vector<bool> result;
@@ -191,7 +192,8 @@ class ProductOrder {
     const auto at = std::ranges::find(order_, first);
     const auto other = std::ranges::find(order_, second);
     if (at < other) return;
-    // Unchanged if products place a parameter in between after `second` or before `first`.
+    // The order stays if a typed product requires a parameter between both to follow `second` or to
+    // precede `first`.
     const bool is_bound = std::any_of(other, at, [&](std::uint32_t between) {
       return is_known_[second * order_.size() + between] ||
              is_known_[between * order_.size() + first];
@@ -232,7 +234,7 @@ TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParamete
     if (known == result.sums.end()) {
       result.sums.push_back(std::move(*sum));
     } else if (sum->definition && !known->definition) {
-      *known = std::move(*sum);  // prefer the terms that the name is defined by
+      *known = std::move(*sum);  // prefer the sum that defines a name
     }
   }
   algebra = std::move(forms.algebra);

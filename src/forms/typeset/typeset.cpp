@@ -21,7 +21,7 @@ bool is_written_out(const Function& function) {
   });
 }
 
-/// The function with new entries; without fields if one of them is too long to be read.
+/// `like` with new fields; without fields if an entry is too long to be read.
 template <class Write>
 Function written(const Function& like, const Write& write) {
   Function result = without_body(like);
@@ -38,8 +38,9 @@ Function written(const Function& like, const Write& write) {
   return pruned(result);
 }
 
-/// The limit of terms over exponentials, about twice as many as anyone reads. Longer entries, such
-/// as accelerations of arms and their derivatives, keep the shortest form found by choose.
+/// The most terms of a typeset form, counted as exponentials: about twice as many terms as anyone
+/// reads. Longer entries, such as accelerations of arms and their derivatives, keep the shortest
+/// form that choose found.
 constexpr std::size_t longest_form = 120;
 
 bool is_short(const std::optional<Fraction>& form) {
@@ -51,14 +52,16 @@ const Fraction& readable_form(const std::optional<Fraction>& form) {
   return *form;
 }
 
-/// True if the function is a sum of forces, which is read like an equation, without common factors.
+/// True for an output of forces. It is set like an equation: collected by rates, without common
+/// factors.
 bool is_sum_of_forces(OutputKind kind) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   return fields.size() == 1 && fields.front().type == "Forces<Scalar>";
 }
 
-/// The closed form of a field. Fields that are hidden from readers are missing, and some fields
-/// have no names.
+/// The closed form of field number `place`, if that is its name; otherwise of the first field with
+/// this name. The places differ because fields that readers do not see are missing. Some fields
+/// have no name.
 const ClosedField& closed_field(const std::vector<ClosedField>& fields, std::size_t place,
                                 const std::string& name) {
   if (place < fields.size() && fields[place].name == name) return fields[place];
@@ -130,7 +133,7 @@ class Typesetter {
     });
   }
 
-  /// Writes the lines of one velocity (BookField).
+  /// Writes the fields (BookField) of Lagrange's equation for one velocity.
   Function equation(std::size_t index, std::uint32_t velocity) {
     return written(program_.functions[index], [&](Function& result) {
       BookWriter write(model_, algebra_, typed_, program_, result);
@@ -154,8 +157,8 @@ class Typesetter {
       const auto rows = equation_rows(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
-        // No solution after an expansion, whose dropped terms a quotient would need, and none with
-        // constraints, whose multipliers are unknown.
+        // No solution after an expansion, because a quotient would need the dropped terms. No
+        // solution with constraints, because the multipliers are unknown.
         if (model_.approximation || !model_.constraints.empty()) continue;
         const std::optional<BookSum> solution = equations.solve_acceleration(rows, i);
         if (!solution || written_factors(*solution) > longest_solution) continue;
@@ -240,8 +243,8 @@ Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program p
 
 namespace {
 
-/// Replaces the summands of each field by their sum, over the definitions of the derivation.
-/// Readers see it if there is no closed form.
+/// Replaces the summands of each field by their sum, in terms of the definitions of the derivation.
+/// Pages print this sum if there is no closed form.
 Function add_summands(Program& program, Function function, bool is_velocity) {
   Instructions instructions(function);
   const auto zero = position_of(rational_constant(0), program.constants);

@@ -13,7 +13,7 @@ namespace {
 
 using cln::cl_RA;
 
-/// Powers become repeated factors; nobody reads higher powers.
+/// Powers are written as repeated factors. A higher power is too long for a page.
 constexpr std::int32_t highest_exponent = 1000;
 
 /// Shared divisors with fewer factors get no name.

@@ -23,7 +23,7 @@ class BookWriter {
         function_(function),
         instructions_(function) {}
 
-  Arranger arranger;  ///< also for angles and arguments
+  Arranger arranger;  ///< also arranges angles and arguments
 
   [[nodiscard]] std::uint32_t operator()(const BookSum& sum);
   /// Copies an instruction from another function of the program, with its operands.

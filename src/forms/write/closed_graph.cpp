@@ -52,8 +52,8 @@ std::vector<RealTerm> terms_or_throw(std::optional<std::vector<RealTerm>> terms)
   return std::move(*terms);
 }
 
-/// The terms of a sum. Without `layout.trigonometry`, the coefficient of each product of rates gets
-/// its own shortest form.
+/// The terms of a sum. If `layout.trigonometry` is missing, the coefficient of each product of
+/// rates gets its own shortest form.
 std::vector<RealTerm> terms_of(const Algebra& algebra, const Polynomial& polynomial, Layout layout,
                                std::size_t most) {
   if (layout.trigonometry) {
@@ -69,7 +69,8 @@ std::vector<RealTerm> terms_of(const Algebra& algebra, const Polynomial& polynom
   return all;
 }
 
-/// The factors of one term, in the order in which terms are grouped.
+/// One term, its factors sorted by the levels of Grouping. Unlike a ScaledTerm it keeps the
+/// coefficient as a factor, in `rest`.
 struct TermFactors {
   std::vector<Power> rates = {};
   std::vector<Power> coordinates = {};
@@ -137,8 +138,8 @@ class ClosedGraph {
     return graph_.sum(refs);
   }
 
-  /// Groups terms with equal factors `key`: one product per group, `key` times the sum of the
-  /// remaining factors.
+  /// Collects terms whose factors `key` are equal. Each group gives one product: `key` times the
+  /// sum of the remaining factors.
   Ref sum_of_groups(const std::vector<TermFactors>& terms, std::vector<Power> TermFactors::*key) {
     using Group = std::pair<Ref, std::vector<TermFactors>>;
     std::vector<Group> groups;

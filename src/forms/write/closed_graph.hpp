@@ -16,8 +16,8 @@ enum class Grouping : std::uint8_t {
   by_rates_and_coordinates,  ///< also by the product of coordinates, sines and cosines
 };
 
-/// How a closed form is written. Without `trigonometry`, the coefficient of each product of rates
-/// gets its own shortest form.
+/// How a closed form is written. If `trigonometry` is missing, the coefficient of each product of
+/// rates gets its own shortest form.
 struct Layout {
   std::optional<Trigonometry> trigonometry = {};
   Grouping grouping = Grouping::none;
@@ -28,8 +28,9 @@ struct Layout {
 /// True for parameters and pi.
 [[nodiscard]] bool is_parameter(const Atom& atom);
 
-/// Splits a sum by the roots in its terms. Each part gets its own denominator: (a sqrt(r) + b
-/// r)/r^2 = a sqrt(r)/r^2 + b/r.
+/// Splits a sum by the roots in its terms. Each part gets its own denominator:
+///
+///     (a sqrt(r) + b r)/r^2   ->   a sqrt(r)/r^2,   b/r
 [[nodiscard]] std::vector<Fraction> split_by_roots(const Algebra& algebra, const Fraction& form);
 
 /// None if a sum of the form has more than `most` terms.

@@ -1,6 +1,6 @@
 // digit_rows: see digit_rows.hpp. The term of a row with the most calls is matched first. Its calls
-// determine the letters, and the remaining factors are the common factor. The other terms are then
-// known, or they determine further letters.
+// determine letters, and its remaining factors are the common factor of the row. Each other term is
+// then known completely, or determines a further letter.
 #include "forms/write/digit_rows.hpp"
 
 #include <algorithm>
@@ -117,7 +117,8 @@ class RowMatcher : protected RowWriter {
     return found;
   }
 
-  /// Matches a^n or sqrt(a) and sets the letter; false if the value is no such power or root.
+  /// Matches a^n or sqrt(a) and sets the letter; false if the value is not an n-th power or not a
+  /// root.
   bool match_root(const Operand& pattern, const ScaledTerm& value, Letters& letters) {
     std::optional<Ref>& letter = letters[*letter_of(pattern.node)];
     if (digit_patterns().graph.node(pattern.node).kind == NodeKind::leaf) {
@@ -173,8 +174,8 @@ class RowMatcher : protected RowWriter {
     }
   }
 
-  /// True if the value is the call in the pattern and its argument fits; sets the letter if it is
-  /// free.
+  /// True if `value` calls the function of the pattern, with the argument that the letter already
+  /// has. A letter without a value is set to the argument.
   bool match_call(NodeId pattern, NodeId value, Letters& letters) const {
     const Node& wanted = digit_patterns().graph.node(pattern);
     const Node& node = graph_.node(value);
@@ -258,7 +259,8 @@ class RowsOfSum : RowMatcher {
     return false;
   }
 
-  /// Rewrites c - c_1 cos(x_1) - c_2 cos(x_2) - ... if c is the sum of all c_i, or slightly more.
+  /// Rewrites c - c_1 cos(x_1) - c_2 cos(x_2) - ... if the sum of all c_i is at
+  /// least 7/8 of c and at most c.
   bool replace_units() {
     std::vector<UnitTerm> all;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -298,7 +300,7 @@ class RowsOfSum : RowMatcher {
       chosen = {*alone};
       total = constant;
     }
-    // If the c_i are less than 7/8 of c, fewer than three bits cancel.
+    // If the sum of the c_i is less than 7/8 of c, fewer than three bits cancel.
     const cl_RA share = total / constant;
     if (share * 8 < 7 || share > 1) return false;
     for (const UnitTerm* unit : chosen) {

@@ -28,7 +28,7 @@ struct DigitRow {
 
 /// A row as terms over a graph in which the letters are coordinates.
 struct DigitPattern {
-  std::vector<ScaledTerm> terms = {};  ///< the term to be matched first is first
+  std::vector<ScaledTerm> terms = {};  ///< the term with the most calls is first
   std::uint64_t functions = 0;         ///< called by the first term, as a bit set
   Ref to = {};
   RowCondition condition = RowCondition::always;
@@ -53,8 +53,8 @@ struct DigitPatterns {
 /// The functions that a term calls, as a bit set.
 [[nodiscard]] std::uint64_t functions_of(const Graph& graph, const ScaledTerm& term);
 
-/// Replaces the terms of a row with calls, or several unit terms that share one constant. False if
-/// no row matches.
+/// Replaces terms that match a row with calls, or several terms with one call each that share one
+/// constant. False if no row matches.
 [[nodiscard]] bool replace_by_row(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms);
 
 /// Rewrites x + y by a row without calls; none if no row matches.

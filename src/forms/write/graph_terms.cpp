@@ -31,7 +31,7 @@ std::vector<Ref> GraphTerms::parts_of(const std::vector<Ref>& values) {
   return parts;
 }
 
-/// A sum counts as a single factor.
+/// Like scaled(), but a sum is a single factor.
 ScaledTerm GraphTerms::as_factors(Ref value) const {
   if (graph_.node(value.node).kind != NodeKind::sum) return scaled(value);
   return {value.negative ? -1 : 1, {{value.node, 1}}};

@@ -10,7 +10,8 @@
 
 namespace elgen {
 
-/// coefficient * product of factors
+/// coefficient * product of factors, which are nodes of a Graph; a RealTerm has atoms of an Algebra
+/// instead.
 struct ScaledTerm {
   cln::cl_RA coefficient = 1;
   std::vector<Operand> factors = {};  ///< weight: the exponent
@@ -39,8 +40,9 @@ class GraphTerms {
   Ref sum(const std::vector<Ref>& values);
   /// The terms of sum().
   std::vector<Ref> parts_of(const std::vector<Ref>& values);
-  /// The sum, with squares of sums expanded if the result has no more terms: (R + x)^2 - R^2 = 2 R
-  /// x + x^2.
+  /// The sum, with squares of sums expanded if the result has no more terms:
+  ///
+  ///     (R + x)^2 - R^2   ->   2 R x + x^2
   Ref short_sum(const std::vector<Ref>& values);
   /// The terms of the sum, with all sums and squares of sums in it expanded. None if there are more
   /// than `most`.
@@ -50,14 +52,14 @@ class GraphTerms {
   Ref call(FunctionId function, Ref x) { return graph_.call(function, {x}); }
   Ref doubled(Ref x) { return times(graph_.rational(2), x); }
   Ref square(Ref x) { return graph_.product({{x, 2}}); }
-  /// Nested sums are flattened.
+  /// The terms of a sum, with nested sums flattened.
   std::vector<Ref> terms_of(NodeId sum) const;
   [[nodiscard]] std::size_t term_count(Ref value) const;
   /// True for a product with a sum, or the square of a sum, as a factor.
   [[nodiscard]] bool has_bracket(Ref value) const;
   /// True for a sum with the term 1.
   [[nodiscard]] bool has_term_one(Ref value) const;
-  /// Nested products are flattened.
+  /// The value as coefficient and factors, with nested products flattened.
   [[nodiscard]] ScaledTerm scaled(Ref value) const;
   /// Removes the common factors from x and y, and returns them.
   static std::vector<Operand> take_shared(ScaledTerm& x, ScaledTerm& y);
@@ -65,11 +67,11 @@ class GraphTerms {
   Ref product(const ScaledTerm& term) { return product(term.coefficient, term.factors); }
   /// x with x^degree = term, if the coefficient and all factors have such roots; otherwise none.
   std::optional<Ref> exact_root(ScaledTerm term, std::int32_t degree);
-  /// True if a term depends on parameters only. The sum is then not 0 when its other terms vanish,
-  /// so it may be a divisor.
+  /// True if a term contains only parameters. The sum then does not vanish when all its other terms
+  /// vanish, so it may be a divisor.
   [[nodiscard]] bool has_parameter_term(Ref value) const;
-  /// True if the value has branches, and so may vanish on one side of one, as |x| - x does. Roots
-  /// of numbers have none.
+  /// True if the value contains a function with branches, or a root of anything but a number. It
+  /// may then vanish on one side of a branch, as |x| - x does.
   [[nodiscard]] bool has_branches(Ref value) const;
 
  protected:

@@ -2,10 +2,11 @@
 //
 //     A + (C - A) cos(x)^2   ->   A sin(x)^2 + C cos(x)^2        1 - cos(x)   ->   2 sin(x/2)^2
 //
-// The coefficient of one product of other atoms is a sum of e^(i k x). Let c = cos x, s = sin x,
-// and d the largest k of the sum. Then e^(i k x) = (c + i s)^((d + k)/2) (c - i s)^((d - k)/2) has
-// d factors for every k. If both even and odd k occur, x/2 replaces x. Two sines, or two cosines,
-// of different angles become one product:
+// Terms are grouped by the product of their atoms that are not exponentials. The coefficient of
+// each such product is a sum of e^(i k x). Let c = cos x, s = sin x, and d the largest k of the
+// sum. Then e^(i k x) = (c + i s)^((d + k)/2) (c - i s)^((d - k)/2) has d factors for every k. If
+// both even and odd k occur, x/2 replaces x. Two sines, or two cosines, of different angles become
+// one product:
 //
 //     sin(x) + sin(y)   ->   2 sin((x + y)/2) cos((x - y)/2)
 #include <algorithm>
@@ -20,11 +21,12 @@ namespace {
 /// Sums of a higher degree are too long to read, and gain nothing.
 constexpr std::int32_t highest_degree = 8;
 
-/// Multiple of a direction -> coefficient of its exponential. Of each conjugate pair, only the
-/// positive multiple is stored.
+/// Multiple of a direction -> coefficient of its exponential. Only the positive multiple of each
+/// conjugate pair is stored.
 using Multiples = std::map<std::int32_t, Gaussian>;
 
-/// The coefficient of one product of other atoms.
+/// The coefficient of one product of atoms that are not e^(i k x): a constant plus multiples of
+/// these exponentials.
 struct Factor {
   cln::cl_RA constant = 0;
   std::map<Monomial, Multiples, MonomialLess> directions = {};
@@ -43,7 +45,7 @@ Factors factors_of(const Algebra& algebra, const Polynomial& sum) {
       factor.directions[direction(angle)][common_divisor(angle)] = coefficient;
     }
   }
-  // With a single direction, the constant becomes its multiple 0.
+  // If there is only one direction, the constant is stored as its multiple 0.
   for (auto& [powers, factor] : factors) {
     if (factor.directions.size() != 1 || cln::zerop(factor.constant)) continue;
     factor.directions.begin()->second[0] = {factor.constant / 2, 0};
@@ -52,8 +54,8 @@ Factors factors_of(const Algebra& algebra, const Polynomial& sum) {
   return factors;
 }
 
-/// The largest base such that all multiples/base are even integers, or all are odd; 0 if the base
-/// is not an integer.
+/// The largest base such that all multiples/base are even integers, or all are odd integers; 0 if
+/// no integer is such a base.
 std::int32_t base_angle(const Multiples& multiples) {
   std::int32_t base = whole_angle;
   for (const auto& [multiple, coefficient] : multiples) base = std::gcd(base, multiple);
@@ -63,7 +65,7 @@ std::int32_t base_angle(const Multiples& multiples) {
   return base % 2 == 0 ? base / 2 : 0;
 }
 
-/// 2 Re sum(coefficient e^(i multiple)), homogeneous in the cosine and sine of the base.
+/// 2 Re sum(coefficient e^(i multiple)), homogeneous in the sine and cosine of the base angle.
 TwoPowers homogeneous(const Multiples& multiples, std::int32_t base) {
   const std::int32_t degree = multiples.rbegin()->first / base;
   TwoPowers result;
@@ -89,7 +91,8 @@ struct Sinusoid {
   bool is_sine = false;
 };
 
-/// The sine or cosine of a direction, if it has only one; otherwise none.
+/// The sine or cosine at the only multiple of a direction. None if there are several multiples, or
+/// both a sine and a cosine.
 std::optional<Sinusoid> sinusoid_of(const Monomial& direction, const Multiples& multiples) {
   if (multiples.size() != 1) return std::nullopt;
   const auto& [multiple, coefficient] = *multiples.begin();
@@ -99,8 +102,10 @@ std::optional<Sinusoid> sinusoid_of(const Monomial& direction, const Multiples& 
                   is_sine ? coefficient.imaginary * -2 : coefficient.real * 2, is_sine};
 }
 
-/// Two sines or cosines that may cancel, as one product: sin x + sin y = 2 sin((x + y)/2) cos((x -
-/// y)/2), and the same for differences and cosines.
+/// Two sines or two cosines with equal or opposite coefficients, as one product; none otherwise.
+/// Example:
+///
+///     sin x + sin y = 2 sin((x + y)/2) cos((x - y)/2)
 std::optional<RealTerm> product_of_sinusoids(const Monomial& powers, const Factor& factor) {
   if (factor.directions.size() != 2 || !cln::zerop(factor.constant)) return std::nullopt;
   const auto x = sinusoid_of(factor.directions.begin()->first, factor.directions.begin()->second);

@@ -1,5 +1,5 @@
 // kept_digits: see kept_digits.hpp. Tries sums of powers, triangles, rows of digit_rows.def, pairs
-// and conjugates of roots, in this order; for logarithms log1p.
+// and conjugates of roots, in this order. Logarithms are rewritten by log1p.
 #include "forms/write/kept_digits.hpp"
 
 #include <algorithm>
@@ -17,8 +17,8 @@ using cln::cl_RA;
 
 /// Longer sums are not rewritten in pairs.
 constexpr std::size_t most_terms_in_pairs = 24;
-/// Sums in a rewriting are rewritten again up to this depth; (r^6 - s^6)/r^6 takes four. Without a
-/// limit, sums of quotients may grow forever.
+/// Sums in a rewriting are rewritten again, up to this depth; (r^6 - s^6)/r^6 needs four levels.
+/// Without a limit, sums of quotients may grow forever.
 constexpr int deepest = 6;
 
 /// root + rest = (root^2 - rest^2)/(root - rest)
@@ -26,7 +26,7 @@ class Conjugates : GraphTerms {
  public:
   Conjugates(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
 
-  /// Rewrites a sum with exactly one term with a root, if root^2 - rest^2 has fewer terms than
+  /// Rewrites a sum in which exactly one term has a root, if root^2 - rest^2 has fewer terms than
   /// root^2, or has squares to be factored.
   std::optional<Ref> operator()(const std::vector<Ref>& terms) {
     const auto is_root = [&](Ref term) { return has_root(term); };
@@ -46,10 +46,10 @@ class Conjugates : GraphTerms {
            });
   }
 
-  /// None if the numerator has branches: if it vanishes on one side, so does the divisor, as in
-  /// sqrt(x^2) + x.
+  /// None if the numerator has branches: numerator and divisor may then vanish together on one
+  /// side, as in sqrt(x^2) + x.
   std::optional<Ref> conjugate(Ref root, Ref rest) {
-    // A number with the sign of the root does not cancel it.
+    // A number with the same sign as the root does not cancel the root.
     if (graph_.is_rational(rest.node) && rest.negative == root.negative) return std::nullopt;
     Ref raised = square_of_root(root);
     Ref numerator = sum({raised, -square(rest)});
@@ -132,7 +132,8 @@ class SumRewriter : GraphTerms {
   }
 
  private:
-  /// log(a/b) = log(a) - log(b), if a + b is a positive number: both are then positive.
+  /// log(a/b) = log(a) - log(b), if a + b is a positive number. a and b are then both positive,
+  /// because a/b is positive.
   std::optional<Ref> difference_of_logarithms(Ref argument) {
     const ScaledTerm term = scaled(argument);
     if (term.coefficient != 1 || term.factors.size() != 2) return std::nullopt;
@@ -148,7 +149,11 @@ class SumRewriter : GraphTerms {
     return graph_.sum({log_a, -logarithm(b).value_or(call(FunctionId::log, b))});
   }
 
-  /// Finds a triangle in a (a - 2 b cos(c)) + b^2; b may be a sum.
+  /// Replaces a triangle (replace_triangle) in the expanded terms, for example in
+  ///
+  ///     a (a - 2 b cos(c)) + b^2
+  ///
+  /// with a sum b. None if there is no triangle.
   std::optional<Ref> triangle_in(const std::vector<Ref>& terms) {
     std::vector<Ref> all = parts_of(terms);
     const bool is_found = replace_triangle(graph_, keeping_, all);

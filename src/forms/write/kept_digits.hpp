@@ -13,8 +13,8 @@
 
 namespace elgen {
 
-/// `factored`: also factor differences of squares, a^2 - b^2 = (a - b) (a + b). This hides the
-/// pattern 1/sqrt(1 - a^2) - 1.
+/// `factored`: differences of squares are factored too: a^2 - b^2 = (a - b) (a + b). The pattern
+/// 1/sqrt(1 - a^2) - 1 is then no longer recognised.
 enum class Squares : std::uint8_t { whole, factored };
 
 /// How sums are rewritten, and the depth of nested rewritings.
@@ -37,10 +37,11 @@ struct RewriteOptions {
 /// Rewrites one sum in its graph; none if nothing is rewritten.
 [[nodiscard]] std::optional<Ref> rewrite_sum(Graph& graph, RewriteOptions keeping, Ref value);
 
-/// Replaces calls by other calls of the same argument that keep digits; none if there are none:
+/// Replaces calls that other calls in the expressions give without cancellation; none if there are
+/// no such calls:
 ///
-///     expm1(a), exp(a)                  1 + expm1(a) for exp(a)
-///     sin(a/2), sin(a), cos(a)          2 sin(a/2) cos(a/2) and 1 - 2 sin(a/2)^2 for the others
+///     expm1(a), exp(a)                 exp(a) = 1 + expm1(a)
+///     sin(a/2), sin(a), cos(a)         sin(a) = 2 sin(a/2) cos(a/2), cos(a) = 1 - 2 sin(a/2)^2
 [[nodiscard]] std::optional<Expressions> with_fewer_calls(const Expressions& expressions);
 
 }  // namespace elgen

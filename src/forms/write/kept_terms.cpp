@@ -1,5 +1,5 @@
-// kept_terms: see kept_terms.hpp; sums of powers are in square_free.cpp. A pair is first tried as a
-// crank, then by rows of digit_rows.def, then as quotients.
+// kept_terms: see kept_terms.hpp; sums of powers are in square_free.cpp. A pair of terms is first
+// tried as a crank, a^2 - b^2 sin(c)^2, then by rows of digit_rows.def, then as quotients.
 #include "forms/write/kept_terms.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ class TriangleSearch : GraphTerms {
  public:
   TriangleSearch(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
 
-  /// Replaces three terms that form a triangle by one; false if no three do.
+  /// Replaces three terms that form a triangle by one; false if no three terms do.
   bool replace_one(std::vector<Ref>& terms) {
     std::vector<ScaledTerm> parts;
     for (const Ref term : terms) parts.push_back(scaled(term));
@@ -49,8 +49,9 @@ class TriangleSearch : GraphTerms {
   }
 
  private:
-  /// Keys add as products multiply. The keys of C a^2 and C b^2 therefore sum to twice the key of C
-  /// a b, which rules out most triples of a long sum. Cubes of node numbers seldom agree by chance.
+  /// The key of a product is the sum of the keys of its factors. The keys of C a^2 and C b^2
+  /// therefore add up to twice the key of C a b, which rules out most triples of a long sum. Keys
+  /// contain cubes of node numbers, because sums of cubes seldom agree by chance.
   static std::uint64_t key_of(const std::vector<Operand>& factors) {
     std::uint64_t key = 0;
     for (const auto& [node, weight] : factors) {
@@ -60,13 +61,13 @@ class TriangleSearch : GraphTerms {
     return key;
   }
 
-  /// The condition on the coefficients of C a^2, C b^2 and 2 C a b.
+  /// True if the coefficients can be the coefficients of C a^2, C b^2 and ±2 C a b.
   static bool may_be_triangle(const ScaledTerm& first, const ScaledTerm& second,
                               const ScaledTerm& mixed) {
     return first.coefficient * second.coefficient * 4 == mixed.coefficient * mixed.coefficient;
   }
 
-  /// `mixed` is -2 C a b or +2 C a b; with + the cosine of c/2 replaces the sine.
+  /// `mixed` is -2 C a b or +2 C a b. With +, the cosine of c/2 replaces the sine.
   std::optional<Ref> combine_triangle(ScaledTerm first, ScaledTerm second, const ScaledTerm& mixed,
                                       Ref angle) {
     const cl_RA common = first.coefficient;
@@ -97,7 +98,7 @@ class TriangleSearch : GraphTerms {
   RewriteOptions keeping_;
 };
 
-/// A term as a quotient.
+/// A term as a quotient; all exponents are positive.
 struct Ratio {
   ScaledTerm top = {};
   ScaledTerm bottom = {};
@@ -157,8 +158,8 @@ class PairRewriter : GraphTerms {
     std::erase_if(x.factors, [](const Operand& factor) { return factor.weight == 0; });
   }
 
-  /// a/b - c/d = (a d - b c)/(b d), if that is shorter or the pair is 1/b - 1/d or 1 - a/b. The
-  /// numerator is rewritten in turn.
+  /// a/b - c/d = (a d - b c)/(b d), if this is shorter, or if the pair is 1/b - 1/d or 1 - a/b. The
+  /// numerator is rewritten in the same way.
   std::optional<Ref> combine_quotients(const ScaledTerm& x, const ScaledTerm& y) {
     const Ratio first = ratio_of(x);
     const Ratio second = ratio_of(y);

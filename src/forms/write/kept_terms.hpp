@@ -16,9 +16,9 @@ namespace elgen {
 ///     before    C a^2 + C b^2 - 2 C a b cos(c)
 ///     after     C ((a - b)^2 + 4 a b sin(c/2)^2)
 ///
-/// With Squares::apart it is C ((a - b)^2 cos(c/2)^2 + (a + b)^2 sin(c/2)^2), which keeps all
-/// digits for any signs of a and b. For + 2 C a b cos(c), the sine and the cosine of c/2 are
-/// exchanged. Replaces three matching terms by one; false if no three match.
+/// With Squares::factored the result is C ((a - b)^2 cos(c/2)^2 + (a + b)^2 sin(c/2)^2), which
+/// keeps all digits for any signs of a and b. For + 2 C a b cos(c), the sine and the cosine of c/2
+/// are exchanged. Replaces three matching terms by one; false if no three terms match.
 [[nodiscard]] bool replace_triangle(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms);
 
 /// Combines two terms of a sum by rows without calls, or by rewritings that rows cannot express:
@@ -26,18 +26,20 @@ namespace elgen {
 ///     before    1/a - 1/b        a^2 - b^2 sin(c)^2
 ///     after     (b - a)/(a b)    (a - b) (a + b) + b^2 cos(c)^2
 ///
-/// The second applies to sums of exactly two terms, with Squares::apart. None if nothing applies.
+/// The second rewriting applies only to sums of exactly two terms, with Squares::factored. None if
+/// no rewriting applies.
 [[nodiscard]] std::optional<Ref> rewrite_pair(Graph& graph, RewriteOptions keeping,
                                               const std::vector<ScaledTerm>& terms,
                                               std::size_t first, std::size_t second);
 
-/// Factors a sum of 3 to 30 terms with a repeated factor, which is a common divisor with the
-/// derivative by one coordinate. Factors the whole sum, or its terms with only one coordinate:
+/// Factors a sum of 3 to 30 terms with a repeated factor. Such a factor divides both the sum and
+/// its derivative by one coordinate. Factors the whole sum, or only its terms without other
+/// coordinates:
 ///
 ///     before    x^4 - 2*a^2*x^2 + a^4      1/r^2 - 2/(p*r) + 1/p^2
 ///     after     (x^2 - a^2)^2              (r - p)^2/(p^2*r^2)
 ///
-/// Bases are rewritten in turn.
+/// The base of each power is rewritten in the same way. None if no factor is repeated.
 [[nodiscard]] std::optional<Ref> square_free(Graph& graph, RewriteOptions keeping,
                                              const std::vector<Ref>& terms);
 

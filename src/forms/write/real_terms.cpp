@@ -1,5 +1,5 @@
 // real_terms: see real_terms.hpp. (cos + i sin)^k is expanded and reduced by sin^2 + cos^2 = 1 in
-// the requested direction. Of each conjugate pair of exponentials, only one is visited.
+// the requested direction. Only one exponential of each conjugate pair is read.
 #include "forms/write/real_terms.hpp"
 
 #include <algorithm>
@@ -54,11 +54,12 @@ TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
 /// exponential give 2^k products, and almost all of them cancel.
 constexpr std::size_t work_per_term = 64;
 
-/// cos(24 x) is a sum of 13 powers, far longer than the call, and the work grows with the cube.
+/// The highest power of a sine or cosine. cos(24 x) is a sum of 13 powers, far longer than the
+/// call, and the work grows with the cube of the power.
 constexpr std::int32_t most_powers = 24;
 
-/// Interned products of sines and cosines: exponentials have mostly the same products, so each is
-/// stored once, as a shorter product times one power. Number 0 is the empty product.
+/// Products of sines and cosines, numbered. Most exponentials have the same products, so each
+/// product is stored once, as a shorter product times one power. Number 0 is the empty product.
 class CircularProducts {
  public:
   std::size_t number_of(const CircularPower& power) {
@@ -271,7 +272,7 @@ std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra, const Po
   for (const auto& [monomial, coefficient] : sum) {
     if (terms.highest_power(monomial) > most_powers) return std::nullopt;
     terms.add(monomial, coefficient);
-    // Later terms may cancel some terms, but not most of them.
+    // Later terms may cancel some of the terms so far, but not most of them.
     if (terms.size() > 4 * most || terms.work() > work_per_term * most) return std::nullopt;
   }
   if (terms.size() > most) return std::nullopt;

@@ -7,8 +7,10 @@
 //       homogeneous       m sin(theta)^2
 //
 // In the homogeneous form, all terms with the same other factors have the same number of sines and
-// cosines. So A + (C - A) cos(theta)^2 is A sin(theta)^2 + C cos(theta)^2, and 1 - cos(theta) is 2
-// sin(theta/2)^2: nothing cancels when one of them is 1.
+// cosines, so that nothing cancels when a sine or cosine is 1:
+//
+//     A + (C - A) cos(theta)^2   ->   A sin(theta)^2 + C cos(theta)^2
+//     1 - cos(theta)             ->   2 sin(theta/2)^2
 //
 // "directions" treat q1 + q2 as one angle; "units" expand it into functions of q1 and q2.
 #pragma once
@@ -33,14 +35,14 @@ enum class Trigonometry : std::uint8_t {
   homogeneous,
 };
 
-/// The forms that people write.
+/// The forms that people write; the homogeneous form is only for code.
 inline constexpr std::array trigonometries{
     Trigonometry::multiple_angles, Trigonometry::directions_by_sines,
     Trigonometry::directions_by_cosines, Trigonometry::units_by_sines,
     Trigonometry::units_by_cosines};
 
-/// cos(angle)^cosine sin(angle)^sine. The angle is the sum of exponent/divisor * argument over its
-/// circular atoms.
+/// cos(angle)^cosine sin(angle)^sine. The angle is the sum of exponent * argument / divisor over
+/// the circular atoms of the monomial.
 struct CircularPower {
   Monomial angle = {};
   std::int32_t cosine = 0;
@@ -48,9 +50,10 @@ struct CircularPower {
   friend auto operator<=>(const CircularPower&, const CircularPower&) = default;
 };
 
+/// A term with real sines and cosines, in place of the complex exponentials of a Polynomial.
 struct RealTerm {
   cln::cl_RA coefficient = 0;
-  Monomial powers = {};  ///< of all other atoms
+  Monomial powers = {};  ///< of atoms that are not exponentials
   std::vector<CircularPower> circular = {};
   friend bool operator<(const RealTerm& x, const RealTerm& y) {
     return std::tie(x.coefficient, x.powers, x.circular) <
@@ -58,13 +61,14 @@ struct RealTerm {
   }
 };
 
-/// Lengths that a call, and a multiple of an angle, add to the written text. sin(2*x)/2 is not
-/// shorter than sin(x)*cos(x), whose factors occur elsewhere too. With multiple_length = 0 the code
-/// of models/ is 4 % dearer, with 2 it is 2.5 % dearer; with 20 the entries are 3 % longer.
+/// The lengths that written_length() adds for a call, and for a multiple of an angle. They make
+/// sin(2*x)/2 no shorter than sin(x)*cos(x), whose factors also occur elsewhere. With
+/// multiple_length = 0 the code of models/ is 4 % dearer, with 2 it is 2.5 % dearer; with 20 the
+/// entries are 3 % longer.
 inline constexpr std::size_t call_length = 2;
 inline constexpr std::size_t multiple_length = 5;
 
-/// The length of the written terms: factors, signs and calls.
+/// Counts the factors, signs and calls of the written terms.
 [[nodiscard]] std::size_t written_length(const Algebra& algebra,
                                          const std::vector<RealTerm>& terms);
 

@@ -1,5 +1,5 @@
 // rewritings: see rewritings.hpp. Two rewritings are compared as one function with two entries, so
-// that common subexpressions, sines above all, are evaluated once.
+// that common subexpressions, most often sines, are evaluated once.
 #include "forms/write/rewritings.hpp"
 
 #include <algorithm>
@@ -15,8 +15,8 @@
 namespace elgen {
 namespace {
 
-/// Nested functions are short with shared subexpressions, but their written length doubles per
-/// level. Without a limit the pages of models/ are the same.
+/// Longer rewritings are dropped. Nested functions are short if subexpressions are shared, but
+/// their written length doubles with each level. Without a limit the pages of models/ are the same.
 constexpr std::size_t longest_written = 5'000;
 
 class Lengths {
@@ -156,8 +156,8 @@ std::vector<Written> candidates(const Algebra& algebra, const Fraction& form) {
 
 using NodeSet = std::set<NodeId>;
 
-/// The leaves of every angle that is rounded before its sine or cosine is computed. x - y and 2 x -
-/// 2 y give the same leaves.
+/// For every angle that is rounded before its sine or cosine is computed: the set of its leaves,
+/// which is the same for x - y and 2 x - 2 y.
 std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
   std::set<NodeSet> angles;
   for (const NodeId id : reachable(graph, {value})) {
@@ -172,8 +172,9 @@ std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
   return angles;
 }
 
-/// True if `rewriting` has sines of sums that the reference expands: q1 - q2 is rounded, q1 and q2
-/// are not. Few points show this error: the angles must be large and the other terms small.
+/// True if `rewriting` has sines of sums that the reference expands: q1 - q2 is rounded, but q1 and
+/// q2 are not. Few points show this error, because the angles must be large and the other terms
+/// small.
 bool rounds_more_angles(const Expressions& rewriting, const Expressions& reference) {
   Graph both;
   const Ref own = copy_value(both, rewriting);
@@ -198,7 +199,7 @@ Real admitted_error(const Running<Real>& x) {
 /// shortest rewriting: 1000 gives the same pages for models/; 20 makes some longer.
 constexpr std::size_t longest_derived = 60;
 
-/// The shortest rewriting that is as precise as `judge`, whose error bound the code must meet.
+/// The shortest rewriting that is as precise as `judge`, the readable form.
 const Collected& shortest_precise(std::vector<const Collected*> rewritings, const Collected& judge,
                                   const Points& points) {
   std::ranges::stable_sort(rewritings, {}, [](const Collected* x) { return x->length; });

@@ -1,12 +1,12 @@
-// rewritings: the forms of a closed form with common factors collected, and the shortest of them,
-// the readable form.
+// rewritings: forms of a value with common factors collected. The shortest of them is the readable
+// form.
 //
 // Candidates are written in multiple angles, or with sin^2 replaced by cos^2 or the reverse, each
 // with common factors collected. The entry as derived is a candidate if it is short and loses no
 // digits, since it has no terms that cancel on paper. The shortest form has the fewest signs and
 // calls; on a tie the earlier one. A form collected by rates, or by rates and coordinates, as in
-// textbooks, is preferred if it is little longer. The code is judged by the readable form, so a
-// shorter form is emitted only if it is as precise.
+// textbooks, is preferred if it is little longer. Readers judge the code by the readable form, so a
+// shorter form is emitted only if it is as precise as the readable form.
 #pragma once
 
 #include <optional>
@@ -46,32 +46,32 @@ struct Rewritings {
 [[nodiscard]] Collected derived_rewriting(const Expressions& derived);
 
 /// Rewritings with homogeneous terms (real_terms.hpp), in which nothing cancels when the square of
-/// a sine or cosine is 1. They are longer, and for code only.
+/// a sine or cosine is 1. They are longer than other rewritings, and only for code.
 [[nodiscard]] std::vector<Collected> precise_rewritings(const Algebra& algebra,
                                                         const Fraction& form);
 
 /// True if the error of `rewriting` is at most three times the error of `reference`, or at most 8
-/// |x|, which every judge accepts. Errors are first-order running errors, at all points with a
-/// value x of `reference`; false if there is no such point. Another order of the terms of one sum
-/// at most doubles its error, and cancellation exceeds any factor.
+/// |x|, which is always accepted. Errors are first-order running errors. They are compared at all
+/// points at which `reference` has a value x; false if there is no such point. The factor three
+/// admits every reordering of a sum, which at most doubles its error, but no cancellation.
 [[nodiscard]] bool is_as_precise(const Expressions& rewriting, const Expressions& reference,
                                  const Points& points, Leaves leaves);
 
-/// One value in two forms, each over its own graph.
+/// The forms of one entry, each over its own graph.
 struct ReadableForm {
   Expressions readable = {};
-  Expressions compact = {};              ///< shortest form that is as precise, readable or not
-  std::size_t length = 0;                ///< length of the readable form
-  bool is_shortest = false;              ///< the readable form is also the compact one
-  bool is_rewritten = false;             ///< code must be the compact form: the other loses digits
-  double loss = 0;                       ///< loss of the compact form (text_errors.hpp)
+  Expressions compact = {};   ///< shortest form that is as precise as `readable`
+  std::size_t length = 0;     ///< length of the readable form
+  bool is_shortest = false;   ///< the readable form is also the compact one
+  bool is_rewritten = false;  ///< the code must use `compact`, because `readable` loses digits
+  double loss = 0;            ///< loss of the compact form (text_errors.hpp)
   std::optional<Expressions> kept = {};  ///< a longer form with the digits that `compact` loses
 };
 
 using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< entries of all fields
 
-/// The shortest candidate, and the shortest one that is as precise. None without candidates.
-/// `derived` may be null.
+/// The shortest candidate becomes the readable form. The shortest candidate that is as precise as
+/// the readable form becomes the compact form. None without candidates. `derived` may be null.
 [[nodiscard]] std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
                                                    const Collected* derived, const Points& points);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_terms_of_polynomial = 30;
 
 /// Limits of the terms of intermediate polynomials, and of products of terms. Sums that have a
-/// repeated factor by design need a tenth of them.
+/// repeated factor by design need a tenth of these limits.
 constexpr std::size_t most_terms_on_the_way = 200;
 constexpr std::size_t most_products = 50'000;
 
@@ -123,7 +123,8 @@ struct RepeatedFactor {
   std::int32_t exponent = 1;
 };
 
-/// x as a product, its content among the factors; none if no factor is repeated.
+/// The factors of x with their exponents; the content of x is one of them. None if no factor is
+/// repeated.
 std::optional<std::vector<RepeatedFactor>> repeated_factors(const Polynomial& x, AtomId atom) {
   Divisors divisors;
   const Polynomial simple = substitute_numbers(x, atom);
@@ -199,7 +200,7 @@ class SquareFree : GraphTerms {
     return graph_.product(powers);
   }
 
-  /// Factors the terms without other variables; the other terms are added unchanged.
+  /// Factors the terms whose only variable is `atom`; the other terms are added unchanged.
   std::optional<Ref> factor_group(const Polynomial& all, AtomId atom) {
     Polynomial group;
     Polynomial others;
