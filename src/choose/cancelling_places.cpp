@@ -3,8 +3,8 @@
 //     before    F*sqrt((x - a)^2 + y^2)
 //     after     x near a and -a, x near 0, y near 0
 //
-// Folds the text into sums of numbers and of multiples of a coordinate, its square, or a root,
-// inverse or function of a sum. All other terms are opaque.
+// Reads the function as nested sums. A term of a sum is a number, or a number times a coordinate,
+// its square, or a root, inverse or function of such a sum. All other terms are opaque.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -22,14 +22,15 @@ constexpr double places_of_sines[]{half_turn, half_turn / 2, -half_turn / 2, -ha
 /// The maximal nesting of functions, roots and inverses that is searched.
 constexpr int deepest = 3;
 
-/// A longer sum is opaque: it hardly vanishes because two of its terms cancel.
+/// Longer sums are opaque: two cancelling terms seldom make them vanish.
 constexpr std::size_t most_parts = 8;
 
 struct SumPart;
 using SumParts = std::vector<SumPart>;
 
-/// One term of a sum: a number `factor`, factor * x or factor * x^2 of a coordinate x, or factor
-/// times a root, inverse or function of a sum; or opaque.
+/// One term of a sum, in doubles because it only serves to find zeros (ScaledTerm and RealTerm are
+/// exact): a number `factor`, factor * x or factor * x^2 of a coordinate x, or factor times a root,
+/// inverse or function of a sum; or opaque.
 struct SumPart {
   enum class Kind : std::uint8_t { number, linear, square, root, inverse, call, opaque };
   Kind kind = Kind::opaque;
@@ -160,8 +161,8 @@ class PlaceSearch {
     return !domain_.model.coordinates[coordinate].rotation;
   }
 
-  /// Adds places at which two angles are equal, because sums of products of their sines and cosines
-  /// cancel there; then the multiples of pi/2.
+  /// Adds places at which two angles are equal: sums of products of their sines and cosines cancel
+  /// there. Then adds the multiples of pi/2.
   void add_angles(const std::vector<bool>& is_angle) {
     for (std::uint32_t i = 0; i < count_; ++i) {
       for (std::uint32_t k = i + 1; k < count_; ++k) {
@@ -207,8 +208,8 @@ class PlaceSearch {
     add({x.coordinate, -std::sqrt(ratio), other});
   }
 
-  /// Adds places with f(a) = ±f(b), found as a = ±b, or with a root or an inverse of a equal to a
-  /// number.
+  /// Adds places at which the root, inverse or function x cancels y. For f(a) = ±f(b) these
+  /// are the places with a = ±b. A root or inverse of a that equals a number is solved for a.
   void add_equal(const SumPart& x, const SumPart& y, double ratio) {
     using Kind = SumPart::Kind;
     SumParts difference = *x.inner;

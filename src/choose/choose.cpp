@@ -13,20 +13,20 @@
 namespace elgen {
 namespace {
 
-/// A closed form is not lowered if its entries, written out, have this many times the operations of
-/// the recursive form: common subexpressions would not make it cheaper. Ratios from 3 to 12 give
-/// the same code for all of models/; with 2 a cheaper form is missed.
+/// A closed form is not lowered if its entries, without common subexpressions, have this many times
+/// the operations of the recursive form: sharing would not make it cheaper. Ratios from 3 to 12
+/// give the same code for all of models/; with 2 a cheaper form is missed.
 constexpr std::size_t hopeless_ratio = 6;
-/// Closed forms up to this length are always lowered: for a recursive form with only a few
-/// operations the ratio means nothing.
+/// Closed forms up to this length are always lowered, because the ratio means nothing if the
+/// recursive form has only a few operations.
 constexpr std::size_t always_lowered_length = 400;
 
-/// A loss of 13 bits, a quarter of the digits of double. A form that loses less may cost a quarter
-/// more.
+/// The largest tolerated loss in double: 13 bits, a quarter of its digits. To avoid a larger loss,
+/// a form may cost a quarter more than the cheapest form.
 constexpr double tolerated_loss_in_double = 8192;
 
-/// Limits of a cost ratio, in quarters: 1.25, and 4 for V, which costs little compared with the
-/// functions that contain it.
+/// The largest cost of a form that keeps digits, in quarters of the cost of the cheapest form: 1.25
+/// times, and 4 times for V, which costs little compared with the functions that contain it.
 constexpr std::size_t quarters_for_balance = 5;
 constexpr std::size_t quarters_for_digits = 16;
 
@@ -35,15 +35,16 @@ bool has_float_alone(const Scene& scene) {
   return scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
 }
 
-/// If float is the only scalar, a loss that is tolerable in double would be most of its digits.
+/// If float is the only scalar, even a loss that is tolerated in double would be most of its
+/// digits.
 LoweringAim aim_of(const Scene& scene, bool has_zeros) {
   if (has_zeros) return {.tolerated = tolerated_loss, .most_quarters = quarters_for_digits};
   return {.tolerated = has_float_alone(scene) ? tolerated_loss : tolerated_loss_in_double,
           .most_quarters = quarters_for_balance};
 }
 
-/// Solvers in float keep differences of angles whole: they divide by small differences, and float
-/// has too few digits for a difference that was split.
+/// Solvers in float do not split sin(a - b) into sines and cosines of a and b. They divide by small
+/// differences, and the split form cancels: float has too few digits for that.
 Splits splits_for(const Scene& scene, const Function& function) {
   const bool matters = has_float_alone(scene) && scene.numerics.prefer != Preference::speed;
   const bool is_whole = matters && output_row(function.kind).solves;
@@ -69,8 +70,9 @@ struct Candidate {
   const FormCosts& costs;
 };
 
-/// True if a rewriting of the closed form neither costs nor loses more, or if its smaller loss is
-/// worth its cost.
+/// True if a rewriting costs no more and loses no more digits than the closed form. Also true if
+/// the closed form is inaccurate or loses far more digits, and the cost of the rewriting is
+/// affordable.
 bool is_worthwhile(const LoweringAim& aim, const Function& recursive, const Candidate& closed,
                    const Candidate& rewriting) {
   const std::size_t cost = cost_of(rewriting.function);
@@ -82,7 +84,7 @@ bool is_worthwhile(const LoweringAim& aim, const Function& recursive, const Cand
   return is_free || (is_better && is_affordable(cost, cheapest, aim.most_quarters));
 }
 
-/// The recursive forms, and the errors of functions whose digits matter.
+/// The recursive forms and, unless the scene prefers speed, the errors of the functions.
 class RecursiveForms {
  public:
   /// Forms are also compared near the states `zeros`.
@@ -104,7 +106,7 @@ class RecursiveForms {
     return energy_sums_.emplace(index, std::move(*sum)).first->second;
   }
 
-  /// Null if digits do not matter, that is, if the scene prefers speed.
+  /// The errors of a function; null if the scene prefers speed.
   TextErrors* errors_of(std::size_t index) {
     if (scene_.numerics.prefer == Preference::speed) return nullptr;
     const auto known = errors_.find(index);
@@ -124,8 +126,8 @@ class RecursiveForms {
   SumZeros zeros_;
 };
 
-/// Runs the passes of finish.hpp on a form. `normalized` is the name of the function of that kind;
-/// it is set when that function passes.
+/// Runs the passes of finish.hpp on a form. `normalized`: the name of the function of kind
+/// OutputKind::normalized; set here if `function` is of this kind.
 Function run_last_passes(Function function, Program& program, std::string& normalized) {
   // This branch on a kind is needed: no other output divides quaternions by their lengths.
   if (function.kind == OutputKind::normalized) normalized = function.name;
@@ -166,8 +168,8 @@ class FormChooser {
   }
 
  private:
-  /// The entries of a function. `dynamics` reuses the entries of other functions; it has none if
-  /// one of them is missing.
+  /// The entries of a function. `dynamics` reuses the entries of other functions; its list is empty
+  /// if one of these functions has no entries.
   ReadableEntries& entries_of(std::size_t index) {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
@@ -185,7 +187,7 @@ class FormChooser {
     }
     if (TextErrors* text = is_complete(entries) ? recursive_forms_.errors_of(index) : nullptr) {
       for (std::size_t i = 0; i < entries.size(); ++i) {
-        entries[i]->kept.reset();  // the function that owns the entry has decided
+        entries[i]->kept.reset();  // the entry's own function has already chosen
         text->add_rewriting(text->errors_of(entries[i]->compact), i);
       }
     }
@@ -246,8 +248,9 @@ class FormChooser {
     return std::move(closed.function);
   }
 
-  /// Uses rewritings that keep digits if they are free or worth their cost: first for entries with
-  /// an intolerable loss, then for all that lose more than `tolerated_loss`.
+  /// Replaces entries by rewritings that keep digits, if these are free or worth their cost. First
+  /// tries entries with a loss above the limit of the aim, then all entries that lose more than
+  /// `tolerated_loss`.
   void keep_digits(std::size_t index, ReadableEntries& entries, Function& closed,
                    FormCosts& costs) {
     const Function& recursive = recursive_forms_.of(index);
@@ -291,7 +294,7 @@ class FormChooser {
   Choice result_ = {};
   RecursiveForms recursive_forms_;
   std::map<std::string, ReadableEntries> entries_;
-  std::string normalized_;  ///< name of the function of this kind
+  std::string normalized_;  ///< name of the function of kind OutputKind::normalized
 };
 
 }  // namespace

@@ -10,7 +10,8 @@
 namespace elgen {
 namespace {
 
-/// Parameters are random too, because particular values could hide a term with rates.
+/// The number of random points. Parameters are random too, because particular values could hide a
+/// term with rates.
 constexpr std::size_t compared_points = 3;
 
 const Function* find_before(const Program& program, std::size_t index, OutputKind kind) {
@@ -20,7 +21,8 @@ const Function* find_before(const Program& program, std::size_t index, OutputKin
   return nullptr;
 }
 
-/// Compares values of 64 digits; false if one of them is undefined.
+/// True if both energies have equal values at all random points, in 64 digits. False also if a
+/// value is undefined.
 bool is_same_energy(const Program& recursive, std::size_t index, const Program& chosen,
                     const Function& sum) {
   static const Real negligible(power_of_ten(-45));

@@ -13,9 +13,9 @@
 namespace elgen {
 namespace {
 
-/// A closed form with more terms in all entries is given up: it is neither readable nor cheaper.
-/// Ten times as many terms, here and per entry (most_terms), take 1.7 times as long for the arms
-/// and chains of models/, and give the same code.
+/// Closed forms with more terms in all entries together are given up: they are neither readable nor
+/// cheaper. Ten times as many terms, here and per entry (most_terms), take 1.7 times as long for
+/// the arms and chains of models/, and give the same code.
 constexpr std::size_t most_terms_together = 3'000;
 
 std::size_t term_count(const ClosedFunction& closed) {
@@ -59,14 +59,14 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
   return rewritings;
 }
 
-/// Judges the rewritings of one entry by their errors, compared with the text.
+/// Compares the errors of the rewritings of one entry with the errors of its recursive form.
 class EntryJudge {
  public:
   EntryJudge(ReadableForm& known, std::size_t entry, TextErrors& text)
       : known_(known), entry_(entry), text_(text) {}
 
-  /// Makes the entry accurate if a rewriting is accurate, and finds the rewriting that keeps its
-  /// digits. `rewritings` is a function that computes all rewritings.
+  /// Makes `compact` accurate if a rewriting is accurate, and sets `kept` to a rewriting that keeps
+  /// the digits which `compact` loses. rewritings() returns all rewritings.
   template <class Rewriting>
   void operator()(const Rewriting& rewritings) {
     std::optional<ErrorsAtPoints> errors = text_.accurate_errors(known_.compact, entry_);
@@ -118,11 +118,11 @@ class EntryJudge {
   ReadableForm& known_;
   std::size_t entry_;
   TextErrors& text_;
-  std::vector<Expressions> rewritings_ = {};  ///< accurate ones only
+  std::vector<Expressions> rewritings_ = {};  ///< only accurate rewritings
   std::vector<ErrorsAtPoints> errors_ = {};
 };
 
-/// Chooses among forms, which must be added in order of cost.
+/// Finds the cheapest accurate form with a tolerated loss. Forms must be added in order of cost.
 class Cheapest {
  public:
   Cheapest(const Function& shape, Program& program, const LoweringAim& aim)

@@ -17,8 +17,9 @@ namespace elgen {
 [[nodiscard]] bool has_closed_form(const ClosedFunction& closed);
 
 /// The entries of functions[index] of the recursive program; empty if the closed forms together are
-/// too long. With `text`, an inaccurate entry is replaced by an accurate rewriting if one exists,
-/// and an entry that loses digits gets a rewriting that keeps them.
+/// too long. `text` holds the errors of the recursive form. If it is given, an accurate rewriting
+/// replaces each inaccurate entry if one exists, and an entry that loses digits gets a rewriting
+/// that keeps them.
 [[nodiscard]] ReadableEntries read_entries(const Program& program, const ClosedForms& forms,
                                            std::size_t index, const Points& points,
                                            TextErrors* text = nullptr);
@@ -29,8 +30,8 @@ namespace elgen {
 /// The total number of signs and calls. The entries must be complete.
 [[nodiscard]] std::size_t length(const ReadableEntries& entries);
 
-/// The indices of rewritten entries among the first `count`. Pivots of M come after these: they are
-/// not emitted.
+/// The indices below `count` of the rewritten entries. Later entries belong to `diagonal_field`,
+/// which is not emitted.
 [[nodiscard]] std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries,
                                                            std::size_t count);
 
@@ -39,11 +40,11 @@ namespace elgen {
 [[nodiscard]] std::optional<ReadableEntries> replace_lossy_entries(const ReadableEntries& entries,
                                                                    double limit);
 
-/// Shows a rewritten entry in its computed form if the readable form is less precise: readers judge
-/// the code by the form they see.
+/// If the readable form of a rewritten entry is less precise than its computed form, pages show the
+/// computed form: readers judge the code by the form they see.
 void show_computed_forms(ReadableEntries& entries, const Points& points);
 
-/// All entries of a function as instructions, and the index of the first inaccurate entry.
+/// All entries of a function as instructions, and the index of the first inaccurate entry, if any.
 struct Lowered {
   Function function = {};
   std::optional<std::size_t> inaccurate = {};

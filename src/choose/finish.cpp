@@ -1,7 +1,7 @@
-// finish: a guard takes two instructions per pivot, and none if M_ii is a number or a divisor
-// anyway. It multiplies if the function has 1/M_ii. Lengths of quaternions are added instruction by
-// instruction, so that the function shares them. Angles and their sine-cosine pairs come first; the
-// rest keeps its order.
+// finish: see finish.hpp. A guard takes two instructions per pivot. A pivot needs no guard if M_ii
+// is a number or if the pivot is already divided by M_ii. The guard multiplies by 1/M_ii if the
+// function contains it. Lengths of quaternions are added instruction by instruction, so that all
+// components share them.
 #include "choose/finish.hpp"
 
 #include <algorithm>
@@ -60,7 +60,8 @@ class QuaternionScaler {
     return result;
   }
 
-  /// Adds the components of the unit quaternion. Coordinate `first` is the scalar part.
+  /// Adds instructions for the components of the unit quaternion. Coordinate `first` is the scalar
+  /// part.
   std::vector<std::uint32_t> unit_quaternion(std::uint32_t first) {
     std::vector<std::uint32_t> values;
     std::vector<std::uint32_t> magnitudes;
@@ -113,7 +114,8 @@ class TrigonometryOrder {
     for (std::uint32_t at = 0; at < size(); ++at) place(at);
   }
 
-  /// old instruction numbers in the new order
+  /// Old instruction numbers in the new order: sines and cosines first, then the rest in its old
+  /// order.
   Places places = {};
 
  private:

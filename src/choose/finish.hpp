@@ -18,9 +18,10 @@ inline constexpr std::string_view diagonal_field = "diagonal";
 ///     after     relative_pivots 2 = 1 + 0/(m r^2)      or 1 + 0*s if s = 1/(m r^2) exists
 ///
 /// Algebra cancels common factors of D_i and M_ii, and with them the state at which both vanish and
-/// M is singular. 0/M_ii restores it. Elsewhere it is exactly 0, and it needs no branch and no
-/// order of scalars. If the reciprocal is infinite (M_ii below 1/4 of the smallest normal number),
-/// the result is NaN, as in the acceleration. `constants` may grow by 0. Pages omit guards.
+/// M is singular. 0/M_ii restores this state. Elsewhere 0/M_ii is exactly 0, and it needs neither a
+/// branch nor a comparison of scalars. If the reciprocal is infinite (M_ii below 1/4 of the
+/// smallest normal number), the result is NaN, as in the acceleration. `constants` may grow by 0.
+/// Pages omit guards.
 [[nodiscard]] Function with_guarded_pivots(Function forward_dynamics,
                                            std::vector<Constant>& constants);
 

@@ -10,7 +10,8 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t plain_points = 4;  ///< with nominal parameters, and as many with scaled ones
+/// The number of points with nominal parameters, and again of points with scaled parameters.
+constexpr std::size_t plain_points = 4;
 constexpr std::size_t most_places = 10;
 constexpr int widest_factor = 3;  ///< parameters are scaled by at most 2^3
 
@@ -19,12 +20,12 @@ constexpr double unit_of_distance = 0x1p-30;
 constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_distance,
                              107374 * unit_of_distance, 11 * unit_of_distance};
 
-/// Distances of all coordinates from their first places, if all move at once.
+/// If all coordinates move at once: their distances from the first place of each coordinate.
 constexpr double near = distances[2];
 constexpr double nearest = distances[3];
 
-/// Values of unbounded coordinates u in exp(u) and log(u): exp(u) covers a few decades, and most of
-/// the range of double.
+/// The largest values of unbounded coordinates u in exp(u) and log(u). Up to 16, exp(u) covers a
+/// few decades; up to 1024, most of the range of double.
 constexpr double far_away[]{16, -16, 1024, -1024};
 
 /// For each coordinate: true if it occurs in an argument of a function that `is_sought`.
@@ -87,7 +88,7 @@ class PointMaker {
   /// The states of the domain, in turn.
   const Arguments<double>& state() { return domain_.states[next_++ % domain_.states.size()]; }
 
-  /// Sets rates, accelerations and inputs to 0. Large ones would hide the digits that a holding
+  /// Sets rates, accelerations and inputs to 0. Large ones would hide the digits that a static
   /// force loses.
   static Arguments<double> at_rest(Arguments<double> point) {
     const auto stop = [](Opcode kind, std::uint32_t, double& value) {
@@ -109,7 +110,7 @@ class PointMaker {
     return point;
   }
 
-  /// False if a unit is unchecked.
+  /// False if the units differ or one of them is unknown.
   [[nodiscard]] bool has_same_unit(std::size_t i, std::size_t k) const {
     const std::optional<Unit>& unit = domain_.model.parameters[i].unit;
     return unit && unit == domain_.model.parameters[k].unit;
@@ -126,8 +127,8 @@ class PointMaker {
     point.q[place.coordinate] = at == 0 ? away : at + at * away;
   }
 
-  /// Adds the point on one side of a place, on the side with more defined entries: sqrt(x^2 - r^2)
-  /// is undefined for x < r.
+  /// Adds a point near a place, on the side on which more entries are defined: sqrt(x^2 - r^2) is
+  /// undefined for x < r.
   void add_near(const NearPlace& place, double distance) {
     Arguments<double> point = state();
     Arguments<double> other = point;
@@ -142,8 +143,8 @@ class PointMaker {
                                  [](double entry) { return std::isfinite(entry); });
   }
 
-  /// Remote points show two losses: 1 + expm1(u) has no digit of a small exp(u), and log1p((a -
-  /// b)/b) has none of log(a/b).
+  /// Remote points reveal two losses. A sum 1 + expm1(u) keeps no digit of a small exp(u). A call
+  /// log1p((a - b)/b) keeps no digit of log(a/b).
   void add_far() {
     const std::vector<bool> is_far = unbounded_arguments(text_, domain_.model);
     if (std::find(is_far.begin(), is_far.end(), true) == is_far.end()) return;

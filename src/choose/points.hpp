@@ -2,7 +2,7 @@
 //
 // Some states are inside the ranges with nominal parameters. Others have scaled parameters; equal
 // parameters with the same unit get the same factor, since they may cancel. Others are near zeros
-// of sums in the text:
+// of sums in the recursive form, the `text`:
 //
 //     before    F*sqrt((x - a)^2 + y^2)
 //     after     x near a and -a, x near 0, y near 0; both near 0; x near a and y near 0
@@ -32,7 +32,8 @@ namespace elgen {
 [[nodiscard]] Points comparison_points(const Program& program, const Function& text,
                                        const Domain& domain, const SumZeros& zeros = {});
 
-/// A coordinate near `factor` times the coordinate `other`, or near the number `factor`.
+/// A coordinate near `factor` times the coordinate `other`, or, without `other`, near the number
+/// `factor`.
 struct NearPlace {
   std::uint32_t coordinate = 0;
   double factor = 0;
@@ -42,17 +43,17 @@ struct NearPlace {
 
 using NearPlaces = std::vector<NearPlace>;
 
-/// Places near 0, near zeros at which two terms of a sum cancel, and near multiples of pi/2, for
-/// one coordinate after the other; at most `most` in total. Parameters have the values of the first
-/// state of `domain`. Cost: one pass over `text`.
+/// Places near 0, near zeros at which two terms of a sum cancel, and near multiples of pi/2: first
+/// one place of each coordinate, then a second place of each, and so on; at most `most` in total.
+/// Parameters have the values of the first state of `domain`. Cost: one pass over `text`.
 [[nodiscard]] NearPlaces cancelling_places(const Program& program, const Function& text,
                                            const Domain& domain, std::size_t most);
 
 /// The zeros of logarithms and of typed sums, in all functions without rates. A sum of squares
-/// vanishes if all its squares do. A state is projected onto r = 0 for the base r of each square in
-/// turn: q - r grad r/|grad r|^2 (Kaczmarz). This uses 64 digits, so that all machines find the
-/// same zeros. Cost: per function at most eight sums, with 30 rounds from each start; nothing for
-/// long functions.
+/// vanishes if all its squares do. For the base r of each square in turn, a state q is projected
+/// onto r = 0: q - r grad r/|grad r|^2 (Kaczmarz). All computations have 64 digits, so that all
+/// machines find the same zeros. Cost: per function at most eight sums, with 30 rounds from each
+/// start; nothing for long functions.
 [[nodiscard]] SumZeros sum_zeros(const Program& program, const Domain& domain);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// The potential energy in one form. Chooses which typed sums stay whole, and inserts V into the
-// functions whose forms were chosen with V as a leaf.
+// The potential energy in one form. Chooses which typed sums stay unexpanded ("whole"), and inserts
+// V into the functions whose forms were chosen with V as a leaf.
 #include <algorithm>
 #include <utility>
 
@@ -12,14 +12,14 @@
 namespace elgen {
 namespace {
 
-/// At most this many sums are expanded one by one.
+/// If all sums stay whole, at most this many of them are tried expanded, one after the other.
 constexpr std::size_t most_expanded_sums = 16;
 
 /// The most instructions of V and its derivatives. The closed forms of longer potentials, such as
 /// chains of springs, are never chosen and would take as long as all other functions.
 constexpr std::size_t longest_potential = 1'500;
 
-/// A form that keeps as many digits must save a fifth of the operations.
+/// A set that keeps no more digits than the best set so far must save a fifth of the operations.
 constexpr std::size_t fifths_of_cost = 4;
 
 /// For each sum of typed_sums(): true if it stays whole.
@@ -84,7 +84,8 @@ class WholeSearch {
     return made;
   }
 
-  /// Losses are recomputed, because a new form may have lowered the least error.
+  /// The largest loss of all functions. It is recomputed for every comparison, because a new form
+  /// may have lowered the least known error.
   [[nodiscard]] double loss_of(const WholeChoice& chosen) const {
     double loss = 0;
     for (std::size_t i = 0; i < errors_.size(); ++i) {
@@ -111,7 +112,8 @@ class WholeSearch {
   std::vector<TextErrors> errors_ = {};  ///< by function
 };
 
-/// True if V or a derivative differs from both its text and its plain closed form.
+/// True if V or a derivative differs from both its recursive form and its fully expanded closed
+/// form.
 bool has_distinct_form(const WholeChoice& best, std::size_t function) {
   if (std::ranges::find(best.whole, true) != best.whole.end()) return true;
   if (!best.choice.program.functions[function].rewritten.empty()) return true;
@@ -124,7 +126,8 @@ bool is_open_from(std::uint32_t first, const Instruction& i) {
   return i.opcode == Opcode::open_value && i.a >= first;
 }
 
-/// Inserts the entries of V and its derivatives into a function, in place of open values.
+/// Inserts the entries of V and its derivatives into a function, in place of open values
+/// (Opcode::open_value).
 class PotentialInserter {
  public:
   PotentialInserter(const Program& potential, std::uint32_t first, Program& to)

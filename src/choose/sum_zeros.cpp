@@ -24,7 +24,7 @@ constexpr int max_expansion_order = 4;  ///< of a zero: 4 for (x - a)^4
 constexpr std::size_t longest_program = 400;
 
 /// A difference over a step of 1e-25 keeps 40 of the 64 digits. Zeros are accurate to 1e-16, far
-/// less than the distances of points.
+/// less than their distances from the points of comparison.
 const Real& step() {
   static const Real value(power_of_ten(-25));
   return value;
@@ -34,8 +34,8 @@ const Real& negligible() {
   return value;
 }
 
-/// Groups of expressions that must vanish together: all bases of a sum of squares, any other sum
-/// alone, and each logarithm alone (log(x) = 0 at x = 1).
+/// Groups of expressions that must vanish together: all bases of a sum of squares; any other sum,
+/// as a group of one; each logarithm, as a group of one (log(x) = 0 at x = 1).
 class Residuals {
  public:
   explicit Residuals(const Function& function) : function_(function) {
@@ -166,9 +166,9 @@ class ZeroProjection {
   Real last_ = Real(0);  ///< length of the last step
 };
 
-/// Starts: states inside the ranges, and two states per coordinate, made from the first. One has
-/// the sign of the coordinate changed, because zeros of a + b cos(x) depend on the sign of a. The
-/// other is on the axis of the coordinate, where zeros on circles are found.
+/// Starts: states inside the ranges, and two states per coordinate, derived from the first state.
+/// One has the sign of the coordinate changed, because zeros of a + b cos(x) depend on the sign of
+/// a. The other is on the axis of the coordinate, where zeros on circles are found.
 std::vector<Arguments<double>> starts_of(const Domain& domain) {
   std::vector<Arguments<double>> all(
       domain.states.begin(), domain.states.begin() + static_cast<std::ptrdiff_t>(std::min(
@@ -188,8 +188,9 @@ std::vector<Arguments<double>> starts_of(const Domain& domain) {
 
 }  // namespace
 
-/// Starts for a sum of one coordinate. The range is scanned in equal steps for minima of |sum| and
-/// for changes of sign, so that Newton's method does not diverge to where a potential fades out.
+/// Starts for a sum of one coordinate: minima of |sum| and changes of its sign, found by a scan of
+/// the range in equal steps. From other starts, Newton's method may diverge to a region in which a
+/// potential decays to 0.
 std::vector<Arguments<double>> scanned_starts(const Program& program, const Function& vanishing,
                                               const Domain& domain, std::uint32_t coordinate) {
   constexpr int steps = 16;

@@ -12,16 +12,18 @@
 namespace elgen {
 namespace {
 
-/// The rounding errors of a few more operations are accepted.
+/// A form may have this many times the error of the recursive form, the text: the rounding errors
+/// of a few more operations are accepted.
 constexpr long accurate_ratio = 64;
-/// In double, each of two errors is right within a factor of two, so that a ratio up to 64/4 is
-/// certain.
+/// An error computed in double is right within a factor of two. A ratio of two such errors up to
+/// 64/4 is therefore certainly at most 64.
 constexpr double certainly_accurate_ratio = 16;
 
 constexpr double unit_roundoff = 0x1p-53;
-/// In double, equal values may differ by this many of their error bounds.
+/// Values in double that differ by at most this many times the sum of their error bounds may be
+/// equal.
 constexpr double certainly_equal = 4;
-/// A value with a smaller relative error can serve as the magnitude.
+/// A value in double whose relative error is at most this is precise enough as the magnitude |x|.
 constexpr double certain_digits = 0x1p-10;
 
 bool is_certainly_accurate(const Running<double>& own, const Running<double>& text) {
@@ -31,7 +33,7 @@ bool is_certainly_accurate(const Running<double>& own, const Running<double>& te
          apart <= certainly_equal * unit_roundoff * (own.error + text.error);
 }
 
-/// A rewriting may hold on one side of a branch only, so its value is checked too.
+/// A rewriting may equal the text on only one side of a branch, so its value is checked too.
 bool has_other_value(const Running<Real>& own, const Running<Real>& text) {
   static const Real negligible(power_of_ten(-45));
   const Real scale = own.error + text.error + abs(text.value);
@@ -63,7 +65,8 @@ double number_of(const Real& x) {
   return x.is_defined() ? to_double(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The loss at a point: 0 if the text has no value there, infinite if only the form has none.
+/// The loss at a point: 0 if the text has no value there, infinite if the form has none but the
+/// text has one.
 double loss_at(double error, double magnitude, double least) {
   if (std::isnan(magnitude) || error == 0) return 0;
   if (std::isnan(error)) return std::numeric_limits<double>::infinity();
@@ -86,7 +89,8 @@ TextErrors::TextErrors(const Program& program, const Function& text, Points poin
   }
 }
 
-/// A value of the text is recomputed exactly if double gives hardly any of its digits.
+/// The magnitude |x| of each entry. A value of the text is recomputed exactly if double gives
+/// hardly any of its digits.
 std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) const {
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < rough_[point].size(); ++i) {

@@ -1,13 +1,14 @@
 // text_errors: the errors of all forms of a function's entries at its points.
 //
-//     E > 64 max(E of the text, |x|)      the form is inaccurate in the entry x; it also is if it
-//     has
-//                                         another value or no value
-//     E / max(least known E, |x|)         the loss: digits that another rewriting keeps
+// The recursive form of a function, called the text here, is the typed energies, differentiated. E
+// is the running error in u (accuracy/running_errors.hpp) of an entry x:
 //
-// E is the running error in u (accuracy/running_errors.hpp). The text is the recursive form: the
-// typed energies, differentiated. Accuracy is decided in double, or in 64 digits if double is
-// uncertain, so that all machines agree. Losses are compared in double.
+//     E > 64 max(E of the text, |x|)    the form is inaccurate in x; also if it has another value
+//                                       than the text, or no value
+//     E / max(least known E, |x|)       the loss: digits that another rewriting keeps
+//
+// Accuracy is decided in double, or in 64 digits if double is uncertain, so that all machines
+// agree. Losses are compared in double.
 #pragma once
 
 #include <cstddef>
@@ -54,7 +55,7 @@ class TextErrors {
   /// E of a rewriting of one entry.
   [[nodiscard]] ErrorsAtPoints errors_of(const Expressions& rewriting) const;
 
-  /// True if the errors are so large that a better rewriting should be searched.
+  /// True if the errors are so large that a search for a better rewriting is worthwhile.
   [[nodiscard]] bool may_lose(const ErrorsAtPoints& errors, std::size_t entry) const;
 
   /// Updates the least known errors of an entry by the errors of one rewriting.
@@ -72,8 +73,8 @@ class TextErrors {
  private:
   using Entries = std::vector<Running<double>>;  ///< entries of a form in double
 
-  /// The first entry of the form that is less accurate than the text. Its first entry is entry
-  /// number `first` of the text.
+  /// The first entry of the form that is less accurate than the text. The first entry of the form
+  /// is entry number `first` of the text.
   [[nodiscard]] std::optional<std::size_t> inaccurate_entry_at(const Program& program,
                                                                const Function& form,
                                                                std::size_t point,
@@ -91,7 +92,7 @@ class TextErrors {
   Points points_;
   std::vector<RunningErrorRules<double>> rules_ = {};  ///< by point
   std::vector<Entries> rough_ = {};                    ///< of the text, by point and entry
-  mutable std::map<std::size_t, std::vector<Running<Real>>> exact_ = {};  ///< computed on demand
+  mutable std::map<std::size_t, std::vector<Running<Real>>> exact_ = {};  ///< by point, on demand
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value
   std::vector<std::vector<double>> least_ = {};  ///< least E of all rewritings, by point and entry
 };
