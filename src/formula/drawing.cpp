@@ -74,7 +74,7 @@ Block line_of(std::string text) { return {{std::move(text)}, 0}; }
 /// The role of a piece, which decides whether a blank follows it.
 enum class Role : std::uint8_t { none, operand, function, sign, comma, prefix, prose };
 
-/// True if a part opens a bracket that is drawn, as in `(1, 2)`.
+/// True for an opening bracket that is printed, as in `(1, 2)`; false for scripts and for `\left.`.
 bool is_open_bracket(const Glyphs& part) {
   return part.kind != GlyphKind::scripts && bracket_step(part) > 0 && !part.text.empty();
 }
@@ -176,7 +176,7 @@ bool is_number(const std::string& text) {
   return std::ranges::all_of(text, [](char c) { return is_digit(c); });
 }
 
-/// "½"; "7/9"
+/// A quotient of two numbers on one line: "½", or "7/9" if there is no character for it.
 std::string number_fraction(const std::string& above, const std::string& below, bool is_unicode) {
   for (const VulgarFraction& vulgar : vulgar_fractions) {
     const bool is_this = vulgar.above == above && vulgar.below == below;
@@ -185,7 +185,7 @@ std::string number_fraction(const std::string& above, const std::string& below, 
   return above + "/" + below;
 }
 
-/// "₁₂" from "1, 2"; "_cart"; "_left_hip" from "left, hip", as in names.
+/// An index on one line: "₁₂" from "1, 2"; "_cart"; "_left_hip" from "left, hip", as in names.
 std::string index_of(std::string text, bool is_unicode) {
   std::erase(text, ' ');
   std::string without_commas = text;
@@ -284,7 +284,7 @@ class Drawer {
     return is_present(script) ? exponent_of(text_of_line(script), is_unicode()) : "";
   }
 
-  /// Draws scripts. dot() includes the index: dot(theta1_2).
+  /// Draws scripts. If a dot is written as a call, the call contains the index: dot(theta1_2).
   [[nodiscard]] Block scripts(const Glyphs& glyphs) const {
     const Glyphs& base = glyphs.parts[0];
     if (base.kind == GlyphKind::fraction && fractions_ == Fractions::in_line) {
@@ -348,7 +348,7 @@ class Drawer {
     return result;
   }
 
-  /// True if two words would be read as one without a blank: delta q.
+  /// True if two words would be read as one if no blank separated them: delta q.
   [[nodiscard]] bool needs_blank(const Block& left, const Block& right) const {
     if (is_unicode() || left.width() < 2 || right.width() == 0) return false;
     const std::string& line = left.lines[left.base];

@@ -19,7 +19,8 @@ namespace elgen {
 /// The number of terminal columns of UTF-8 text. Combining accents take no column.
 [[nodiscard]] std::size_t columns_of(std::string_view text);
 
-/// Lines of equal width. In a row of blocks, all lines `base` are level.
+/// Lines of equal width. `base` is the index of the base line; blocks in a row have level base
+/// lines.
 struct Block {
   std::vector<std::string> lines = {""};
   std::size_t base = 0;
@@ -52,7 +53,7 @@ enum class Fractions : std::uint8_t { stacked, in_line };
 [[nodiscard]] Block drawing(const Glyphs& glyphs, Alphabet alphabet,
                             Fractions fractions = Fractions::stacked);
 
-/// "²" from "2"; "^(1/2)" from "1/2", for which there are no small characters.
+/// "²" from "2"; "^(1/2)" from "1/2", which has no small characters.
 [[nodiscard]] std::string small_exponent(const std::string& exponent);
 
 /// Draws square brackets around a grid.

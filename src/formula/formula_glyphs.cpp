@@ -16,7 +16,7 @@
 namespace elgen {
 namespace {
 
-/// Pieces in a row. The exponent of a call is set on its first piece: sin^2 x.
+/// Pieces in a row. If the row is a call, its exponent is set on its first piece: sin^2 x.
 struct TypesetRow {
   Glyphs row = {};
   Binding binding = Binding::atom;
@@ -91,7 +91,7 @@ TypesetRow typeset_digits(const std::string& text) {
   return {std::move(row), Binding::product};
 }
 
-/// Negative terms are subtracted.
+/// Appends a sign and a term: "-" and the operand for a negative term, otherwise "+" and the term.
 void append_term(Glyphs& row, const Formula& term) {
   const bool is_negative = term.kind == FormulaKind::negative;
   append_sign(row, is_negative ? "-" : "+", true);
@@ -185,7 +185,8 @@ TypesetRow typeset_product(const Formulas& factors) {
   return stacked(std::move(numerator.row), multiply_rows(std::move(below)).row);
 }
 
-/// Sets a quotient. A fraction as its first factor precedes it: 3/4 g/l.
+/// Sets a quotient. If the first factor of the numerator is a fraction, it precedes the quotient:
+/// 3/4 g/l.
 TypesetRow typeset_quotient(const Formula& formula) {
   const Formula& above = formula.parts[0];
   TypesetRow below = typeset_formula(formula.parts[1]);
@@ -252,7 +253,7 @@ TypesetRow typeset_call(const Formula& formula) {
   const bool stands_free = function != FunctionId::sign && formula.parts.size() == 1 &&
                            (is_alone || (is_fraction && first.binding == Binding::power));
   if (stands_free) return function_of(std::move(head), std::move(first.row), true);
-  Glyphs arguments = std::move(first.row);  // set once, as calls may be nested deeply
+  Glyphs arguments = std::move(first.row);  // typeset once, as calls may be nested deeply
   if (formula.parts.size() > 1) append_item(arguments, formula.parts[1]);
   return function_of(std::move(head), in_brackets(std::move(arguments)), false);
 }

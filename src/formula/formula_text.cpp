@@ -19,7 +19,7 @@ std::string joined(const std::vector<FormulaText>& items) {
   return list;
 }
 
-/// The binding of a product, which its first operand decides.
+/// The binding of a product: a negation if its first operand is one.
 Binding product_binding(const FormulaText& first) {
   return first.binding == Binding::negation ? Binding::negation : Binding::product;
 }
@@ -39,7 +39,7 @@ FormulaText number_text(const cln::cl_RA& value) {
   return denominator == 1 ? above : quotient(model_spelling, above, {integer_text(denominator)});
 }
 
-/// Makes a summand. Negative terms are subtracted.
+/// The first term keeps its sign. A later negative term is subtracted.
 Summand summand(const Formula& term, bool is_first) {
   if (is_first) return {bind_at_least(print_formula(term), Binding::negation)};
   if (term.kind == FormulaKind::negative) return {print_formula(term.parts[0]), true};

@@ -29,6 +29,7 @@ struct FormulaText {
   Binding binding = Binding::atom;
 };
 
+/// One term of sum_text(). Unlike the terms of computations it is finished text with a sign.
 struct Summand {
   FormulaText term = {};
   bool is_subtracted = false;
@@ -52,9 +53,9 @@ inline constexpr Spelling code_spelling{" * ", " / "};  ///< C and C++
                                        const std::vector<FormulaText>& factors);
 [[nodiscard]] FormulaText quotient(const Spelling& spelling, const FormulaText& above,
                                    const FormulaText& below);
-/// The power in the model language.
+/// The power as written in the model language.
 [[nodiscard]] FormulaText power(const FormulaText& base, const FormulaText& exponent);
-/// "f(x, y)"
+/// The call "f(x, y)" of a function.
 [[nodiscard]] FormulaText called(std::string_view name, const std::vector<FormulaText>& arguments);
 
 }  // namespace elgen

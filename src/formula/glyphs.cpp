@@ -59,7 +59,7 @@ std::vector<Segment> segments(const Glyphs& row, double (*measured)(const Glyphs
   const double before = measured({GlyphKind::row, "", {letter}});
   all.front().width = measured(all.front().row);
   for (std::size_t i = 1; i < all.size(); ++i) {
-    // A sign after a letter is a sign between terms, with its wider spacing.
+    // A sign after a letter separates terms, so it has wider spacing than a leading sign.
     Glyphs behind_letter{GlyphKind::row, "", {letter}};
     append(behind_letter, all[i].row, true);
     all[i].width = measured(behind_letter) - before;

@@ -23,7 +23,7 @@ enum class GlyphKind : std::uint8_t {
   sign,      ///< + - = , \cdot
   bracket,   ///< ( ) [ ] |
   left,      ///< a bracket after \left, as tall as the content; text is empty for `.`
-  right,     ///< the same after \right
+  right,     ///< the bracket after \right
   space,     ///< text is the width in em
   fraction,  ///< parts: above, below
   root,      ///< parts: radicand
@@ -84,7 +84,7 @@ void append_sign(Glyphs& row, std::string_view sign, bool is_apart);
 [[nodiscard]] bool is_term_sign(const Glyphs& piece);
 /// 1 for an opening bracket, -1 for a closing bracket, otherwise 0.
 [[nodiscard]] int bracket_step(const Glyphs& piece);
-/// True if a minus leads the row, or a sign separates terms outside brackets.
+/// True if the row begins with a minus, or if a sign separates terms outside brackets.
 [[nodiscard]] bool is_sum(const Glyphs& row);
 
 /// A formula, or prose between formulas.
@@ -96,7 +96,8 @@ struct GlyphPiece {
 /// Splits a row at prose outside growing brackets. A comma before prose becomes a piece of prose.
 [[nodiscard]] std::vector<GlyphPiece> pieces(const Glyphs& row);
 
-/// Vectors to components, which are not bold: \mathbf{g} -> g, \mathbf{bias} -> \mathrm{bias}.
+/// Replaces bold symbols of vectors by the symbols of their components: \mathbf{g} -> g,
+/// \mathbf{bias} -> \mathrm{bias}.
 [[nodiscard]] Glyphs without_bold(Glyphs glyphs);
 
 [[nodiscard]] std::string without_outer_blanks(std::string text);

@@ -134,14 +134,14 @@ class LatexReader {
     return {is_bracket ? GlyphKind::bracket : GlyphKind::sign, std::string(1, c)};
   }
 
-  /// The character here, and the following characters that continue it.
+  /// Reads one character, and the characters after it that continue it.
   std::string read_while(const auto& continues) {
     const std::size_t begin = at_++;
     while (at_ < text_.size() && continues(text_[at_])) ++at_;
     return std::string(text_.substr(begin, at_ - begin));
   }
 
-  /// The text after the bracket here, up to the next `end`.
+  /// Reads an opening bracket and the text after it, up to the next `end`. Returns this text.
   std::string enclosed_text(char end) {
     const std::string text = read_while([end](char c) { return c != end; });
     at_ = std::min(at_ + 1, text_.size());

@@ -95,7 +95,7 @@ std::string sign(const std::string& text) {
   return fmt::format("<mo>{}</mo>", text == "-" ? "−" : text == "<=" ? "≤" : xml_text(text));
 }
 
-/// Writes a bracket. A bar states its side.
+/// Writes a bracket. A bar looks equal on both sides, so its attribute `form` states the side.
 std::string fence(const Glyphs& glyphs) {
   if (glyphs.text.empty()) return "";
   const char* const form = glyphs.text != "|"               ? ""
