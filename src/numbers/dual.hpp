@@ -49,7 +49,7 @@ template <class Base>
   return {root, x.slope / (root + root)};
 }
 
-/// The derivatives in function_derivatives.def multiply by small integers.
+/// Needed by function_derivatives.def, which multiplies derivatives by small integers.
 [[nodiscard]] inline Real operator*(const Real& x, int factor) { return x * Real(factor); }
 template <class Base>
 [[nodiscard]] Dual<Base> operator*(const Dual<Base>& x, int factor) {

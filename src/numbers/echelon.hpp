@@ -130,8 +130,8 @@ class Echelon {
   /// The row of a pivot without the pivot itself.
   [[nodiscard]] const Row& rest(const Pivot& pivot) const { return rows_[pivot.row]; }
 
-  /// Nonzero entries of the first right-hand side in rows without a pivot. Such a row says 0 =
-  /// entry, a contradiction.
+  /// Nonzero entries of the first right-hand side in rows without a pivot. Such a row states the
+  /// contradiction 0 = entry.
   [[nodiscard]] std::vector<Number> contradictions() const {
     std::vector<Number> result;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -148,8 +148,8 @@ class Echelon {
     return back_substitute(unknowns_);
   }
 
-  /// A basis of the null space A x = 0, with one vector per free unknown. The vector is 1 at its
-  /// free unknown, and 0 at the other free unknowns and at all later unknowns.
+  /// A basis of the null space A x = 0, with one vector per free unknown. Each vector is 1 at its
+  /// own free unknown, and 0 at all other free unknowns and at all later unknowns.
   [[nodiscard]] std::vector<std::vector<Number>> kernel() const {
     std::vector<bool> is_free(unknowns_, true);
     for (const Pivot& pivot : pivots_) is_free[pivot.column] = false;
@@ -279,8 +279,9 @@ class LargestPivot : public Operators<T> {
   using Candidates = std::vector<PivotCandidate<T>>;
   static constexpr EchelonForm form = Form;
 
-  /// Smaller pivots than `least_pivot` and smaller entries than `least_entry` are rounding errors
-  /// and count as 0. If `scales` has a scale for each row, pivots are compared relative to it.
+  /// Pivots smaller than `least_pivot` and entries smaller than `least_entry` are rounding errors
+  /// and count as 0. If `scales` has a scale for each row, pivots are compared relative to the
+  /// scale of their row.
   explicit LargestPivot(T least_pivot = T(0), T least_entry = T(0), std::vector<T> scales = {})
       : least_pivot_(std::move(least_pivot)),
         least_entry_(std::move(least_entry)),
@@ -317,8 +318,8 @@ class LargestPivot : public Operators<T> {
   std::vector<T> scales_;
 };
 
-/// Takes every pivot from the diagonal, whatever its size, and so computes D of L D L^T. Floating
-/// types may divide by 0, so every row of a square matrix has its pivot.
+/// Takes every pivot from the diagonal, whatever its size, and therefore computes D of L D L^T.
+/// Floating types may divide by 0, so every row of a square matrix has its pivot.
 template <class T>
 struct DiagonalPivot : Operators<T> {
   static constexpr EchelonForm form = EchelonForm::upper;

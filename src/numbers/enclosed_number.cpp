@@ -48,8 +48,9 @@ cl_F exponential_less_one(const cl_F& x) {
 }
 
 /// c_k(x) for k > 0; a negative `order` gives c_|order|(i x). Sums the power series if its terms
-/// decrease from the first one on. Otherwise c_1 = sin(x)/x, c_2 = 2 (sin(x/2)/x)^2, c_(n+2) =
-/// (1/n! - c_n)/x^2.
+/// decrease from the first one on. Otherwise uses
+///
+///     c_1 = sin(x)/x     c_2 = 2 (sin(x/2)/x)^2     c_(n+2) = (1/n! - c_n)/x^2
 cl_F stumpff_function(const cl_F& x, int order) {
   const int k = std::abs(order);
   const auto reciprocal_factorial = [&x](int n) {
@@ -79,7 +80,8 @@ int stumpff_order(const cl_R& k) { return cln::cl_I_to_int(cln::round1(k)); }
 
 bool is_zero(const EnclosedNumber& x) { return is_exact(x) && cln::zerop(x.value); }
 
-/// The angle is a pole of tan if cos(x) may be 0 and its error exceeds |cos(x)| by at most this.
+/// An angle x is a pole of tan if the enclosure of cos(x) contains 0, and the error of cos(x)
+/// exceeds |cos(x)| by at most this.
 const cl_R& pole_distance() {
   static const cl_R distance = power_of_ten(-60);
   return distance;
@@ -221,7 +223,7 @@ Enclosed EnclosedArithmetic::logarithm(FunctionId function, const EnclosedNumber
 Enclosed EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumber& x) const {
   const EnclosedNumber argument = to_float(x);
   if (largest_magnitude(argument) > largest_exponent) {
-    // tanh and expm1 equal ±1 to all digits here.
+    // For such arguments, tanh and expm1 equal ±1 to all digits.
     const bool is_flat =
         function == FunctionId::tanh || (function == FunctionId::expm1 && cln::minusp(x.value));
     return is_flat ? Enclosed(rounded(cln::signum(as_float(x.value)), 0)) : NoValue::too_large;

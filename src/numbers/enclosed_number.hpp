@@ -46,8 +46,8 @@ struct Enclosed {
   Enclosed(NoValue reason) : why(reason) {}
 };
 
-/// Operations in floats of `digits` decimal digits. Rational operands with a rational result give
-/// an exact number if that result is known without rounding.
+/// Operations in floats of `digits` decimal digits. For rational operands, a rational result is
+/// exact if it is known without rounding.
 class EnclosedArithmetic {
  public:
   explicit EnclosedArithmetic(int digits);
@@ -90,7 +90,7 @@ class EnclosedArithmetic {
 
 /// Sine and cosine from CLN, which computes both at the cost of one. The latest results are cached,
 /// because derivatives and other functions at the same state need them again. The cache is
-/// thread-local: `sin` and `cos` of Real take one number and have no argument that could carry it.
+/// thread-local, because `sin` and `cos` of Real take one number and cannot pass on a cache.
 [[nodiscard]] cln::cos_sin_t cos_sin_of(const cln::cl_F& x);
 
 /// A constant with a larger decimal exponent is too large.

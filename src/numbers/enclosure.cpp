@@ -1,5 +1,5 @@
-// Interval arithmetic without changing the rounding mode. The rounding error of a sum, product,
-// quotient or root has a sign that can be computed. It says which bound must move outwards.
+// Interval arithmetic without changing the rounding mode. The sign of the rounding error of a sum,
+// product, quotient or root can be computed. It decides which bound must move outwards.
 #include "numbers/enclosure.hpp"
 
 #include <algorithm>
@@ -19,7 +19,8 @@ constexpr Enclosure no_value{infinity, -infinity, Definedness::nowhere};
 double next_below(double x) { return std::nextafter(x, -infinity); }
 double next_above(double x) { return std::nextafter(x, infinity); }
 
-/// A result rounded to nearest, and a number with the sign of exact - rounded; NaN if unknown.
+/// A result rounded to nearest, and `error`, a number with the sign of exact - rounded; NaN if the
+/// sign is unknown.
 struct Rounded {
   double value;
   double error;
@@ -40,7 +41,7 @@ Rounded rounded_sum(double x, double y) {
   return {sum, (x - (sum - back)) + (y - back)};
 }
 
-/// The rounding error of a smaller product or quotient may underflow.
+/// The rounding error of a product or quotient smaller than this may underflow.
 constexpr double smallest_product = 0x1p-960;
 
 /// 0 if a factor is 0, even if the other is infinite: infinite bounds enclose finite numbers only.
@@ -80,7 +81,7 @@ Enclosure bounds(double low, double high, Definedness defined) {
   return {lowest(low), highest(high), defined};
 }
 
-/// Encloses all corners.
+/// The enclosure of all four corners.
 Enclosure hull(const std::array<Rounded, 4>& corners, Definedness defined) {
   double low = infinity;
   double high = -infinity;
@@ -127,7 +128,7 @@ bool may_contain_multiple(const Enclosure& x, double first, double period) {
   return std::floor(turns(x.high) + slack) >= turns(x.low) - slack;
 }
 
-/// The position of a larger angle within its turn is too uncertain.
+/// The position of a larger angle within one period is too uncertain.
 constexpr double largest_angle = 1e9;
 
 /// Sine or cosine, with its maxima at top + 2 k pi.

@@ -3,9 +3,9 @@
 //
 //     [1, 2] - [0, 3]   ->   [-2, 2]            sin([1, 2])   ->   [0.8414…, 1]
 //
-// Sums, products, quotients and roots are rounded outwards by at most one ulp, and not at all if
-// they are exact and not tiny. Functions are widened by 8 ulp, because C libraries have errors of a
-// few ulp. An operand times itself (the same object) is a square.
+// Sums, products, quotients and roots are rounded outwards by at most one ulp. Exact results that
+// are not tiny are not rounded. Functions are widened by 8 ulp, because C libraries have errors of
+// a few ulp. An operand times itself (the same object) is a square.
 //
 // Source: R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, 2009.
 #pragma once
@@ -17,7 +17,7 @@ namespace elgen {
 /// Whether an expression is defined and continuous on the box.
 enum class Definedness : std::uint8_t {
   everywhere,
-  somewhere,  ///< the bounds hold at points with a value
+  somewhere,  ///< not everywhere; the bounds hold at all points with a value
   nowhere,    ///< the bounds are empty
 };
 

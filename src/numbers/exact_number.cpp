@@ -141,8 +141,8 @@ std::string literal_text(const Decimal& decimal) {
   const bool negative = cln::minusp(decimal.significand);
   const std::string sign = negative ? "-" : "";
   std::string digits = integer_text(cln::abs(decimal.significand));
-  const long point =
-      static_cast<long>(digits.size()) + decimal.exponent;  // 0: before the first digit
+  // The number of digits before the decimal point.
+  const long point = static_cast<long>(digits.size()) + decimal.exponent;
   if (point < -3 || point > 17) {
     const std::string fraction = digits.size() > 1 ? "." + digits.substr(1) : "";
     return fmt::format("{}{}{}e{}", sign, digits[0], fraction, point - 1);
@@ -165,7 +165,7 @@ std::string exact_text(const cln::cl_R& value) {
 }
 
 std::string number_text(const cln::cl_R& value) {
-  // Of 100 digits: enough to distinguish any two numbers that a file can define
+  // The value has 100 digits; 30 of them distinguish any two numbers that a file can define.
   constexpr int printed_digits = 30;
   if (cln::zerop(value)) return "0";
   if (!is_rational(value)) {

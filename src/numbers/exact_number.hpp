@@ -14,13 +14,13 @@ namespace elgen {
 
 [[nodiscard]] bool is_rational(const cln::cl_R& value);
 
-/// 10^exponent. CLN's own reader makes decimals short floats, which underflow.
+/// 10^exponent. CLN's own reader would read decimals as short floats, which underflow.
 [[nodiscard]] cln::cl_RA power_of_ten(long exponent);
 
 /// log10 |x| to within one, for x of any magnitude; 0 for x = 0.
 [[nodiscard]] double decimal_exponent(const cln::cl_R& x);
 
-/// x rounded to `digits` significant digits, or one more; a rational x is returned unchanged.
+/// x rounded to `digits` or `digits` + 1 significant digits; a rational x is returned unchanged.
 [[nodiscard]] cln::cl_RA rounded(const cln::cl_R& x, long digits);
 
 /// The first convergent p/q of the continued fraction of x with |x - p/q| < share |x| and q <=
@@ -53,7 +53,7 @@ struct Decimal {
 /// "9.81", "2.0", "1e-300": a floating literal of C and C++ without suffix.
 [[nodiscard]] std::string literal_text(const Decimal& decimal);
 
-/// The exact value for readers: "9.81", "1/3"; 50 digits of an irrational value.
+/// The exact value for readers: "9.81", "1/3". An irrational value has 50 digits.
 [[nodiscard]] std::string exact_text(const cln::cl_R& value);
 
 /// "3", "-1/2"; an irrational number as a decimal of 30 digits, "3.14159…e0".

@@ -7,8 +7,8 @@
 namespace elgen {
 namespace {
 
-/// Digits that computations in this thread requested, and digits that its arithmetic reported as
-/// lost or hidden.
+/// The digits that computations in this thread requested, and the digits that arithmetic reported
+/// as lost and as hidden.
 struct DigitsOfThread {
   unsigned requested = 0;
   unsigned lost = 0;
@@ -21,7 +21,7 @@ DigitsOfThread& digits_of_thread() {
 }
 
 /// A computation may lose this many digits without being repeated. Checks need 50 of Real's 64
-/// digits, and the oracle promises 60 of its 95.
+/// digits, and the oracle guarantees 60 of its 95.
 constexpr unsigned spare_digits = 10;
 
 }  // namespace

@@ -10,17 +10,18 @@
 
 namespace elgen {
 
-/// Arithmetic reads its extra digits here. Computations request them by the functions below.
+/// The extra digits of arithmetic. Computations request them by with_digits() and
+/// with_enough_digits().
 class MoreDigits {
  public:
   /// The sum of all digits that the running computations of this thread requested.
   [[nodiscard]] static unsigned count();
 
-  /// Arithmetic reports an angle with this many digits before its decimal point.
+  /// Called by arithmetic for an angle with this many digits before its decimal point.
   static void report_lost(unsigned digits);
 
-  /// Arithmetic reports an exponential: in a sum with it, terms smaller by this many digits may
-  /// vanish.
+  /// Called by arithmetic for an exponential that may hide terms: a term of a sum that is smaller
+  /// than the exponential by this many digits may vanish.
   static void report_hidden(unsigned digits);
 
   /// The largest argument of report_hidden() since the last call of this function.
@@ -37,7 +38,7 @@ class MoreDigits {
   MoreDigits(const MoreDigits&) = delete;
   MoreDigits& operator=(const MoreDigits&) = delete;
 
-  /// Requests the digits that arithmetic lost and returns true, if they are more than it can spare.
+  /// If arithmetic lost more digits than it can spare, requests the lost digits and returns true.
   [[nodiscard]] bool grow();
 
   unsigned digits_;
@@ -50,9 +51,9 @@ auto with_digits(unsigned digits, const Computation& computation) {
   return computation();
 }
 
-/// Repeats a computation with more digits until it has as many as arithmetic lost. Example: at 64
-/// digits an irrational angle of 1e100 has no digits after its decimal point, so its sine has none
-/// either.
+/// Repeats a computation with more digits until it has as many extra digits as arithmetic lost.
+/// Example: at 64 digits an irrational angle of 1e100 has no digits after its decimal point, so its
+/// sine has no correct digits.
 template <class Computation>
 auto with_enough_digits(const Computation& computation) {
   MoreDigits digits(0);

@@ -13,7 +13,7 @@ class Random {
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
   [[nodiscard]] std::uint64_t next();
-  /// In [low, high).
+  /// A number in [low, high).
   [[nodiscard]] double uniform(double low, double high);
   /// ±m 2^k with m uniform in [1, 2) and k uniform in [low_exponent, high_exponent].
   [[nodiscard]] double log_uniform(int low_exponent, int high_exponent);

@@ -36,8 +36,8 @@ Real guarded(bool in_domain, const Operation& operation) {
 
 bool are_defined(const Real& x, const Real& y) { return x.is_defined() && y.is_defined(); }
 
-/// x with more digits: as many as it has before its point. After reduction by a multiple of pi, as
-/// many digits remain as Real has.
+/// x with as many extra digits as it has before its decimal point. After reduction by a multiple of
+/// pi, it still has the digits of Real.
 cln::cl_F extend_digits(const Real& x) {
   const auto exponent = std::max(std::int64_t{0}, std::int64_t{cln::float_exponent(number(x))});
   const auto before_point = static_cast<unsigned>(exponent / 3);
@@ -87,7 +87,7 @@ Real call_function(FunctionId function, const Real& x, const Real& y) {
   const FunctionId far = growth_function(function, cln::minusp(number(y)));
   if (const auto limit = limit_at_infinity(function, number(x))) return *limit;
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
-  if (function == FunctionId::atan2 && is_origin) return Real();  // as in the C library
+  if (function == FunctionId::atan2 && is_origin) return Real();  // 0, as in the C library
   return guarded(in_domain(far, number(x)), [&] {
     return function_value(function, is_periodic(far) ? extend_digits(x) : number(x), number(y));
   });

@@ -1,9 +1,9 @@
 // scalar_literal: shortest decimals by std::to_chars, which ignores the locale.
 //
-// Exact numbers are rounded correctly to binary, subnormals and overflow included. CLN's
-// double_approx stops at the smallest normal number. So the significand is rounded here, as an
-// integer with as many bits as the result has at its exponent. For ordinary numbers the hardware
-// and CLN also round correctly, ten times as fast.
+// Exact numbers are rounded correctly to binary, including subnormals and overflow. CLN's
+// double_approx stops at the smallest normal number, so the significand is rounded here, as an
+// integer with as many bits as the result has at its exponent. For normal numbers the hardware and
+// CLN round correctly too, ten times as fast.
 #include "numbers/scalar_literal.hpp"
 
 #include <cln/float.h>
@@ -55,7 +55,8 @@ Scalar round_positive(const cln::cl_RA& x) {
 }
 
 /// The correctly rounded quotient by one hardware operation. None unless the numerator is exact in
-/// Scalar and the denominator is exact or a power of two; none on hardware that rounds twice (x87).
+/// Scalar, and the denominator is exact or a power of two. Also none on hardware that rounds twice
+/// (x87).
 template <class Scalar>
 std::optional<Scalar> divide_in_hardware(const cln::cl_RA& x) {
   constexpr auto digits = static_cast<uintC>(std::min(std::numeric_limits<Scalar>::digits, 62));
@@ -70,9 +71,9 @@ std::optional<Scalar> divide_in_hardware(const cln::cl_RA& x) {
   return dividend / static_cast<Scalar>(cln::cl_I_to_long(divisor));
 }
 
-/// The magnitude of a float x if its exponent suffices to round it. A float far beyond all built-in
-/// types becomes 0 or infinity, as its fraction might need more than the memory. CLN rounds normal
-/// doubles.
+/// |x| rounded, for a float x whose exponent decides how; otherwise none. Far beyond all built-in
+/// types the result is 0 or infinity, because the exact fraction might need more than the memory.
+/// CLN rounds normal doubles.
 template <class Scalar>
 std::optional<Scalar> rounded_by_exponent(const cln::cl_R& x) {
   constexpr std::int64_t normal = 1'000;

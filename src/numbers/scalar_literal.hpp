@@ -27,7 +27,8 @@ enum class Fit : std::uint8_t { fits, too_large, too_small };
 /// scalar_literal of the magnitude, after "-" if the value is negative.
 [[nodiscard]] std::string signed_literal(const cln::cl_R& value, ScalarKind scalar);
 
-/// The exact decimal, if a float holds the value exactly (0, 2, -1/2) and 17 digits suffice.
+/// The exact decimal if float represents the value exactly (0, 2, -1/2) and 17 digits suffice;
+/// otherwise none.
 [[nodiscard]] std::optional<std::string> exact_in_float(const cln::cl_R& value);
 
 }  // namespace elgen
