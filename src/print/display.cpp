@@ -83,7 +83,8 @@ Glyphs part_of(const Glyphs& row, std::size_t first, std::size_t last) {
           {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)}};
 }
 
-/// The start of the last factor of a product if the factor is in brackets; 0 otherwise.
+/// The index of the part with which the last factor of a product begins, if this factor is in
+/// brackets; otherwise 0.
 std::size_t last_bracket(const Glyphs& product) {
   if (bracket_step(product.parts.back()) >= 0) return 0;
   int depth = 0;
@@ -185,8 +186,8 @@ Sides wider_of(const Sides& x, const Sides& y) {
   return {std::max(x.left, y.left), std::max(x.right, y.right)};
 }
 
-/// The widths of an equation. A continued right side or a broken left side counts as the full
-/// width.
+/// The widths of both sides of an equation. If the right side continues on more lines, or the left
+/// side is broken, each side counts as the full width.
 Sides sides_of(const SetEquation& equation, const PageShape& shape) {
   Sides sides;
   for (const Display& display : displays(equation, shape)) {
@@ -216,7 +217,7 @@ std::vector<std::string> latex_right_sides(const Display& display) {
   return {text + "\\end{pmatrix}"};
 }
 
-/// Both sides of an equation in a line: "S = int L dt"; none if there are words on the left.
+/// The equation in a line such as "S = int L dt"; none if words precede the equals sign.
 std::optional<SetEquation> equation_in(const Glyphs& row) {
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     if (row.parts[i].kind == GlyphKind::prose) break;
@@ -267,7 +268,8 @@ bool omits_zeros(const SetEquation& equation, const PageShape& shape) {
 
 std::vector<Display> displays(const SetEquation& equation, const PageShape& shape) {
   if (equation.entries.size() == 1) {
-    // Only the symbol of a single number loses its bold type: a definition contains vectors.
+    // The symbol of a single number loses its bold type. A definition keeps it, because it contains
+    // vectors.
     const bool is_defined = std::ranges::any_of(equation.left.parts, [](const Glyphs& part) {
       return part.text == "=" || bracket_step(part) != 0;
     });

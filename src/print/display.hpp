@@ -2,8 +2,8 @@
 //
 //     M = ( 2 x 2 )        if the columns fit side by side
 //     M_{1 2} = …          entry by entry if the columns do not fit; zeros are omitted
-//     a = b - 1/Δ (…       if a fraction is too wide: before the lines of its numerator;
-//     a = (…)^-1           1/(…) as a power, which can be broken into lines
+//     a = b - 1/Δ (…       if a fraction is too wide: its numerator, in brackets, can be broken
+//     a = (…)^-1           a wide 1/(…) becomes a power, whose base can be broken
 //
 // A block is a list of equations with aligned equals signs.
 #pragma once
@@ -41,8 +41,8 @@ struct PageShape {
   double left = 0;  ///< the minimal width of left sides
 };
 
-/// `left` = a matrix, or, if `columns` is 0, lines that continue each other. If `left` is empty,
-/// the lines contain both sides of a long equation.
+/// The equation `left` = a matrix. If `columns` is 0, the right side is text on one or more lines.
+/// If `left` is empty, these lines contain both sides of a long equation.
 struct Display {
   Glyphs left = {};
   std::uint32_t columns = 0;
@@ -69,7 +69,7 @@ using DisplayBlock = std::vector<Display>;
 /// True if a list omits entries that are 0.
 [[nodiscard]] bool omits_zeros(const SetEquation& equation, const PageShape& shape = {});
 
-/// A matrix whose wide entries are replaced by their names, and a matrix of these entries (0
+/// A matrix in which names replace the wide entries, and a matrix of the wide entries (0
 /// elsewhere). In a symmetric matrix only entries on and above the diagonal have names.
 struct NamedEntries {
   SetEquation matrix = {};

@@ -107,9 +107,11 @@ Lines with_units(const List& list) {
   return names;
 }
 
-/// "(x [m], theta [rad])"; the first two names and the last if the list is longer than a line.
+/// "(x [m], theta [rad])". If the list is longer than a line, only the first two names and the
+/// last.
 std::string tuple(const Lines& names) {
-  constexpr std::size_t longest = 80;  // a line of 100 less "v = ", ", a = dv/dt" and indentation
+  // A line of 100 columns, minus the columns of "v = ", ", a = dv/dt" and the indentation.
+  constexpr std::size_t longest = 80;
   const std::string all = fmt::format("({})", fmt::join(names, ", "));
   if (names.size() <= 3 || all.size() <= longest) return all;
   return fmt::format("({}, {}, ..., {})", names[0], names[1], names.back());
@@ -218,8 +220,8 @@ class NamedFormulas {
     return symbol;
   }
 
-  /// x_F of the origin; R_{12}, omega_x in the world's axes and Omega_x in the frame's axes, with F
-  /// as superscript.
+  /// The symbol of component k of a frame: x_F of the origin, R_{12}, omega_x in the axes of the
+  /// world, or Omega_x in the axes of the frame. The superscript F is the name of the frame.
   [[nodiscard]] static Glyphs component_of_frame(const std::string& frame, std::uint32_t k) {
     if (k >= frame_origin && k < frame_angular_velocity) return component(frame, k % 3);
     const std::string_view letter = k < frame_origin           ? "R"

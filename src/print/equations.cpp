@@ -49,7 +49,7 @@ class ReadFunction {
     return is_named(at) ? names_[at] : definition(at);
   }
 
-  // The rules of fold.hpp, for operands that are given by index.
+  // The rules of fold.hpp. Operands are indices of instructions.
 
   [[nodiscard]] std::uint32_t operator[](std::uint32_t operand) const { return operand; }
   [[nodiscard]] Formula constant(const Constant& constant) const {
@@ -134,7 +134,7 @@ std::vector<std::uint32_t> long_entries(const Function& function,
 /// A definition of at most this many operations is easier to read where it is used.
 constexpr std::size_t short_definition = 3;
 
-/// `formula_of` each name; empty for an empty name.
+/// formula_of(name) for each name; an empty formula for an empty name.
 template <class F>
 Formulas formulas_of(const std::vector<std::string>& names, const F& formula_of) {
   Formulas formulas;
@@ -160,8 +160,9 @@ Formulas symbols_of(const std::vector<std::string>& names, ModelSymbols symbols)
   });
 }
 
-/// Prints definitions and entries by name. `sizes`: operations of each formula over the leaves,
-/// which decide if an entry is written out; if empty, no entry is.
+/// Prints definitions and entries by name. `sizes`: the number of operations of each formula over
+/// the leaves, which decides if an entry is written out. If `sizes` is empty, no entry is written
+/// out.
 FunctionEquations named_equations(const Program& program, const Function& function,
                                   const LeafValues<Formula>& leaves, const Formulas& names,
                                   const std::vector<std::size_t>& sizes) {
@@ -193,8 +194,8 @@ FunctionEquations needed_equations(const Program& program, const Function& funct
   return named_equations(program, function, leaves, names, sizes);
 }
 
-/// Removes the names of short definitions. Other definitions without their own name become xi_1,
-/// xi_2, ….
+/// Removes the names of short definitions. Other definitions that the model does not name become
+/// xi_1, xi_2, ….
 std::vector<std::string> readable_names(const Program& program, const Function& function,
                                         const std::vector<std::size_t>& sizes) {
   std::vector<std::string> names = temporary_names(program, function);
@@ -207,8 +208,8 @@ std::vector<std::string> readable_names(const Program& program, const Function& 
   return names;
 }
 
-/// Prints x for x + 0/y and x + 0*y, which guard pivots against M_ii = 0. The instructions remain,
-/// so that names are the same as in code.
+/// Prints x instead of x + 0/y and x + 0*y, which guard pivots against M_ii = 0. The instructions
+/// remain, so that names are the same as in code.
 Function without_guards(const Program& program, Function function) {
   const std::vector<Instruction>& all = function.instructions;
   for (Field& field : function.fields) {

@@ -50,7 +50,8 @@ std::vector<PageVariable> functions(const Model& model, const Formulas& symbols)
   return list;
 }
 
-/// "pi/10" as typed, for a value that no short number equals.
+/// The expression "pi/10" as typed if `form` is given, because no short number equals its value;
+/// otherwise the exact value.
 std::string value_text(const Model& model, const cln::cl_R& value,
                        const std::optional<ExpressionId>& form) {
   return form ? to_string(model, *form) : exact_text(value);
@@ -137,7 +138,7 @@ PageSection with_equations(const Model& model, const Program& program, std::size
   return result;
 }
 
-/// True if a section fills more than about half a page: too much to read.
+/// True if a section fills more than about half a page, which is too much to read.
 bool fills_page(const PageSection& section) {
   constexpr std::size_t longest = 3000;
   std::size_t letters = 0;
@@ -147,8 +148,8 @@ bool fills_page(const PageSection& section) {
   return letters > longest;
 }
 
-/// The equations of an output, or its definition if it has one and the equations are not readable
-/// or fill a page.
+/// The equations of an output. If it has a definition, the definition replaces equations that are
+/// not readable, and equations that fill a page unless the user asked for this output.
 PageSection readable_output(const Model& model, const Program& program, std::size_t index,
                             bool is_asked_for) {
   PageSection defined = by_definition(model, program.functions[index]);
@@ -158,7 +159,8 @@ PageSection readable_output(const Model& model, const Program& program, std::siz
   return is_defined && !is_asked_for && fills_page(result) ? defined : result;
 }
 
-/// The documentation of an output that takes independent velocities as an option, with their names.
+/// The documentation of an output. If the output takes only independent velocities, the text names
+/// these velocities.
 std::string doc_with_independent(const Model& model, const Function& function) {
   std::vector<std::string> names;
   for (const std::uint32_t i : function.independent) {
@@ -175,7 +177,8 @@ std::string sentence(const std::string& text) {
   return has_end ? text : text + ".";
 }
 
-/// A step does not return a state to the constraints unless it projects.
+/// A sentence on the drift off the constraints, to which a step returns only if it projects; ""
+/// without constraints.
 std::string drift_of_step(const Model& model, const StepSpec& step) {
   if (model.constraints.empty()) return {};
   return step.projects

@@ -1,8 +1,9 @@
 // named_parts: the recursions of src/derive/tree/ in textbook form: motions from the world
 // outwards, forces and composite inertias back to the world. Featherstone, Rigid Body Dynamics
-// Algorithms (2008), chapters 5 and 6. For each frame, let V be its twist, S the part of V from its
-// own motion, and G the inertia of the bodies it carries. Then 2 T = sum V.G V - (V - S).G (V - S),
-// which gives M.
+// Algorithms (2008), chapters 5 and 6. For each frame, let V be its twist, S the part of V that the
+// frame's own motion adds, and G the inertia of the bodies that it carries. This gives M:
+//
+//     2 T = sum V.G V - (V - S).G (V - S)
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -17,7 +17,7 @@ namespace {
 struct PageSyntax {
   std::string (*plain)(const std::string& text);  ///< prose, with markup escaped
   std::string (*name)(const std::string& name);   ///< a name in models and programs
-  std::string (*unit)(const std::string& unit);   ///< of "m/s^2"
+  std::string (*unit)(const std::string& unit);   ///< a unit such as "m/s^2"
   std::string (*formula)(const Glyphs& glyphs);   ///< without delimiters
   std::string (*in_line)(const Glyphs& glyphs);   ///< with the delimiters of a formula inside prose
   std::string (*equations)(const DisplayBlock& all);  ///< displayed equations
@@ -70,7 +70,8 @@ TemplateData variables_data(const Page& page, const PageSyntax& words) {
   return tables;
 }
 
-/// Rows of cells, starting with the heads; absent without heads.
+/// The data of a table: the list `heads` with the row of heads, and the list `rows`. Both are empty
+/// for a table without heads.
 TemplateData cells_data(const PageTable& table, const PageSyntax& words) {
   const auto row_of = [&](auto first, std::size_t count) {
     TemplateData cells(List::list);

@@ -19,7 +19,7 @@ Lines fixed_parameters(const Model& model, const Scene& scene) {
   return values;
 }
 
-/// "q1 = 1/6*pi"; of a rotation each component.
+/// "q1 = 1/6*pi" for each locked coordinate; a rotation gives one text per component.
 Lines locked_coordinates(const Model& model) {
   const Model& whole = whole_model(model);
   Lines values;
@@ -57,7 +57,8 @@ std::string left_out_text(const OmittedOutputs& left_out) {
                      names);
 }
 
-/// The expansion point: coordinates that are small, and inputs if they are small.
+/// The expansion point, as "x = 0" for each small coordinate, and for each input if inputs are
+/// small.
 Lines point(const Model& model) {
   const Approximation& approximation = *model.approximation;
   Lines values;

@@ -43,7 +43,7 @@ class ScreenDrawing {
 
   [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
 
-  /// "kg*m^2" -> "kg m²"
+  /// Spells "kg*m^2" as "kg m²" in Unicode; in ASCII it is unchanged.
   [[nodiscard]] std::string unit(const std::string& text) const {
     return is_unicode() ? unit_text(text, " ", small_exponent) : text;
   }
@@ -117,7 +117,7 @@ class ScreenPage : public ScreenDrawing {
     return text_of(draw(glyphs_of(formula), Fractions::in_line), indent);
   }
 
-  /// One line each: symbol, value with unit, description.
+  /// One line per variable: symbol, value with unit, description.
   [[nodiscard]] std::string variables(const std::vector<PageVariable>& list) const {
     std::vector<Block> cells;
     for (const PageVariable& v : list) {

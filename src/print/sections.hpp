@@ -1,9 +1,9 @@
-// sections: titles and definitions of outputs, constraints, and recursions with named parts, which
-// replace equations that are too long to read.
+// sections: the parts of a page: titles and definitions of outputs, constraints, and recursions
+// with named parts. A recursion replaces equations that are too long to read.
 //
 //     rod (position): (x^2 + y^2)/2 = l^2/2, omega = 10, zeta = 1
 //     A a = -gamma - 2 zeta omega r - omega^2 f
-//     n_{i} = \sum_{b} (…) + \sum_{j} (…)              of frames, and the bodies that they carry
+//     n_{i} = \sum_{b} (…) + \sum_{j} (…)     a recursion over frames and the bodies they carry
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct Heading {
 
 [[nodiscard]] Heading heading(const Model& model, const Function& function);
 
-/// A sentence from the output table; for a user's output its documentation in the model.
+/// A sentence from the output table. A user's output has its documentation in the model instead.
 [[nodiscard]] std::string output_doc(const Model& model, const Function& function);
 
 /// The constraints on accelerations: A a = -gamma, with terms -2 zeta omega r - omega^2 f if the
@@ -33,7 +33,7 @@ struct Heading {
 /// A table of the constraints: multipliers with units, equations, gains.
 [[nodiscard]] PageSection constraint_section(const Model& model);
 
-/// True if program.readable[index] has a closed form for readers.
+/// True if the function has a closed form for readers in program.readable[index].
 [[nodiscard]] bool has_readable_form(const Program& program, std::size_t index);
 
 /// True if all kinetic energy belongs to bodies and points in frames and to armatures, so that a

@@ -164,8 +164,8 @@ class Outline {
     end_section();
   }
 
-  /// Adds all f and phi, L + lambda f for constraints on positions, and a note on constraints on
-  /// velocities.
+  /// Adds the functions f and phi of all constraints, L + lambda f for constraints on positions,
+  /// and a note on constraints on velocities.
   void add_constraints(std::size_t function) {
     PageSection& section = add_section(prose("Constraints"), std::string(constraints_doc));
     Formulas sum = {latex_formula("L")};
@@ -226,7 +226,8 @@ class Outline {
     end_section();
   }
 
-  /// Adds the equation d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda, written out.
+  /// Adds Lagrange's equation d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda of one velocity, in
+  /// coordinates.
   void add_row(std::size_t function) {
     add(read_[function].entries[field_of(BookField::left)].front(), function,
         field_of(BookField::force));
@@ -310,7 +311,7 @@ class Outline {
   const Model& model_;
   const ReadableSteps& steps_;
   ModelSymbols symbols_;
-  std::vector<Glyphs> places_ = {};           ///< of the masses
+  std::vector<Glyphs> places_ = {};           ///< symbols of the positions of masses
   std::vector<FunctionEquations> read_ = {};  ///< per function
   std::vector<std::size_t> functions_ = {};   ///< used in the current section
   std::vector<PageSection> outline_ = {};

@@ -1,7 +1,7 @@
 // steps: sentences that all derivations share. `<q>` is a vector.
 //
-// Hamilton's principle, with d'Alembert's principle if forces work or constraints hold: Goldstein,
-// Poole, Safko, Classical Mechanics, 3rd ed., sections 1.4, 2.3 and 2.4.
+// Hamilton's principle, together with d'Alembert's principle if forces do work or constraints hold:
+// Goldstein, Poole, Safko, Classical Mechanics, 3rd ed., sections 1.4, 2.3 and 2.4.
 #pragma once
 
 #include <array>

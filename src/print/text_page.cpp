@@ -16,7 +16,7 @@ namespace elgen {
 namespace {
 
 /// Joins functions into one, so that common subexpressions are computed once. Fields keep the order
-/// of the functions. A marked name that is already in use gets the name of its function as a
+/// of the functions. If a marked name is already in use, the name of its function becomes its
 /// prefix.
 Function joined_functions(const Program& program, const std::vector<std::size_t>& functions) {
   Function all;
@@ -57,7 +57,7 @@ std::string definitions_text(const FunctionEquations& equations) {
   return text;
 }
 
-/// "(x, y)" on one line for a column of a derivation; one line per entry for a matrix.
+/// A column of a derivation on one line: "(x, y)". A matrix has one line per entry.
 std::string equation_text(const PageEquation& equation, bool is_tuple) {
   const std::string left = text_of(equation.left);
   if (equation.entries.size() == 1) {
@@ -93,7 +93,8 @@ bool is_shown(const Program& program, const Function& function, const PageOption
   return has_equations(output_row(function.kind)) && (options.zeros || !is_zero(program, function));
 }
 
-/// "3.1" lost digits; "all" if no digit of a double remains, "0" if none is lost, "" if unknown.
+/// The digits that `loss` costs a double: "3.1"; "0" if no digit is lost, "all" if no digit
+/// remains, "" if the loss is unknown.
 std::string digits_text(const std::optional<double>& loss) {
   if (!loss) return {};
   const double digits = digits_lost(*loss, ScalarKind::double_precision);

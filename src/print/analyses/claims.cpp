@@ -47,8 +47,8 @@ std::string undecided_places(const Model& model, const Equilibria& equilibria) {
   return places;
 }
 
-/// True if a coordinate of some point satisfies `wanted`, and the point is an equilibrium only for
-/// these values of the parameters.
+/// True if a coordinate of some point satisfies `wanted`, and this point is an equilibrium only for
+/// the present values of the parameters.
 template <class Wanted>
 bool has_inexact(const Equilibria& equilibria, const Wanted& wanted) {
   return std::ranges::any_of(equilibria.points, [&wanted](const RestPoint& point) {
@@ -81,7 +81,8 @@ bool is_positive(const PageForms& known, const Fraction& product) {
          });
 }
 
-/// numerator| <= |denominator|, without bars around a denominator that is known to be positive.
+/// The condition |numerator| <= |denominator|, without bars around a denominator that is known to
+/// be positive.
 std::optional<Formula> condition_of(PageForms& known, const Fraction& sinusoid) {
   const Value below = divisor_of(known.forms.algebra, sinusoid);
   if (!below) return std::nullopt;
@@ -93,7 +94,7 @@ std::optional<Formula> condition_of(PageForms& known, const Fraction& sinusoid) 
   return relation(bars(std::move(*above)), std::move(*bound), "<=");
 }
 
-/// The cosine or sine that all angles at rest share; none if there are several.
+/// The sine or cosine that all angles at rest have in common; none if there are several.
 std::optional<Fraction> only_sinusoid(ClosedForms& forms, const Equilibria& equilibria) {
   std::optional<Fraction> only;
   for (const RestPoint& point : equilibria.points) {
@@ -120,7 +121,7 @@ Formula existence_condition(PageForms& known, const Equilibria& equilibria) {
                  condition ? *condition : prose("the arguments of acos and asin are in [-1, 1]")});
 }
 
-/// "numbers and stability computed at the parameters' values"
+/// The clause "numbers and stability computed at the parameters' values".
 Formula parameter_value_clause(Formulas special) {
   special.push_back(prose("stability"));
   return row_of({enumeration(std::move(special)), prose("computed at the parameters' values")});

@@ -22,7 +22,7 @@ std::string input_values_text(const Model& model, const Equilibria& equilibria) 
   return text;
 }
 
-/// K of a model with one coordinate; none for other models.
+/// The stiffness K of a model with one coordinate; none for other models.
 Value stiffness_of(PageForms& known) {
   if (known.model.velocities.size() != 1 || known.model.coordinates.size() != 1) return {};
   const Value row = known.forms.functions[0].fields[0].entries[0];
@@ -58,7 +58,7 @@ void add_breaks(Formulas& lines, PageForms& known, const std::vector<ChartBreak>
   lines.push_back(row_of({prose("the chart is singular at"), enumeration(std::move(places))}));
 }
 
-// A page without points:
+// Functions for a page without points.
 
 Formula residual_name(const Model& model) {
   if (!model.inputs.empty()) return symbol("bias - B u", "\\mathrm{bias} - B u");
@@ -127,7 +127,7 @@ Formulas lines_without_points(const CheckedModel& checked, PageForms& known,
   return lines;
 }
 
-// A page with points:
+// Functions for a page with points.
 
 Formula rest_energy(const Equilibria& equilibria) {
   Formula potential = symbol("V0", "V_0");

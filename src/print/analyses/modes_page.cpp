@@ -113,8 +113,8 @@ Formula complex_number(double real, double imaginary) {
   return row_of({six_digits(real), symbol("+-", "\\pm"), size, unit});
 }
 
-/// Adds the poles on one line if the point has normal modes, else in a table with damping ratios
-/// and time constants. Adds the rank of controllability if the model has inputs.
+/// Adds the poles: on one line if the point has normal modes, otherwise in a table with damping
+/// ratios and time constants. Adds the rank of controllability if the model has inputs.
 void add_poles(Page& page, const PageForms& known, const LinearMotions& motions) {
   double largest = 0;
   for (const auto& pole : motions.poles) largest = std::max(largest, std::abs(pole));

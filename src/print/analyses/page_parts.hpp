@@ -37,17 +37,17 @@ struct PageForms {
 /// "TITLE, p_phi = 0.6 N m s: SUBJECT", with the momenta that the scene holds.
 [[nodiscard]] Formula analysis_title(const CheckedModel& checked, const std::string& subject);
 
-/// "r in [0.3, 3]" for each coordinate with a searched range.
+/// "r in [0.3, 3]" for each coordinate whose range was searched.
 [[nodiscard]] Formulas searched_ranges(const PageForms& known, const Equilibria& equilibria);
 
 /// True if two points differ only in the sign of each angle acos(c).
 [[nodiscard]] bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& next);
 
-/// "exact for all values of the parameters; stability at the parameters' values; theta modulo
-/// 2*pi": the conditions under which the points hold.
+/// The conditions under which the points are equilibria: "exact for all values of the parameters;
+/// stability at the parameters' values; theta modulo 2*pi".
 [[nodiscard]] Formula scope_of(PageForms& known, const Equilibria& equilibria);
 
-/// "these are all at the parameters' values (proved)": whether the list is complete.
+/// Whether the list of points is complete: "these are all at the parameters' values (proved)".
 [[nodiscard]] Formula claim_of(const Model& model, const Equilibria& equilibria);
 
 [[nodiscard]] const char* name_of(SymmetryKind kind);

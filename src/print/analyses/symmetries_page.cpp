@@ -95,7 +95,8 @@ Formula change_of(const PageForms& known, const Symmetry& symmetry) {
 
 // Integrals
 
-/// "F"; "F_1", "F_2", ... if the model has a value of that name.
+/// The symbol F of an integral such as p(x)*t - F. If the model has a value "F", the first unused
+/// name of "F_1", "F_2", ….
 std::string name_of_total(const Model& model) {
   std::string name = "F";
   for (int i = 1; has_value_named(model, name); ++i) name = fmt::format("F_{}", i);
@@ -107,8 +108,8 @@ Formula free_symbol(const Model& model, const std::string& name) {
   return symbol_formula(name, ModelSymbols(model).distinct(symbol_of_name(name)));
 }
 
-/// An integral, as left side, equation and note: "p(x)" = "m*dot(x)"; "p(x)*t - F", "F" = "m*x";
-/// "E" = "…" with a note.
+/// An integral as left side, equation and note: "p(x)" = "m*dot(x)"; "p(x)*t - F" with the equation
+/// "F" = "m*x"; or "E" = "…" with a note.
 struct IntegralLine {
   Formula left = {};
   std::optional<PageEquation> equation = {};
@@ -133,7 +134,7 @@ Formula one_line_formula(const IntegralLine& integral) {
   return row_of(std::move(parts));
 }
 
-/// True if a symmetry turns a rotation about an axis of the world.
+/// True if a symmetry turns a rotation, about an axis of the world or of the body.
 bool turns_rotation(const Model& model, const Symmetry& symmetry) {
   const GeneratorClass all(model);
   return std::any_of(symmetry.generator.begin() + static_cast<std::ptrdiff_t>(all.world_turn(0, 0)),
@@ -192,7 +193,8 @@ struct SymmetryRow {
   std::optional<PageEquation> rate = {};
 };
 
-/// "rotation: dx = -y, dy = x", with the equations below.
+/// The lines and equations of one symmetry. An example of the first line is
+/// "rotation: dx = -y, dy = x".
 PageSection block_of(const SymmetryRow& row) {
   PageSection block{.lines = {row_of({row.name, prose(":"), row.change})}};
   for (const Formula& line : {row.integral.left, row.integral.note}) {
@@ -254,7 +256,7 @@ std::string sampled(const Symmetries& symmetries) {
   return fmt::format("sampled at {} states in 160 digits", symmetries.states);
 }
 
-/// "conserved: proved; ": the verdict on the integrals.
+/// The verdict on the integrals, a prefix of claim_of(): "conserved: proved; ".
 std::string verdict(const Model& model, const Symmetries& symmetries) {
   if (symmetries.all.empty()) return {};
   const bool are_proved = std::ranges::all_of(symmetries.all, &Symmetry::is_proved);
