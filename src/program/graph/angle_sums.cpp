@@ -49,6 +49,8 @@ Combination plus(Combination x, const Combination& y, int sign) {
   return x;
 }
 
+/// The argument of a sine or cosine as a linear combination of nodes; other types of sums also have
+/// products of powers as terms.
 struct AngleTerms {
   NodeId argument = 0;
   Combination terms = {};

@@ -12,7 +12,8 @@ namespace {
 /// Longer sums are not factored, because the greedy search takes quadratic time.
 constexpr std::size_t maximal_terms = 400;
 
-/// A term as its factors. If it is not divisible, no factor is pulled out.
+/// A term as a sign and powers, from which common factors are divided out. A rational number is not
+/// divisible. Unlike a ScaledTerm it has no separate coefficient.
 struct FactoredTerm {
   bool negative = false;
   std::vector<Power> factors = {};
