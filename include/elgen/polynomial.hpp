@@ -98,7 +98,8 @@ struct Gaussian {
   friend bool operator==(const Gaussian&, const Gaussian&) = default;
 };
 
-/// Terms ascending by MonomialLess; no coefficient is 0, and the empty sum is 0.
+/// Terms ascending by MonomialLess; no coefficient is 0, and the empty sum is 0. Unlike the
+/// types of sums for pages and code it is canonical: equal sums have equal terms.
 class Polynomial {
  public:
   using key_type = Monomial;
