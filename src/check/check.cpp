@@ -1,9 +1,9 @@
 // check: the syntax of a model and a scene -> Model and Scene.
 //
-// The order of the steps matters and is fixed only here. Sizes and names come first, then every
-// expression, so that all may refer forward. Resolved expressions are checked for cycles,
-// ingredients, degrees and units. The scene is last. Errors are collected throughout; a step that
-// could only repeat earlier errors is skipped.
+// The order of the steps matters and is fixed only here. Sizes and names come first, so that
+// expressions may use names that the file declares later. Resolved expressions are checked for
+// cycles, ingredients (leaves and functions), degrees and units. The scene is last. Errors are
+// collected throughout; a step that could only repeat earlier errors is skipped.
 #include "check/entries/entries.hpp"
 #include "check/expressions/expand.hpp"
 #include "check/expressions/open_functions.hpp"
@@ -62,7 +62,7 @@ void read_all_entries(Context& context, const FileSyntax& syntax) {
   check_output_names(context.model, context.report);
 }
 
-/// Sets the arguments of each output besides q, from the ingredients of its values.
+/// Sets the arguments that each output takes besides q, by the leaves in its values.
 void note_arguments(Model& model, const std::vector<Traits>& traits) {
   for (UserOutput& output : model.outputs) {
     for (const ExpressionId value : output.values) {
@@ -75,8 +75,9 @@ void note_arguments(Model& model, const std::vector<Traits>& traits) {
   }
 }
 
-/// Closed forms are read once the outputs of the model are known, and then the expansion point of
-/// the scene. Both are checked with all other expressions.
+/// Checks the energies, reads the closed forms of [[expect]] and the scene's expansion point,
+/// starts and laws, then checks all expressions together. A closed form needs the outputs of the
+/// model.
 void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene_syntax,
            const SceneOptions& options, Scene& scene) {
   const bool has_order = check_cycles(context);
@@ -98,7 +99,8 @@ void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene_s
   check_units(context);
 }
 
-/// Eliminates the held variables; the scene's requests are then checked against the reduced model.
+/// Eliminates the variables that the scene locks or declares cyclic. Everything that the scene
+/// requests is checked afterwards, against the reduced model.
 void reduce_model(Context& context) {
   context.model = variant_of(std::move(context.model));
   while (context.constants.size() < context.model.expressions.size()) {

@@ -8,14 +8,15 @@ namespace elgen {
 void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// The key `of` of a [[function]], open or closed; read before any expression names it. E104.
+/// Reads the key `of` of a [[function]], open or closed, before any expression that names the
+/// function is resolved. E104.
 void read_arguments(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 /// The other keys of a [[function]]; if it is closed, the expression of its definition.
 void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
 void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// The steps from the parent, and the pose in the world.
+/// Reads the transforms from the parent, and derives the pose in the world.
 void read_frame(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
 /// E516 for every frame step that leaves the plane if vectors have 2 components: a turn about an
@@ -25,7 +26,7 @@ void check_plane(Context& context);
 void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// Requires the units of velocities.
+/// The units of all velocities must have been read.
 void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 /// Adds the forces of an input that declares a wrench or a point force (wrench_input.hpp).
 void read_wrench_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t first);
@@ -33,7 +34,7 @@ void read_wrench_input(ValueReader& values, const EntrySyntax& entry, std::uint3
 void read_constraints(Context& context, const std::vector<Instance>& instances);
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// Requires the units of coordinates and inputs. E201, E517, E612.
+/// The units of all coordinates and inputs must have been read. E201, E517, E612.
 void read_equilibrium(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
 /// Tables that are not repeated: [model], [define], [gravity], [energy], [outputs].

@@ -7,7 +7,7 @@
 namespace elgen {
 namespace {
 
-/// I_com = I_origin - m (c.c 1 - c c^T); entries xx yy zz xy xz yz, in a plane zz alone.
+/// I_com = I_origin - m (c.c 1 - c c^T); entries xx yy zz xy xz yz; in a plane only zz.
 std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
                                     ExpressionId mass) {
   const Vector3& c = body.com.at;

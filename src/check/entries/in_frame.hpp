@@ -1,5 +1,5 @@
-// Converts entries given in the axes of a frame to the world, the axes that the oracle and every
-// user of positions read.
+// Converts positions, inertias and twists from the axes of a frame to world axes. The oracle and
+// all other code expect positions in world axes.
 #pragma once
 
 #include "check/expressions/node_builder.hpp"
@@ -10,11 +10,11 @@ namespace elgen {
 /// R x + origin of the frame.
 [[nodiscard]] Vector3 world_position(NodeBuilder& nodes, const PlaceInFrame& place);
 
-/// Sets com, spin and the inertia about the com from `local`, whose com and inertia are in the axes
-/// of its frame. Keeps `local` in the body.
+/// Sets com, spin and the inertia about the com of `body`. The com and inertia of `local` are in
+/// the axes of its frame; the body also keeps `local`.
 void set_world_pose(Context& context, BodyInFrame local, Body& body);
 
-/// One to three components, padded with 0 to three.
+/// The given components (one to three), padded with zeros to three.
 [[nodiscard]] Vector3 pad_to_three(const std::vector<ExpressionId>& components);
 
 /// Sets the pose [R p] (row-major) and the twist (angular velocity, velocity of the origin) of a

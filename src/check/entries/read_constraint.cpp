@@ -80,7 +80,7 @@ class ConstraintReader {
   }
 
   /// Adds a row for each component that both points have. An unknown point counts as a point of the
-  /// model's dimension, since too few equations would be a second error.
+  /// model's dimension, since too few equations would cause a second error.
   void read_points(const ValueSyntax& list) {
     if (list.items.size() != 2) {
       context_.report.add(Reason::wrong_list_length, list.span,
@@ -165,7 +165,8 @@ std::optional<std::uint32_t> point_of_rate(const Model& model, ExpressionId valu
   return inner.index;
 }
 
-/// E541 at the second velocity equation on a point of a turning frame.
+/// Warns with E541 if two velocity equations fix the same point of a turning frame. The warning is
+/// at the second equation.
 void warn_of_material_points(Context& context) {
   std::vector<std::uint32_t> held;
   for (const Constraint& row : context.model.constraints) {

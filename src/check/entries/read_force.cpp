@@ -26,14 +26,15 @@ void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeyS
   }
 }
 
-/// The frame that a key names, or the default `usual`.
+/// The frame that the key `name` gives; without the key, `usual`.
 std::optional<std::uint32_t> axes_of(ValueReader& values, const EntrySyntax& entry,
                                      std::string_view name, std::optional<std::uint32_t> usual) {
   const KeySyntax* key = entry.find(name);
   return key == nullptr ? usual : values.frame_or_world(key->value);
 }
 
-/// The components as written, converted to the axes of a frame, or of the world.
+/// The components, converted from the axes in which the force is written to the frame `axes`; none:
+/// to world axes.
 std::vector<ExpressionId> force_in_axes(std::optional<std::uint32_t> axes, const Force& force,
                                         Context& context) {
   NodeBuilder nodes(context, force.span);
@@ -120,7 +121,8 @@ const KeySyntax* place_key_of(const EntrySyntax& entry, Report& report) {
   return nullptr;
 }
 
-/// [R p] row by row, and the twist in the requested axes.
+/// Reads the output of a frame: its pose [R p], and its twist in the axes of the key `axes`, which
+/// are the world's or the frame's own.
 void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput& output) {
   Context& context = values.context();
   output.frame = values.reference(entry.find("frame")->value, SymbolKind::frame);

@@ -2,7 +2,7 @@
 // expressions in the parent's pose.
 //
 //     x_parent = translate + R x, with R from one of
-//       rotate      R1(angle1) R2(angle2) ..., each about an axis of the frame reached so far
+//       rotate      R1(angle1) R2(angle2) ..., each about an axis of the frame already turned
 //       rpy         Rz(y) Ry(p) Rx(r)
 //       dh          standard Rz(theta) Tz(d) Tx(a) Rx(alpha),
 //                   modified Rx(alpha) Tx(a) Rz(theta) Tz(d)
@@ -89,8 +89,9 @@ Vector3 spin(NodeBuilder& nodes, const Matrix3& rotation) {
   return result;
 }
 
-/// Angular velocity of a transform relative to the axes before it, in the axes after it. Turn: n
-/// dangle/dt. Quaternion (w, e): 2 (w de/dt - dw/dt e - e x de/dt)/|q|^2. Rotation: its velocities.
+/// Angular velocity of the axes after the transform relative to the axes before it, in the axes
+/// after it. Turn: n dangle/dt. Quaternion (w, e): 2 (w de/dt - dw/dt e - e x de/dt)/|q|^2.
+/// Rotation: its velocities.
 Vector3 turning_of(NodeBuilder& nodes, const Model& model, const ElementaryTransform& transform) {
   Vector3 result{};
   if (transform.rotation) {
@@ -128,8 +129,8 @@ Vector3 turning_of(NodeBuilder& nodes, const Model& model, const ElementaryTrans
 /// Fills the pose and the angular velocities from the transforms and the parent.
 ///
 ///     before    parent world, translate (l, 0, 0), turn by q about z
-///     after     R = [cos(q), -sin(q), 0; sin(q), cos(q), 0; 0, 0, 1], origin (l, 0, 0), turning
-///               (0, 0, dot(q))
+///     after     R = [cos(q), -sin(q), 0; sin(q), cos(q), 0; 0, 0, 1], origin (l, 0, 0),
+///               angular velocity (0, 0, dot(q))
 void derive_motion(Context& context, Frame& frame) {
   NodeBuilder nodes(context, frame.span);
   // The parent's motion is referred to by name, not copied.
@@ -166,7 +167,7 @@ const RootRequest length_request{{place::position, place::of_configuration}, fin
 constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "quaternion",
                                                        "rotation"};
 
-/// The key that turns the frame; null if it has none, and after E112 if it has two.
+/// The key that gives the orientation; null if the entry has none, and after E112 if it has two.
 const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
   const auto [first, second] = first_two_keys(entry, orientations);
   if (second == nullptr) return first;
@@ -175,7 +176,7 @@ const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
   return nullptr;
 }
 
-/// False after E104.
+/// True if the list has `count` items; false after E104.
 bool has_count(const ValueSyntax& value, std::size_t count, const std::string& noun,
                Report& report) {
   if (value.items.size() == count) return true;
@@ -185,7 +186,8 @@ bool has_count(const ValueSyntax& value, std::size_t count, const std::string& n
   return false;
 }
 
-/// The axis scaled to unit length, exactly: irrational components keep their expressions.
+/// The unit vector along the axis, exactly: irrational components are expressions. None after an
+/// error.
 std::optional<Vector3> unit_axis(ValueReader& values, const ValueSyntax& axis) {
   Context& context = values.context();
   NodeBuilder nodes(context, axis.span);
@@ -349,7 +351,7 @@ void read_frame(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
 
 namespace {
 
-/// E516 at the expression `blamed` unless all components are 0.
+/// Reports E516 at the expression `blamed` unless all components are 0.
 void require_zero(Context& context, const std::vector<ExpressionId>& components,
                   ExpressionId blamed, const std::string& moves) {
   const auto is_zero = [&](ExpressionId id) { return context.constants[id] == 0; };

@@ -16,7 +16,8 @@
 namespace elgen {
 namespace {
 
-/// None if every unit of the model is 1, because units are not checked then.
+/// The declared unit; none without a declaration, or if the model's units are all 1 and thus not
+/// checked.
 std::optional<Unit> unit_of(const EntrySyntax& entry, Context& context) {
   const KeySyntax* key = entry.find("unit");
   if (key == nullptr) return std::nullopt;
@@ -24,7 +25,7 @@ std::optional<Unit> unit_of(const EntrySyntax& entry, Context& context) {
   return context.has_units ? unit : std::nullopt;
 }
 
-/// E104 for a list, which only a rotation takes as its start.
+/// The start of a plain coordinate. E104 for a list, which only a rotation may have.
 cln::cl_R start_constant(ValueReader& values, const ValueSyntax& value) {
   if (value.kind == ValueKind::list) {
     values.context().report.add(Reason::list_for_number, value.span,

@@ -1,5 +1,5 @@
-// Points of rest: the variables that a key names, and its value in their unit. An [[equilibrium]]
-// may also have a condition and the squared frequencies of small oscillations.
+// Points of rest: finds the variables that a key names, and reads the value in their unit. An
+// [[equilibrium]] may also have a condition and the squared frequencies of small oscillations.
 #include "check/entries/stated_point.hpp"
 
 #include <string_view>
@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// "q" and "q[2]" both denote q[2].
+/// True if `name` denotes the variable `full_name`: both "q" and "q[2]" denote q[2].
 bool is_named(const std::string& full_name, std::string_view name) {
   return full_name == name || full_name.substr(0, full_name.find('[')) == name;
 }

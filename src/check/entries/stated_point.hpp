@@ -11,15 +11,15 @@
 
 namespace elgen {
 
-/// A table of values at a point: the names it takes, and the error for any other name.
+/// A table of values at a point: which names it accepts, and the error for any other name.
 struct PointTable {
-  Place place = {};  ///< of each value
+  Place place = {};  ///< the place of each value
   bool takes_coordinates = true;
   bool takes_inputs = true;
   Code error_code = Code::E612;
 };
 
-/// The variables of the Model that a name denotes: "q" and "q[2]" both include q[2].
+/// Indices in the Model of the variables that a name denotes: "q" denotes all q[i], "q[2]" one.
 struct Variables {
   std::vector<std::uint32_t> coordinates = {};
   std::vector<std::uint32_t> inputs = {};
@@ -27,7 +27,8 @@ struct Variables {
   [[nodiscard]] bool empty() const { return coordinates.empty() && inputs.empty(); }
 };
 
-/// Empty after an error: the name is unknown, or belongs to a rotation.
+/// The variables that `name` denotes. Empty after an error: the name is unknown, or belongs to a
+/// rotation.
 [[nodiscard]] Variables find_variables(Context& context, const PointTable& table,
                                        const std::string& name, const Span& span);
 

@@ -92,7 +92,7 @@ class Expander {
   std::vector<Instance> take() { return std::move(instances_); }
 
  private:
-  /// False after E906 or E907, if the limit is reached.
+  /// Counts one instance. False after E906 or E907, if a limit is exceeded.
   bool within_limits(SymbolKind kind, const Span& span) {
     const bool is_coordinate = kind == SymbolKind::coordinate;
     const std::uint64_t limit =
@@ -106,7 +106,7 @@ class Expander {
     return false;
   }
 
-  /// False if the expansion should stop.
+  /// Adds one instance of an entry. False if the expansion should stop.
   bool add_instance(const EntrySyntax& entry, const EntryKind& kind, const Scope& scope) {
     NewName name;
     name.span = entry.span;
@@ -149,10 +149,10 @@ class Expander {
   Context& context_;
   std::vector<Instance> instances_;
   std::uint64_t coordinates_ = 0;
-  std::uint64_t definitions_ = 0;  ///< also points, bodies and all other entries
+  std::uint64_t definitions_ = 0;  ///< all instances except coordinates
 };
 
-/// E203: a running index would hide a name of the model.
+/// Reports E203 for a running index that would hide a name of the model.
 void check_indices(Context& context, const EntrySyntax& entry) {
   const KeySyntax* repetition = entry.find("for");
   if (repetition == nullptr) return;

@@ -1,4 +1,4 @@
-// Operands precede their users, as everywhere in the arena.
+// Appends operands before the nodes that use them, which the arena requires.
 #include "check/expressions/node_builder.hpp"
 
 #include <cln/real.h>

@@ -49,13 +49,13 @@ class NodeBuilder {
   Span span_;
 };
 
-/// Nodes that name the nine entries of a frame's rotation matrix, or three of its components from
-/// `first` on.
+/// Nodes that refer by name to the entries of a frame's rotation matrix (rotation_of), or to the
+/// frame's three components from `first` on (vector_of).
 [[nodiscard]] Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame);
 [[nodiscard]] Vector3 vector_of(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first);
 
-/// Converts components in the axes of `from` (none: the world) to the axes of `to`: R_to^T R_from
-/// x.
+/// R_to^T R_from x: the vector x, converted from the axes of `from` to the axes of `to` (none:
+/// world axes).
 [[nodiscard]] Vector3 change_axes(NodeBuilder& nodes, const Vector3& x,
                                   std::optional<std::uint32_t> from,
                                   std::optional<std::uint32_t> to);

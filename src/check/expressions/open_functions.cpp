@@ -1,4 +1,4 @@
-// Open functions: the names of their values, and the expressions that close them.
+// Open functions: declares their names, and reads the expressions that close (replace) them.
 #include "check/expressions/open_functions.hpp"
 
 #include <algorithm>
@@ -112,9 +112,9 @@ void add_rates(const Model& model, const Expression& differentiated, std::set<Re
   }
 }
 
-/// The variables that an expression depends on. d/dt e depends on the rates of the coordinates in
-/// e. It may depend on the coordinates too, but d/dt x does not; they are included only if
-/// `include_rate_arguments`.
+/// The variables on which an expression depends. d/dt e depends on the rates of the coordinates in
+/// e, and perhaps on these coordinates: d/dt x^2 does, d/dt x does not. The coordinates are
+/// included only if `include_rate_arguments`.
 std::set<ReadVariable> variables_read_by(const Model& model, ExpressionId root,
                                          bool include_rate_arguments) {
   constexpr LeafSet kinds = Opcode::coordinate | Opcode::velocity | Opcode::time;

@@ -1,4 +1,5 @@
-// Open functions: [[function]], and the expressions that replace them.
+// Open functions: a [[function]] without an expression. A closed function has one, from its own
+// sample or from [functions] of the scene.
 //
 //     [[function]] V of ["x", "y"]   ->   the names V, V_1, V_2, V_11, V_12, V_22
 #pragma once
@@ -31,8 +32,8 @@ void read_closures(Context& context, const FileSyntax& model, const FileSyntax* 
                                                             const EntrySyntax& entry,
                                                             const NewName& name);
 
-/// E319: a sample, or an expression of a scene, depends on a variable on which no argument of its
-/// function depends.
+/// Reports E319 if a function's sample, or its expression in the scene, depends on a variable on
+/// which no argument of the function depends.
 void check_function_expressions(Context& context);
 
 /// Whether a value names a derivative of a function that has an expression.

@@ -153,8 +153,8 @@ bool add_elements(Context& context, const NewName& array, std::int64_t count, bo
   declared.span = array.span;
   model.parameter_arrays.push_back(std::move(declared));
   context.bounds.resize(model.parameter_arrays.size());
-  // A refused name is reported once; the array still has all its elements, since readers index
-  // them.
+  // A refused name is reported once; the array still gets all its elements, since other code
+  // indexes them.
   bool is_declared = true;
   for (std::int64_t i = 0; i < count; ++i) {
     const NewName name{array.base, is_array ? std::optional(i + 1) : std::nullopt, array.span};

@@ -103,7 +103,8 @@ void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpr
   }
 }
 
-/// A place may allow a function with a kink, but never its rate.
+/// E315 for a time derivative of a function with a kink. Places that forbid kinks are skipped:
+/// check_places reports them.
 void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits,
                           WrittenExpression& root) {
   const unsigned kinks = traits[root.value].ingredients & uses_kink;

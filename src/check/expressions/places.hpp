@@ -1,5 +1,6 @@
-// Places: the ingredients that each kind of expression may contain. A position may contain
-// coordinates and time, an energy no input. No name may occur in its own definition.
+// Places: the ingredients (leaves and functions) that each kind of expression may contain. A
+// position may contain coordinates and time, an energy no input. No name may occur in its own
+// definition.
 #pragma once
 
 #include <vector>

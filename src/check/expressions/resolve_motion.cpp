@@ -28,7 +28,7 @@ bool is_named(const DeclaredName* symbol, SymbolKind kind) {
   return symbol != nullptr && symbol->kind == kind;
 }
 
-/// None for the world.
+/// The index of a frame; none for the world.
 template <class Frame>
 std::optional<std::uint32_t> frame_index(const Frame& frame) {
   return frame.is_world ? std::nullopt : std::optional(frame.index);
@@ -109,7 +109,7 @@ bool Resolver::has_axis(const ExpressionSyntax& call, std::uint32_t dimension, b
   return false;
 }
 
-/// `no_expression` cannot be a root, so a new node 0 replaces it.
+/// The node itself, or a new node 0 for `no_expression`, which cannot be a root.
 std::optional<ExpressionId> Resolver::nonshared_zero(ExpressionId id, const Span& span) {
   return id == no_expression ? push_number(0, span) : std::optional(id);
 }

@@ -46,7 +46,7 @@ bool is_function_name(const std::string& name) {
   return std::ranges::find(functions, name) != functions.end();
 }
 
-/// Hint on a name that is not a number: the numbers that belong to it.
+/// Hint on a name that is no number, such as a point: how to write its components.
 std::string components_hint(const std::string& name, SymbolKind kind) {
   if (kind == SymbolKind::point) return "its components are `x(" + name + ")` and so on";
   if (kind == SymbolKind::rotation) {
@@ -56,7 +56,8 @@ std::string components_hint(const std::string& name, SymbolKind kind) {
   return "";
 }
 
-/// `theta` of theta_dot, thetadot, dtheta, dot_theta, theta_ddot, and the number of dots.
+/// A name that looks like a rate. theta_dot, thetadot, dtheta and dot_theta have the base theta and
+/// 1 dot; theta_ddot has 2.
 struct DottedName {
   std::string base;
   int dots = 0;

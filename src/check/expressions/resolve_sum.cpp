@@ -13,8 +13,8 @@
 namespace elgen {
 namespace {
 
-/// The terms of a sum are of few kinds, or each is of a different kind; beyond this number terms
-/// are not merged.
+/// Terms of one kind differ only in a rational factor. With more kinds than this, probably every
+/// term is of a different kind, so merging stops.
 constexpr std::size_t most_kinds = 16;
 
 /// number * factors / divisors
@@ -60,7 +60,8 @@ class LikeTerms {
     return context_.model.expressions[id];
   }
 
-  /// False if one product of the term is the first of its kind, so that its nodes are needed.
+  /// Merges each product of the term into its kind, or starts a new kind. False if a kind is new,
+  /// so that the term's nodes are needed.
   bool add_products(ExpressionId term) {
     if (node(term).kind == ExpressionKind::add) {
       bool are_known = true;

@@ -118,8 +118,8 @@ std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& powe
                .span = power.span});
 }
 
-/// Removes the exponent's nodes again. Of nested exponents that are not constant, only the
-/// outermost is reported: y^z in x^y^z.
+/// The value of a constant exponent, whose nodes are removed again; none after an error. In x^y^z,
+/// y^z is reported as not constant, but not z.
 std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exponent) {
   std::vector<Expression>& arena = context_.model.expressions;
   const std::size_t size = arena.size();

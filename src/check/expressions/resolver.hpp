@@ -29,16 +29,17 @@ class Resolver {
   Resolver(Context& context, Scope& scope, Ingredients allowed = 0)
       : context_(context), scope_(scope), allowed_(allowed) {}
 
-  /// None after an error. Operands precede their users; the nodes of one call are consecutive.
+  /// Appends the nodes of an expression and returns its last node; none after an error. Operands
+  /// precede their users, and the nodes of one call are consecutive.
   std::optional<ExpressionId> resolve(const ExpressionSyntax& expression);
 
-  /// The index in the Model of `name` or `name[i]`. E208 for a missing or superfluous index;
-  /// `absent` if no element has this index.
+  /// The index in the Model of `name` or `name[i]`. E208 for a missing or superfluous index; the
+  /// error `absent` if no element has this index.
   std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol,
                                        Code absent = Code::E207);
 
   /// The declaration of a name of this kind; null after E201. `has_form`: the expression has the
-  /// form of such a name.
+  /// syntax that such a name needs.
   const DeclaredName* declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,
                                std::string_view shown);
 

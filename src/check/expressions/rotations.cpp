@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 4> keys_of_numbers{"range", "wrap", "singular", "armature"};
 
-/// The root, exact if it is rational.
+/// The square root, exact if it is rational.
 cln::cl_R square_root(const cln::cl_R& square) {
   cln::cl_RA root = 0;
   const bool is_exact = is_rational(square) && cln::sqrtp(cln::rational(square), &root);
@@ -92,7 +92,7 @@ void read_start(ValueReader& values, const ValueSyntax& table, const Rotation& r
   }
 }
 
-/// E403: a quaternion is dimensionless.
+/// Reports E403 if the entry has a unit other than 1: a quaternion is dimensionless.
 void check_unit(Context& context, const EntrySyntax& entry) {
   const KeySyntax* key = entry.find("unit");
   const std::optional<Unit> unit =
@@ -158,7 +158,7 @@ void check_rotations(Context& context) {
       first = &frame;
     }
   }
-  // After other errors, the frame of this rotation may just not have been read.
+  // No E513 after other errors: the frame that the rotation turns may have failed to be read.
   for (std::size_t i = 0; i < turned.size() && context.report.errors() == 0; ++i) {
     if (turned[i] != nullptr) continue;
     const Rotation& rotation = model.rotations[i];

@@ -22,7 +22,7 @@ namespace elgen {
 /// of plain coordinates, or a start quaternion of length 0; E403 for a unit other than 1.
 void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// E513 for a rotation that turns no frame, E112 for a rotation that turns two.
+/// Reports E513 for a rotation that turns no frame, and E112 for a rotation that turns two frames.
 void check_rotations(Context& context);
 
 }  // namespace elgen

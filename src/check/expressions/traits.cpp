@@ -1,6 +1,6 @@
-// One pass over the arena. The degree of a sum is the largest of its terms (the lowest degree is
-// the smallest); the degree of a product is the sum over its factors. A denominator, a function's
-// argument or the base of a fractional power is polynomial only if its degree is 0.
+// One pass over the arena. The degree of a sum is the largest degree of a term, its lowest degree
+// the smallest. The degree of a product is the sum over its factors. Quotients, functions and
+// fractional powers are polynomial only if the denominator, argument or base has degree 0.
 #include "check/expressions/traits.hpp"
 
 #include <cln/integer.h>
@@ -45,7 +45,7 @@ Traits product(const Traits& a, const Traits& b) {
   return result;
 }
 
-/// Traits of a function: it is no polynomial in the rates and inputs of its argument.
+/// Traits of a function, which is no polynomial in the rates and inputs in its argument.
 Traits opaque(Traits argument) {
   argument.rate_degree = argument.rate_degree > 0 ? not_polynomial : 0;
   argument.lowest_rate_degree = 0;

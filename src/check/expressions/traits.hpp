@@ -1,5 +1,5 @@
-// Traits: the ingredients of each expression, and its degree in the rates and inputs, by its
-// structure.
+// Traits: the ingredients (leaves and functions) of each expression, and its degree in the rates
+// and inputs, found from its structure.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ struct Traits {
 
 /// Traits of every expression of a model without cycles.
 ///
-///     m*dot(x)^2 + u*cos(x)   ->   parameter, rate, input, coordinate; rate degree 2, input degree
-///     1
+///     m*dot(x)^2 + u*cos(x)   ->   parameter, rate, input, coordinate;
+///                                  rate degree 2, input degree 1
 [[nodiscard]] std::vector<Traits> find_traits(const Model& model);
 
 }  // namespace elgen

@@ -61,7 +61,8 @@ std::string missing_operator_hint(std::string_view name) {
   return {};
 }
 
-/// Hint on an unknown unit. `value` is the value in this unit alone, or null.
+/// Hint on an unknown unit. `value` is the number in this unit, or null if it is unknown or the
+/// unit text contains other units.
 std::string hint_on(std::string_view name, const ValueSyntax* value) {
   const auto* const multiple = std::ranges::find(multiples, name, &MultipleRow::name);
   if (multiple != multiples.end()) return conversion_hint(*multiple, value);

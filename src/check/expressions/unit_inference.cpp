@@ -1,9 +1,9 @@
 // Units of expressions: one pass over the arena.
 //
-// Numbers are dimensionless, but 0 has any unit. The unit of an expression with a leaf without a
-// unit is unknown and not compared. A model without units is not checked. After an error the node's
-// unit is unknown, so that one mistake is reported once. A value without names is in the unit of
-// its place.
+// Numbers are dimensionless, but 0 has any unit. If a leaf has no unit, the unit of every
+// expression with this leaf is unknown and not compared. A model without units is not checked.
+// After an error the node's unit is unknown, so that one mistake is reported once. A value without
+// names is in the unit of its place.
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -151,8 +151,8 @@ class UnitInference {
     return {};
   }
 
-  /// The multiplier times the rate of a position equation, or times a velocity equation, is a
-  /// power.
+  /// A power in W is the multiplier times a velocity equation, or times d/dt of a position
+  /// equation.
   [[nodiscard]] InferredUnit of_multiplier(const Constraint& constraint) const {
     return quotient(known(constraint.is_position ? "J" : "W"), units_[constraint.value]);
   }
@@ -265,7 +265,8 @@ class UnitInference {
     return term.kind == ExpressionKind::negate ? term.operands[0] : id;
   }
 
-  /// If two terms differ, a number in the dimensionless term may lack a unit.
+  /// Hint on two terms with different units: if one is dimensionless, a number in it may lack a
+  /// unit.
   [[nodiscard]] std::string hint_on_dimensionless(ExpressionId a, ExpressionId b) const {
     if (units_[a].unit == Unit{}) return unnamed_number_hint(model_, a);
     return units_[b].unit == Unit{} ? unnamed_number_hint(model_, b) : "";

@@ -9,8 +9,8 @@ namespace elgen {
 
 namespace {
 
-/// The expression and its subexpressions, in the order of the file, without the expressions behind
-/// names and the arguments of open functions.
+/// The expression and its subexpressions, in the order of the file. Names are not expanded, and
+/// arguments of open functions are skipped.
 std::vector<ExpressionId> subexpressions(const Model& model, ExpressionId expression) {
   std::vector<ExpressionId> parts{expression};
   for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -26,7 +26,7 @@ namespace elgen {
 /// entries without a unit. The model must have no cycles.
 void check_units(Context& context);
 
-/// The text of a unit in messages about the place: N*m for forces, J for others.
+/// The text of a unit in messages about the place; kg*m^2/s^2 is N*m for forces, else J.
 [[nodiscard]] std::string unit_text_in(const Place& place, const Unit& unit);
 
 /// Hint on the first non-zero number in the expression, which may lack a unit; "" if there is none.

@@ -27,7 +27,7 @@ struct RootRequest {
 class ValueReader {
  public:
   ValueReader(Context& context, const Scope& scope) : context_(context), scope_(scope) {}
-  /// For an entry that is not repeated.
+  /// Reads an entry that is not repeated.
   explicit ValueReader(Context& context) : ValueReader(context, Scope(context.sizes)) {}
 
   /// Resolves an expression and registers it as a root; `no_expression` after an error.
@@ -46,12 +46,13 @@ class ValueReader {
   /// is in the unit of the place, with t in s.
   ExpressionId scene_value(const ValueSyntax& value, const RootRequest& request);
 
-  /// Every item of a list, or the single value, as a root.
+  /// Resolves every item of a list, or the single value, as a root.
   std::vector<ExpressionId> roots(const ValueSyntax& value, const RootRequest& request);
 
   /// An exact rational, or else a float of 100 digits. E319 if the value contains names.
   std::optional<cln::cl_R> constant(const ValueSyntax& value);
-  /// Like constant(). The expression of an irrational value stays in the model.
+  /// Like constant(), but the nodes of an irrational value stay in the model, so that its form is
+  /// known.
   std::optional<FixedValue> constant_with_form(const ValueSyntax& value);
 
   /// [low, high] of a key; none if the entry does not have it. E112 unless low < high.
@@ -74,8 +75,8 @@ class ValueReader {
   /// frame has this name. E201, E208.
   std::optional<JoinedPlace> joined_place(const ValueSyntax& value);
 
-  /// False after E104: a vector has 2 or 3 components. E516 if their number differs from most
-  /// vectors of the model; without a majority, from the first vector.
+  /// False after E104: a vector has 2 or 3 components. E516 if their number is not
+  /// Context::dimension.
   bool is_vector(const ValueSyntax& value);
 
   Context& context() { return context_; }
@@ -131,11 +132,12 @@ std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& 
   return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
-/// The first two of some alternative keys in the entry; the second is one too many. Null if absent.
+/// The first two of the alternative `keys` that the entry has; null if absent. An entry with two is
+/// wrong.
 [[nodiscard]] std::array<const KeySyntax*, 2> first_two_keys(
     const EntrySyntax& entry, std::span<const std::string_view> keys);
 
-/// larger - smaller, so that their units are compared as terms of a sum.
+/// larger - smaller. The units of both sides are then compared as terms of a sum.
 [[nodiscard]] ExpressionSyntax subtraction_syntax(const ExpressionSyntax& larger,
                                                   const ExpressionSyntax& smaller,
                                                   const Span& span);

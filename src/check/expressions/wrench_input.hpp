@@ -4,9 +4,9 @@
 //     wrench = "hand"    f[1] … f[3] torque in N*m, f[4] … f[6] force in N at the frame's origin
 //     at = "toe"         f[1] … f[3] force in N
 //
-// The axes are the world's, or those of the frame that `in` names. In a plane a torque has one
-// component, and a force has two. The order is the same as in the twist of an [[output]] with this
-// frame, so the columns of B are its Jacobian transposed.
+// The components are in world axes, or in the axes of the frame that `in` names. In a plane a
+// torque has one component, and a force has two. The order is the same as in the twist of an
+// [[output]] with this frame, so the columns of B are its Jacobian transposed.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ namespace elgen {
 std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntrySyntax& entry,
                                                   const NewName& name);
 
-/// Number of inputs that are torque components, and that are force components.
+/// How many of the inputs are components of the torque, and how many of the force.
 struct WrenchComponents {
   std::uint32_t torque = 0;
   std::uint32_t force = 0;

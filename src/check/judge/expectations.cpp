@@ -58,7 +58,8 @@ Rows rows_of(const ValueSyntax& value) {
   return rows;
 }
 
-/// By kind, not by size: the mass matrix of one coordinate is a matrix. A pose is a matrix too.
+/// True for outputs whose kind is a matrix, even if it is 1 x 1, such as the mass matrix of one
+/// coordinate. A pose is a matrix too.
 bool is_matrix(const OutputRequest& request) {
   return request.columns > 1 || has_columns(field_row(request.kind, ""));
 }
@@ -75,7 +76,7 @@ std::string found_shape(const Rows& rows) {
   return is_ragged ? "rows of different lengths" : shape(rows.size(), columns) + " entries";
 }
 
-/// None after an error of require_request.
+/// The output and field with this name; none after an error of require_request.
 std::optional<ExpectedField> require_field(Context& context, std::string_view name,
                                            const Span& span) {
   const Model& model = context.model;
@@ -189,7 +190,8 @@ class ExpectationReader {
     keep(std::move(expectation));
   }
 
-  /// Numbers at a state come from a table, so they get no E405 for numbers without names.
+  /// Removes the expected unit of an entry that is a plain number at a state. Such numbers come
+  /// from tables and get no E405.
   void drop_unit() {
     if (at_ && !context_.roots.empty() && context_.roots.back().is_in_unit_of_place) {
       context_.roots.back().unit.reset();
@@ -287,7 +289,7 @@ void read_limited(Context& context, const std::optional<StatedState>& at, const 
   }
 }
 
-/// Whether the entry contains the zero node: after an error, or as the z of a planar point.
+/// True if the entry contains `no_expression`, which replaces errors and the z of a planar point.
 bool has_failed(const Model& model, ExpressionId entry) {
   return std::ranges::count(reachable_from(model, {entry}), no_expression) > 0;
 }

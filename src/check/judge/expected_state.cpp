@@ -30,7 +30,7 @@ std::vector<std::pair<std::string, StatedLeaf>> stated_leaves(const Model& model
   return leaves;
 }
 
-/// E201 for an unknown name, E319 for a value that is not constant.
+/// Reads NAME = value. E201 for an unknown name, E319 for a value that is not constant.
 std::vector<StatedLeaf> read_leaves(Context& context, const std::vector<KeySyntax>& keys) {
   using Named = std::pair<std::string, StatedLeaf>;
   const std::vector<Named> known = stated_leaves(context.model);

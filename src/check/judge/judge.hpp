@@ -11,18 +11,19 @@
 
 namespace elgen {
 
-/// E112, E503, E504, E509, E513, E514, E515; sets Model::quadratic, uses_time and may_drift.
+/// Checks energies, inputs, forces and moving masses: E112, E503, E504, E509, E513, E514, E515.
+/// Sets Model::quadratic, uses_time and may_drift.
 void check_mechanics(Context& context, const std::vector<Traits>& traits);
 
-/// By velocity: whether it occurs in T or L, in the motion of a point or body with mass, or has an
-/// armature.
+/// One flag per velocity: true if it occurs in T or L or in the motion of a point or body with
+/// mass, or if it has an armature.
 [[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
 
 /// Rewrites sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 as Stumpff functions in equations and
 /// outputs, if a is a multiple of a coordinate. Fills Model::typed.
 void rewrite_quotients(Context& context);
 
-/// E535, E536, E539 for the constraints of a reduced model.
+/// Checks the constraints of a reduced model: E535, E536, E539.
 void check_constraints(Context& context);
 
 /// The state of an [[expect]]; none if it has no `at`. E112, E201, E319.

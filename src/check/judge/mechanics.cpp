@@ -21,8 +21,8 @@ bool has_masses(const Model& model) {
 
 using Expressions = std::vector<ExpressionId>;
 
-/// Whether the equations or outputs contain a root directly. Frames, names and points without mass
-/// count only if another root refers to them.
+/// True if a root belongs to the equations or outputs by itself. Frames, names and points without
+/// mass do not: they belong only if another root refers to them.
 bool is_in_equations(const Model& model, const Root& root) {
   switch (root.entity.kind) {
     case EntityKind::point:
@@ -177,7 +177,7 @@ class MechanicsCheck {
   const std::vector<Traits>& traits_;
 };
 
-/// Subexpressions of the kinetic energy, as the model writes it.
+/// Subexpressions of T and L as the file writes them, and of the bodies' spins.
 Expressions expressions_in_energies(const Model& model) {
   return reachable_from(model, roots_if(model, [](const Root& root) {
                           const bool is_of_body = root.entity.kind == EntityKind::body;
@@ -237,7 +237,7 @@ std::vector<bool> moving_velocities(const Model& model) {
 
 namespace {
 
-/// By constraint: true if it contains no coordinate and no rate.
+/// One flag per constraint: true if it contains no coordinate and no rate.
 std::vector<bool> constraints_without_motion(const Model& model,
                                              const std::vector<Traits>& traits) {
   std::vector<bool> marks;
@@ -248,7 +248,7 @@ std::vector<bool> constraints_without_motion(const Model& model,
   return marks;
 }
 
-/// E535 for an equation that is wrong in every state.
+/// Reports E535 for a velocity equation that is not affine in the rates or contains no rate.
 void check_equation(Context& context, const Constraint& constraint, const Traits& traits) {
   const Span& span = constraint.equation_span;
   if (!constraint.is_position && traits.rate_degree > 1) {
@@ -259,7 +259,7 @@ void check_equation(Context& context, const Constraint& constraint, const Traits
   }
 }
 
-/// E539: a part of the model or scene does not support constraints.
+/// Reports E539: the part `what` of the model or scene does not support constraints.
 void refuse_with_constraints(Context& context, const Span& span, const std::string& what,
                              const std::string& instead) {
   context.report.add({Code::E539, span, what + " does not support constraints", instead,

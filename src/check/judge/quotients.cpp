@@ -176,8 +176,8 @@ void multiply_series(Product& product, const VanishingFactor& factor) {
   product.add({factor.argument, 1, factor.order});
 }
 
-/// A factor sin(a) or 1 - cos(a), with a a multiple of the coordinate, and the base that it comes
-/// from. A factor of the wanted order is preferred.
+/// A factor sin(a) or 1 - cos(a), a proportional to the coordinate, with the expression that this
+/// factor has in the product. A factor of the wanted order is preferred.
 std::optional<std::pair<ExpressionId, VanishingFactor>> factor_with(const Product& product,
                                                                     std::uint32_t coordinate,
                                                                     int wanted) {
@@ -228,8 +228,8 @@ std::optional<Product> merge_pair(const Model& model, ExpressionId whole, Expres
   return product;
 }
 
-/// The sum with each pair X and -X cos(a) merged if both contain 1/q; none if no pair matches. Each
-/// quotient is compared with every other, so longer sums are not rewritten.
+/// The sum with each pair X and -X cos(a) merged if both contain 1/q; none if no pair matches. The
+/// number of comparisons is quadratic, so longer sums are not rewritten.
 std::optional<ExpressionId> merge_pairs_of_sum(NodeBuilder& nodes, const Model& model,
                                                ExpressionId id) {
   constexpr std::size_t most_quotients = 100;

@@ -97,7 +97,7 @@ Enclosed apply_operation(const Expression& node, const Operands& x,
   }
 }
 
-/// The error bound of a value with too few digits may overflow the largest float.
+/// Applies the operation; unknown if a float overflows, as error bounds may with too few digits.
 Enclosed apply_or_unknown(const Expression& node, const Operands& x,
                           const EnclosedArithmetic& with) {
   try {
@@ -121,7 +121,7 @@ ConstantOutcome failure_for(NoValue why) {
   return {};
 }
 
-/// The relative error is at most 10^-constant_digits.
+/// True if the relative error is at most 10^-constant_digits.
 bool is_known(const EnclosedNumber& x) {
   static const cl_RA share = power_of_ten(-constant_digits);
   return x.error <= share * cln::abs(x.value);

@@ -46,15 +46,15 @@ class Constants {
   void truncate(std::size_t size) { values_.resize(size); }
   [[nodiscard]] std::size_t size() const { return values_.size(); }
 
-  /// An exact rational, or else a float good to constant_digits; none if the expression is not
+  /// An exact rational, or else a float accurate to constant_digits; none if the expression is not
   /// constant.
   [[nodiscard]] std::optional<cln::cl_R> operator[](ExpressionId id) const {
     return values_[id] ? std::optional(values_[id]->value) : std::nullopt;
   }
 
  private:
-  /// Evaluates a node in `digits` digits; its inexact operands are evaluated again if these are
-  /// more than the first digits.
+  /// Evaluates a node with `digits` digits. Inexact operands are evaluated again if `digits` is
+  /// larger than in the first evaluation.
   [[nodiscard]] ConstantOutcome at(const std::vector<Expression>& arena, const Expression& node,
                                    int digits) const;
 

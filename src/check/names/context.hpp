@@ -43,7 +43,8 @@ enum Ingredient : std::uint32_t {
 };
 using Ingredients = std::uint32_t;
 
-/// The context of an expression in the file: its allowed ingredients, and the error for all others.
+/// The context of an expression in the file: the ingredients it may have, and the error for any
+/// other.
 struct Place {
   std::string_view noun;  ///< "a position"
   Ingredients allowed = 0;

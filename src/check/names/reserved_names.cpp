@@ -61,7 +61,7 @@ bool is_in_file(const SourceText* source, std::string_view word) {
   return false;
 }
 
-/// Without repeated and trailing underscores; in lower case if it has the prefix of a macro.
+/// The name without repeated and trailing underscores; in lower case if it has a macro's prefix.
 std::string conventional_spelling(std::string_view name) {
   std::string result;
   for (const char c : name) {

@@ -23,8 +23,8 @@ namespace elgen {
 /// A letter, then letters, digits and underscores.
 [[nodiscard]] bool is_well_formed_name(std::string_view name);
 
-/// False after E205 or E204: a name of the model or of the emitted code must be well-formed and
-/// free.
+/// True if a name of the model or of the emitted code is well-formed and not reserved; false after
+/// E205 or E204.
 bool check_name(const std::string& name, const Span& span, Report& report);
 
 }  // namespace elgen

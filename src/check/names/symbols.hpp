@@ -15,7 +15,7 @@ namespace elgen {
 enum class SymbolKind : std::uint8_t {
   coordinate,
   rotation,              ///< elements 1 to 3: its velocities
-  quaternion_component,  ///< of a rotation; a name in q, but not allowed in expressions
+  quaternion_component,  ///< of a rotation; expressions may not use it
   parameter,
   definition,
   prescribed,
@@ -64,7 +64,7 @@ struct NewName {
 
 class DeclaredNames {
  public:
-  /// False after E203, E204, E205 or E211. `target` is the index in the Model.
+  /// Declares a name; false after E203, E204, E205 or E211. `target` is the index in the Model.
   bool declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report);
 
   /// Marks a name whose declaration has an error, so that its uses are not reported too.

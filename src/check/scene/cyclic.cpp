@@ -3,9 +3,9 @@
 //     before    q = (r, phi)    L = 1/2*m*(dot(r)^2 + r^2*dot(phi)^2) - V
 //     after     q = (r)         R = L - p_phi*dot(phi) at dot(phi) = p_phi/(m*r^2)
 //
-// Forces, inputs and D are checked here, by the variables in them. Whether L depends on the
-// coordinate cannot be seen in its text: find_momenta() asks the oracle. In the reduced model the
-// coordinate and its rate are 0.
+// Forces, inputs and D are checked here, by the variables in them. The expressions do not show
+// whether L depends on the coordinate, since terms may cancel: find_momenta() asks the oracle. In
+// the reduced model the coordinate and its rate are 0.
 #include <utility>
 
 #include "base/reason.hpp"

@@ -31,7 +31,7 @@ bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
          (scalar == ScalarKind::single_precision && !language.is_interpreted);
 }
 
-/// E611 for keys that affect only compiled code.
+/// Reports E611 for keys that affect only compiled code, if the language is interpreted.
 void refuse_compiled_keys(const FileSyntax* syntax, const LanguageRow& language, Report& report) {
   const std::string name = in_backticks(language.name);
   const auto refuse = [&](const char* section, const char* key, const std::string& why) {
@@ -70,7 +70,7 @@ bool lists(const KeySyntax& key, std::string_view word) {
   return std::ranges::count(key.value.items, word, &ValueSyntax::text) > 0;
 }
 
-/// E112 if `header` is missing in `files`: code is always written.
+/// Reads the kinds of files to write. E112 if `header` is missing: code is always written.
 void read_files(const KeySyntax& key, Emission& emission, Report& report) {
   emission.equations = lists(key, "equations");
   emission.page = lists(key, "page");

@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// E208 or E612 for a key that names neither a coordinate nor a rotation.
+/// Reports E208 or E612 for a key that names neither a coordinate nor a rotation.
 void report_unknown_coordinate(Context& context, const KeySyntax& key) {
   const DeclaredNames& symbols = context.symbols;
   const DeclaredName* symbol = symbols.find(key.key);
@@ -133,7 +133,7 @@ class HeldReader {
     model_.variant.cyclic.push_back(cyclic);
   }
 
-  /// False after E635: the variable is a rotation or locked.
+  /// True if the variable can be cyclic; false after E635 if it is a rotation or locked.
   bool can_be_cyclic(const Held& held, const KeySyntax& key) {
     const std::string name = in_backticks(key.key);
     if (held.is_rotation) {

@@ -9,7 +9,8 @@
 namespace elgen {
 namespace {
 
-/// E103 for each key that the output does not take; the message names the first output that does.
+/// Reports E103 for each key that the output does not take. The message names the first kind of
+/// output that takes the key.
 void refuse_options(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
   for (const OptionRow& row : option_table) {
     const KeySyntax* const key = entry.find(row.key);

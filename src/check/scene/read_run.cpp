@@ -1,5 +1,5 @@
-// The start of a run, word by word: "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]", "m=2". A state
-// also has "dot(dot(theta))=3" and "t=1".
+// The start of a run, given by options such as "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]",
+// "m=2". A state also has "dot(dot(theta))=3" and "t=1".
 #include <algorithm>
 #include <utility>
 
@@ -90,7 +90,7 @@ class StartReader {
   }
 
  private:
-  /// Null after E612.
+  /// The place that a key names; null after E612.
   const StartPlace* find_place(const KeySyntax& key) {
     const auto found = std::ranges::find(places_, key.key, &StartPlace::name);
     if (found == places_.end()) {

@@ -50,7 +50,7 @@ void read_order(const KeySyntax& key, StepSpec& step, Report& report) {
   if (*found != method.order) step.composed_order = *found;
 }
 
-/// E539 if the model has no constraints.
+/// Reads `projected`. E539 if the model has no constraints.
 void read_projected(const Model& model, const KeySyntax& key, StepSpec& step, Report& report) {
   step.projects = key.value.boolean;
   if (!step.projects || !model.constraints.empty()) return;
@@ -97,7 +97,8 @@ void check_steps(Context& context, const std::vector<OutputRequest>& outputs) {
                           "use `rk4` with `projected` after each step",
                           model.constraints.front().span, "constrained here"});
     } else if (!model.rotations.empty() && context.report.errors() == 0) {
-      // After other errors the model still contains the rotations that the scene locks.
+      // Only without earlier errors: after an error, rotations that the scene locks are still in
+      // the model.
       context.report.add(Code::E622, output.span,
                          fmt::format("`{}` does not apply to this system: `{}` is a rotation",
                                      method.name, model.rotations.front().name),

@@ -25,9 +25,9 @@ void read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& 
 /// is not C++; E625 if batches do not support the scalars or the accuracy.
 void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 
-/// Sets Numerics::inner. Float applies only to outputs of the scene, not of the options. E611 if
-/// the language is not C++; E628 if the scalar is not double alone, or an output or key does not
-/// support `inner`.
+/// Sets Numerics::inner. Only outputs of the scene may compute in float, not outputs of the
+/// options. E611 if the language is not C++; E628 if the scalar is not double alone, or an output
+/// or key does not support `inner`.
 void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                 Scene& scene);
 
@@ -45,7 +45,7 @@ void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& outp
 /// conditions are checked when M and the forces are derived.
 void check_steps(Context& context, const std::vector<OutputRequest>& outputs);
 
-/// Sets Numerics::max_error and the ranges; those of the options are last. E640, E630, E606.
+/// Sets Numerics::max_error and the ranges; the ranges of the options come last. E640, E630, E606.
 void read_error_bound(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                       Numerics& numerics);
 
@@ -83,8 +83,8 @@ void set_cyclic_momentum(Model& model, std::uint32_t parameter, const cln::cl_R&
 /// an output is wanted if the scene or an option names one of its functions.
 void mark_wanted_outputs(Model& model, const FileSyntax* scene, const SceneOptions& options);
 
-/// Adds to a model the outputs that an animated page needs: each of ShownValues that has values.
-/// Fills Scene::shown.
+/// Adds to a model the outputs that an animated page needs: one for each kind in ShownValues that
+/// has values in this model. Fills Scene::shown.
 void add_shown_outputs(Model& model, Scene& scene);
 
 /// The reduced model: functions of time replace the locked coordinates of Model::variant, and 0 the
@@ -93,8 +93,8 @@ void add_shown_outputs(Model& model, Scene& scene);
 /// describe the whole model.
 [[nodiscard]] Model variant_of(Model whole);
 
-/// E635: an input, a force or D acts on a cyclic coordinate or contains it, L is not quadratic, or
-/// a lock requests its reaction. The model must have no cycles.
+/// Reports E635 if an input, a force or D acts on a cyclic coordinate or contains it, if L is not
+/// quadratic in the rates, or if a lock requests its reaction. The model must have no cycles.
 void check_routh(Context& context, const Scene& scene);
 
 /// Why a coordinate is not cyclic, and the entry at fault: "the input `u` acts on it".

@@ -146,7 +146,7 @@ class SceneReader {
     }
   }
 
-  /// E603: `dynamics` only repeats other outputs, so at least one is needed.
+  /// E603: `dynamics` only repeats other outputs, so the scene needs at least one other output.
   void check_dynamics() {
     const auto is_member = [](const OutputRequest& output) {
       return is_repeated(output.kind, output.takes);
@@ -198,7 +198,8 @@ class SceneReader {
 
   void check_function_names() {
     std::set<std::string> used_names;
-    // A renamed output with the name of a standard output is the duplicate, whichever comes first.
+    // Standard names come first, so the error is at the renamed output, whatever the order in the
+    // file.
     for (const bool renamed : {false, true}) {
       for (const OutputRequest& output : scene_.outputs) {
         const bool is_renamed = output.name != standard_name(output);

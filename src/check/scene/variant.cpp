@@ -76,7 +76,8 @@ class VariantBuilder {
   }
 
  private:
-  /// ds/dt gets a name too: a velocity leaf has no operand for the derivative.
+  /// Adds s(t) and ds/dt as prescribed functions. A velocity leaf has no operand that could hold
+  /// ds/dt, so it needs a name.
   void replace(std::uint32_t index, ExpressionId value, const Span& span) {
     const Coordinate& c = whole_.coordinates[index];
     HeldLeaf& held = replacements_[index];
@@ -94,7 +95,7 @@ class VariantBuilder {
     if (model_.uses_time) model_.may_drift = true;
   }
 
-  /// A moving lock with armature J has energy: 1/2 J (ds/dt)^2.
+  /// Adds the energy 1/2 J (ds/dt)^2 of the armature J of a locked coordinate that moves.
   void add_armature(const Coordinate& coordinate, std::uint32_t rate) {
     const ExpressionId speed =
         append({.kind = ExpressionKind::named, .named = NamedKind::prescribed, .index = rate});
