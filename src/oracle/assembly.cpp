@@ -2,9 +2,10 @@
 //
 //     q + N s x,   M x = A^T y,   A x = -f,   s = 1, 1/2, 1/4, ... until the errors shrink
 //
-// The error of an equation is f divided by the length of its row of A: a distance in coordinates.
-// Rows that depend linearly on earlier rows are dropped, so redundant but consistent equations can
-// be solved. Steps are rounded to floats, since exact rationals double in length each time.
+// Here dq/dt = N v, and A is the Jacobian of the constraints f. The error of an equation is f
+// divided by the length of its row of A: a distance in coordinates. Rows that depend linearly on
+// earlier rows are dropped, so redundant but consistent equations can be solved. Every step is
+// rounded to floats, since exact rationals would double in length with each step.
 #include <numeric>
 #include <utility>
 
@@ -21,7 +22,8 @@ using cln::cl_R;
 constexpr unsigned most_newton_steps = 60;
 constexpr unsigned most_halvings = 10;
 
-/// A row is dependent if its part orthogonal to the earlier rows is shorter than this share of it.
+/// A row is dependent if its component orthogonal to the earlier rows, divided by its length, is
+/// below this.
 const cl_R& dependent_share() {
   static const cl_R share = power_of_ten(-12);
   return share;
@@ -38,8 +40,8 @@ cl_R length_of(const Direction& row) {
   return cln::zerop(square) ? cl_R(0) : real_power(square, cln::cl_RA(1) / 2);
 }
 
-/// The rows that are linearly independent of earlier rows if `fixed` velocities are 0, by the
-/// Gram-Schmidt method.
+/// The rows that are linearly independent of earlier rows, by the Gram-Schmidt method. Entries of
+/// `fixed` velocities count as 0.
 LinearisedConstraints independent_rows(const LinearisedConstraints& all,
                                        const std::vector<bool>& fixed) {
   LinearisedConstraints kept;
@@ -63,7 +65,7 @@ LinearisedConstraints independent_rows(const LinearisedConstraints& all,
   return kept;
 }
 
-/// Empty if the system has no solution.
+/// The full Newton step x (s = 1) of the equations above; empty if the system has no solution.
 std::optional<Direction> newton_step(const Model& model, const State& state,
                                      const LinearisedConstraints& shortage,
                                      const std::vector<bool>& fixed) {
@@ -86,7 +88,8 @@ std::vector<cl_R> scales_of(const LinearisedConstraints& shortage) {
   return lengths;
 }
 
-/// `at`: the coordinates or the rates that Newton's method solves for. They scale the tolerance.
+/// True if all errors are within the tolerance, which is relative to the largest entry of `at`: the
+/// coordinates or rates that Newton's method solves for.
 bool is_met(const LinearisedConstraints& shortage, const std::vector<cl_R>& at) {
   const std::vector<cl_R> lengths = scales_of(shortage);
   const cl_R share = met_share() * (1 + largest_of(at));
@@ -96,7 +99,8 @@ bool is_met(const LinearisedConstraints& shortage, const std::vector<cl_R>& at) 
   return true;
 }
 
-/// The sum of squares of errors. `left` starts with one residual per length; the rest is ignored.
+/// The sum of squares of errors. `left` has at least one residual per length; further entries are
+/// ignored.
 cl_R squared_error(const std::vector<cl_R>& left, const std::vector<cl_R>& lengths) {
   cl_R sum = 0;
   for (std::size_t k = 0; k < lengths.size(); ++k) {
@@ -123,7 +127,8 @@ std::optional<State> damped_newton_step(const Model& model, const State& state,
   return std::nullopt;
 }
 
-/// Moves the rates onto the constraints; `has_rates` is true if they meet them.
+/// Corrects the rates until they satisfy the constraints. Sets `has_rates` to true if this
+/// succeeds.
 void assemble_rates(const Model& model, Assembly& at, const std::vector<bool>& fixed) {
   const LinearisedConstraints shortage = linearised_rates(model, at.state);
   if (!is_met(shortage, at.state.v)) {

@@ -25,8 +25,8 @@ Jet rate_of_rate(Evaluation& at, const Constraint& constraint) {
   return constraint.is_position ? at.second_rate(constraint.value) : at.rate(constraint.value);
 }
 
-/// dr/dt + 2 zeta omega r + omega^2 f at the motion's acceleration; f for position constraints
-/// only.
+/// dr/dt + 2 zeta omega r + omega^2 f at the motion's acceleration. The last term is for position
+/// constraints only.
 Jet stabilised_acceleration(Evaluation& at, const Constraint& constraint) {
   Jet result = rate_of_rate(at, constraint);
   if (!constraint.omega) return result;
@@ -38,7 +38,7 @@ Jet stabilised_acceleration(Evaluation& at, const Constraint& constraint) {
 }
 
 /// The motion displaced along w: in position for position constraints, else in velocity. The
-/// derivative of the constraint along it is A w.
+/// constraint's derivative along this displacement is its entry of A w.
 Motion displaced_motion(const Model& model, const Constraint& constraint, Motion motion,
                         const Direction& w) {
   if (constraint.is_position) {
@@ -49,7 +49,7 @@ Motion displaced_motion(const Model& model, const Constraint& constraint, Motion
   return motion;
 }
 
-/// The entry of A w for this constraint, as a jet in the remaining generators of the motion.
+/// The entry of A w for this constraint, as a jet in the generators that the motion already has.
 Jet along(const Model& model, const Constraint& constraint, const Motion& motion,
           const Direction& w) {
   const Motion moved = displaced_motion(model, constraint, motion, w);
@@ -65,7 +65,7 @@ Direction jacobian_row(const Model& model, const Constraint& constraint, const M
   return row;
 }
 
-/// Applies `of` to every constraint at a = 0.
+/// The value of `of` for every constraint, at a = 0.
 Values at_zero_acceleration(const Model& model, const State& state,
                             Jet (*of)(Evaluation& at, const Constraint& constraint)) {
   Motion motion = motion_of(state);
@@ -83,8 +83,7 @@ Values difference(Values values, const Values& other) {
   return values;
 }
 
-/// The largest absolute entry of each row of a square system, without its last column, the right
-/// side.
+/// The largest absolute coefficient of each row. The last column is the right side and not counted.
 Values row_scales(const Values& matrix, std::size_t rows) {
   Values scales;
   for (std::size_t i = 0; i < rows; ++i) {

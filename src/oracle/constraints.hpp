@@ -5,7 +5,7 @@
 //     [ M  A^T ] [  a      ]   [ B u - bias                     ]
 //     [ A   0  ] [ -lambda ] = [ -gamma - 2 zeta omega r - omega^2 f ]
 //
-// The oracle solves the whole system with pivoting; the program eliminates M first.
+// The oracle solves the whole system with pivoting. The derived program eliminates M first.
 #pragma once
 
 #include <vector>
@@ -42,8 +42,8 @@ namespace elgen::oracle {
                                                const Direction& w, const Direction& x,
                                                const std::vector<cln::cl_R>& multipliers);
 
-/// x and y with M x = r + A^T y, A x = s, for M n x n and A m x n. Gaussian elimination of the
-/// whole matrix with pivoting; OutsideDomain if it is singular.
+/// x and y with M x = r + A^T y, A x = s, for M n x n and A m x n. Solved by Gaussian elimination
+/// of the whole matrix with pivoting; OutsideDomain if the matrix is singular.
 struct ConstrainedMotion {
   std::vector<cln::cl_R> x = {};
   std::vector<cln::cl_R> y = {};
@@ -63,8 +63,8 @@ struct ConstrainedSystem {
 /// M and A at a state.
 [[nodiscard]] ConstrainedSystem constrained_system(Mechanics& at);
 
-/// As solve_constrained(). Without constraints it is solve_mass(), in the model's order of
-/// elimination.
+/// Returns solve_constrained(); without constraints solve_mass(), which eliminates in the model's
+/// order.
 [[nodiscard]] ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system,
                                          const std::vector<cln::cl_R>& r,
                                          const std::vector<cln::cl_R>& s);
@@ -81,8 +81,8 @@ struct LinearisedConstraints {
 [[nodiscard]] LinearisedConstraints linearised_positions(const Model& model, const State& state);
 [[nodiscard]] LinearisedConstraints linearised_rates(const Model& model, const State& state);
 
-/// x with M x = A^T y, A x = s: the change of least kinetic energy. `kept` velocities do not
-/// change.
+/// x with M x = A^T y, A x = s: the solution of A x = s with the least kinetic energy 1/2 x.M x.
+/// Entries of `kept` velocities are 0.
 [[nodiscard]] Direction correction(const Model& model, const State& state,
                                    const LinearisedConstraints& shortage,
                                    const std::vector<bool>& kept = {});
@@ -90,11 +90,12 @@ struct LinearisedConstraints {
 /// The state at q + N x, with quaternions normalised.
 [[nodiscard]] State displaced_state(const Model& model, State state, const Direction& x);
 
-/// Coordinates, then rates, after one Newton step: q + N dq, then v + dv at that position. Both
-/// changes are by correction().
+/// Coordinates, then rates, after one Newton step: q + N dq, then v + dv with dv computed at the
+/// new position. dq and dv come from correction().
 [[nodiscard]] std::vector<cln::cl_R> projected(const Model& model, const State& state);
 
-/// u, lambda, and the residual tau - B u - A^T lambda.
+/// Inverse dynamics with constraints: inputs u, multipliers lambda, and the residual tau - B u -
+/// A^T lambda.
 [[nodiscard]] std::vector<cln::cl_R> constrained_inverse(const Model& model, const State& state);
 
 }  // namespace elgen::oracle

@@ -11,7 +11,7 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// y as a change of positions (field 0 of derivatives) or of velocities (field 1).
+/// y as a displacement of positions (field 0: derivatives by q) or of velocities (field 1: by v).
 Displacement displacement(const Mechanics& at, std::size_t field, const Direction& y) {
   const Direction rest(at.size(), cl_R(0));
   return field == 0 ? Displacement{y, rest} : Displacement{rest, y};
@@ -44,7 +44,8 @@ void put_column(const Values& column, std::size_t j, std::size_t columns, Values
   for (std::size_t i = 0; i < column.size(); ++i) matrix[i * columns + j] = column[i];
 }
 
-/// Derivatives of accelerations and multipliers along a displacement; empty `inputs` do not change.
+/// Derivatives of accelerations and multipliers along a displacement and a change of inputs. If
+/// `inputs` is empty, the inputs do not change.
 ConstrainedMotion slope_along(Mechanics& at, const ConstrainedSystem& system,
                               const ConstrainedMotion& motion, const Displacement& along,
                               const Direction& inputs) {
@@ -159,7 +160,8 @@ Values state_matrices(Mechanics& at) {
   return values;
 }
 
-/// w holds positions, then velocities. y does too, unless the field is B (field 1).
+/// w.A y (field 0) or w.B y (field 1). w has position components, then velocity components; so has
+/// y for A.
 cl_R state_contraction(Mechanics& at, const Contraction& by) {
   const auto middle = static_cast<std::ptrdiff_t>(at.size());
   const Direction w_position(by.w.begin(), by.w.begin() + middle);

@@ -68,7 +68,7 @@ Jet armature_energy(Evaluation& at) {
 }
 
 /// The value of an expression with all terms of its sums and factors made positive. Rounding errors
-/// are relative to it even if sums cancel. Recursion is as deep as the expression.
+/// are relative to it even if sums cancel. The recursion is as deep as the expression.
 Jet magnitude(Evaluation& at, ExpressionId id) {
   const Expression& e = at.model().expressions[id];
   Jet result;
@@ -87,11 +87,11 @@ Jet magnitude(Evaluation& at, ExpressionId id) {
   }
 }
 
-/// The two highest directions of differentiation; no caller uses them.
+/// The two highest generators for directions of differentiation; no caller uses them.
 constexpr Generators along_first = generator(6);
 constexpr Generators along_second = generator(7);
 
-/// L0, w and M_cc (row-major) of the Routhian in energies.hpp.
+/// L0 (`rest`), w (`excess`) and M_cc (`mass`, row-major) of the Routhian in energies.hpp.
 struct CyclicParts {
   Jet rest;
   std::vector<Jet> excess = {};

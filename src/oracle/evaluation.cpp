@@ -1,4 +1,4 @@
-// Evaluation: operands first, without recursion. Each value is memoised at the highest time order
+// Evaluates operands first, without recursion. Each value is memoised to the highest time order
 // that a caller requested.
 #include "oracle/evaluation.hpp"
 
@@ -48,7 +48,7 @@ bool Evaluation::is_known(ExpressionId id, unsigned time_order) const {
   return known_[id] && known_[id]->time_order >= time_order;
 }
 
-/// Not recursive, because chains of names may be thousands of links long.
+/// Uses no recursion, because chains of names may have thousands of links.
 Jet Evaluation::evaluate(ExpressionId root, unsigned time_order) {
   struct Wanted {
     ExpressionId id = 0;
@@ -104,7 +104,8 @@ Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
   }
 }
 
-/// Taylor's formula to second order. OutsideDomain if a missing derivative would contribute.
+/// An open function by Taylor's formula to second order. OutsideDomain if the state lacks a
+/// derivative that would contribute.
 Jet Evaluation::open_value(const Expression& e, unsigned time_order) const {
   const auto known = [this](std::uint32_t value, std::uint32_t argument) {
     const auto derivative = derivative_of(model_, value, argument);

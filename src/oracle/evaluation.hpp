@@ -1,7 +1,8 @@
 // Evaluation: values of expressions and their time derivatives along the motion, on jets. Values
 // are computed on demand, with their operands.
 //
-// Time uses more generators: with s = e_1 + ... + e_k (k the time order of an expression),
+// The time uses the generators e_1, e_2, ... after the first 8. With s = e_1 + ... + e_k (k the
+// time order of an expression),
 //
 //     q(s) = q + v s + a s^2/2,    v(s) = v + a s,    t(s) = t + s,
 //

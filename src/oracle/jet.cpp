@@ -65,7 +65,7 @@ Jet power_of_zero(const cl_RA& exponent) {
   return {};
 }
 
-/// The first of the generators that represent powers of s while a function is evaluated.
+/// While a function is evaluated, this generator and the following ones represent the powers of s.
 constexpr unsigned first_power_generator = 16;
 
 /// f(x, y) for jets whose only symbol is s.
@@ -91,8 +91,8 @@ Jet composed(const Jet& x, const Jet& y, const Function& f) {
   return sum;
 }
 
-/// A sine and a cosine of one angle are each other's derivatives, at every set of generators. A few
-/// other angles may be evaluated between them.
+/// How many calls are memoised. The sine and cosine of an angle are each other's derivatives, and
+/// other calls come between their uses.
 constexpr std::size_t remembered_calls = 32;
 
 bool is_graded(const Jet& x) { return x.lowest_grade() != 0; }
@@ -145,7 +145,8 @@ void Jet::depend_on(const Jet& x, const Jet& y) {
   order_ = std::min(x.order_, y.order_);
 }
 
-/// All first-order terms are stored, so the order is 2 or more if none is present.
+/// A first-order deviation would be a stored term. Without a term of first order, the order is at
+/// least 2.
 unsigned Jet::order() const {
   const auto is_first = [](Generators g) { return std::has_single_bit(g & all_generators); };
   if (order_ != 1 || std::ranges::any_of(unknown_, is_first)) return order_;

@@ -6,7 +6,7 @@
 // f(x + w e_0 + y e_1) is the second derivative of f in the directions w and y, exactly. Absent
 // terms are exact zeros and take no part in any operation.
 //
-// One more symbol s is kept to any order. Its powers have grades, which add in products; terms of
+// One further symbol s keeps its powers. They have grades, which add in products, and terms of
 // grade 256 or more vanish. If s has grade 64, s^3 is the last power, and the coefficients of 1, s,
 // s^2, s^3 in f(x + y s) are the Taylor coefficients.
 //
@@ -18,10 +18,11 @@
 // generators first: with e = e_1 + ... + e_n, the coefficient of e_1 ... e_j in f(x0 + x1(s) e) is
 // j! times the part of f(x0 + x1(s)) of degree j in x1.
 //
-// x^2 at x = 0 has no terms. Therefore a jet also stores the generators that it depends on, and the
-// lowest power of them by which it may deviate from its real part. sqrt(x^2) deviates from 0 with
-// power 1: it has a kink at 0, and its derivatives are unknown coefficients. Reading an unknown
-// coefficient throws OutsideDomain; a product with an exact zero, as in sqrt(x^2)^2, drops it.
+// With x = 0 + e, x^2 has no terms. Therefore a jet also stores the generators on which it depends,
+// and the lowest power of them with which it may deviate from its real part. sqrt(x^2) deviates
+// from 0 with power 1: it has a kink at 0, and its derivatives are unknown coefficients. Reading an
+// unknown coefficient throws OutsideDomain; a product with an exact zero, as in sqrt(x^2)^2, drops
+// it.
 #pragma once
 #include <cln/rational.h>
 #include <cln/real.h>
@@ -68,14 +69,14 @@ class Jet {
   /// True if every coefficient is an exact zero.
   [[nodiscard]] bool is_zero() const { return terms_.empty() && unknown_.empty(); }
 
-  /// All generators in terms and unknown coefficients.
+  /// The union of the generators of all terms and unknown coefficients.
   [[nodiscard]] Generators support() const;
 
-  /// All generators that the value may depend on, even if no term has them.
+  /// All generators on which the value may depend, even if no term contains them.
   [[nodiscard]] Generators moving() const { return moving_; }
 
-  /// A lower bound of the power of displacements along `moving()` in the deviation from the real
-  /// part.
+  /// A lower bound on p if the value deviates from its real part with |d|^p, for displacements d
+  /// along `moving()`.
   [[nodiscard]] unsigned order() const;
 
   /// The coefficient of a generator: the derivative along it, a jet in the other generators.
@@ -96,10 +97,11 @@ class Jet {
   /// Every coefficient replaced by its absolute value.
   [[nodiscard]] Jet magnitudes() const;
 
-  /// Without the real part and without zeros that are floats, so that some power of it vanishes.
+  /// The jet without its real part and without float zeros, so that some power of the result
+  /// vanishes.
   [[nodiscard]] Jet nilpotent() const;
 
-  /// Sets generators and order of the dependence as for a function of x and y.
+  /// Sets moving() and order() as for a smooth function of x and y.
   void depend_on(const Jet& x, const Jet& y);
 
   /// real + c |d|^order with c unknown and d a displacement along the generators `moving`.
@@ -116,7 +118,7 @@ class Jet {
   friend Jet operator*(const Jet& x, const Jet& y);
   /// OutsideDomain if the real part of y is zero.
   friend Jet operator/(const Jet& x, const Jet& y);
-  /// Equal numbers, with the same coefficients exact.
+  /// True if all coefficients are equal and the same coefficients are exact.
   friend bool is_same(const Jet& x, const Jet& y);
 
  private:
@@ -126,7 +128,7 @@ class Jet {
   void add_unknown(Generators generators);
   void depend_on_factors(const Jet& x, const Jet& y);
 
-  /// The order of a constant.
+  /// The value of order() for a constant, which never deviates.
   static constexpr unsigned constant_order = 255;
 
   std::vector<Term> terms_ = {};          ///< ascending by generators, no exact zeros

@@ -1,5 +1,5 @@
-// Mechanics: each quantity is a coefficient of generators in one evaluation of an energy.
-// Expansion: the model's expressions give the point, and motions are scaled towards it.
+// Mechanics: each quantity is the coefficient of some generators in one evaluation of an energy.
+// Expansions: expressions of the model give the point, and motions are scaled towards it.
 #include "oracle/mechanics.hpp"
 
 #include <algorithm>
@@ -126,9 +126,9 @@ cl_R Mechanics::mass(const Direction& w, const Direction& y) {
   return energy_at(lagrangian, motion).coefficient(first | second);
 }
 
-/// The coefficient of e_i g_j in L(q, v + sum e_i w_i + sum g_j y_j). If L is quadratic, one
-/// evaluation with six generators gives nine entries. Otherwise functions of jets in all six would
-/// cost more.
+/// M_ij is the coefficient of e_i g_j in L(q, v + sum e_i w_i + sum g_j y_j), with unit vectors
+/// w_i, y_j. If L is quadratic, one evaluation with six generators gives nine entries. Otherwise
+/// each evaluation gives one entry, because functions of jets in six generators would cost more.
 std::vector<cl_R> Mechanics::mass_matrix() {
   const std::size_t n = size();
   const std::size_t block = model_.quadratic ? 3 : 1;
@@ -174,7 +174,8 @@ cl_R Mechanics::momentum(const Direction& w) {
   return energy_at(lagrangian, motion).coefficient(first);
 }
 
-/// p_i is the coefficient of e0 in L(v + e_i e0), v.dL/dv its coefficient in L(v + v e0).
+/// p_i is the coefficient of e0 in L(v + w_i e0), w_i the i-th unit vector; v.dL/dv is the
+/// coefficient of e0 in L(v + v e0).
 void Mechanics::add_momenta(Motion& motion) {
   motion.momenta.assign(size(), Jet());
   for (std::size_t i = 0; i < size(); ++i) {
@@ -254,13 +255,13 @@ Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   return along(point_->order, small) + along(point_->order + 1, others);
 }
 
-/// sum Q_i w_i + sum F.(dp/dq w) + sum N.turn; e0 displaces along w, turn is the rotation it
-/// causes.
+/// sum Q_i w_i + sum F.(dp/dq w) + sum N.turn. The displacement along w is in generator e0; turn is
+/// the rotation of the frame by this displacement.
 Jet Mechanics::exact_force_along(const Motion& motion, const Direction& w) {
   Motion displaced = motion;
   displace_position(model_, displaced, w, first);
   Evaluation moving(model_, displaced, functions_);
-  // The spin is linear in the rates, so at the rates w it is the rotation per displacement.
+  // The spin is linear in the rates, so the spin at the rates w is the rotation along w.
   Motion turned = motion;
   for (std::size_t i = 0; i < turned.v.size(); ++i) turned.v[i] = Jet(first, w[i]);
   Evaluation turning(model_, turned, functions_);

@@ -21,7 +21,7 @@ using Direction = std::vector<cln::cl_R>;
 /// The i-th unit vector of length n.
 [[nodiscard]] Direction unit_direction(std::size_t n, std::size_t i);
 
-/// The state with long rationals converted to floats.
+/// The state, with long rationals converted to floats.
 [[nodiscard]] State shortened(const State& state);
 
 /// The state as jets without generators.
@@ -59,12 +59,12 @@ struct Displacement {
   Direction y = {};
 };
 
-/// The point about which a scene expands energies and forces. Only small quantities have a value.
-/// Taylor's formula in s, at s = 1, along the motion
+/// The point about which a scene expands energies and forces. Only small quantities have a value in
+/// it. The expansion is the Taylor polynomial in s, at s = 1, along the motion
 ///
 ///     q0 + s (q - q0),  s v,  s a,  u0 + s (u - u0)       for small quantities, others unchanged
 ///
-/// gives the joint expansion in all deviations. The oracle writes down no term of an expansion.
+/// which is the joint expansion in all deviations. The oracle thus writes down no term of it.
 struct ExpansionPoint {
   unsigned order = 1;
   std::vector<std::optional<cln::cl_R>> q = {};
@@ -72,10 +72,12 @@ struct ExpansionPoint {
   std::vector<std::optional<cln::cl_R>> u = {};
 };
 
-/// The point at the parameters of a state; empty if the scene does not expand the model.
+/// The point, evaluated at the parameters of the state; empty if the scene does not expand the
+/// model.
 [[nodiscard]] std::optional<ExpansionPoint> expansion_point(const Model& model, const State& state);
 
-/// The motion above; powers of s beyond `order` vanish.
+/// `motion` scaled by s towards the point, as ExpansionPoint defines it. Powers of s beyond `order`
+/// vanish.
 [[nodiscard]] Motion scaled_towards(const ExpansionPoint& point, const Motion& motion,
                                     unsigned order);
 
@@ -97,7 +99,8 @@ class Mechanics {
   /// M, n x n for n velocities, row-major.
   [[nodiscard]] std::vector<cln::cl_R> mass_matrix();
 
-  /// w.([v]x M y) is (w x v).M y on the velocities of rotations. This is (w x by).M y.
+  /// (w x by).M y, with the cross product only on the velocities of rotations. For by = v this is
+  /// w.([v]x M y).
   [[nodiscard]] cln::cl_R cross_mass(const Direction& w, const Direction& by, const Direction& y);
 
   /// d/dq (w.M y) along x. Only for Lagrangians that are quadratic in the rates.
@@ -116,12 +119,12 @@ class Mechanics {
   /// The second term is for angular velocities only.
   [[nodiscard]] cln::cl_R inverse_dynamics(const Direction& w, const Direction& a);
 
-  /// Derivative of w.(M a + bias - B u) if q changes along x and v along y; u = `inputs`. For a
-  /// rotation x is a rotation vector in body axes.
+  /// Derivative of w.(M a + bias - B u) along `along`, a displacement of q and v; u = `inputs`. For
+  /// a rotation, its part x is a rotation vector in body axes.
   [[nodiscard]] cln::cl_R residual_slope(const Direction& w, const Displacement& along,
                                          const Direction& a, const Direction& inputs);
 
-  /// w.dV0/dq; V0 = V(q, 0, t), or -L(q, 0, t) if L is given as a whole.
+  /// w.dV0/dq with V0 = V(q, 0, t), or V0 = -L(q, 0, t) if the file gives L.
   [[nodiscard]] cln::cl_R gravity(const Direction& w);
 
   /// w.dD/dv
@@ -133,10 +136,10 @@ class Mechanics {
   /// w.B y, B = dQ/du; y is a direction of the inputs.
   [[nodiscard]] cln::cl_R input_force(const Direction& w, const Direction& y);
 
-  /// T; 1/2 v.M v if L is given as a whole.
+  /// T, or 1/2 v.M v if the file gives L.
   [[nodiscard]] cln::cl_R kinetic_energy();
 
-  /// V(q, v, t); -L(q, 0, t) if L is given as a whole.
+  /// V(q, v, t), or -L(q, 0, t) if the file gives L.
   [[nodiscard]] cln::cl_R potential_energy();
 
   /// V(q, 0, t)
@@ -145,7 +148,7 @@ class Mechanics {
   /// v.dL/dv - L
   [[nodiscard]] cln::cl_R energy_function();
 
-  /// |E| plus the absolute terms of V. An L given as a whole has no known terms.
+  /// |E| plus the absolute values of the terms of V; only |E| if the file gives L.
   [[nodiscard]] cln::cl_R energy_magnitude();
 
  private:
@@ -168,18 +171,18 @@ class Mechanics {
   std::shared_ptr<JetFunctions> functions_ = std::make_shared<JetFunctions>();
 };
 
-/// w.([v]x M y + [y]x M v + M [v]x y) on the velocities of rotations, with v of the state.
+/// w.([v]x M y + [y]x M v + M [v]x y), v the state's velocity. [.]x acts only on the velocities of
+/// rotations.
 [[nodiscard]] cln::cl_R rotation_terms(Mechanics& at, const Direction& w, const Direction& y);
 
 /// w.C v = d/dq (w.M v) v - 1/2 d/dq (v.M v) w + w.[v]x M v
 [[nodiscard]] cln::cl_R velocity_force(Mechanics& at, const Direction& w);
 
-/// w.C y = 1/2 (d/dq (w.M y) v + d/dq (w.M v) y - d/dq (y.M v) w). Angular velocities add 1/2
-/// w.([v]x M y + [y]x M v + M [v]x y). C y is half the derivative of C v by v along y, which makes
-/// dM/dt - 2 C skew-symmetric.
+/// w.C y = 1/2 (d/dq (w.M y) v + d/dq (w.M v) y - d/dq (y.M v) w + rotation_terms). C y is half the
+/// derivative of C v by v along y, which makes dM/dt - 2 C skew-symmetric.
 [[nodiscard]] cln::cl_R coriolis(Mechanics& at, const Direction& w, const Direction& y);
 
-/// w.tau at a = 0.
+/// w.bias: w.(M a + bias) at a = 0.
 [[nodiscard]] cln::cl_R bias(Mechanics& at, const Direction& w);
 
 /// w.tau at the acceleration of the state.

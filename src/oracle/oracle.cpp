@@ -1,4 +1,5 @@
-// The oracle's interface: errors of the domain become empty values.
+// The oracle's public functions. They return empty values if a quantity is undefined
+// (OutsideDomain).
 #include "elgen/oracle.hpp"
 
 #include "elgen/leaf_names.hpp"

@@ -1,5 +1,5 @@
-// Output values: one row per output with its definition and its contraction. Reactions are computed
-// in the whole model; the locked model only supplies the locks.
+// Output values: one row per output, with functions for its entries and its contraction. Reactions
+// are computed in the model without locks; the locked model only supplies the locks.
 #include "oracle/output_values.hpp"
 
 #include <functional>
@@ -18,7 +18,7 @@ namespace {
 
 using cln::cl_R;
 
-/// w.(M a + bias - B u) of the whole model, w along each velocity that `reaction` has a row for.
+/// w.(M a + bias - B u) of the whole model, for the unit vector w of each held velocity.
 std::vector<cl_R> reaction(const Model& model, const State& state) {
   const std::vector<std::uint32_t> held = held_velocities(model);
   if (held.empty()) return {};
@@ -36,12 +36,12 @@ std::vector<cl_R> reaction(const Model& model, const State& state) {
 
 struct OracleRow {
   Values (*values)(const OutputQuery&);
-  /// w.x or w.X y; null: contract the entries of `values`.
+  /// w.x of a column or w.X y of a matrix. Null: contract the entries of `values`.
   cl_R (*contraction)(const OutputQuery&, const Contraction&) = nullptr;
 };
 
-/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + turning) with dM/dt along v and R_ij = d/dq_j (M v)_i. This
-/// is half the work of one contraction per entry.
+/// C_ij = 1/2 (dM_ij/dt + R_ij - R_ji + rotation_terms), with dM/dt along v and R_ij = d/dq_j (M
+/// v)_i. A contraction for each entry would cost twice as much.
 Values coriolis_entries(Mechanics& at) {
   const std::size_t n = at.size();
   const Direction& v = at.state().v;
@@ -80,8 +80,8 @@ bool has_reference(const OutputQuery& of) {
   return output_row(of.output.kind).takes.has_any(Opcode::reference);
 }
 
-/// Y, then rest. Column k of Y is the force at the k-th unit parameter vector minus rest; rest is
-/// the force at zero parameters.
+/// Y, then rest. `rest` is the force at zero parameters. Column k of Y is the force at the k-th
+/// unit vector of parameters, minus rest.
 Values regressor_entries(const OutputQuery& of) {
   const std::size_t n = of.state.v.size();
   const std::size_t count = extent_of(of.model, Extent::inertial);
@@ -156,7 +156,7 @@ Values input_force_slopes(Mechanics& at) {
   return entries;
 }
 
-/// v.dL/dv - L at the velocities that the momenta give.
+/// v.dL/dv - L at the velocities computed from the momenta.
 Values hamiltonian_of(const OutputQuery& of) {
   const State state = state_from_momenta(of);
   return {Mechanics(of.model, state).energy_function()};

@@ -14,8 +14,9 @@ namespace elgen::oracle {
 [[nodiscard]] std::vector<cln::cl_R> output_values(const Model& model, const OutputRequest& output,
                                                    const State& state);
 
-/// w.x or w.X y: by directional derivatives if the output has them, else from all entries (the
-/// first entries, as many as w and y need). Throws OutsideDomain.
+/// w.x of a column or w.X y of a matrix. Computed by directional derivatives if the output supports
+/// them, else from the list of entries, of which only the first size(w) * size(y) are used. Throws
+/// OutsideDomain.
 [[nodiscard]] cln::cl_R contracted_values(const Model& model, const OutputRequest& output,
                                           const State& state, const Contraction& by);
 
@@ -25,17 +26,17 @@ namespace elgen::oracle {
 [[nodiscard]] std::vector<cln::cl_R> step(const Model& model, const OutputRequest& output,
                                           const State& state);
 
-/// A, then B, of dx(t + h) = A dx + B du, dx = (dq, dv) with rotation vectors in dq. Differences of
-/// `step`, correct to 80 digits. Cost: at least four steps per column.
+/// A, then B, of dx(t + h) = A dx + B du, dx = (dq, dv) with rotation vectors in dq. Computed by
+/// differences of step(), correct to 80 digits. Cost: at least four steps per column.
 [[nodiscard]] std::vector<cln::cl_R> step_derivatives(const Model& model,
                                                       const OutputRequest& output,
                                                       const State& state);
 [[nodiscard]] cln::cl_R step_contraction(const Model& model, const OutputRequest& output,
                                          const State& state, const Contraction& by);
 
-// Derivatives of the dynamics: slopes of w.(M a + bias - B u) along displacements; forward dynamics
-// adds a solve with M. Each has two functions: all entries, one field after another, and the
-// contraction w.X y of one field.
+// Derivatives of the dynamics, from derivatives of w.(M a + bias - B u) along displacements;
+// forward dynamics also needs a solve with M. Each output has two functions: one returns all
+// entries, one field after another, the other the contraction w.X y of one field.
 
 /// Derivatives of accelerations and multipliers along a change of state and inputs.
 [[nodiscard]] ConstrainedMotion motion_slope(Mechanics& at, const Displacement& along,

@@ -1,7 +1,8 @@
 // Real functions: exact if the value is rational and obvious, otherwise CLN floats.
 //
-// CLN reduces sin and exp only with the digits of their argument. Arguments are therefore widened
-// by the digits before their point, and results are rounded to working precision.
+// CLN reduces the argument of sin and exp with only as many digits as the argument has. Arguments
+// are therefore extended by as many digits as they have before the point; results are rounded to
+// working precision.
 #include "oracle/real_functions.hpp"
 
 #include <cln/integer.h>
@@ -18,20 +19,21 @@ using cln::cl_I;
 using cln::cl_R;
 using cln::cl_RA;
 
-/// exp of a larger number exceeds every scalar type by far, and CLN would need minutes.
+/// exp() of a larger number is far beyond every scalar type, and CLN would need minutes for it.
 const cl_R largest_exponent = 1'000'000;
 
-/// For larger x tanh is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x), and exp(-4) < 0.1.
+/// For |x| beyond this, tanh(x) is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x), and exp(-4)
+/// < 0.1.
 cl_R tanh_saturation() { return 200 + 2 * MoreDigits::count(); }
 
-/// A binary exponent: an angle beyond 2^20000 exceeds every built-in scalar.
+/// A binary exponent. Larger angles throw BeyondReach; 2^20000 exceeds every built-in scalar.
 constexpr long largest_angle_exponent = 20'000;
 
 unsigned all_digits() { return working_digits + MoreDigits::count(); }
 
 cln::float_format_t working_format() { return cln::float_format(all_digits()); }
 
-/// `x` with its digits before the decimal point in addition to working precision.
+/// `x` as a float of working precision, plus as many digits as `x` has before the decimal point.
 cl_F widen(const cl_R& x) {
   if (is_rational(x)) {
     const cl_I integer_part = cln::truncate1(x);
@@ -51,7 +53,8 @@ cl_R rounded(const cl_R& x) {
   return is_rational(x) ? x : cl_R(cln::cl_float(cln::the<cl_F>(x), working_format()));
 }
 
-/// e^x is 10^(0.43 x), and its square hides twice as many digits: fewer than x.
+/// Reports |x| as the number of digits that e^x may hide in a sum. e^x is 10^(0.43 x), so even the
+/// square of e^x hides fewer than x digits.
 void hide_exponential(const cl_R& x) {
   const cl_R size = cln::min(cln::abs(x), largest_exponent);
   MoreDigits::report_hidden(cln::cl_I_to_uint(cln::ceiling1(size)));
@@ -86,7 +89,8 @@ cl_R logarithm(const cl_R& x) {
   return x == 1 && is_rational(x) ? cl_R(0) : cl_R(cln::ln(as_float(x)));
 }
 
-/// log(1 + x) = 2 (z + z^3/3 + z^5/5 + …), z = x/(2 + x), for small x, because 1 + x loses digits.
+/// log(1 + x). For small x, 1 + x would lose digits, so the series 2 (z + z^3/3 + z^5/5 + …), z =
+/// x/(2 + x), is summed.
 cl_R logarithm_of_sum(const cl_R& x) {
   if (cln::abs(x) > cl_RA(1) / 2) return logarithm(1 + x);
   const cl_R z = as_float(x / (2 + x));
@@ -100,7 +104,7 @@ cl_R logarithm_of_sum(const cl_R& x) {
   }
 }
 
-/// e^x - 1 = x + x^2/2! + …, for small x, because the difference loses digits.
+/// e^x - 1. For small x the difference would lose digits, so the series x + x^2/2! + … is summed.
 cl_R exponential_less_one(const cl_R& x) {
   if (x < -largest_exponent) {
     hide_exponential(x);
@@ -123,9 +127,9 @@ cl_R first_of_series(const cl_F& x, bool is_odd, bool is_hyperbolic) {
   return is_odd ? cln::sin(x) / x : cln::cos(x);
 }
 
-/// c_k(x) = sum of (-1)^i x^(2 i)/(2 i + k)!, k = |order|; c_k(i x) if order < 0. For small x the
-/// sum, with additional digits for its largest term. For large x c_(n+2) = (1/n! - c_n)/x^2, which
-/// loses no digits.
+/// c_k(x) = sum over n of (-1)^n x^(2 n)/(2 n + k)!, k = |order|; without the signs (-1)^n if order
+/// < 0. For small x the sum is evaluated, with additional digits for its largest term. For large x
+/// the recurrence c_(n+2) = (1/n! - c_n)/x^2 (-x^2 if order < 0) is used, which loses no digits.
 cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
   const bool is_hyperbolic = cln::minusp(order);
   const unsigned k = cln::cl_I_to_uint(cln::round1(cln::abs(order)));
@@ -150,7 +154,7 @@ cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
   }
 }
 
-/// Every function except sin and cos.
+/// The value of a function other than sin and cos.
 cl_R uncached_value(FunctionId function, const cl_R& x, const cl_R& y) {
   switch (function) {
     case FunctionId::sin:

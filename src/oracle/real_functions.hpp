@@ -1,10 +1,10 @@
 // Real arithmetic of the oracle: the functions of the model language to working_digits decimal
 // digits. The code under test shares no function with it, except CLN's sines and cosines.
 //
-// Exact rationals stay exact while they are short. Exact zeros stay exact, so that derivatives that
-// vanish cost nothing. Random doubles become floats, which represent them exactly. Arguments are
-// reduced with as many digits as their magnitude needs. Undefined values throw OutsideDomain, which
-// the oracle's interface catches.
+// Exact rationals stay exact while they are short. Exact zeros stay exact, so derivatives that are
+// 0 cost nothing. Random doubles become floats, which represent them exactly. Arguments are reduced
+// with as many digits as their magnitude needs. Undefined values throw OutsideDomain, which the
+// oracle's interface catches.
 #pragma once
 
 #include <cln/exception.h>
@@ -21,12 +21,12 @@
 
 namespace elgen::oracle {
 
-/// The oracle promises 60 digits, or more inside with_digits(). Cancellation may cost the other 35:
-/// 1e-8 rad from a singular chart the textbook expressions lose 16.
+/// Decimal digits of all floats. The oracle's results have at least 60 correct digits, or more
+/// inside with_digits(); the other 35 are a reserve for cancellation. For comparison, 1e-8 rad from
+/// a singular chart textbook expressions lose 16 digits.
 inline constexpr unsigned working_digits = 95;
 
 /// The quantity is undefined at this state: division by zero, or a root or logarithm of a negative
-/// number.
 /// number.
 struct OutsideDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -40,11 +40,11 @@ struct BeyondReach : OutsideDomain {
 /// `x` in working precision; a float is returned unchanged.
 [[nodiscard]] cln::cl_R as_float(const cln::cl_R& x);
 
-/// Rationals of more bits become floats, because the gcds of longer ones dominate all other costs.
+/// Rationals of more bits become floats, because their gcds would dominate all other costs.
 inline constexpr unsigned longest_rational = 4096;
-/// The limit for leaves of a state. Decimals of 14 digits and the rationals of exact states are
-/// shorter. Random doubles have about 106 bits; as rationals they slow sums and products 2 to 4
-/// times.
+/// The same limit for leaves of a state. Decimals of 14 digits and the rationals of exact states
+/// are shorter. Random doubles have about 106 bits and become floats: as rationals they would make
+/// sums and products 2 to 4 times slower.
 inline constexpr unsigned longest_leaf = 96;
 
 /// `x` itself, or a float if it is a rational of more bits than `longest`.
@@ -72,7 +72,7 @@ class RealFunctions {
   std::map<Call, cln::cl_R> known_ = {};
 };
 
-/// Empty if the value does not exist: CLN and the oracle throw then.
+/// The computed value; empty if CLN or the oracle throws because it does not exist.
 template <class Computation>
 auto attempt(const Computation& computation) -> std::optional<decltype(computation())> {
   try {
@@ -84,7 +84,8 @@ auto attempt(const Computation& computation) -> std::optional<decltype(computati
   }
 }
 
-/// attempt() with as many digits as large angles need; with fewer a value may seem undefined.
+/// attempt() with as many digits as large angles need. With fewer digits a value may seem
+/// undefined.
 template <class Computation>
 auto attempt_with_enough_digits(const Computation& computation)
     -> std::optional<decltype(computation())> {

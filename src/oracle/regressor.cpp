@@ -118,7 +118,7 @@ class ModelOfParameters {
 
   const Model& source_;
   Model model_;
-  ExpressionId value_ = 0;  ///< value of the parameter that is added
+  ExpressionId value_ = 0;  ///< value of the parameter whose terms are being added
   std::vector<ExpressionId> kinetic_ = {};
   std::vector<ExpressionId> potential_ = {};
 };
@@ -130,7 +130,7 @@ cl_R force_by_reference(Mechanics& at, Mechanics& at_reference, const Direction&
          at.applied_force(w);
 }
 
-/// The parameter of a body in a frame, about the frame's origin.
+/// A parameter of a body in a frame; moments are about the frame's origin.
 cl_R parameter_of_framed_body(Evaluation& at, const Body& body, std::uint32_t component) {
   const auto value = [&at](ExpressionId id) { return at.value(id).real(); };
   const BodyInFrame& local = *body.local;

@@ -1,11 +1,13 @@
-// Settled values: computed with twice as many digits each time, until their first digits stay.
+// Settled values: values are computed with twice as many digits each time (a "look"), until the
+// first 62 digits agree.
 //
-// If all terms cancel, a value consists of rounding errors and shrinks with every look, like a
-// zero. It counts as 0 if the earlier of two looks had enough digits to show a non-zero Taylor
-// term: 1 - cos(1e-100) is 5e-201, which 155 digits do not show. A value that stays is accepted
-// under the same condition, or at the last look: in 155 digits log(exp(x)) - x is -x at x = 1e-300.
+// If all terms cancel, a value consists of rounding errors and shrinks with every look. It counts
+// as 0 if the earlier of two looks had enough digits to show a non-zero Taylor term: 1 -
+// cos(1e-100) is 5e-201, which 155 digits do not show. A value that does not change is accepted
+// under the same condition, or at the last look: with 155 digits log(exp(x)) - x wrongly gives -x
+// at x = 1e-300.
 //
-// Irrational numbers of a state, such as pi, have 100 digits. A value that shrinks with their
+// Irrational numbers of a state, such as pi, have 100 digits. A value that shrinks if they get more
 // digits, such as sin(pi), is 0.
 #include <algorithm>
 #include <cmath>
@@ -28,7 +30,7 @@ constexpr unsigned digits_of_first_look = 60;
 constexpr unsigned digits_of_last_look = 1920;
 static_assert(working_digits + digits_of_last_look >= max_stable_digits);
 
-/// Two more digits than elgen prints.
+/// Two looks agree if this many digits agree: two more than elgen prints.
 constexpr int digits_that_stay = 62;
 
 /// Pads the floats of a state with zeros to more digits than a look computes with.
@@ -39,18 +41,19 @@ State lengthened(const State& state, unsigned digits) {
       [&](const cl_R& x) { return is_rational(x) ? x : cl_R(cln::cl_float(x, format)); }, state);
 }
 
-/// Digits of a number before or behind its point, since cancellation may remove the rest: 100 for 1
-/// + 1e-100.
+/// |decimal exponent| of a float; of a rational, the larger exponent of numerator and denominator:
+/// 100 for 1 + 1e-100. Cancellation may remove all other digits.
 double size_in_digits(const cl_R& x) {
   if (!is_rational(x)) return std::abs(decimal_exponent(x));
   const auto r = cln::the<cln::cl_RA>(x);
   return std::max(decimal_exponent(cln::numerator(r)), decimal_exponent(cln::denominator(r)));
 }
 
-/// Less than the 100 digits of a state, by more than the 20 digits of share_of_a_zero().
+/// A state has 100 digits. The difference to 100 must exceed the 20 digits of share_of_a_zero().
 constexpr unsigned digits_of_rounded_state = 60;
 
-/// A zero shrinks at least by this factor from one look to the next.
+/// A value is taken for rounding errors if it shrinks by at least this factor from one look to the
+/// next.
 const cl_R& share_of_a_zero() {
   static const cl_R share = power_of_ten(-20);
   return share;
@@ -70,7 +73,8 @@ std::optional<State> rounded(const State& state) {
   return has_floats ? std::optional(result) : std::nullopt;
 }
 
-/// The digits that show eighth powers of the leaves and literals, and of their differences.
+/// The digits needed to show eighth powers of the leaves, of the literals, and of their
+/// differences.
 unsigned digits_of_powers(const Model& model, const State& state) {
   double most = 0;
   const auto look = [&most](const cl_R& x) { most = std::max(most, size_in_digits(x)); };
@@ -136,7 +140,7 @@ std::optional<StableValues> settled_by(const Look& before, const Look& now, cons
   return StableValues{std::move(values)};
 }
 
-/// Sets values to 0 that shrink with the digits of the state's numbers.
+/// Sets to 0 each value that is far smaller than its value at the rounded state.
 void clear_rounding(std::vector<cl_R>& settled, const OracleValues& at_rounded) {
   if (!at_rounded) return;
   for (std::size_t i = 0; i < settled.size(); ++i) {
@@ -148,7 +152,7 @@ void clear_rounding(std::vector<cl_R>& settled, const OracleValues& at_rounded) 
 StableValues settled(const Model& model, const State& state, const Computation& values) {
   const StableValues undecided{.is_decided = false};
   const unsigned needed_digits = digits_of_powers(model, state);
-  // With fewer digits both looks may agree on 1 for 1 + (1 - cos(e))/e^2.
+  // With too few digits, both looks may agree on the wrong value 1 for 1 + (1 - cos(e))/e^2.
   unsigned digits = digits_of_first_look;
   while (2 * digits < digits_of_last_look && working_digits + digits < needed_digits) digits *= 2;
   Look before = look_at(values, state, digits);

@@ -1,6 +1,7 @@
-// Entries of the mass matrix, then one linear solve: row i of L from the rows above it, then
-// forward, diagonal and backward substitution. Velocities of momenta need one solve with the
-// oracle's own M. Rates of momenta are the remaining terms of Lagrange's equation.
+// Computes the entries of the mass matrix, then solves one linear system: row i of L from the rows
+// above it, then forward, diagonal and backward substitution. Velocities follow from momenta by one
+// solve with the same M. Rates of momenta are the terms of Lagrange's equation other than d/dt
+// dL/dv.
 #include "oracle/solved_dynamics.hpp"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 using cln::cl_R;
 
-/// A pivot below this share of its diagonal entry is zero up to rounding errors.
+/// A pivot counts as zero if its ratio to the diagonal entry of M is smaller.
 const cl_R& least_pivot_share() {
   static const cl_R share = cln::expt(cl_R(10), -75);
   return share;

@@ -1,6 +1,6 @@
 // M a = B u - bias, solved for forward dynamics and its derivatives. M = L D L^T in natural order
-// without pivoting. Momenta are p = M v + b with b = dL/dv at rest; here are their velocities and
-// rates.
+// without pivoting. Also: the velocities v that belong to momenta p = M v + b, b = dL/dv at rest,
+// and the rates dp/dt.
 #pragma once
 
 #include <cln/real.h>
@@ -40,7 +40,7 @@ struct Solution {
 [[nodiscard]] std::vector<cln::cl_R> velocities_of_momenta(const Model& model, State state,
                                                            const std::vector<cln::cl_R>& p);
 
-/// dp/dt = dL/dq + B u + Q - dD/dv, for angular velocities minus [omega]x dL/domega.
+/// dp/dt = dL/dq + B u + Q - dD/dv; for angular velocities, - [omega]x dL/domega is added.
 [[nodiscard]] std::vector<cln::cl_R> momentum_rates(const Model& model, const State& state);
 
 /// B = dQ/du: n x m for n velocities and m inputs, row-major.

@@ -1,8 +1,8 @@
-// step: a state moves as a vector x = (q, v); quaternions are normalised before it is evaluated.
-// With `projects` the end is projected onto the constraints.
+// step: integrates a state as a vector x = (q, v). Quaternions are normalised before each
+// evaluation. If the step `projects`, its end is projected onto the constraints.
 //
-// Derivatives are central differences over 1e-45, computed with 135 more digits. Differences over
-// 1e-48 must agree to 80 digits; otherwise smaller differences follow.
+// Derivatives are central differences over 1e-45, computed with 135 more digits. They are accepted
+// if differences over 1e-48 agree to 80 digits; otherwise smaller differences are tried.
 #include <cln/float.h>
 
 #include <algorithm>
@@ -148,7 +148,8 @@ State extended(const State& state, unsigned digits) {
   return map_leaves([&](const cl_R& x) { return cl_R(cln::cl_float(x, format)); }, state);
 }
 
-/// The state moved by `size` along a direction of (q, v, u); for q along rotation vectors.
+/// The state displaced by `size` along a direction of (q, v, u). The q part contains rotation
+/// vectors for quaternions.
 State displaced(const Model& model, State state, const Direction& along, const cl_R& size) {
   const std::size_t n = state.v.size();
   const std::vector<Jet> moving(along.begin(), along.begin() + static_cast<std::ptrdiff_t>(n));
@@ -179,13 +180,15 @@ Values velocity_components(const Model& model, const Values& q, const Values& dq
   return result;
 }
 
-/// Steps from the states of a line, and the derivative of their ends along it.
+/// Steps that start from the states `start` + size * `along`, and the derivative of their ends by
+/// size.
 class StepLine {
  public:
   StepLine(const Model& model, const OutputRequest& output, State start, const Direction& along)
       : model_(model), output_(output), start_(std::move(start)), along_(along) {}
 
-  /// dx(t + h) along the line; empty unless central differences of two sizes agree to 80 digits.
+  /// The derivative of x(t + h) along the line; empty unless central differences of two sizes agree
+  /// to 80 digits.
   [[nodiscard]] std::optional<Values> slope(unsigned digits) const {
     const Values wide = quotient(power_of_ten(-static_cast<long>(digits)));
     const Values narrow = quotient(power_of_ten(-static_cast<long>(digits) - 3));
@@ -220,8 +223,9 @@ class StepLine {
   const Direction& along_;
 };
 
-/// dx(t + h) along a direction of (q, v, u). Retries use smaller differences and more digits: steps
-/// that are too long for a system amplify differences by hundreds of orders of magnitude.
+/// The derivative of x(t + h) along a direction of (q, v, u). Retries use smaller differences and
+/// more digits, because a step that is too long for a system amplifies differences by hundreds of
+/// orders of magnitude.
 Values slope(const Model& model, const OutputRequest& output, const State& state,
              const Direction& along) {
   for (const unsigned digits : {45U, 150U, 450U}) {

@@ -1,5 +1,5 @@
 // Values of [[output]]s. Jacobians are directional derivatives by jets; a twist is linear in the
-// rates, so its Jacobian contains its coefficients.
+// rates, and its Jacobian contains the coefficients of the rates.
 #include "oracle/user_outputs.hpp"
 
 #include <array>
@@ -14,7 +14,8 @@ namespace {
 
 using cln::cl_R;
 
-/// The state. If the output uses the motion, its accelerations and multipliers are set.
+/// The state as a motion. If the output uses the motion, the accelerations and multipliers of the
+/// dynamics are set.
 Motion motion_of_user(const OutputQuery& of) {
   Motion motion = motion_of(of.state);
   if (!of.of_user().motion) return motion;
@@ -32,7 +33,8 @@ struct MotionChange {
   Direction inputs = {};
 };
 
-/// dy along a direction. If the output uses the motion, accelerations and multipliers vary too.
+/// The derivative of y along a change. If the output uses the motion, accelerations and multipliers
+/// change with the state.
 Values slopes_along(const OutputQuery& of, Motion motion, const MotionChange& change) {
   constexpr Generators moving = generator(0);
   displace_position(of.model, motion, change.along.x, moving);
@@ -53,7 +55,7 @@ Values slopes_along(const OutputQuery& of, Motion motion, const MotionChange& ch
   return values;
 }
 
-/// dy along each unit vector of one member of a change, row-major.
+/// The derivatives of y along each unit vector of one member of MotionChange, row-major.
 Values slopes_by(const OutputQuery& of, std::size_t count, Direction& (*part)(MotionChange&)) {
   const std::size_t n = of.state.v.size();
   const MotionChange still{
@@ -75,7 +77,7 @@ Direction& acceleration_of(MotionChange& change) { return change.a; }
 Direction& inputs_of(MotionChange& change) { return change.inputs; }
 
 /// One field of the derivatives: dy/dq along N, dy/dv, dy/da or dy/du. dy/da is empty if the output
-/// uses the acceleration of the motion.
+/// uses the motion, whose acceleration is no argument.
 Values derivative_of_user(const OutputQuery& of, std::size_t field) {
   constexpr std::size_t acceleration = 2;
   constexpr std::array parts{position_of, velocity_of, acceleration_of, inputs_of};

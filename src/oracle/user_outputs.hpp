@@ -31,7 +31,7 @@ struct OutputQuery {
 /// dy/dq along N; for a frame the derivative of its twist by v.
 [[nodiscard]] Values jacobian_of_user(const OutputQuery& of);
 
-/// d2y/dt2 at a = 0; for a frame the rate of its twist.
+/// d2y/dt2 at a = 0; for a frame d/dt of its twist at a = 0.
 [[nodiscard]] Values bias_of_user(const OutputQuery& of);
 
 /// dy/dq along N, dy/dv, dy/da, dy/du, one after another.
