@@ -23,7 +23,8 @@ std::size_t skip_digits(std::string_view text, std::size_t position) {
   return position;
 }
 
-/// Extends to the end of the characters of words and numbers, for the message.
+/// The malformed number up to its last letter, digit, underscore or point, so that the message
+/// shows all of it.
 NumberExtent malformed_extent(std::string_view text, std::size_t position) {
   const auto belongs = [](char c) { return is_word_character(c) || c == '.'; };
   while (belongs(at(text, position))) ++position;
@@ -36,7 +37,7 @@ bool is_radix_prefix(std::string_view text, std::size_t begin) {
   return at(text, begin) == '0' && radix && is_digit(at(text, begin + 2));
 }
 
-/// Whether a character that must not follow a number directly follows at `end`.
+/// True if the character at `end` must not follow a number directly.
 bool has_invalid_continuation(std::string_view text, std::size_t end) {
   const char next = at(text, end);
   const char after = at(text, end + 1);

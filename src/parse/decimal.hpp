@@ -22,7 +22,8 @@ struct NumberExtent {
 /// characters that cannot follow a number follow it directly: `1.2.3`, `1_000`, `0x10`, `1e`.
 [[nodiscard]] NumberExtent number_extent(std::string_view text, std::size_t begin);
 
-/// A limit that a number exceeds: the code (E903, E904), the message, and how to raise the limit.
+/// The error for a number beyond a limit: the code (E903, E904), the message, and how to raise the
+/// limit.
 struct ExceededLimit {
   Code code;
   std::string message;

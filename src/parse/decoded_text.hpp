@@ -14,8 +14,8 @@
 
 namespace elgen {
 
-/// A run of decoded bytes and the bytes of the file that it comes from. A copy has the same length
-/// on both sides; an escape is indivisible.
+/// A run of decoded bytes, and the bytes of the file from which they come. A copied run has equally
+/// many bytes in the file; an escape is a piece that cannot be divided.
 struct TextPiece {
   std::size_t begin = 0;  ///< in the decoded text
   std::size_t file_begin = 0;
@@ -29,8 +29,9 @@ struct DecodedText {
   std::vector<TextPiece> pieces = {};
   Span whole = {};  ///< inside the quotes
 
-  /// The bytes of the file behind the decoded bytes [begin, end). An empty range is just after the
-  /// preceding byte, so that "something is missing here" points behind the last character.
+  /// The bytes of the file behind the decoded bytes [begin, end). The span of an empty range is
+  /// just behind the preceding byte, so that an error about a missing token points behind the last
+  /// character.
   [[nodiscard]] Span span(std::size_t begin, std::size_t end) const;
 
  private:

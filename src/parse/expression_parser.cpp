@@ -25,13 +25,13 @@ namespace {
 
 Span join(const Span& first, const Span& last) { return {first.source, first.begin, last.end}; }
 
-/// A subtree, and the number of its levels that count against the depth limit.
+/// A subtree, and its depth as counted against the limit.
 struct Subtree {
   ExpressionSyntax tree;
   std::uint64_t levels = 0;
 };
 
-/// None after an error, which is then in `problem_`.
+/// A parsed subtree; none after an error, which `problem_` then holds.
 using Step = std::optional<Subtree>;
 
 class ExpressionParser {
@@ -64,7 +64,7 @@ class ExpressionParser {
   Subtree node(SyntaxKind kind, const Token& token, std::deque<Subtree> operands) const;
   Subtree negate_node(const Token& minus, Subtree operand) const;
 
-  // These functions return whether parsing can continue.
+  // The functions that return bool return true if parsing can continue.
   bool enter(const Token& token);
   void leave() { --depth_; }
   bool close(TokenKind kind, const Token& opened);
@@ -129,8 +129,8 @@ Step ExpressionParser::product() {
   return node(SyntaxKind::multiply, star, std::move(factors));
 }
 
-/// A chain of quotients nests to the left; the recursion has not counted these levels, so they are
-/// checked here.
+/// Checks the depth: a/b/c nests to the left, and the recursive descent does not count these
+/// levels.
 Step ExpressionParser::quotient(const Token& token, Subtree numerator, Subtree denominator) {
   std::deque<Subtree> operands;
   operands.push_back(std::move(numerator));
@@ -261,8 +261,8 @@ Step ExpressionParser::parse_brackets() {
   return inner;
 }
 
-/// A sum or product of one operand is the operand itself. A deque, because growing a vector would
-/// copy subtrees.
+/// A sum or product of one operand is the operand itself. The operands are in a deque, because a
+/// growing vector would copy subtrees.
 Subtree ExpressionParser::node(SyntaxKind kind, const Token& token,
                                std::deque<Subtree> operands) const {
   const bool chain = kind == SyntaxKind::add || kind == SyntaxKind::multiply;

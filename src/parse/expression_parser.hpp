@@ -6,7 +6,7 @@
 
 namespace elgen {
 
-/// Largest recursion depth, whatever the limit (about 1 KiB of stack per level).
+/// Largest recursion depth, even if Limits allows more (about 1 KiB of stack per level).
 inline constexpr std::uint64_t deepest_expression = 1000;
 
 /// Parses bytes [begin, end) of `text`. At most one error: E3xx, E902, E903, E904.

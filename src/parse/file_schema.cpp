@@ -30,7 +30,7 @@ Json with_description(Json schema, std::string_view doc) {
 /// Schema of a JSON type: "string", "integer".
 Json value_schema(std::string_view type) { return {{"type", type}}; }
 
-/// One of the words.
+/// Schema of a string that is one of the words.
 Json word_schema(const std::vector<std::string_view>& words) {
   Json schema;
   schema["enum"] = words;
@@ -41,14 +41,15 @@ Json list_schema(Json item, std::string_view doc = {}) {
   return with_description({{"type", "array"}, {"items", std::move(item)}}, doc);
 }
 
-/// Matches any of the choices.
+/// Schema of a value that matches any of the choices.
 Json choice_schema(const std::vector<Json>& choices) {
   Json schema;
   schema["anyOf"] = choices;
   return schema;
 }
 
-/// An object with these keys. Other keys are refused, or match `additional`.
+/// Schema of an object with these keys. The values of all other keys must match `others`; false
+/// refuses other keys.
 Json object_schema(std::vector<SchemaKey> keys, std::string_view doc = {}, Json others = false) {
   Json properties = Json::object();
   Json required = Json::array();
@@ -77,7 +78,7 @@ Json expression_schema() {
   return schema;
 }
 
-/// A list of `count` items, or of any length if `count` is 0.
+/// Schema of a list of `count` expressions, or of any number if `count` is 0.
 Json expressions_schema(std::size_t count = 0) {
   Json schema = list_schema(expression_schema());
   if (count == 0) return schema;
@@ -86,14 +87,14 @@ Json expressions_schema(std::size_t count = 0) {
   return schema;
 }
 
-/// A letter, then letters, digits and underscores, with an optional index.
+/// Schema of a name: a letter, then letters, digits and underscores, with an optional index.
 Json name_schema() {
   Json schema = value_schema("string");
   schema["pattern"] = "^[A-Za-z][A-Za-z0-9_]*(\\s*\\[.+\\])?$";
   return schema;
 }
 
-/// [[axis, angle], ...]; an axis is a letter, or three expressions.
+/// Schema of [[axis, angle], ...]; an axis is a letter, or three expressions.
 Json turns_schema() {
   Json axis = choice_schema({value_schema("string"), expressions_schema(3)});
   Json turn{{"type", "array"}};
@@ -167,7 +168,8 @@ Json schema_of(const KeyRow& row) {
   return {};
 }
 
-/// The standard outputs, so that editors offer them; an [[output]] has a name of the model.
+/// Adds the standard outputs by name, so that editors offer them. The names of [[output]]s differ
+/// from model to model.
 void add_outputs(std::vector<SchemaKey>& keys) {
   const Json wanted{{"$ref", "#/properties/outputs/additionalProperties"}};
   for (const OutputRow& output : output_table()) {
@@ -180,13 +182,13 @@ void add_outputs(std::vector<SchemaKey>& keys) {
   }
 }
 
-/// The keys of one entry of the key table.
+/// The keys of one entry of the key table, and the schema of its other keys (false: none).
 struct TableKeys {
   std::vector<SchemaKey> named = {};
   Json additional = false;
 };
 
-/// The default as JSON; null if it is words.
+/// The default as JSON; null if the table describes it in words.
 Json default_json(const KeyRow& row) {
   const std::string_view text = row.default_text;
   if (!has_default_value(row)) return nullptr;

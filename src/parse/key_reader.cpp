@@ -19,7 +19,8 @@ namespace {
 
 // Texts with several parts
 
-/// One part of such a text: its key in the resulting table, and its bytes in the decoded text.
+/// One part of a text with several parts: its key in the resulting table, and its bytes in the
+/// decoded text.
 struct KeyPart {
   const char* key;
   std::size_t begin = 0;
@@ -29,7 +30,7 @@ struct KeyPart {
 
 using SplitParts = std::vector<KeyPart>;
 
-/// A kind of such a text: its names in messages, and the error if it does not split.
+/// A kind of text with several parts: its names in messages, and the error if it cannot be split.
 struct SplitText {
   std::string_view noun;
   std::string_view expected;
@@ -51,7 +52,8 @@ SplitParts split_repetition(const DecodedText& text) {
           {"high", dots + 2, text.text.size()}};
 }
 
-/// "a > b" to { left = a, sign = ">", right = b }. A second comparison is an error in its side.
+/// "a > b" to { left = a, sign = ">", right = b }. A second comparison is reported as an error in
+/// `right`.
 SplitParts split_condition(const DecodedText& text) {
   const std::size_t begin = text.text.find_first_of("<>");
   if (begin == std::string::npos) return {};
@@ -89,7 +91,8 @@ KeySyntax part_entry(const KeyPart& part, const DecodedText& text, FileReading& 
   return result;
 }
 
-/// E104, the error of the kind, or the errors of the parts.
+/// The table of the parts. Errors: E104 if the value is no string, the error of the kind, or the
+/// errors of the parts.
 ValueSyntax read_split_text(const TomlValue& value, const SplitText& kind, FileReading& reading) {
   ValueSyntax result = empty_value(value, ValueKind::table);
   if (value.kind != TomlKind::string) {
@@ -172,7 +175,7 @@ void report_choice(const ValueSyntax& value, const std::string& observed, const 
       std::string(replacement_of_choice(row, value.text)));
 }
 
-/// One word of the choice table, or E104.
+/// A word of the choice table; E104 for any other value.
 ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, FileReading& reading) {
   ValueSyntax result = read_text(value, reading);
   if (value.kind != TomlKind::string) return result;
@@ -277,7 +280,8 @@ std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const Ta
       result.push_back({entry.key, entry.key_span, read_by_type(entry, *row, reading)});
     }
   }
-  // An unsupported key may replace a required key, so then missing keys are not reported.
+  // An unsupported key may be meant in place of a required key, so missing keys are reported only
+  // without such a key.
   if (all_supported) report_missing(entries, table, reading);
   return result;
 }

@@ -50,7 +50,8 @@ that the file chooses or refers to. Codes such as E112 are explained by `elgen e
 /// Lines of the page have 120 characters, 2 of them the indent of a list.
 constexpr std::size_t page_width = 118;
 
-/// The keys before the first header have their own sections, without the tables of other entries.
+/// True for the top-level keys of model and scene files. Their sections do not include the keys of
+/// tables.
 bool is_top(std::string_view entry) { return entry.empty() || entry == "scene"; }
 
 bool is_of_entry(const KeyRow& key, std::string_view entry) {
@@ -58,7 +59,8 @@ bool is_of_entry(const KeyRow& key, std::string_view entry) {
   return !is_top(entry) && key.entry.starts_with(fmt::format("{}.", entry));
 }
 
-/// "start.value" of the entry "coordinate.start", "NAME" of "*".
+/// The path of a key within `entry`: "start.value" for the key `value` of "coordinate.start" within
+/// "coordinate", "NAME" for "*".
 std::string path_in_entry(const KeyRow& key, std::string_view entry) {
   std::string path = fmt::format("{}.{}", key.entry, key.key);
   path.erase(0, entry.size() + 1);

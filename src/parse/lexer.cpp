@@ -1,5 +1,5 @@
 // The lexer of the model language: numbers, names, `+ - * / ^ ( ) [ ] ,`. Every other character is
-// an error, with a hint on how the language writes it.
+// an error, with a hint on its replacement in the language.
 #include "parse/lexer.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,8 @@ namespace elgen {
 
 namespace {
 
-/// A text of the language, and the characters that it replaces.
+/// `written`: a text of the language. `characters`: characters of other notations that a user
+/// should replace by it.
 struct ReplacementRow {
   std::string_view written;
   std::u32string_view characters;
@@ -136,7 +137,7 @@ TokenKind symbol_kind(char c) {
   return static_cast<TokenKind>(static_cast<std::size_t>(TokenKind::plus) + at);
 }
 
-/// Hint on an ASCII character of other languages.
+/// Hint on an ASCII character that other languages use, such as `#`.
 std::string ascii_hint(char32_t character) {
   switch (character) {
     case U'#':

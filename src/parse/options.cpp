@@ -72,7 +72,7 @@ class OptionReader {
     problems_.push_back({Code::E606, span, std::move(message), std::move(hint)});
   }
 
-  /// False after an error.
+  /// Reads `value` from the bytes of its span. False after an error.
   bool read_value(ValueSyntax& value) {
     if (type_ == KeyType::range) return read_range(value);
     const std::string_view text = covered_text(value.span);

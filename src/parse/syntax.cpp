@@ -41,7 +41,8 @@ std::optional<Diagnostic> size_error(const SourceText& source, const Limits& lim
       "`--limit file_bytes=N` raises the limit"};
 }
 
-/// A file of another format has other keys, so no other error is reported.
+/// The error of a file whose `format` is not supported. No other error is reported then, because
+/// such a file has other keys.
 std::optional<Diagnostic> format_error(const TomlValue& root) {
   const TomlEntry* const entry = find_entry(root.entries, "format");
   if (entry == nullptr || entry->value.kind != TomlKind::number) {

@@ -28,7 +28,7 @@ Diagnostic misplaced_comma(const Lexer& tokens) {
   return at_current(tokens, Code::E301, "`,` outside the arguments of a function");
 }
 
-/// `2x`, `x y`, `2(x + y)`, `(x)(y)`.
+/// E303 for `2x`, `x y`, `2(x + y)`, `(x)(y)`.
 Diagnostic missing_operator(const Lexer& tokens) {
   const Token& left = tokens.previous();
   const Token& right = tokens.current();

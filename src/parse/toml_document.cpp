@@ -1,6 +1,7 @@
 // Converts TOML text to TomlValue: toml++ parses, then every value is re-read at its span. toml++
-// sorts tables by key, so entries are sorted back into file order. Keys that would overflow its
-// stack are found before it parses. Its errors get a hint on the probable mistake.
+// sorts tables by key, so entries are sorted back into file order. Keys that would overflow the
+// stack of toml++ are found before it parses. Each of its errors gets a hint on the probable
+// mistake.
 #include "parse/toml_document.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +25,8 @@ namespace elgen {
 
 namespace {
 
-/// toml++ counts columns in code points and does not count a byte order mark.
+/// Converts positions of toml++ to byte offsets. toml++ counts columns in code points and does not
+/// count a byte order mark.
 class TomlPositions {
  public:
   explicit TomlPositions(const SourceText& source) {
@@ -55,8 +57,8 @@ constexpr std::size_t most_key_parts = 100;
 
 bool is_key_character(char c) { return is_word_character(c) || c == '-'; }
 
-/// Just behind the quoted part at `begin`, or behind its opening quote if it is not closed on its
-/// line.
+/// The position just behind the quoted part at `begin`; just behind its opening quote if no quote
+/// closes it on the same line.
 std::size_t skip_quoted(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   for (std::size_t i = begin + 1; i < text.size() && text[i] != '\n'; ++i) {
@@ -83,7 +85,7 @@ std::optional<std::size_t> find_too_long_key(std::string_view text) {
       if (++points == most_key_parts) return i;
       after_part = false;
     } else if (is_key_character(c)) {
-      if (after_part && after_space) points = 0;  // two words are no key
+      if (after_part && after_space) points = 0;  // `a b.c`: a new key begins at `b`
       after_part = true;
     } else if (c != ' ' && c != '\t') {
       points = 0;
@@ -128,8 +130,8 @@ Span character_at(const SourceText& source, std::uint32_t offset) {
   return {&source, offset, offset + static_cast<std::uint32_t>(bytes)};
 }
 
-/// The span for a redefinition: toml++ points at the second value of a key, but the key is clearer.
-/// For headers, its position is kept.
+/// The span for a redefinition. toml++ gives the position of the second value; the span of its key
+/// is clearer. For a redefined header, toml++'s position is used.
 Span redefinition_span(const SourceText& source, std::uint32_t offset) {
   std::uint32_t end = offset;
   while (end > 0 && (source.text[end - 1] == ' ' || source.text[end - 1] == '=')) --end;
@@ -137,7 +139,8 @@ Span redefinition_span(const SourceText& source, std::uint32_t offset) {
   return end < offset && key.begin < key.end ? key : character_at(source, offset);
 }
 
-/// An earlier definition of the same key in its table, at the start of a line.
+/// An earlier line in the same table that defines the same key; none if no line begins with the
+/// key.
 std::optional<Span> first_definition(const SourceText& source, const Span& key) {
   const std::string_view name = covered_text(key);
   std::optional<Span> found;

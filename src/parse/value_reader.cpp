@@ -1,5 +1,5 @@
-// Values whose type needs no table: expressions, names, lists, texts, booleans, integers. A value
-// with an error is reported to FileReading and returned empty; nobody uses it then.
+// Values whose type needs no table: expressions, names, lists, texts, booleans, integers. An error
+// is reported to FileReading, and the value is returned empty; no later stage runs after an error.
 #include "parse/value_reader.hpp"
 
 #include <cln/integer_ring.h>
@@ -77,9 +77,9 @@ std::optional<LatexMistake> mistake(std::string_view text, std::size_t begin, st
                       fmt::format("{} {}", in_backticks(text.substr(begin, end - begin)), what)};
 }
 
-/// The first mistake of a symbol: it is empty, has a character or command that is not listed, or
-/// unmatched braces. The listed commands are letters, accents, fonts and signs; none opens a file,
-/// defines a command, or ends the surrounding markup.
+/// The first mistake in a LaTeX symbol: the symbol is empty, braces do not match, or a character or
+/// command is not listed. The listed commands are letters, accents, fonts and signs; none opens a
+/// file, defines a command, or ends the surrounding markup.
 std::optional<LatexMistake> find_latex_mistake(std::string_view text) {
   if (text.find_first_not_of(" \t\n\r") == std::string_view::npos) {
     return LatexMistake{0, text.size(), "the symbol is empty"};
@@ -127,7 +127,7 @@ std::string describe_value(const TomlValue& value) {
   return in_backticks(value.text.text);
 }
 
-/// E113 at the first invisible character. Tabs and line ends are visible by their effect.
+/// Reports E113 at the first invisible character. Tabs and line ends count as visible.
 void report_hidden(const DecodedText& text, FileReading& reading) {
   for (std::size_t i = 0; i < text.text.size();) {
     const CodePoint point = code_point_at(text.text, i);
@@ -141,7 +141,8 @@ void report_hidden(const DecodedText& text, FileReading& reading) {
   }
 }
 
-/// E113: a CI runner executes log lines that begin with `::` as commands.
+/// Reports E113 for a text that begins with `::`: a CI runner executes such lines of a log as
+/// commands.
 void report_ci_command(const DecodedText& text, FileReading& reading) {
   constexpr std::string_view command_prefix = "::";
   const std::size_t begin = text.text.find_first_not_of(" \t\r\n");
@@ -164,13 +165,13 @@ void read_number(const TomlValue& value, ValueSyntax& result, FileReading& readi
   result.expression.value = negative ? cln::cl_RA(-magnitude) : magnitude;
 }
 
-/// Whether the name is the whole text: `q[i]`, not `(q)` or ` q`.
+/// True if the whole text is the name: `q[i]`, not `(q)` or ` q`.
 bool is_name(const ExpressionSyntax& tree, const DecodedText& text) {
   return tree.kind == SyntaxKind::name && tree.token.begin == text.whole.begin &&
          tree.span.end == text.whole.end;
 }
 
-/// Whether the error is clearer than "not a name": a non-ASCII letter, or a mistake inside an
+/// True if the parser's error is clearer than "not a name": about a non-ASCII letter, or inside an
 /// index.
 bool is_clearer_than_not_a_name(const Result<ExpressionSyntax>& read, const DecodedText& text) {
   if (read || read.diagnostics.empty()) return false;

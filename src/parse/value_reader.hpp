@@ -35,10 +35,11 @@ struct FileReading {
 [[nodiscard]] ValueSyntax read_boolean(const TomlValue& value, FileReading& reading);
 [[nodiscard]] ValueSyntax read_integer(const TomlValue& value, FileReading& reading);
 
-/// E104: "number `1` where a string is expected"; E109 if the value is no decimal number.
+/// Reports E104, "number `1` where a string is expected", or E109 if the value is a number that is
+/// not decimal.
 void report_wrong_type(const TomlValue& value, std::string_view expected, FileReading& reading);
 
-/// Keeps the parsed expression and its errors.
+/// Moves the parsed expression, if any, to `expression`, and its diagnostics to `reading`.
 void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, FileReading& reading);
 
 /// A value of `kind` with the span of `value`, for strings without the quotes.
