@@ -1,5 +1,5 @@
-// Names in options -> held joints, and the order of the other joints. A robot without a fixed base
-// floats: its root link gets a joint of type floating from a new root.
+// Applies options to a robot: holds ("welds") joints at a position, and orders the others. A robot
+// that should float gets a new root link and a joint of type floating from it to the old root.
 #include "urdf/choices.hpp"
 
 #include <fmt/format.h>
@@ -31,7 +31,7 @@ std::vector<Span> split_words(const SourcePointer& source) {
   return words;
 }
 
-/// 0, or the nearest limit of the joint if its range excludes 0.
+/// The position closest to 0 in the range of the joint.
 FileNumber nearest_to_zero(const Joint& joint) {
   const auto& [lower, upper, velocity, effort] = joint.limit;
   const bool is_limited = joint.type != JointType::continuous && lower && upper;
@@ -57,7 +57,7 @@ class JointChooser {
   }
 
  private:
-  /// The moving joint of this name; null after E821.
+  /// The moving joint with this name; null after E821.
   Joint* find(const Span& name) {
     const std::string text(covered_text(name));
     std::vector<std::string> names;
@@ -143,7 +143,7 @@ std::optional<FileNumber> held_position(const Robot& robot, const Joint& joint) 
   return FileNumber{decimal_text(place), place, {}};
 }
 
-/// `wanted`, with a number appended if an element has this name.
+/// `wanted`; if an element already has this name, a number is appended.
 template <class Named>
 std::string free_name(const std::vector<Named>& elements, const std::string& wanted) {
   std::string name = wanted;

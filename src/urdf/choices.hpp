@@ -1,4 +1,4 @@
-// Choices: the joints that move, by command-line options.
+// Choices: command-line options that select which joints move.
 #pragma once
 
 #include "elgen/urdf.hpp"
@@ -23,7 +23,8 @@ void weld_followers(Robot& robot);
 /// Adds a new root link, and a joint `base` of type floating from it to `root`.
 void add_floating_joint(Robot& robot, std::size_t root);
 
-/// The joint by which a base without mass already floats; null if there is none.
+/// The floating joint by which the robot already floats: its parent is the root or is fixed to it,
+/// and these links have no mass. Null if there is none.
 [[nodiscard]] const Joint* floating_joint(const Robot& robot, const LinkTree& tree);
 
 }  // namespace elgen::urdf

@@ -19,7 +19,8 @@ constexpr std::string_view legend =
     "centre\n"
     "# of mass, Ixx ... its inertia about that. Zeros of the URDF are 0, not parameters.\n";
 
-/// A link, indented by its depth, and the joint that carries it.
+/// Two cells: the name of a link, indented by its depth, and the text about the joint that carries
+/// it.
 std::vector<std::string> tree_row(std::size_t depth, const Link& link, const std::string& joint) {
   constexpr std::size_t deepest_indent = 20;  // the lines of a long chain would be too long
   const std::string indent(2 * std::min(depth, deepest_indent), ' ');
@@ -75,7 +76,8 @@ std::string dissipation_table(const std::vector<std::string>& terms) {
   return fmt::format("[energy]\nD = \"\"\"\n  {}\n\"\"\"\n", fmt::join(terms, "\n  + "));
 }
 
-/// In the order of `--joints`, otherwise in the order of the tree.
+/// The texts of the tables in the order of `--joints`, without this option in the order of the
+/// tree.
 std::vector<std::string> table_texts(const Robot& robot, std::vector<JointTable> tables) {
   const auto rank = [&](const JointTable& table) { return robot.joints[table.joint].rank; };
   std::ranges::stable_sort(tables, {}, rank);

@@ -32,13 +32,13 @@ struct Coupling {
 [[nodiscard]] std::string product_text(const std::string& factor, const std::string& expression);
 [[nodiscard]] std::string quotient(const std::string& expression, const std::string& divisor);
 
-/// The table of a coordinate or an input, and its joint.
+/// The table of a coordinate or an input, and the index of its joint.
 struct JointTable {
   std::size_t joint = 0;
   TomlTable table;
 };
 
-/// The texts of tables in the order of the file, and the terms of D.
+/// The texts of the model's tables, each list in the order of the file, and the terms of D.
 struct Draft {
   const Robot& robot;
   const LinkTree& tree;
@@ -49,7 +49,7 @@ struct Draft {
   std::vector<std::string> forces = {};
   std::vector<JointTable> inputs = {};
   std::map<std::size_t, Coupling> couplings = {};     ///< by joint
-  std::map<std::size_t, std::string> armatures = {};  ///< of the coordinates of joints, by joint
+  std::map<std::size_t, std::string> armatures = {};  ///< key: the joint of the coordinate
 };
 
 using Components = std::array<std::string, 3>;
@@ -57,7 +57,7 @@ using Components = std::array<std::string, 3>;
 /// The motion of a joint, in the axes of its origin.
 struct JointMotion {
   Components translate = {"0", "0", "0"};
-  std::vector<std::string> turn = {};  ///< at most one step
+  std::vector<std::string> turn = {};  ///< empty or one step, ["z", "q"]
   std::string attitude = {};           ///< a coordinate of kind rotation
 };
 
@@ -82,7 +82,7 @@ struct FrameDraft {
 /// "0 0 1.57", with the digits of the file.
 [[nodiscard]] std::string numbers_text(const Vector& numbers);
 
-/// The components of a position; "c{}_arm" gives the names of their parameters.
+/// The components of a position as parameters. `name` is the pattern of their names: "c{}_arm".
 [[nodiscard]] Components position_components(Glossary& glossary, std::string_view name,
                                              const Vector& xyz);
 
@@ -109,10 +109,10 @@ struct JointUnits {
 
 [[nodiscard]] JointUnits units_of(JointType type);
 
-/// The position of a joint with one coordinate. A repeated call adds no parameters again.
+/// The position of a joint that has one coordinate. Repeated calls do not add its parameters again.
 [[nodiscard]] const Coupling& coupling_of(Draft& draft, std::size_t joint);
 
-/// Adds the damping, the friction and the rotor of such a joint.
+/// Adds the damping, the friction and the rotor of a joint that has one coordinate.
 void draft_resistance(Draft& draft, std::size_t joint);
 
 /// Adds the coordinates, inputs, damping and friction of a joint; returns its motion.

@@ -69,7 +69,7 @@ void draft_friction(Draft& draft, std::size_t index, const Coupling& coupling) {
   draft.forces.push_back(table.text());
 }
 
-/// Armature of a rotor: J N^2, times the squared factor between joint and coordinate.
+/// Adds the armature of a rotor to its coordinate: J N^2 times (d joint/d coordinate)^2.
 void draft_rotor(Draft& draft, std::size_t index, const Coupling& coupling) {
   const Joint& joint = draft.robot.joints[index];
   if (!has_rotor(joint)) return;
@@ -88,7 +88,7 @@ void draft_rotor(Draft& draft, std::size_t index, const Coupling& coupling) {
   sum_of_all = sum_text(sum_of_all, armature);
 }
 
-/// The position at which a joint is held.
+/// The position at which a joint is held, as a parameter or expression.
 std::string held_position_text(Draft& draft, std::size_t index) {
   const Joint& joint = draft.robot.joints[index];
   if (joint.type != JointType::prismatic) {
@@ -99,7 +99,7 @@ std::string held_position_text(Draft& draft, std::size_t index) {
 
 std::string parenthesise(const std::string& expression) { return "(" + expression + ")"; }
 
-/// Only the signs of sums have spaces around them; spaces inside brackets belong to another sum.
+/// True if the text has a space outside brackets: only the signs of sums have spaces around them.
 bool is_sum(const std::string& expression) {
   int depth = 0;
   for (const char c : expression) {

@@ -48,7 +48,8 @@ std::vector<std::string> inertia_of(Glossary& glossary, const std::string& link,
   return inertia;
 }
 
-/// The entries of an inertia; six entries take two lines, with the diagonal first.
+/// The entries of an inertia as a TOML list. Six entries take two lines: the diagonal, then the
+/// rest.
 std::string inertia_text(const std::vector<std::string>& inertia) {
   std::string text;
   for (std::size_t i = 0; i < inertia.size(); ++i) {

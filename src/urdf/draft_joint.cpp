@@ -10,13 +10,14 @@ namespace {
 
 constexpr std::string_view full_turn = "[\"-pi\", \"pi\"]";
 
-/// [-87, 87]; "" if there is no limit.
+/// "[-87, 87]" for the limit 87; "" if the limit is absent or 0.
 std::string symmetric_range(const std::optional<FileNumber>& limit) {
   if (!limit || limit->is_zero()) return {};
   return toml_list({toml_number("-" + limit->text), toml_number(limit->text)});
 }
 
-/// The length of an oblique axis: "sqrt(0.7^2 + 0.7^2)", or "1" if it is exactly 1.
+/// The length of an axis that is not along x, y or z: "sqrt(0.7^2 + 0.7^2)", or "1" if it is
+/// exactly 1.
 std::string length_of(const Vector& axis) {
   cln::cl_RA square = 0;
   std::string terms;
@@ -30,7 +31,7 @@ std::string length_of(const Vector& axis) {
   return square == 1 ? "1" : "sqrt(" + terms + ")";
 }
 
-/// The step of a rotation about an axis; empty if the angle is "0".
+/// The rotation about an axis as a list of one step; no step if the angle is "0".
 std::vector<std::string> turn_by(const std::string& angle, const Vector& xyz, AngleDigits digits) {
   if (angle == "0") return {};
   const Axis axis = axis_of(xyz, digits);
@@ -98,7 +99,8 @@ class JointDrafter {
     return coupling;
   }
 
-  /// `symbol`, `range` and `rates` may be empty; the latter two are TOML lists.
+  /// Adds a coordinate of the joint. `range` and `rates` are TOML lists; these and `symbol` may be
+  /// empty.
   void add_coordinate(const std::string& name, std::string_view unit, const std::string& symbol,
                       const std::string& range, const std::string& rates = {}) {
     TomlTable table("[[coordinate]]");
@@ -138,7 +140,8 @@ class JointDrafter {
     draft_.inputs.push_back({branch_.joint, std::move(table)});
   }
 
-  /// Adds a coordinate NAME_end; its symbol is the same as for a free body.
+  /// Adds a coordinate NAME_end and returns its name. Its `symbol` in formulas is not numbered by
+  /// joint.
   std::string draft_free(const std::string& end, const std::string& unit,
                          const std::string& symbol) {
     const std::string name = glossary_.claim(name_ + "_" + end, "joint");

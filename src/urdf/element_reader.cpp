@@ -12,7 +12,7 @@ namespace elgen::urdf {
 
 namespace {
 
-/// Attributes of XML itself, which do not describe the robot.
+/// True for attributes of XML itself, which do not describe the robot.
 bool belongs_to_xml(std::string_view name) {
   return name.starts_with("xmlns") || name.starts_with("xml:");
 }
@@ -63,7 +63,7 @@ std::string child_text(const Element& parent, const Element& child) {
   return fmt::format("{} in `<{}>`", in_backticks("<" + child.name + ">"), parent.name);
 }
 
-/// E822 for the child, or for elements inside it; false if none affects the motion.
+/// Reports E822 if the child or an element inside it affects the motion; false if neither does.
 bool warn_of_mechanical_effect(const Element& parent, const Element& child, Diagnostics& found) {
   if (const Extension* extension = extension_of(child)) {
     found.push_back(loss_warning(child.span, child_text(parent, child), extension->remedy));
@@ -76,7 +76,7 @@ bool warn_of_mechanical_effect(const Element& parent, const Element& child, Diag
   return warned;
 }
 
-/// Whether a non-URDF attribute is a spring or a rotor: `stiffness="3"`.
+/// True if an attribute that URDF does not define declares a spring or a rotor: `stiffness="3"`.
 bool changes_mechanics(const Attribute& attribute, const Limits& limits) {
   if (!attribute.name.ends_with("stiffness") && attribute.name != "armature") return false;
   const Result<FileNumber> number = read_decimal(attribute.span, limits);

@@ -20,15 +20,16 @@ class ElementReader {
   /// The text of an attribute; E803 if it is absent or empty.
   Text required_text(std::string_view name);
 
-  /// E804 if the attribute is no number.
+  /// The value of an attribute; none if it is absent, and after E804 if it is no number.
   std::optional<FileNumber> number(std::string_view name);
   std::optional<FileNumber> required_number(std::string_view name);
 
-  /// Three numbers; E805 for another count, E804. False and `vector` unchanged if they are absent
-  /// or wrong.
+  /// Reads three numbers. E804: no number; E805: not three. If the attribute is absent or wrong,
+  /// returns false and keeps `vector` unchanged.
   bool vector(std::string_view name, Vector& vector);
 
-  /// Reads the first child of this name, if any, and notes the content that `read` did not read.
+  /// Calls `read` for the first child of this name, if any, then reports the content that `read`
+  /// did not read.
   template <class Read>
   void child(std::string_view name, const Read& read) {
     if (const Element* found = first_child(name)) {
@@ -49,8 +50,8 @@ class ElementReader {
   /// Marks attributes and children as read, because they do not affect the motion.
   void ignore(std::initializer_list<std::string_view> names);
 
-  /// E815 for every unread attribute and child; E822 instead if it, or an element inside it,
-  /// affects the motion.
+  /// Reports every unread attribute and child: E822 if it (or an element inside it) affects the
+  /// motion, else E815.
   void note_unread() const;
 
  private:

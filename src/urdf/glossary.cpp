@@ -1,5 +1,5 @@
-// Coordinates get their names first, then frames: if a joint and its link have the same name, the
-// joint keeps it.
+// Coordinates get their names first, then frames. If a joint and its link have the same name, the
+// joint therefore keeps it.
 #include "urdf/glossary.hpp"
 
 #include <fmt/ranges.h>
@@ -24,7 +24,7 @@ bool is_reserved(const std::string& name) {
          std::ranges::find(names_of_headers, name) != names_of_headers.end();
 }
 
-/// "q", "q1" and "q_1" are short enough to be symbols.
+/// False for "q", "q1" and "q_1", which are short enough to be symbols in formulas.
 bool is_long(const std::string& name) { return name.size() > 1 && is_letter(name[1]); }
 
 /// m_1 or I_{xx,1}

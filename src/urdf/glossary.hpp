@@ -1,7 +1,7 @@
 // Glossary: the names of the new model, and the parameters for its numbers. URDF names may be any
 // text. Model names consist of letters, digits and underscores, are no words of C++ or of the
-// language, and are unique. In formulas, joints with long names are q_1, q_2, … in the order of the
-// coordinates; their parameters get the same numbers: m_1, I_{xx,1}.
+// language, and are unique. If any coordinate has a long name, formulas call the coordinates q_1,
+// q_2, … in their order, and parameters get the number of their joint: m_1, I_{xx,1}.
 #pragma once
 
 #include <set>
@@ -15,15 +15,16 @@ namespace elgen::urdf {
 
 class Names {
  public:
-  /// A name like `wanted` that is new. If `wanted` is reserved or in use, `kind` is prepended:
-  /// `union` becomes `link_union`.
+  /// Returns `wanted` or a similar name that is not in use yet, and reserves it. If `wanted` is
+  /// reserved or in use, `kind` is prepended: `union` becomes `link_union`.
   std::string claim(std::string_view wanted, std::string_view kind);
 
  private:
   std::set<std::string> used_ = {};
 };
 
-/// `text` with the characters of a name; it may still be in use: "left-leg.1" becomes "left_leg_1".
+/// `text` with every character that names cannot contain replaced: "left-leg.1" becomes
+/// "left_leg_1". The name may be in use.
 [[nodiscard]] std::string well_formed_name(std::string_view text);
 
 /// The name of the model, in lower case.
@@ -41,7 +42,8 @@ class Glossary {
 
   /// "world", or the frame of a link.
   [[nodiscard]] const std::string& frame(std::size_t link) const { return frames_[link]; }
-  /// The name of the joint's coordinate; for other joints, the prefix of their names.
+  /// The name of the joint's coordinate. For a joint with several coordinates or none: the prefix
+  /// of the names that belong to it.
   [[nodiscard]] const std::string& joint(std::size_t joint) const { return joints_[joint]; }
   /// The symbol of a joint's coordinate; empty if all names are short.
   [[nodiscard]] std::string symbol(std::size_t joint) const;
@@ -54,9 +56,8 @@ class Glossary {
 
   /// Starts the group of parameters of a joint and the link that it carries.
   void open_group(std::string title, const Branch& branch);
-  /// Adds a parameter to the open group and returns its name; "0" for the number 0, which stays a
-  /// literal zero.
-  /// `more`: `key = value, …`
+  /// Adds a parameter to the open group and returns its name. For the number 0 it adds nothing and
+  /// returns "0". `more`: further keys of the parameter, `key = value, …`
   std::string parameter(const std::string& name, const FileNumber& number, const std::string& unit,
                         const std::string& more = {});
   [[nodiscard]] const std::vector<ParameterGroup>& groups() const { return groups_; }
@@ -69,7 +70,7 @@ class Glossary {
   Names names_ = {};
   std::vector<std::string> frames_;
   std::vector<std::string> joints_;
-  std::vector<std::string> numbers_;  ///< of the coordinates of joints, by joint
+  std::vector<std::string> numbers_;  ///< number of the joint's coordinate in symbols, by joint
   Branch open_ = {};                  ///< the branch of the open group
   std::vector<std::string> renamed_ = {};
   std::vector<ParameterGroup> groups_ = {};

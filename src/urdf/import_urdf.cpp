@@ -36,7 +36,7 @@ Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked
   return make_tree(robot);
 }
 
-/// After other errors, options have no effect.
+/// The tree after all options are applied. Options are not applied after an error.
 Result<LinkTree> chosen_tree(Robot& robot, const ImportOptions& options, Diagnostics& found) {
   Result<LinkTree> tree = make_tree(robot);
   append(found, tree.diagnostics);
@@ -49,7 +49,8 @@ Result<LinkTree> chosen_tree(Robot& robot, const ImportOptions& options, Diagnos
   return floats ? floating_tree(robot, *tree, options.floating_base, found) : tree;
 }
 
-/// If the file has another format or is not expanded, only E802 is reported.
+/// Drops all errors except E802: the file has another format, or contains macros that are not
+/// expanded.
 Diagnostics keep_foreign_errors(Diagnostics found) {
   std::erase_if(found, [](const Diagnostic& diagnostic) { return diagnostic.code != Code::E802; });
   return found;

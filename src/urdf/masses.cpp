@@ -14,7 +14,8 @@ namespace {
 
 enum class CountedLinks : unsigned char { all_behind, fixed_behind };
 
-/// By link: whether it, or a link that it carries, has mass or inertia.
+/// One flag per link: true if the link, or a link that it carries, satisfies `has`. With
+/// CountedLinks::fixed_behind, only links carried by fixed joints count.
 std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, CountedLinks behind,
                                 bool (Link::*has)() const = &Link::has_mass) {
   std::vector<bool> massive;
@@ -26,7 +27,7 @@ std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Counte
   return massive;
 }
 
-/// By joint: whether it moves mass, or turns an inertia.
+/// One flag per joint: true if it moves mass or turns an inertia.
 std::vector<bool> joints_moving_mass(const Robot& robot, const LinkTree& tree,
                                      CountedLinks behind) {
   const std::vector<bool> massive = massive_links(robot, tree, behind);
@@ -40,8 +41,8 @@ std::vector<bool> joints_moving_mass(const Robot& robot, const LinkTree& tree,
   return result;
 }
 
-/// By joint: whether its coordinate moves mass behind the joint itself or behind a joint that
-/// mimics it, or a rotor.
+/// One flag per joint: true if its coordinate moves a rotor, or mass behind the joint or behind a
+/// joint that mimics it.
 std::vector<bool> joints_with_mass(const Robot& robot, const LinkTree& tree) {
   const std::vector<bool> moves = joints_moving_mass(robot, tree, CountedLinks::all_behind);
   std::vector<bool> result(robot.joints.size());
@@ -72,9 +73,10 @@ bool are_zero(const auto& numbers) {
   return std::ranges::all_of(numbers, [](const FileNumber& x) { return x.is_zero(); });
 }
 
-/// Whether a link, with the links fixed to it, has inertia about an axis through its origin. Only
-/// points on the axis have none. Mass behind a moving joint counts as inertia, because it may leave
-/// the axis; so does mass behind a fixed joint that is rotated or off the axis.
+/// Finds whether a link, with the links fixed to it, has inertia about an axis through its origin.
+/// It has none if all its mass is in points on the axis. Mass behind a moving joint counts as
+/// inertia, because it may leave the axis; so does mass behind a fixed joint that is rotated or off
+/// the axis.
 class InertiaAbout {
  public:
   InertiaAbout(const Robot& robot, const LinkTree& tree, std::size_t axis)
@@ -123,7 +125,8 @@ bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& plana
   return is_rotor_alone || about.has(planar.child);
 }
 
-/// Whether a joint moves mass at all, and whether it moves some without another joint in between.
+/// `has_mass`: the joint moves mass. `has_mass_without_joint`: it moves mass with no other moving
+/// joint in between.
 struct MovedMass {
   bool has_mass = false;
   bool has_mass_without_joint = false;
@@ -147,7 +150,8 @@ void check_joint(const Robot& robot, const Branch& branch, const MovedMass& move
   }
 }
 
-/// E817: links with mass that are fixed to the root. A root with the name `world` is intended.
+/// E817 if links with mass are fixed to the root and so never move. No error if the root is called
+/// `world`: then this is intended.
 void check_world(const Robot& robot, const LinkTree& tree, Diagnostics& found) {
   const Link& root = robot.links[tree.root];
   if (root.name.text == "world") return;

@@ -29,15 +29,15 @@ inline constexpr std::string_view xacro_remedy =
 /// xacro_remedy if the text contains a macro of xacro, "$(arg x)" or "${pi/2}"; "" otherwise.
 [[nodiscard]] std::string remedy_of(const Span& span);
 
-/// "inf", "-Infinity", "nan"
+/// True for "inf", "-Infinity", "nan".
 [[nodiscard]] bool is_not_finite(std::string_view text);
 
 using Vector = std::array<FileNumber, 3>;
 
 [[nodiscard]] FileNumber decimal_of(int value);
 
-/// Only for comparisons with a tolerance; stored numbers stay decimals. Magnitudes above 1e9 become
-/// 1e9, magnitudes below 1e-27 become 0.
+/// The nearest double, only for comparisons with a tolerance. Magnitudes above 1e9 become 1e9,
+/// magnitudes below 1e-27 become 0.
 [[nodiscard]] double clamped_double(const cln::cl_RA& value);
 
 [[nodiscard]] FileNumber negate_number(FileNumber number);

@@ -13,7 +13,7 @@ namespace elgen::urdf {
 
 namespace {
 
-/// E802 once, at the first macro.
+/// Reports E802 once, at the first macro.
 void refuse_macros(ElementReader& reader, const Element& root, Diagnostics& found) {
   bool is_first = true;
   for (const Element& child : root.children) {
@@ -97,7 +97,7 @@ FileNumber value_of(const Element& element, RobotReading& reading) {
   return ElementReader(element, reading).required_number("value").value_or(FileNumber{});
 }
 
-/// The rotor of a joint, from the elements of Drake.
+/// Reads the rotor of a joint from Drake's elements in a `<transmission>`.
 void read_transmission(const Element& element, Robot& robot, RobotReading& reading) {
   const Element* actuator = child_of(&element, "actuator");
   const Element* inertia = child_of(actuator, "drake:rotor_inertia");
@@ -222,7 +222,7 @@ void read_dynamics(ElementReader& reader, Joint& joint) {
   });
 }
 
-/// E822 for damping and friction of joints with several coordinates, which are not imported.
+/// E822 for damping and friction of a joint with several coordinates: they are not imported.
 void warn_of_dynamics(ElementReader& reader, const Joint& joint, Diagnostics& found) {
   reader.child("dynamics", [&](ElementReader& dynamics) {
     for (const char* const name : {"damping", "friction"}) {
@@ -236,7 +236,8 @@ void warn_of_dynamics(ElementReader& reader, const Joint& joint, Diagnostics& fo
   });
 }
 
-/// E815: robots whose gripper joints were changed to fixed keep the element.
+/// E815 for `<mimic>` in a fixed joint. It remains in robots whose gripper joints were changed to
+/// fixed.
 void note_mimic_of_fixed(ElementReader& reader, RobotReading& reading) {
   for (const Element* mimic : reader.children("mimic")) {
     reading.found.push_back({Code::E815, mimic->span,
@@ -280,7 +281,7 @@ Joint read_joint(const Element& element, RobotReading& reading) {
   return joint;
 }
 
-/// SDF and Drake have an implicit link `world`.
+/// Adds the link `world`, which is implicit in SDF and Drake, if a joint refers to it.
 void add_world(Robot& robot) {
   const auto is_world = [](const Link& link) { return link.name.text == "world"; };
   const auto hangs_on_it = [](const Joint& joint) { return joint.parent.text == "world"; };

@@ -1,5 +1,5 @@
-// Bounds on the change of poses by rounding angles to right angles. The bounds hold for all joint
-// positions.
+// Bounds on the change of the links' poses if angles are rounded to right angles. The bounds hold
+// for all joint positions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ class PoseChanges {
   }
 
  private:
-  /// The change of a link's pose, from its parent's.
+  /// Computes the change of a link's pose from the change of its parent's pose.
   void add_branch_change(const Branch& branch) {
     const Joint& joint = robot_.joints[branch.joint];
     PoseChange change = changes_[branch.parent];
@@ -62,7 +62,7 @@ class PoseChanges {
     update_worst(change);
   }
 
-  /// The change by a rotation; also counts the rounded angles.
+  /// The change in rad by rounding a rotation; also counts the rounded angles.
   double rotation_change(const Vector& rpy) {
     double change = 0.0;
     for (const Angle& angle : rotation_of(rpy, robot_.digits).rpy) {

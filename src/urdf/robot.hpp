@@ -1,7 +1,8 @@
-// Robot: a URDF file as written, with exact numbers, their digits and all spans, and with the
-// changes by options.
+// Robot: the content of a URDF file, with exact numbers, their digits and all spans. Options change
+// it before the model is written.
 //
-// read_robot() checks what needs no knowledge of other elements; make_tree() (tree.hpp) the rest.
+// read_robot() checks each element by itself; make_tree() (tree.hpp) checks references between
+// elements.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +34,7 @@ struct Inertial {
   Pose origin = {};
   FileNumber mass = {};
   std::array<FileNumber, 6> inertia = {};  ///< xx yy zz xy xz yz
-  Span span = {};                          ///< `inertia` in its tag
+  Span span = {};                          ///< the word `inertia` in the tag
 };
 
 struct Link {
@@ -86,7 +87,7 @@ struct Joint {
   std::optional<Mimic> mimic = {};
   std::optional<Rotor> rotor = {};
   std::optional<FileNumber> welded = {};  ///< the position at which the joint is held
-  bool is_angle_welded = false;           ///< of a planar joint: only its lengths change
+  bool is_angle_welded = false;           ///< planar joint: the angle is held, the lengths are not
   std::size_t rank = 0;                   ///< sort key of the coordinates
 
   [[nodiscard]] bool moves() const { return type != JointType::fixed && !welded; }
@@ -101,7 +102,7 @@ struct Robot {
   std::string file = {};   ///< name of the file, without its folders
   std::string name = {};   ///< the file's name if the robot has none
   std::string model = {};  ///< the name of the model
-  Span span = {};          ///< `robot` in its tag
+  Span span = {};          ///< the word `robot` in the tag
   bool is_of_xacro = false;
   AngleDigits digits = AngleDigits::rounded;
   std::vector<Link> links = {};
@@ -119,7 +120,8 @@ struct RobotReading {
   std::string file = {};  ///< the name of the file; empty: the source's name
 };
 
-/// E802 to E806, E811, E813, E814, E822; notes E815. Missing values keep their defaults.
+/// Reads a `<robot>`. Errors and warnings: E802 to E806, E811, E813, E814, E822; notes: E815.
+/// Missing values keep their defaults.
 [[nodiscard]] Robot read_robot(const Element& root, RobotReading& reading);
 
 }  // namespace elgen::urdf

@@ -38,7 +38,7 @@ struct SignedAxis {
 };
 using Permutation = std::array<SignedAxis, 3>;
 
-/// A quarter turn about an axis, applied after another rotation.
+/// The rotation `before`, followed by a quarter turn about an axis.
 Permutation quarter_turned(const Permutation& before, std::size_t axis) {
   const std::size_t next = (axis + 1) % 3;
   const std::size_t last = (axis + 2) % 3;

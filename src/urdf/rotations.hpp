@@ -1,7 +1,7 @@
-// Constant rotations and axes. URDF files write a right angle as 1.57079632679. Its sine and cosine
-// are then small numbers instead of 0, and the structure of the equations is lost. Angles within
-// 1e-5 rad of a multiple of a right angle, and directions within 1e-5 rad of an axis, are therefore
-// rounded to it.
+// Constant rotations and axes. URDF files write a right angle as 1.57079632679. Its sine or cosine
+// is then a small number instead of 0, and the equations get terms that should vanish. Therefore
+// angles within 1e-5 rad of a multiple of a right angle are rounded to this multiple, and
+// directions within 1e-5 rad of an axis to this axis.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ enum class AngleDigits : unsigned char { rounded, kept };
 
 struct Angle {
   std::string text = "0";                ///< "-pi/2", or the digits of the file
-  std::optional<int> quarter_turns = 0;  ///< if it is a multiple of a right angle
+  std::optional<int> quarter_turns = 0;  ///< the angle in right angles; none if it is no multiple
   bool is_rounded = false;               ///< the file may have other digits
   double change = 0.0;                   ///< by rounding, in rad
 

@@ -21,7 +21,7 @@ std::vector<std::string> names_of(const Indices& indices) {
   return names;
 }
 
-/// The error of a second element where only one is allowed; it also shows the first.
+/// The error at a second element if only one is allowed. The error also shows the first element.
 Diagnostic duplicate_error(Code code, const Span& span, std::string message, const Span& first) {
   return {code, span, std::move(message), {}, first, "the first is here"};
 }
@@ -142,7 +142,7 @@ class TreeBuilder {
     }
   }
 
-  /// Depth first, children in the order of the file.
+  /// Appends the branches depth first, children in the order of the file.
   void build_branches() {
     std::vector<Branch> open;
     const auto open_below = [&](std::size_t link, std::size_t depth, bool moves) {
@@ -183,7 +183,7 @@ class TreeBuilder {
     return links_.at(robot_.joints[*joint_above_[link]].parent.text);
   }
 
-  /// E812: a joint that mimics itself through other joints has no coordinate to share.
+  /// E812 if a joint mimics itself through other joints, or if the chain of mimics is too long.
   void follow_mimics(std::size_t index) {
     constexpr int longest_chain = 100;  // the expressions grow with the length of the chain
     std::optional<std::size_t> at = tree_.mimicked[index];
@@ -204,7 +204,7 @@ class TreeBuilder {
   Indices joints_;
   std::vector<std::optional<std::size_t>> joint_above_;  ///< by link
   std::vector<std::vector<std::size_t>> joints_below_;
-  bool is_connected_ = true;  ///< every joint has the names of its links
+  bool is_connected_ = true;  ///< every joint names its parent and child
   LinkTree tree_ = {};
 };
 

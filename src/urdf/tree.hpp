@@ -23,7 +23,7 @@ struct LinkTree {
   std::vector<Branch> branches = {};
   std::vector<std::optional<std::size_t>> mimicked = {};  ///< by joint: the joint it mimics
 
-  /// The last joint of a chain of mimics; the chain shares its coordinate.
+  /// The joint at the end of the chain of mimics, whose coordinate all joints of the chain share.
   [[nodiscard]] std::size_t leader(std::size_t joint) const {
     while (mimicked[joint]) joint = *mimicked[joint];
     return joint;
@@ -33,14 +33,14 @@ struct LinkTree {
   }
 };
 
-/// Fails if the links form no tree (E807 to E809) or a mimicked joint is invalid (E812).
+/// Returns errors if the links form no tree (E807 to E809) or a mimicked joint is invalid (E812).
 [[nodiscard]] Result<LinkTree> make_tree(const Robot& robot);
 
-/// E508, E810, E816, E817: missing or misplaced masses and impossible inertias. E803: no link
-/// moves.
+/// Reports missing or misplaced masses and impossible inertias (E508, E810, E816, E817), and E803
+/// if no link moves.
 [[nodiscard]] Diagnostics check_masses(const Robot& robot, const LinkTree& tree);
 
-/// E819 if angles or axes differ from the file.
+/// Reports E819 if angles or axes were rounded, so that they differ from the file.
 [[nodiscard]] Diagnostics note_right_angles(const Robot& robot, const LinkTree& tree);
 
 }  // namespace elgen::urdf

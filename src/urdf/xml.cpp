@@ -63,13 +63,15 @@ std::size_t skip_blanks(std::string_view text, std::size_t position) {
 /// tinyxml2 compares every attribute with all previous attributes, at quadratic cost.
 constexpr std::size_t most_attributes = 1000;
 
-/// The position after the text that begins at `position` and ends with `closing`.
+/// The position just behind the next `closing` after `position`; the end of the text if there is
+/// none.
 std::size_t skip_piece(std::string_view text, std::size_t position, std::string_view closing) {
   const std::size_t end = text.find(closing, position + 1);
   return end == std::string_view::npos ? text.size() : end + closing.size();
 }
 
-/// The position of the first attribute beyond the limit in an element.
+/// The position of the first attribute beyond most_attributes in an element; none if all elements
+/// have fewer.
 std::optional<std::size_t> find_element_with_too_many_attributes(std::string_view text) {
   std::size_t attributes = 0;
   bool is_inside = false;
@@ -91,8 +93,8 @@ std::optional<std::size_t> find_element_with_too_many_attributes(std::string_vie
   return std::nullopt;
 }
 
-/// The start of tinyxml2's copy of the text, from the text of its first node, which follows the
-/// node's opening characters.
+/// The start of tinyxml2's copy of the text. It is found from the pointer to the first node's text
+/// and the offset of this text in the source.
 const char* start_of_copy(const tinyxml2::XMLDocument& document, std::string_view text) {
   std::size_t first = skip_blanks(text, 0);
   if (text.substr(first, 3) == "\xEF\xBB\xBF") first = skip_blanks(text, first + 3);
