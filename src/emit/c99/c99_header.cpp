@@ -1,6 +1,6 @@
 // c99_header: fills the template c99/header.h.mustache. Every name of the header begins with the
-// prefix of the scene. A function can only collide with a helper of another function, a declared
-// array or one of `header_names` (E701).
+// prefix of the scene. The name of a function can collide only with a helper of another function, a
+// declared array or one of `header_names` (E701).
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// "double l[2];" with its documentation.
+/// The members of the struct of parameters, such as "double l[2];", with documentation.
 std::vector<Member> parameter_members(const EmissionInput& input) {
   const std::string scalar(name_of(c99_scalar(input.scene)));
   std::vector<Member> members;
@@ -43,7 +43,7 @@ std::string initialiser(const EmissionInput& input, const ParameterArray& array)
   return fmt::format("{}, /* {} */", array.is_array ? "{" + list + "}" : list, array.name);
 }
 
-/// Ends each line except the last in an aligned backslash, so that they form one macro.
+/// Ends each line except the last with a backslash in one column, so that the lines form one macro.
 Texts macro_lines(Texts lines) {
   std::size_t width = 0;
   for (const std::string& line : lines) width = std::max(width, line.size());

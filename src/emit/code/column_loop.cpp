@@ -1,6 +1,6 @@
-// column_loop: compares each operand over all columns. The loop body reads an operand from before
-// the loop by name or as an expression if all columns share it, and loads it from `given`
-// otherwise.
+// column_loop: compares each operand in all columns. If an operand from before the loop is the same
+// in all columns, the loop body uses its name or expression; otherwise it loads the operand from
+// the array `given`.
 #include "emit/code/column_loop.hpp"
 
 #include <fmt/format.h>
@@ -100,7 +100,8 @@ class LoopBody {
                                row_offset(start / loop_.count, loop_.count)));
   }
 
-  /// Adds an operand that all columns share: its name, or its expression if it has no name.
+  /// Adds an operand that all columns share, by its name, or as an expression if it has none.
+  /// Returns its index in `body_`.
   std::uint32_t shared(std::uint32_t at) {
     const auto known = shared_.find(at);
     if (known != shared_.end()) return known->second;

@@ -1,4 +1,4 @@
-// column_loop: writes the repetitions of a Function as a loop over columns.
+// column_loop: writes the repetitions of a Function as a loop; each repetition is a column.
 //
 //     3 = multiply 0 1   4 = multiply 0 2   repeated 1 2
 //
@@ -18,24 +18,26 @@ namespace elgen {
 struct ColumnLoop {
   std::uint32_t first = 0;  ///< the first repeated instruction
   std::uint32_t count = 0;  ///< number of columns; 0 if the function repeats nothing
-  /// Operands from before the loop that differ between columns: a row per operand, an entry per
-  /// column.
+  /// Operands that are computed before the loop and differ between columns: a row per operand, an
+  /// entry per column.
   std::vector<std::uint32_t> given = {};
-  /// Instructions of the first column that give an entry of the result in some column.
+  /// Instructions of the first column whose value is an entry of the result, in this or another
+  /// column.
   std::vector<std::uint32_t> solved = {};
-  /// Operands from before the loop that are the same in all columns, without duplicates.
+  /// Operands that are computed before the loop and are the same in all columns, without
+  /// duplicates.
   std::vector<std::uint32_t> shared = {};
 };
 
 [[nodiscard]] ColumnLoop column_loop(const Function& function);
 
-/// "solved[3]": the name of an instruction of the loop after the loop; "" if it gives no entry of
-/// the result.
+/// "solved[3]": the name by which code after the loop reads the value of an instruction of the
+/// loop; "" if the value is no entry of the result.
 [[nodiscard]] std::string solved_name(const ColumnLoop& loop, const Function& function,
                                       std::uint32_t at);
 
-/// Names for the loop body: of the instructions before it and of the first column, and of the
-/// arrays. A function in parts keeps the arrays in its workspace.
+/// Names that the loop body uses. `values`: names of the instructions before the loop and of the
+/// first column. `given`, `solved`: the arrays, which a function in parts keeps in its workspace.
 struct ColumnNames {
   std::vector<std::string> values = {};
   std::string given = "given";

@@ -16,12 +16,12 @@ struct UsedNames {
   std::set<std::string_view> functions = {};  ///< of the standard library: "exp"
 };
 
-/// Texts of a loop over columns.
+/// Texts of a loop over columns. One pass of the loop computes one or more columns.
 struct ColumnLoopTexts {
   std::string opening = {};  ///< its first lines; they define `at`, the first column of a pass
   std::string value = {};    ///< "const double": declares a value, before its name
-  std::string load = {};     ///< name of a function: address of the first number of a pass -> value
-  std::string store = {};    ///< name of a function: (value, address of the first number)
+  std::string load = {};     ///< function: address of the first number of a pass -> value
+  std::string store = {};    ///< procedure: (value, address of the first number)
 };
 
 /// Writes the statements of a function in a compiled language, C++ or C99.
@@ -60,9 +60,9 @@ class CompiledDialect : public Dialect {
   [[nodiscard]] virtual std::string target(const Function& function, std::uint32_t field,
                                            std::uint32_t index) const = 0;
 
-  /// The end of a function in one piece: a return statement, or "" if the caller must assign each
-  /// entry to its target. `function` defines the return type; `ordered` and `entries` have storage
-  /// order.
+  /// The end of a function that is not cut into parts: a return statement, or "" if the caller must
+  /// assign each entry to its target. `function` defines the return type; `ordered` and `entries`
+  /// have storage order.
   [[nodiscard]] virtual std::string return_statement(const Function& function,
                                                      const Function& ordered,
                                                      const FieldTexts& entries) const = 0;

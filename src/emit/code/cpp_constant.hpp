@@ -1,7 +1,7 @@
 // cpp_constant: an exact number -> the C++ expression that constructs it in any scalar type.
 //
 //     1/2     constant<Scalar>(0.5)                                exact in every type
-//     9.81    constant<Scalar>(9.81F, 9.81, 9.81L, {981}, {100})   nearest, numerator, denominator
+//     9.81    constant<Scalar>(9.81F, 9.81, 9.81L, {981}, {100})   nearest values; 981/100
 //     1e-300  constant<Scalar>(detail::OutOfRange{}, 1e-300, 1e-300L, {1}, {1}, -300)
 #pragma once
 

@@ -23,7 +23,7 @@ namespace elgen {
 namespace {
 
 /// True if a body of this many statements is cut into parts. A body with inner instructions is
-/// never cut: all members of a workspace have the same type.
+/// never cut, because it has values of two types, and a workspace has only one type.
 bool needs_parts(const CompiledDialect& dialect, std::size_t statements) {
   return statements > longest_body && dialect.inner() == nullptr;
 }
@@ -165,8 +165,8 @@ class DefinitionWriter {
   }
 
   /// Returns the members of the workspace: values that cross into other parts, and the arrays of
-  /// the loop. From here on `names_` has their names in the workspace; all values of the loop
-  /// cross.
+  /// the loop. Changes `names_` to the names in the workspace. All values of the loop count as
+  /// crossing.
   std::vector<std::string> move_to_workspace(const std::vector<bool>& crosses) {
     std::vector<std::string> shared;
     for (std::size_t at = 0; at < std::min<std::size_t>(crosses.size(), loop_.first); ++at) {

@@ -64,8 +64,8 @@ class Dialect : public Vocabulary {
     return lines;
   }
 
-  /// "Forces<Scalar> gravity;": a member of the result struct; "" for an empty array if the
-  /// language has none.
+  /// "Forces<Scalar> gravity;": a member of the result struct; "" for an array of zero elements if
+  /// the language has no such arrays.
   [[nodiscard]] virtual std::string member(const Function& function, const Field& field) const = 0;
 
   /// "ForwardDynamics": the result struct of a function.
@@ -86,9 +86,10 @@ class Dialect : public Vocabulary {
  private:
   /// True if the header uses the name itself; arguments and functions are checked separately.
   [[nodiscard]] virtual bool is_reserved(const std::string& name) const = 0;
-  /// A function of the standard library, from its name for double.
+  /// The name with which the language calls a function of the standard library. `name` is the C
+  /// name for double.
   [[nodiscard]] virtual std::string library_function(std::string_view name) const = 0;
-  /// A function that the emitted code defines itself.
+  /// The name of a function that the emitted code defines itself.
   [[nodiscard]] virtual std::string own_function(std::string_view name) const = 0;
 
   const Model& model_;

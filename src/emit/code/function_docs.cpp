@@ -28,7 +28,8 @@ constexpr std::size_t longest_units =
     60;  // characters; the units share a line with the field's name
 constexpr std::size_t listing_width = 88;  // columns of a line without `///` and indentation
 
-/// Interpreted languages have matrices without a storage order, and numbers of a single type.
+/// "2 x 2, row-major", "2 entries", "Scalar"; in interpreted languages "2 x 2", "2 entries", "A
+/// number".
 std::string shape_text(const Field& field, const Emission& emission) {
   const bool is_interpreted = language_row(emission.language).is_interpreted;
   if (field.columns > 1) {
@@ -165,7 +166,8 @@ Lines shown_equations(const FunctionText& text) {
   return lines;
 }
 
-/// If any type may be the scalar, a function that compares numbers needs an ordered type.
+/// In languages whose callers choose the scalar type: the note that a function that compares
+/// numbers needs an ordered type.
 std::string ordering_note(const FunctionText& text) {
   if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
   const auto& all = text.function.instructions;

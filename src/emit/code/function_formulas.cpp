@@ -1,4 +1,5 @@
-// function_formulas: folds a single instruction, whose operands are names or formulas in brackets.
+// function_formulas: writes the formula of one instruction. Its operands are names, or formulas
+// with brackets if needed.
 #include "emit/code/function_formulas.hpp"
 
 #include <algorithm>

@@ -24,15 +24,16 @@ class Vocabulary {
   [[nodiscard]] virtual FormulaText call(FunctionId function,
                                          const std::vector<FormulaText>& arguments) const = 0;
 
-  /// The vocabulary of inner instructions; null if this vocabulary writes them too.
+  /// The vocabulary of instructions with `is_inner`; null if this vocabulary writes them too.
   [[nodiscard]] virtual const Vocabulary* inner() const { return nullptr; }
-  /// Converts a value of the other vocabulary to a number of this vocabulary.
+  /// Converts a value to the number type of this vocabulary; the value comes from inner() or from
+  /// the vocabulary whose inner() this is.
   [[nodiscard]] virtual FormulaText convert(const FormulaText& value) const { return value; }
 };
 
 class FunctionFormulas {
  public:
-  /// `names`: per instruction; an instruction with an empty name is written out where it is used.
+  /// `names`: one per instruction. An instruction with an empty name is written out at each use.
   FunctionFormulas(const Program& program, const Function& function, const Vocabulary& vocabulary,
                    const std::vector<std::string>& names)
       : program_(program), function_(function), vocabulary_(vocabulary), names_(names) {}
@@ -41,7 +42,8 @@ class FunctionFormulas {
   [[nodiscard]] FormulaText definition(std::uint32_t at) const;
   /// The name of the instruction, or its formula if it has no name.
   [[nodiscard]] FormulaText entry(std::uint32_t at) const;
-  /// The same as an operand of the instruction `user`, converted if the two vocabularies differ.
+  /// entry(at) as an operand of the instruction `user`, converted if the two instructions have
+  /// different vocabularies.
   [[nodiscard]] FormulaText operand(std::uint32_t user, std::uint32_t at) const;
 
  private:

@@ -1,4 +1,4 @@
-// header_data: sets the data in the order in which headers show it.
+// header_data: sets the template data in the order in which it appears in a header.
 #include "emit/code/header_data.hpp"
 
 #include <fmt/format.h>

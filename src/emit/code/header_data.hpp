@@ -16,13 +16,14 @@ namespace elgen {
 /// Generator and sources, hashes, namespace and storage order of the file.
 [[nodiscard]] TemplateData stamp_data(const EmissionInput& input);
 
-/// Sets the number of pivots and the section `regular`, which needs a function that returns pivots.
+/// Sets the number of pivots, and the section `regular` if some function returns pivots.
 void set_regular(TemplateData& data, const EmissionInput& input);
 
 /// True if a function has a loop over columns.
 [[nodiscard]] bool has_loops(const Program& program);
 
-/// Section `kinks` needs a call of sign, min or max; section `columns` needs a loop over columns.
+/// The data of a header. The section `kinks` is present if the program calls sign, min or max, the
+/// section `columns` if it has a loop over columns.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
 
 /// The elements of a declared array as literals. The bounds replace {0} and {1} of `interval`;

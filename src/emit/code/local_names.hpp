@@ -9,8 +9,8 @@
 
 namespace elgen {
 
-/// Unique names of the temporaries of a function; "" for an instruction that is written out where
-/// it is used.
+/// Unique names of the temporaries of a function; "" for an instruction that is written out at each
+/// use.
 [[nodiscard]] std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
                                                    const Function& function);
 

@@ -24,8 +24,8 @@ TemplateData rows(const std::vector<std::string>& texts, std::size_t first, cons
 /// The names of x^2, x^4, x^8 in the templates.
 constexpr std::array<std::string_view, 3> powers{"square", "fourth", "eighth"};
 
-/// Adds neighbours, c0 + c1 x^2, then pairs of these sums with x^4, and on with x^8: the order of
-/// `polynomial` in program/evaluate/sines.cpp.
+/// Combines neighbouring terms to c0 + c1 x^2, then neighbouring sums with the factor x^4, then
+/// with x^8. `polynomial` in program/evaluate/sines.cpp uses the same order.
 class Estrin {
  public:
   Estrin(std::vector<std::string> terms, const std::string& name, std::string_view type)

@@ -1,5 +1,6 @@
-// statements: follows the operands of each statement to named instructions. Sections: puts each
-// entry after the last statement that it uses, then cuts the whole into parts of equal length.
+// statements: follows the operands of each statement to named instructions. Sections: moves each
+// entry behind the last statement whose value it uses, then cuts the statements into parts of equal
+// length.
 #include "emit/code/statements.hpp"
 
 #include <algorithm>
@@ -63,7 +64,8 @@ Named names_of(const Entry& /*entry*/) { return {}; }
 Named names_of(const LoopOperand& /*given*/) { return {}; }
 Named names_of(const Loop& loop) { return {loop.first}; }
 
-/// Sort key: named values in order of evaluation, an entry after the last value that it uses.
+/// Sort key: named values keep the order of evaluation; an entry follows the last value that it
+/// uses.
 std::uint64_t sort_key(const Statement& statement) {
   const Named named = named_by(statement);
   if (!named.empty()) return 2 * (std::uint64_t{named.front()} + 1);

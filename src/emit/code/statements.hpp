@@ -1,5 +1,5 @@
 // statements: the body of a Function in order: the named values, then the entries of its fields.
-// Other instructions are written out where they are used.
+// Other instructions are written out at each use.
 //
 //     2 = add 0 1  ; total        total = a + b
 //     3 = multiply 2 2
@@ -57,8 +57,8 @@ struct Loop {
   StatementOperands operands = {};
 };
 
-/// Code that writes or sorts statements has an overload for each kind, so that the compiler reports
-/// a missing overload.
+/// A variant: code that writes or sorts statements needs an overload for each kind, and the
+/// compiler reports a missing one.
 using Statement = std::variant<Assign, SineAndCosine, Entry, LoopOperand, Loop>;
 
 [[nodiscard]] const StatementOperands& operands_of(const Statement& statement);
@@ -69,8 +69,8 @@ using Statement = std::variant<Assign, SineAndCosine, Entry, LoopOperand, Loop>;
 /// `joint`: a single statement computes the sine and the cosine of an angle if both are needed.
 enum class Pairing : std::uint8_t { joint, separate };
 
-/// `names`: of each instruction; "" if it is written out. An entry that the loop computes uses the
-/// first instruction of the loop.
+/// `names`: one per instruction; "" if it is written out. An entry that the loop computes has the
+/// loop's first instruction as its operand.
 [[nodiscard]] std::vector<Statement> statements(const Function& function,
                                                 const std::vector<std::string>& names,
                                                 Pairing pairing, const ColumnLoop& loop = {});

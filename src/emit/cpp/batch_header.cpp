@@ -1,5 +1,6 @@
-// batch_header: the functions of the main header on arrays of states, from the template
-// cpp/batch.hpp.mustache. Each function loads packs, calls the main header and stores the results.
+// batch_header: functions that apply the main header's functions to arrays of states, from the
+// template cpp/batch.hpp.mustache. Each function loads packs (SIMD vectors of one number of several
+// states), calls the main header and stores the results.
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -37,14 +37,14 @@ Texts entry_lines(const Field& field, const Texts& entries, std::size_t indent) 
   return lines;
 }
 
-/// A field and the text of each entry; `is_number`: its type is no array.
+/// A field and the texts of its entries. `is_number`: the type of the field is a number, no array.
 struct WrittenField {
   const Field& field;
   const Texts& entries;
   bool is_number;
 };
 
-/// A number without braces, an array in the double braces of std::array.
+/// The text of the value: a number has no braces, an array has the double braces of std::array.
 std::string field_value(const WrittenField& value, std::size_t indent) {
   const auto& [field, entries, is_number] = value;
   const std::string margin(indent, ' ');
@@ -196,7 +196,7 @@ class CppDialect : public CompiledDialect {
     return type_of_field(function.kind, function.fields.front());
   }
 
-  /// Qualifies `detail::` from outside the namespace of the header.
+  /// The prefix of `detail::` in code outside the namespace of the header.
   virtual std::string_view scope() const { return ""; }
 
   /// Macro before the return type of a function, with a trailing blank.

@@ -1,5 +1,5 @@
-// cpp_dialect: functions in C++17: templated on the scalar, on arrays or on Eigen's vectors and
-// matrices; or for a single type, which the header calls Scalar.
+// cpp_dialect: functions in C++17. Either templates on the scalar type, whose arguments are arrays
+// or Eigen's vectors and matrices; or functions for a single type, which the header calls Scalar.
 //
 //     using std::sin;                                  Vector<Scalar, 2> result;
 //     const Scalar sin_theta = sin(q[1]);              result(0) = p.m * sin(q[1]);
@@ -19,7 +19,8 @@ namespace elgen {
                                                              const Program& program);
 [[nodiscard]] std::unique_ptr<CompiledDialect> wide_dialect(const Model& model,
                                                             const Program& program);
-/// Inner instructions compute in `Inner`; `name_space` is the namespace of the main header.
+/// The dialect of a step whose inner instructions compute in `Inner`. `name_space` is the namespace
+/// of the main header.
 [[nodiscard]] std::unique_ptr<CompiledDialect> mixed_dialect(const Model& model,
                                                              const Program& program,
                                                              const std::string& name_space);

@@ -1,5 +1,6 @@
-// cpp_header: the C++17 headers on arrays and on Eigen's matrices, from the templates of cpp/. An
-// array is written on one line if it fits, else one element per line.
+// cpp_header: the C++17 header with arrays as arguments, and the header with Eigen's vectors and
+// matrices, from the templates of cpp/. The elements of a declared array are written on one line if
+// they fit, else one per line.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -162,9 +163,9 @@ std::string cpp_header(const EmissionInput& input) {
   return header_text("cpp/header.hpp.mustache", data);
 }
 
-/// Writes the bodies again instead of calling the main header. Conversion to its arrays would copy
-/// arguments and results (up to a quarter of the time of panda7, g++ -O2), or be undefined
-/// behaviour.
+/// Writes the bodies again instead of calling the main header. To call it, Eigen's vectors would
+/// have to be copied to arrays and back (up to a quarter of the time of panda7, g++ -O2), or
+/// reinterpreted as arrays, which is undefined behaviour.
 std::string eigen_header(const EmissionInput& input) {
   TemplateData data = header_data(input, *eigen_dialect(input.model, input.program));
   const bool is_row_major = input.scene.emission.storage == Storage::row_major;

@@ -33,7 +33,8 @@ constexpr std::array<std::string_view, 17> more_names{
     "regressor_names",  "digits_left"};
 constexpr std::array<std::string_view, 5> eigen_names{"eigen", "Eigen", "Argument", "Matrix",
                                                       "Vector"};
-/// Members of Parameters would hide these names in the initialisers of other members.
+/// Names that are used in the initialisers of Parameters' members, so a member of that name would
+/// hide them.
 constexpr std::array<std::string_view, 5> hidden_by_members{"Parameters", "Scalar", "constant",
                                                             "detail", "std"};
 constexpr std::string_view constant_prefix = "number_";
@@ -89,7 +90,7 @@ bool is_library_name(std::string_view name) {
          (has_suffix && is_declared(name.substr(0, name.size() - 1)));
 }
 
-/// E912 if two constants get the same name.
+/// Reports E912 if two constants get the same name.
 Diagnostics check_constant_names(const Program& program) {
   std::map<std::string, ConstantForm> forms;
   for (const Constant& constant : executed_constants(program)) {

@@ -57,7 +57,7 @@ std::string wide_body(const EmissionInput& input, const Function& function) {
          fmt::format("  return {{{}}};\n", fmt::join(fields, ",\n          "));
 }
 
-/// A step that computes only the accelerations in `Inner`.
+/// The template row of a step that computes only its accelerations in `Inner`.
 TemplateRow mixed_step(const EmissionInput& input, const Function& function) {
   const auto dialect = mixed_dialect(input.model, input.program, name_space(input.scene));
   const DefinitionText step =

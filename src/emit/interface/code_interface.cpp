@@ -1,4 +1,4 @@
-// code_interface: answers questions from the output table and the instructions.
+// code_interface: computed from the output table and the instructions of the functions.
 #include "emit/interface/code_interface.hpp"
 
 #include <fmt/format.h>
@@ -105,7 +105,7 @@ std::string name_in_language(LanguageId language, std::string_view name) {
   return std::string(name) + (is_word ? "_" : "");
 }
 
-/// A leaf and its parameter have the same name.
+/// Finds the parameter of each leaf by the leaf's name, which is the parameter's name.
 std::vector<ParameterMember> members_of(const Model& model, const LeafNames& leaves) {
   std::unordered_map<std::string_view, const Parameter*> known;
   for (const Parameter& parameter : model.parameters) known.emplace(parameter.name, &parameter);

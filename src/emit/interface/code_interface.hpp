@@ -54,8 +54,8 @@ struct ParameterMember {
 /// uses time, and open values if the model has any.
 [[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function);
 
-/// The same in a language. Parameters are omitted if the program reads none, unless callers choose
-/// the scalar through their type.
+/// The arguments in a language. If the program reads no parameters, they are omitted, except in
+/// languages in which the type of the parameters selects the scalar.
 [[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function,
                                                const Program& program, LanguageId language);
 
@@ -67,7 +67,7 @@ struct ParameterMember {
 /// The values of an array's elements in the model.
 [[nodiscard]] std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array);
 
-/// An array at the head of the code, of texts, numbers or intervals.
+/// A constant array at the head of the code; its elements are texts, numbers or intervals.
 struct DeclaredArray {
   enum class Kind : std::uint8_t { texts, numbers, intervals };
 
@@ -82,8 +82,8 @@ struct DeclaredArray {
   }
 };
 
-/// Velocities have names and units only in models with rotations; otherwise the names of the
-/// coordinates apply.
+/// The constant arrays that the code declares. Names and units of velocities are declared only for
+/// models with rotations; in other models velocity i is the rate of coordinate i.
 [[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model,
                                                          const Program& program);
 
@@ -137,9 +137,8 @@ struct DeclaredArray {
 /// "Vector<Scalar, 3>", "Scalar": the type of a field in the Eigen header.
 [[nodiscard]] std::string eigen_type(OutputKind kind, const Field& field);
 
-/// The function with the entries of its matrices in storage order. A column-major matrix becomes
-/// its transpose, row by row:
-/// becomes its transpose, row by row:
+/// The function with the entries of its matrices in storage order. The entries of a column-major
+/// matrix are listed as the rows of its transpose:
 ///
 ///     2 x 3: a b c d e f   ->   3 x 2: a d b e c f
 [[nodiscard]] Function in_storage_order(const Function& function, Storage storage);

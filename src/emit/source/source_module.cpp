@@ -54,7 +54,7 @@ Texts literals(const Model& model, const ParameterArray& array) {
   return texts;
 }
 
-/// "M: float = 1.0", with its documentation.
+/// The parameters as members, such as "M: float = 1.0", with documentation.
 std::vector<Member> parameter_members(const EmissionInput& input) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   const std::string margin(spelling.indent, ' ');
@@ -73,8 +73,8 @@ std::vector<Member> parameter_members(const EmissionInput& input) {
   return members;
 }
 
-/// The lines of the members. `documented` is false for a script of a page, which a text of the
-/// model could end.
+/// The lines of the members. `documented` is false for the script of a page, because documentation
+/// from the model could contain the end tag of the script.
 Texts parameter_lines(const EmissionInput& input, bool documented) {
   const std::string_view mark = source_spelling(input.scene.emission.language).comment;
   const std::vector<Member> members = parameter_members(input);
@@ -84,13 +84,13 @@ Texts parameter_lines(const EmissionInput& input, bool documented) {
   return lines;
 }
 
-/// True if the module is a class, whose functions call each other through its name. A member with
-/// that name would be its constructor.
+/// True if the module is a class, whose functions call each other through the name of the class. A
+/// member with the name of the class would be its constructor.
 bool is_class(const SourceSpelling& spelling) {
   return spelling.own_function.find("{1}") != std::string_view::npos;
 }
 
-/// Names in the module besides its outputs. The name of a class is one of them.
+/// Names in the module besides its outputs, including the name of the class if there is one.
 std::set<std::string> names_in_module(const Model& model, const Scene& scene,
                                       const Program& program) {
   const SourceSpelling& spelling = source_spelling(scene.emission.language);
@@ -101,7 +101,8 @@ std::set<std::string> names_in_module(const Model& model, const Scene& scene,
   return names;
 }
 
-/// E701 if the language reserves the module's name, or if a class has a member of that name.
+/// Reports E701 if the language reserves the module's name, or if the module is a class with a
+/// member of this name.
 void check_module_name(const Model& model, const Scene& scene, const Program& program,
                        Diagnostics& diagnostics) {
   const SourceSpelling& spelling = source_spelling(scene.emission.language);
@@ -119,7 +120,7 @@ void check_module_name(const Model& model, const Scene& scene, const Program& pr
   }
 }
 
-/// E701 if the name is longer than the language allows.
+/// Reports E701 if the name is longer than the language allows.
 void check_length(const Scene& scene, const std::string& name, const Span& span,
                   Diagnostics& diagnostics) {
   const LanguageId language = scene.emission.language;

@@ -1,5 +1,5 @@
-// emission_checks: all languages share the messages. Each value is checked in each scalar of the
-// scene, by correct rounding.
+// emission_checks: all languages share the messages. Each value is correctly rounded to each scalar
+// of the scene and checked there.
 #include "emit/text/emission_checks.hpp"
 
 #include <fmt/format.h>

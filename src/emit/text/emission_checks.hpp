@@ -15,11 +15,12 @@ namespace elgen {
 [[nodiscard]] Diagnostic reserved_name_error(const std::string& name, const char* what,
                                              const Span& span);
 
-/// The same for a function, at its request in the scene; without a span for the scene `full`.
+/// E701 for the name of a function, at the output's request in the scene. The built-in scene `full`
+/// has no file and thus no span.
 [[nodiscard]] Diagnostic reserved_name_error(const Scene& scene, const Function& function);
 
 /// E702 for values of run-time parameters and for constants of the equations. A value that becomes
-/// subnormal has lost digits and counts as vanished.
+/// subnormal loses digits and is reported like a value that becomes 0.
 [[nodiscard]] Diagnostics check_scalar_range(const Model& model, const Scene& scene,
                                              const Program& program);
 

@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view scene_of_model = " of ";
 constexpr std::string_view end_of_sources = ". DO NOT EDIT.";
 
-/// "cart_pole.toml", "cart_pole_balance.scene.toml of cart_pole.toml"
+/// The source files as text: "cart_pole.toml", with a scene "cart_pole_balance.scene.toml of
+/// cart_pole.toml".
 std::string sources(const SourcePaths& paths) {
   const std::string model = comment_text(paths.model);
   return paths.scene.empty()

@@ -49,7 +49,7 @@ struct EmissionInput {
 [[nodiscard]] std::string c99_header(const EmissionInput& input);
 /// A module in the scene's interpreted language.
 [[nodiscard]] std::string source_module(const EmissionInput& input);
-/// The same functions for a script of a page, without exports and documentation.
+/// The functions of source_module() for the script of a page, without exports and documentation.
 [[nodiscard]] std::string source_script(const EmissionInput& input);
 
 /// The equations as JSON for other programs: one order of keys, LF, exact numbers as strings.

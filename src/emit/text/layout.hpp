@@ -10,32 +10,33 @@ namespace elgen {
 
 inline constexpr std::size_t line_width = 100;
 
-/// How a text is broken into lines: the first line may have `first` columns, the other lines begin
-/// with `indent`, and all except the last end in `end`.
+/// How a text is broken into lines. The first line may have `first` columns. All other lines begin
+/// with `indent`; all lines except the last end with `end`.
 struct Wrapping {
   std::size_t first = line_width;
   std::string indent = {};
   std::string_view end = {};
 };
 
-/// Breaks an expression before operators and after commas, at the outermost bracket that fits:
+/// Breaks an expression in the outermost brackets possible: before an operator, which begins the
+/// next line, or after a comma.
 ///
-///     a*b + sin(c + d)*e   ->   a*b +       (no: operators start a line)
-///                          ->   a*b
+///     a*b + sin(c + d)*e   ->   a*b
 ///                               + sin(c + d)*e
 [[nodiscard]] std::vector<std::string> wrap_expression(std::string_view text,
                                                        const Wrapping& wrapping);
 
-/// "  target = value;\n", wrapped in the same way.
+/// "  target = value;\n", wrapped by the rule of wrap_expression().
 [[nodiscard]] std::string assignment(const std::string& target, const std::string& value);
 
 [[nodiscard]] std::vector<std::string> wrap_words(std::string_view text, const Wrapping& wrapping);
 
-/// User text on one line for a `//` comment, with invisible characters shown as text. If a line is
-/// broken at a space, no piece of it continues the comment on the next line of code.
+/// User text on one line for a `//` comment, with invisible characters shown as text. If the text
+/// is later broken at a space, no line ends in a backslash, which would continue the comment on the
+/// next line of code.
 [[nodiscard]] std::string comment_text(std::string_view text);
 
-/// User text as a literal of C++ with its quotes, or of a language with other quotes.
+/// User text as a string literal with its quotes; by default a literal of C++.
 [[nodiscard]] std::string string_literal(std::string_view text, char quote = '"',
                                          char escape = '\\');
 
@@ -45,7 +46,7 @@ struct Member {
   std::string doc;
 };
 
-/// The marks of documentation after a declaration, and on a line above it.
+/// The marks that begin documentation: `behind` after a declaration, `above` on a line above it.
 struct CommentMarks {
   std::string_view behind = "///< ";
   std::string_view above = "/// ";
