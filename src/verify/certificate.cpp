@@ -1,4 +1,4 @@
-// Certificates as JSON and as text:
+// Writes certificates as JSON and as text:
 //
 //     certificate of cart_pole, scene full, seed 1
 //
@@ -42,7 +42,7 @@ std::string_view word(const std::array<std::string_view, size>& words, Enum valu
   return words[static_cast<std::size_t>(value)];
 }
 
-/// "41 outside the domain, 1 overflow"
+/// The number of skipped states by obstacle: "41 outside the domain, 1 overflow".
 std::string skipped_text(const CertificateRow& row) {
   std::string text;
   for (const SkippedStates& some : row.skipped) {
@@ -52,7 +52,8 @@ std::string skipped_text(const CertificateRow& row) {
   return text;
 }
 
-/// The skipped states, or "<Eigen/Core> is not installed" if no state was visited.
+/// Why the row is skipped: the obstacles at its states, or "<Eigen/Core> is not installed" if the
+/// check did not run.
 std::string why_skipped(const CertificateRow& row) {
   return row.skipped.empty() ? row.worst : skipped_text(row);
 }
@@ -110,8 +111,8 @@ bool rests_on(const Rows& rows, Evidence evidence) {
   return std::ranges::count(rows, evidence, &CertificateRow::evidence) > 0;
 }
 
-/// The smallest number of compared states, over rows that hold and have a loss (`with_loss`) or
-/// none.
+/// The smallest number of compared states of the rows that hold: of the rows with a loss if
+/// `with_loss`, otherwise of the rows without a loss.
 std::optional<std::size_t> fewest_states(const Rows& rows, bool with_loss) {
   std::optional<std::size_t> fewest;
   for (const CertificateRow* row : rows) {
@@ -122,7 +123,7 @@ std::optional<std::size_t> fewest_states(const Rows& rows, bool with_loss) {
   return fewest;
 }
 
-/// The largest number of states inside the ranges that one of the rows skipped.
+/// The largest `skipped_inside` of all rows.
 std::size_t most_skipped_inside(const Rows& rows) {
   std::size_t most = 0;
   for (const CertificateRow* row : rows) most = std::max(most, row->skipped_inside);

@@ -1,6 +1,6 @@
-// Bitwise comparison. Both sides execute the same operations in the same order on one machine with
-// one libm and without contraction. So all bits must agree, for any optimisation and any width of
-// packs. Contraction changes the bits of a polynomial, not its error bound.
+// Compares bit by bit. Both sides execute the same operations in the same order on one machine,
+// with one libm and without contraction. So all bits must agree, for any optimisation and any width
+// of packs. With contraction, the bits of a polynomial differ, but its error bound still holds.
 #include "verify/compiled_code.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ bool same_bits(Scalar x, Scalar y) {
   return x == y && std::signbit(x) == std::signbit(y);
 }
 
-/// "float, batch, -O3 -march=native": the kind of code.
+/// The kind of code in words: "float, batch, -O3 -march=native"; `first`: its first word.
 std::string kind_of_code(const CompiledHeader& compiled, std::string_view first) {
   std::string text(first);
   const auto add = [&text](std::string_view word) {
@@ -42,19 +42,21 @@ std::string kind_of_code(const CompiledHeader& compiled, std::string_view first)
   return text;
 }
 
-/// The permitted error of a module in a field, in u of the largest entry; 0: all bits must agree.
-/// It is at least 4 if the interpreter has its own implementation of a called function.
+/// The permitted error of compiled code, in u of the largest entry of the field. 0: all bits must
+/// agree. It is at least 4 if the function calls a library function that the interpreter of the
+/// language implements itself.
 double allowed_roundings(const CompiledHeader& compiled, const Function& function) {
   const bool calls_own = std::ranges::any_of(function.instructions, [&](const Instruction& i) {
     return i.opcode == Opcode::call &&
            has_word(compiled.own_implementations, function_row(i.function).name);
   });
-  constexpr double of_own = 4;  // each is off by up to 1 ulp = 2 u, and so is the library
+  constexpr double of_own = 4;  // the interpreter and libm are each off by up to 1 ulp = 2 u
   return calls_own ? std::max<double>(of_own, compiled.roundings) : compiled.roundings;
 }
 
-/// The running errors of all entries, in u, for interpreters with their own library functions:
-/// cancelling sums magnify the difference. Infinite if they are void.
+/// The running errors of all entries, in u; infinite if an error has no bound. Zeros if `most` is 0
+/// or Scalar is float. Needed for interpreters with their own library functions, because cancelling
+/// sums magnify the difference of both libraries.
 template <class Scalar>
 std::vector<double> running_errors(const Subject& subject, const Function& function,
                                    const Arguments<Scalar>& at, double most) {
@@ -71,9 +73,9 @@ std::vector<double> running_errors(const Subject& subject, const Function& funct
   return errors;
 }
 
-/// The number of entries with other bits whose difference exceeds both `most` u of the field's
-/// largest entry and `most` times their running error. No values, after an exception, agree with
-/// values that are not all finite.
+/// The number of entries with other bits whose difference exceeds `most` u of the field's largest
+/// entry and `most` times the entry's running error. If the code threw an exception, `given` is
+/// empty; this agrees with values that are not all finite.
 template <class Scalar>
 std::size_t differing_entries(const Function& function, const std::vector<Scalar>& given,
                               const std::vector<Scalar>& expected,
@@ -93,7 +95,7 @@ std::size_t differing_entries(const Function& function, const std::vector<Scalar
     for (; i < end; ++i) {
       const double error = std::abs(given[i] - expected[i]);
       const double allowed = most * unit_roundoff * std::max(largest, errors[i]);
-      // If a pivot is mere rounding, one sine may give a number and the other NaN.
+      // If a pivot is pure rounding error, one library may give a number and the other NaN.
       const bool is_known = std::isfinite(errors[i]);
       const bool is_near = most > 0 && (!is_known || error <= allowed);
       if (!is_near && !same_bits(given[i], expected[i])) ++count;
@@ -119,7 +121,7 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
                             const Function& function,
                             const std::vector<SampledState<Scalar>>& states,
                             const std::vector<std::vector<Scalar>>& values) {
-  // If numbers are compared, a batch processes one state after another.
+  // A batch processes such a function state by state, with the scalar sine and cosine.
   const bool in_packs = compiled.in_packs && !needs_order(function);
   const Sines<Scalar> sines(subject.scene,
                             in_packs ? SineArithmetic::packs : SineArithmetic::numbers);
@@ -200,8 +202,8 @@ CertificateRow sine_row(const Subject& subject, const CompiledHeader& compiled) 
   return row;
 }
 
-/// Checks f(x, order) from x = 2^-26, inside the range of its series, to 2^10, beyond stretches and
-/// angles. If f grows as cosh(x), the end is 2^6, so that float can hold it.
+/// Checks f(x, order) from x = 2^-26, which the series covers, to 2^10, beyond all usual stretches
+/// and angles. If f grows as cosh(x), the range ends at 2^6, so that float can hold the values.
 template <class Scalar>
 CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
   constexpr std::size_t arguments = 256;
@@ -278,7 +280,7 @@ CertificateRow missing_code_row(const CompiledHeader& compiled) {
 
 namespace {
 
-/// The row of code whose interpreter ended without an answer.
+/// The row of code whose interpreter ended without results.
 CertificateRow silent_code_row(const Diagnostic& why) {
   CertificateRow row;
   row.check = row.output = "compiled code vs program";

@@ -1,5 +1,5 @@
-// Compiled code against the program. Emitted headers must give the interpreter's values bit by bit.
-// Sines of packs must meet the error that the scene asks for.
+// Compares compiled code with the program. Emitted headers must give the interpreter's values bit
+// by bit. Sines of packs must have the accuracy that the scene requires.
 #pragma once
 
 #include <vector>
@@ -10,26 +10,27 @@
 
 namespace elgen {
 
-/// One row per function for one scalar: all entries at all states; NaN equals NaN.
+/// One row per function for one scalar: compares all entries at all states; NaN equals NaN.
 template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_compiled(
     const Subject& subject, const CompiledHeader& compiled,
     const std::vector<SampledState<Scalar>>& states);
 
-/// One row per scalar of a header in packs, for any Build. Its sines and cosines are compared with
-/// 64 digits, at angles up to 4 and up to the end of the domain, evenly spread.
+/// One row per scalar of a header with packs, for any Build; none for other headers. Compares sines
+/// and cosines with 64 digits, at equally distributed angles: half of them up to 4, half of them up
+/// to the end of the domain.
 [[nodiscard]] std::vector<CertificateRow> check_sines(const Subject& subject,
                                                       const CompiledHeader& compiled);
 
-/// One row per scalar and function that the code defines itself (stumpff), for the orders that the
-/// program calls: 256 values against 64 digits. Comparing bits would show nothing, because code and
-/// interpreter share the algorithm.
+/// One row per scalar, per function that the code itself defines (stumpff), and per order that the
+/// program calls. Compares 256 values with 64 digits. A comparison of bits would show nothing,
+/// because code and interpreter share the algorithm.
 [[nodiscard]] std::vector<CertificateRow> check_helpers(const Subject& subject);
 
-/// The row of a header without functions: skipped, with the reason.
+/// The row of a header whose code does not exist: skipped, with the reason.
 [[nodiscard]] CertificateRow missing_code_row(const CompiledHeader& compiled);
 
-/// One row: the declared numbers are the model's.
+/// One row: compares the numbers that the code declares with the model's, bit by bit.
 [[nodiscard]] CertificateRow check_declared(const std::vector<DeclaredNumber>& numbers);
 
 }  // namespace elgen

@@ -1,4 +1,5 @@
-// self_check: runs before every write. The size of the program decides the number of states.
+// self_check: compares a program with the oracle before every write, at a number of states that
+// depends on its size.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,14 +18,15 @@ namespace {
 
 constexpr std::size_t least_checked = 4;
 constexpr std::size_t most_checked = 32;
-/// States times instructions. Most textbook models get 32 states, two links 9, an arm of seven
-/// joints 4. Twice this work would slow the generation of all models by 5 %.
+/// Limit of states times work_of_state(). Most textbook models get 32 states, two links 9, an arm
+/// of seven joints 4. With twice this limit, generating all models would take 5 % longer.
 constexpr std::size_t checked_work = 16'000;
-/// Many models have a value at few of the drawn states.
+/// At many of the drawn states, some models have no value.
 constexpr std::size_t draws_per_state = 8;
 
-/// The oracle evaluates this many nodes of the energies while the program executes one instruction.
-/// If ten thousand points move by one coordinate, the oracle takes longer than the program.
+/// While the program executes one instruction, the oracle evaluates this many nodes of the
+/// energies. Matters if one coordinate moves ten thousand points: then the oracle takes longer than
+/// the program.
 constexpr std::size_t nodes_per_instruction = 8;
 
 std::size_t states_checked(const Subject& subject) {
@@ -33,7 +35,8 @@ std::size_t states_checked(const Subject& subject) {
   return std::clamp(checked_work / work, least_checked, most_checked);
 }
 
-/// Entries that rest on zeros without proof. `dynamics` does not count, because it repeats others.
+/// The number of entries that rely on zeros found by sampling. `dynamics` is not counted, because
+/// it repeats other outputs.
 std::size_t count_sampled_zeros(const Program& program) {
   std::size_t count = 0;
   for (const Function& function : program.functions) {
@@ -47,8 +50,9 @@ bool may_be_undefined(const Expression& node) {
          node.kind == ExpressionKind::function;
 }
 
-/// The first expression of the output, operands before users, that is undefined at all states. None
-/// if only a derivative or the solution of the equations is undefined.
+/// The first expression of the output that is undefined at all states; operands come before the
+/// expressions that use them. None if only a derivative or the solution of the equations is
+/// undefined.
 std::optional<ExpressionId> undefined_expression(const Model& model, const Function& function,
                                                  const std::vector<State>& states) {
   const auto roots = output_row(function.kind).of_user ? output_roots(model, function.user)
@@ -63,7 +67,7 @@ std::optional<ExpressionId> undefined_expression(const Model& model, const Funct
   return std::nullopt;
 }
 
-/// The self-check over all states.
+/// Runs the self-check, state by state.
 class SelfChecker {
  public:
   explicit SelfChecker(const Subject& subject)
@@ -71,7 +75,7 @@ class SelfChecker {
     result_.sampled_zeros = count_sampled_zeros(subject.program);
   }
 
-  /// Visits all functions at one state.
+  /// Compares all functions at one state.
   void visit(const SampledState<double>& sample) {
     Visit<double> visit(subject_, sample,
                         {Comparison::projections, LossStates::inside_ranges, loss_.value_or(0)});
@@ -94,7 +98,7 @@ class SelfChecker {
     result_.states += is_compared || !result_.failure.empty() ? 1 : 0;
   }
 
-  /// True if some output is undefined so far; then more states are visited.
+  /// True if some output has been undefined at all states so far; then more states are drawn.
   [[nodiscard]] bool lacks_value() const {
     return std::ranges::find(without_value_, true) != without_value_.end();
   }
@@ -107,7 +111,7 @@ class SelfChecker {
   }
 
  private:
-  /// The worst regime of the function's fields; stops at the first mistake.
+  /// Compares the fields of a function up to the first mistake, and returns the worst regime.
   Regime look_at(Visit<double>& visit, std::size_t index) {
     Regime regime = Regime::regular;
     for (const FieldPlace& place : field_places(subject_, index)) {
@@ -145,7 +149,7 @@ class SelfChecker {
     result_.failure += ", nor has " + in_backticks(*result_.place);
   }
 
-  /// True if M has no inverse at any state.
+  /// True if M is singular at all states.
   [[nodiscard]] bool is_singular() const {
     return std::ranges::none_of(states_, [this](const State& state) {
       const OracleValues m =
@@ -164,7 +168,8 @@ class SelfChecker {
     return "M is singular" + (zeros.empty() ? "" : " where 0 is the value of " + zeros);
   }
 
-  /// The place that requests the output; the model's name if all outputs are requested.
+  /// The place in the scene that requests the output; the model's name if the scene requests all
+  /// outputs.
   [[nodiscard]] Span place_of(const Function& function) const {
     const OutputRequest* request = find_request(subject_.scene, function.name);
     const bool was_named = request != nullptr && request->span.source != nullptr;
@@ -173,10 +178,10 @@ class SelfChecker {
 
   const Subject& subject_;
   Sampler draw_{1};
-  std::vector<bool> without_value_;  ///< by function: no value so far
-  bool is_infinite_ = false;         ///< some value is infinite at the current state
+  std::vector<bool> without_value_;  ///< by function: undefined at all states so far
+  bool is_infinite_ = false;         ///< some value is not finite in double at the current state
   std::vector<State> states_ = {};
-  std::optional<double> loss_ = {};  ///< the largest
+  std::optional<double> loss_ = {};  ///< the largest loss so far
   SelfCheck result_ = {};
 };
 

@@ -1,5 +1,5 @@
-// verify: oracle, program and compiled code of one scene, compared row by row. Each kind of check
-// has its own file; this file sets the order of the certificate.
+// verify: compares oracle, program and compiled code of one scene, row by row. Each kind of check
+// has its own file; this file sets the order of the rows.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace elgen {
 namespace {
 
-/// Default effort: `samples` random states and all extremes, reduced until states times
-/// instructions are at most `work`.
+/// The default effort: `samples` random states and all extremes. If work_of_state() times the
+/// number of states exceeds `work`, fewer states are used, at least one.
 struct Effort {
   std::size_t samples;
   std::size_t work;
@@ -28,9 +28,9 @@ struct Effort {
 
 /// About half a minute in 64 digits.
 constexpr Effort thorough{256, 1 << 20};
-/// A few seconds. The longest programs keep one state per scalar.
+/// A few seconds. The longest programs are compared at one state per scalar.
 constexpr Effort quick{16, 1 << 18};
-/// From this many velocities on, the oracle takes minutes for all entries of all outputs.
+/// With this many velocities or more, the oracle takes minutes for all entries of all outputs.
 constexpr std::size_t projected_velocities = 9;
 /// Identities hold at all states or at none, so few states suffice.
 constexpr std::size_t structure_samples = 32;
@@ -66,7 +66,8 @@ std::vector<SampledState<Scalar>> states_for(const Subject& subject, const Verif
   return some;
 }
 
-/// Adds states on sides of kinks that no state lies on. Returns the kinks without both sides.
+/// Each kink has two sides. Draws more states, and adds each state that is the first on some side.
+/// Returns the kinks that still have states on one side only.
 template <class Scalar>
 std::string add_sides(const Subject& subject, const VerifyOptions& options,
                       std::vector<SampledState<Scalar>>& states) {
@@ -135,8 +136,9 @@ std::string numbers(const std::vector<std::uint32_t>& entries) {
   return text;
 }
 
-/// Zeros that `cancel` found by sampling (elgen/cancel.hpp): one row per function with such
-/// entries. It holds, because cancel checked every point.
+/// The entries that were replaced by 0 because `cancel` found them 0 at sampled points
+/// (elgen/cancel.hpp): one row per function with such entries. Each row holds, because cancel
+/// checked all points.
 std::vector<CertificateRow> sampled_zeros(const Program& program) {
   std::vector<CertificateRow> rows;
   for (const Function& function : program.functions) {
@@ -157,8 +159,8 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
   return rows;
 }
 
-/// The functions of the header for single states as users compile it, in the usual or the wider
-/// scalar (`is_wide`). Null if there is none, or if it lacks this scalar.
+/// The compiled functions of the header for single states, as users compile it; in the wider scalar
+/// if `is_wide`. Null if there is no such code, or if it lacks the scalar.
 const CompiledModel* users_code(const CompiledHeaders& compiled, bool is_wide, ScalarKind scalar) {
   for (const CompiledHeader& header : compiled) {
     const bool is_sought = !header.in_packs && header.is_wide == is_wide;
@@ -168,7 +170,7 @@ const CompiledModel* users_code(const CompiledHeaders& compiled, bool is_wide, S
   return nullptr;
 }
 
-/// Rows that compare compiled code with the program, not with the oracle.
+/// The rows that compare compiled code with the program, not with the oracle.
 std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHeaders& compiled,
                                        const std::vector<SampledState<double>>& doubles,
                                        const std::vector<SampledState<float>>& floats) {
@@ -195,7 +197,7 @@ std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHea
   return rows;
 }
 
-/// Projections save time with few states or many velocities.
+/// Projections save time if states are few or velocities are many.
 Comparison comparison_for(const Model& model, const VerifyOptions& options) {
   const bool is_large = model.velocities.size() >= projected_velocities;
   return options.quick || is_large ? Comparison::projections : Comparison::entries;

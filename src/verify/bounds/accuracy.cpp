@@ -1,4 +1,4 @@
-// Program against oracle: the findings of all visits, tallied by field.
+// Compares the program with the oracle at all states, and tallies the findings by field.
 #include "verify/bounds/accuracy.hpp"
 
 #include <fmt/format.h>
@@ -17,18 +17,18 @@
 namespace elgen {
 namespace {
 
-/// One field of a function, and its findings so far.
+/// One field of a function, and its findings at the states so far.
 struct FieldRecord {
   FieldPlace place = {};
   std::vector<double> errors = {};  ///< at nominal states
-  std::size_t compared = 0;         ///< number of states
+  std::size_t compared = 0;         ///< number of compared states
   std::map<Obstacle, std::size_t> skipped = {};
-  std::size_t skipped_inside = 0;  ///< number of nominal states in double
-  std::string mistake = {};        ///< the first one
+  std::size_t skipped_inside = 0;  ///< nominal states that were skipped, in double
+  std::string mistake = {};        ///< the first mistake
   std::string mistake_at = {};
 };
 
-/// The reason why exact values were not compared.
+/// The obstacle that a row reports for a state that was not compared.
 Obstacle obstacle_of(Regime regime) {
   if (regime == Regime::overflow) return Obstacle::overflow;
   return regime == Regime::unsettled ? Obstacle::unsettled : Obstacle::undefined;
@@ -59,7 +59,7 @@ std::string name_of(const FieldPlace& place) {
   return place.function->name + (field.empty() ? "" : "." + field);
 }
 
-/// The subject of a row: the field and the scalar.
+/// The subject of a row: "forward_dynamics.acceleration (double)".
 std::string subject_of(const FieldPlace& place, std::string_view scalar) {
   return fmt::format("{} ({})", name_of(place), scalar);
 }
@@ -91,7 +91,8 @@ CertificateRow row_of(const FieldRecord& record, std::string_view scalar,
   return row;
 }
 
-/// A check of compiled code, with the texts of its row.
+/// A check of compiled code: the texts of its row, the unit of its errors, and the largest
+/// permitted error in this unit.
 struct CodeCheck {
   std::string check = {};
   std::string formula = {};
@@ -100,8 +101,8 @@ struct CodeCheck {
   std::string tolerance = {};
 };
 
-/// Code built as users do, with optimisation, the machine's own instructions and contraction, which
-/// rounds differently.
+/// Code as users compile it: with -O3, all instructions of this machine and contraction.
+/// Contraction changes the rounding.
 CodeCheck users_check() {
   return {"as users compile", "|x_users - x| / (u E); x_users of -O3 -march=native, contraction on",
           "u E", most_of_users,
@@ -136,7 +137,7 @@ class CodeRecord {
     mistake_ = finding.mistake;
   }
 
-  /// One row for all fields of a scalar.
+  /// One row for all fields in one scalar.
   [[nodiscard]] CertificateRow row(const Subject& subject, std::string_view scalar) const;
 
  private:
@@ -187,8 +188,9 @@ class LostDigits {
 
   [[nodiscard]] bool is_empty() const { return states_.empty(); }
 
-  /// The entry that loses most and its state, relative to R = |x*| + K and relative to the largest
-  /// entry of its field. Noted if the second loss exceeds half of all digits.
+  /// The row of one output: the largest loss relative to R = |x*| + K, and the largest loss
+  /// relative to the largest entry of the field, each with its entry and state. The verdict is
+  /// `noted` if the second loss exceeds half of all digits of the scalar.
   [[nodiscard]] CertificateRow row(ScalarKind scalar) const;
 
  private:

@@ -1,5 +1,5 @@
-// Accuracy: a program's values in double and float against the 60-digit oracle, at all states.
-// Wrong values fail; the digits lost to rounding are a figure.
+// Accuracy: compares a program's values in double and float with the 60-digit oracle, at all
+// states. Wrong values fail; digits lost to rounding are only reported.
 #pragma once
 
 #include <functional>
@@ -15,30 +15,33 @@ namespace elgen {
 /// Options of the visits to all states.
 struct AccuracyOptions {
   VisitOptions visit = {};
-  /// Called with a text at each step: "accuracy in double, state 3 of 36".
+  /// Called at each step with a text such as "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
   std::size_t jobs = 1;  ///< processes
 };
 
-/// Findings at one state, in the order of field_places; none for a field that skips this state.
+/// Findings at one state, in the order of field_places(); none if the field is not compared at this
+/// state.
 using Findings = std::vector<std::optional<Finding>>;
 
 /// Receives the index of a state and its findings.
 using FindingsHandler = std::function<void(std::size_t at, const Findings& findings)>;
 
-/// Visits all states in this process, or shared by several processes. Findings and their order are
-/// the same. Each process visits the next free state. If a process fails, this process visits all
-/// states alone. If a process exceeds its processor time, this process raises SIGXCPU. Scalar:
-/// double or float.
+/// Visits all states, in this process or in `jobs` processes, with the same findings in the same
+/// order. Each process takes the next state that no process has visited. If a process fails, this
+/// process visits all states by itself. If a process exceeds its processor time, this process
+/// raises SIGXCPU. Scalar: double or float.
 template <class Scalar>
 void visit_all(const Subject& subject, const std::vector<SampledState<Scalar>>& states,
                const AccuracyOptions& options, const FindingsHandler& take);
 
-/// One row per output and field. One row for the code as users compile it, if given. One row per
-/// output for its lost digits, if options.visit.losing asks for it. A state fails in four cases:
-/// the program's exact value is not the oracle's (to 50 digits of E + |x*|); at a nominal state it
-/// is undefined although the oracle has a value; the rounded value is not finite; the code of users
-/// differs from the program by more than most_of_users.
+/// One row per field of each output; one row for code as users compile it, and one for code in a
+/// wider scalar, if `options.visit` has such code; one row per output for its lost digits, if they
+/// are measured at some state. A row fails at a state in four cases:
+///     the exact value differs from the oracle's by more than 1e-50 (E + |x*|)
+///     the state is nominal, and the exact value is undefined although the oracle has a value
+///     the rounded value is not finite
+///     the error of compiled code exceeds most_of_users or most_of_wide
 template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_accuracy(
     const Subject& subject, const std::vector<SampledState<Scalar>>& states,

@@ -1,4 +1,4 @@
-// Exact runs of a function, and errors measured in roundoffs.
+// Exact runs of a function, and errors in units of the unit roundoff.
 #include "verify/bounds/exact_run.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Exact runs: a function in 64 digits at one state. Each value has a running error E, the bound on
-// the rounding errors of a scalar (accuracy/running_errors.hpp).
+// Exact runs: evaluate a function in 64 digits at one state. Each value has a running error E, a
+// bound on the rounding errors that the same run has in the scalar (accuracy/running_errors.hpp).
 #pragma once
 
 #include <vector>
@@ -14,11 +14,11 @@ enum class Regime : std::uint8_t {
   regular,
   undefined,        ///< an intermediate has no value (1/0, sqrt(-1))
   overflow,         ///< an exact intermediate, or its rounding, exceeds max/16 of the scalar
-  ill_conditioned,  ///< a divisor, radicand or argument is uncertain by more than 1/1000: E is void
-  unsettled,        ///< 1000 digits do not decide if the exact value is the oracle's
+  ill_conditioned,  ///< a divisor, radicand or argument is uncertain by > 1/1000: E is no bound
+  unsettled,        ///< 1000 digits do not decide if the exact value equals the oracle's
 };
 
-/// An undefined value outweighs an overflow; an overflow outweighs a lost error.
+/// The worse of both; from the worst: undefined, overflow, ill_conditioned, unsettled, regular.
 [[nodiscard]] Regime worse(Regime x, Regime y);
 
 struct ExactRun {
@@ -30,12 +30,13 @@ struct ExactRun {
 [[nodiscard]] ExactRun exact_run(const Program& program, const Function& function,
                                  const State& state, const Rounding<Real>& rounding);
 
-/// max(0, |x - exact| - operations eta), eta the smallest denormal, which an underflow may cost.
-/// Undefined if x is not finite.
+/// max(0, |x - exact| - operations eta), eta the smallest denormal: each operation that underflows
+/// may have an error of eta. Undefined if x is not finite.
 [[nodiscard]] Real excess_error(double x, const Real& exact, std::size_t operations,
                                 const Rounding<Real>& rounding);
 
-/// excess/(u scale): 0 if the excess is 0, infinite if it has no value or the scale is 0.
+/// excess/(u scale), u the unit roundoff. 0 if the excess is 0; infinite if the excess is undefined
+/// or the scale is 0.
 [[nodiscard]] double in_roundoffs(const Real& excess, const Real& scale,
                                   const Rounding<Real>& rounding);
 

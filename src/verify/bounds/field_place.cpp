@@ -1,4 +1,4 @@
-// The places of all fields, in the order of the program.
+// Finds the oracle's request and the closed form of each field, in the order of the program.
 #include "verify/bounds/field_place.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace elgen {
 namespace {
 
-/// The request to the oracle for a field.
+/// The request whose oracle values belong to the field.
 OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
   const bool repeats = output_row(function.kind).is_summary;
   const OutputRequest* const asked =
@@ -37,7 +37,7 @@ ClosedForm form_of(const Program& program, std::size_t index, const Field& field
         index < program.readable.size() && !program.readable[index].fields.empty();
     return is_readable ? ClosedForm{&program.readable[index], first} : ClosedForm{};
   }
-  // `dynamics` repeats the entries of the function with the field's name.
+  // A field of `dynamics` has the entries of the function with this name.
   for (const Function& readable : program.readable) {
     if (readable.name == field.name && !readable.fields.empty()) return {&readable, 0};
   }

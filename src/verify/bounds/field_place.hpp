@@ -1,5 +1,5 @@
-// FieldPlace: one field of a function of the program, and its counterparts: the oracle's values and
-// the closed form.
+// FieldPlace: one field of a function of the program, with the oracle's request and the closed form
+// to which it is compared.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace elgen {
 
-/// The closed form of an emitted function, as it is printed.
+/// The closed form of an emitted function, as pages print it.
 struct ClosedForm {
   const Function* function = nullptr;  ///< null if there is none
   std::size_t first = 0;               ///< index of the field's first entry in the form
@@ -19,21 +19,22 @@ struct FieldPlace {
   std::size_t index = 0;  ///< index of the field in the function
   std::size_t first = 0;  ///< index of its first entry in the function
   ClosedForm form = {};
-  OutputRequest request = {};     ///< the request to the oracle
-  std::size_t request_field = 0;  ///< index in the output table; a model may lack fields
+  OutputRequest request = {};     ///< whose oracle values belong to this field
+  std::size_t request_field = 0;  ///< index of the field in the output table
   std::size_t first_oracle = 0;   ///< index of its first entry among the oracle's values
 
   [[nodiscard]] const Field& field() const { return function->fields[index]; }
   [[nodiscard]] const FieldRow& row() const { return field_row(request.kind, field().name); }
-  /// True if its terms cancel up to their rounding, so that it has no digits to lose.
+  /// True for a remainder of an iteration: its terms cancel up to rounding errors, so no
+  /// loss of digits is measured.
   [[nodiscard]] bool is_remainder() const { return row().is_remainder; }
 };
 
-/// The fields of functions[index], in order. `dynamics` contains other outputs under their names;
-/// every other function is one output.
+/// The fields of functions[index], in order. `dynamics` has one field per output, named after this
+/// output; every other function is one output.
 [[nodiscard]] std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index);
 
-/// Fields of all functions.
+/// The fields of all functions, in order.
 [[nodiscard]] std::vector<FieldPlace> field_places(const Subject& subject);
 
 }  // namespace elgen

@@ -1,5 +1,4 @@
-// loss: R at one state, computed on demand. The weights of solved columns come from the oracle's M
-// and A.
+// Computes R at one state, if needed. The weights of solved columns come from the oracle's M and A.
 #include "verify/bounds/loss.hpp"
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 namespace elgen {
 namespace {
 
-/// D^1/2; empty if an entry is not positive.
+/// The entries of D^1/2, D the diagonal of M; empty if an entry of D is not positive.
 std::vector<Real> roots_of_diagonal(OracleCache& oracle) {
   std::vector<Real> roots;
   for (const cln::cl_R& entry : oracle.diagonal_of_mass()) {
@@ -22,7 +21,7 @@ std::vector<Real> roots_of_diagonal(OracleCache& oracle) {
   return roots;
 }
 
-/// The lengths of the rows of A D^-1/2; empty if A has no value.
+/// The lengths of the rows of A D^-1/2; empty if A is undefined. `roots`: D^1/2.
 std::vector<Real> lengths_of_rows(const std::vector<Real>& roots, OracleCache& oracle) {
   const OracleValues& jacobian = oracle.values({.kind = OutputKind::constraint_jacobian});
   if (!jacobian) return {};
@@ -36,15 +35,15 @@ std::vector<Real> lengths_of_rows(const std::vector<Real>& roots, OracleCache& o
   return lengths;
 }
 
-/// Two roundings, or 0.3 digits.
+/// In u of the entry: an error of 2 u, or 0.3 digits, counts as no loss.
 constexpr double negligible_loss = 2;
-/// K of an entry needs a sweep over its function. This limit per field keeps the cost linear in the
-/// length of the function.
+/// Each K costs one sweep over the function. At most 16 sweeps per field, so that the cost stays
+/// linear in the length of the function.
 constexpr std::size_t most_sweeps = 16;
 
-/// Marks constants that may come from parameters fixed by the scene, alone or multiplied. Literals
-/// of the model do not count, and powers of two scale without error. A constant with pi or a root
-/// counts only if a fixed parameter has an irrational value.
+/// Marks the constants of the program that may depend on parameters which the scene fixes: their
+/// rounding counts in K. Not marked: literals of the model, powers of two, and irrational constants
+/// if no fixed parameter has an irrational value.
 std::vector<bool> constants_of_fixed(const Model& model, const Scene& scene,
                                      const Program& program) {
   const FixedParameters& fixed = scene.specialisation.fixed;
@@ -75,7 +74,7 @@ std::vector<SolvedColumn> solved_columns(const FieldPlace& place, OracleCache& o
   std::vector<Real> weights = roots_of_diagonal(oracle);
   if (is_multiplier && !weights.empty()) weights = lengths_of_rows(weights, oracle);
   if (weights.empty()) return {};
-  // A linearisation begins with the rates of positions, which are not solved for.
+  // The first rows of a linearisation are the rates of positions, which no solution contains.
   const std::size_t above = field.rows - weights.size();
   std::vector<SolvedColumn> columns(field.columns);
   for (std::size_t k = 0; k < field.columns; ++k) {
@@ -104,7 +103,7 @@ Losses::Losses(const Subject& subject, OracleCache& oracle, const Rounding<Real>
       least_(least),
       fixed_(constants_of_fixed(subject.model, subject.scene, subject.program)) {}
 
-/// K of an entry.
+/// K of one entry of the field.
 Real Losses::conditioning(const FieldPlace& place, const ExactRun& run, std::size_t entry) {
   std::unique_ptr<Conditioning>& known = conditioning_[place.function];
   if (known == nullptr) {
@@ -124,7 +123,7 @@ bool Losses::knows_angles() const {
   return true;
 }
 
-/// Columns are built only if an entry of the field may have lost digits.
+/// Computes solved columns only if the loss of some entry may exceed negligible_loss.
 auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
                     const std::vector<Real>& exact) -> std::vector<Group> {
   std::vector<double> most;
@@ -151,7 +150,8 @@ auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
   return result;
 }
 
-/// None if R is 0: exact values have 60 digits of E, and a smaller R is a rounding error.
+/// The loss of a group, in u R. None if R is 0: exact values have 60 correct digits of E, so a
+/// smaller R is a rounding error.
 std::optional<double> Losses::figure_of(const FieldPlace& place, const ExactRun& run,
                                         const Group& group, const std::vector<Real>& errors,
                                         const std::vector<Real>& exact) {
@@ -187,7 +187,7 @@ Loss Losses::of_field(const FieldPlace& place, const ExactRun& run, const std::v
   std::size_t sweeps = 0;
   for (const Group& group : all) {
     if (group.most <= std::max(loss.of_entry.figure, least_)) break;
-    // Without K, R is |x*| alone, which gives no smaller loss.
+    // Without K, R is |x*|, so the figure is an upper bound of the loss.
     if (std::isfinite(group.most) && sweeps++ >= most_sweeps) {
       loss.of_entry = {group.most, group.entry};
       break;

@@ -1,12 +1,13 @@
-// Loss: the digits that a formula loses, of one function at one state.
+// Loss: how many digits a formula loses, for one function at one state.
 //
 //     loss = max(0, |x - x*| - N eta) / (u R),     R = |x*| + K
 //
-// K = sum |z dx/dz| (accuracy/conditioning.hpp) is the error from rounding every input once. So an
-// angle of 1e15 rad, which is known to 0.1 rad, excuses errors of its sine. For solutions of
-// M x = b, errors and R are measured in the norm |D^1/2 x|. K and the norm are computed only if
-// |x - x*| > 2 u |x*|, for at most 16 entries of a field. Otherwise R = |x*|, which gives no
-// smaller loss. If R is exactly 0, no loss is reported.
+// K = sum |z dx/dz| over all inputs z (accuracy/conditioning.hpp) is the error of x if every input
+// is rounded once. Example: a double near 1e15 rad is exact to 0.1 rad only, so errors of its sine
+// count as no loss. For solutions of M x = b, errors and R are measured in the norm |D^1/2 x|, D
+// the diagonal of M. K and the norm are computed only if |x - x*| > 2 u |x*|, for at most 16
+// entries of a field. Otherwise R = |x*|, which never gives a smaller loss. If R is exactly 0, no
+// loss is reported.
 #pragma once
 
 #include <map>
@@ -21,17 +22,17 @@
 
 namespace elgen {
 
-/// Entries of a solution x of M x = b that share one loss, in the norm |D^1/2 x|, D the diagonal of
-/// M: next to large entries a small one has no digits of importance. Constrained equations are
-/// M a = b + A^T y, A a = c. The weights of their multipliers y are the lengths of the rows of
-/// A D^-1/2.
+/// Entries of a solution x of M x = b that share one loss, measured in the norm |D^1/2 x|, D the
+/// diagonal of M. In this norm, errors of a small entry do not matter if the column has large
+/// entries. Constrained equations are M a = b + A^T y, A a = c; the weights of the multipliers y
+/// are the lengths of the rows of A D^-1/2.
 struct SolvedColumn {
   std::vector<std::size_t> entries = {};  ///< indices in the field
   std::vector<Real> weights = {};         ///< one weight per entry
 };
 
-/// The columns of a field; empty if it is no solution, or if the diagonal of M is not positive.
-/// Cost: n contractions of M.
+/// The columns of a field; empty if the field is not a solution, or if an entry of the diagonal of
+/// M is not positive. Cost: n contractions of M.
 [[nodiscard]] std::vector<SolvedColumn> solved_columns(const FieldPlace& place,
                                                        OracleCache& oracle);
 
@@ -45,31 +46,33 @@ struct LostEntry {
 
 /// The largest losses of a field.
 struct Loss {
-  LostEntry of_entry = {};            ///< in u R of the entry
-  LostEntry of_field = {};            ///< in u of the largest entry
-  std::size_t without_reference = 0;  ///< entries with an error but R = 0
+  LostEntry of_entry = {};            ///< relative to u R of the entry
+  LostEntry of_field = {};            ///< relative to u times the largest entry of the field
+  std::size_t without_reference = 0;  ///< number of entries that have an error, but R = 0
 };
 
 class Losses {
  public:
-  /// All arguments must outlive this. Losses of entries below `least` are not computed.
+  /// The arguments must outlive this object. Losses smaller than `least` are not computed.
   Losses(const Subject& subject, OracleCache& oracle, const Rounding<Real>& rounding,
          double least = 0);
 
-  /// True if angles are known to 1/1000 rad: K is of first order and needs that.
+  /// True if rounding changes no angle by more than 1/1000 rad. Otherwise K, a first-order
+  /// estimate, is invalid.
   [[nodiscard]] bool knows_angles() const;
 
-  /// The losses of a field whose entries differ by `errors` (without N eta) from `exact`, in a run
-  /// of the place's function. 0 if K has no value.
+  /// The losses of a field in `run`, an exact run of place.function. `exact`: the exact entries;
+  /// `errors`: their differences from the rounded entries, without N eta. The loss is 0 if K is
+  /// undefined.
   [[nodiscard]] Loss of_field(const FieldPlace& place, const ExactRun& run,
                               const std::vector<Real>& errors, const std::vector<Real>& exact);
 
  private:
-  /// Entries with one loss: a single entry, or a solved column.
+  /// Entries that share one loss: a single entry, or a solved column.
   struct Group {
     SolvedColumn column = {};
     double most = 0;        ///< upper bound of the loss, because R >= |x*|
-    std::size_t entry = 0;  ///< the entry with this bound
+    std::size_t entry = 0;  ///< index of the entry whose bound is `most`
   };
 
   [[nodiscard]] std::vector<Group> groups(const FieldPlace& place, const std::vector<Real>& errors,
@@ -85,7 +88,7 @@ class Losses {
   OracleCache& oracle_;
   const Rounding<Real>& rounding_;
   double least_;
-  std::vector<bool> fixed_;  ///< marks program constants from fixed parameters
+  std::vector<bool> fixed_;  ///< marks program constants that depend on fixed parameters
   std::map<const Function*, std::unique_ptr<Conditioning>> conditioning_ = {};
 };
 

@@ -1,5 +1,5 @@
-// Memoised values of the oracle: `dynamics` and the functions that it repeats need the same values.
-// One rule with two constants decides agreement.
+// Memoises the oracle's values, because `dynamics` and the outputs that it repeats need the same
+// values. Decides by two constants if a value agrees with the oracle's.
 #include "verify/bounds/oracle_cache.hpp"
 
 #include "elgen/oracle.hpp"
@@ -9,11 +9,11 @@
 namespace elgen {
 namespace {
 
-/// Values have 64 digits, and E is a first-order bound for 53 bits. Neglected terms of E, and the
-/// rounding of many operations, are far below the other 14 digits.
+/// Values have 64 digits. E is a first-order bound for 53 bits: its neglected terms, and the
+/// rounding errors of many operations, stay below 1e-50 E.
 constexpr int digits_of_error = 50;
-/// The oracle promises 60 digits. The other eight allow for long sums: the entries of a projection,
-/// and the oracle's own derivatives.
+/// The oracle guarantees 60 digits. Eight of them allow for the rounding errors of long sums, such
+/// as projections and the oracle's own derivatives.
 constexpr int digits_of_scale = 52;
 
 }  // namespace
@@ -55,7 +55,7 @@ cln::cl_R OracleCache::force() {
   cln::cl_R largest = 0;
   for (const OutputKind kind :
        {OutputKind::velocity_force, OutputKind::gravity, OutputKind::bias}) {
-    // The model decides which of these outputs exist, not the requests of the scene.
+    // An output exists if the model has it, even if the scene does not request it.
     const OutputRequest request = request_of(subject_.model, kind, 0);
     if (!is_available(subject_.model, request)) continue;
     const OracleValues& entries = values(request);

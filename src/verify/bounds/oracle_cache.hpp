@@ -1,5 +1,5 @@
-// OracleCache: the oracle's values at one state, each output computed once, and the rule by which
-// an exact number of the program agrees with the oracle's.
+// OracleCache: the oracle's values at one state, each output computed once. agrees() decides if an
+// exact value of the program equals the oracle's.
 #pragma once
 
 #include <map>
@@ -21,15 +21,15 @@ class OracleCache {
 
   [[nodiscard]] const OracleValues& values(const OutputRequest& request);
 
-  /// The diagonal of M; an entry without a value is 0.
+  /// The diagonal of M; 0 for an undefined entry.
   [[nodiscard]] const std::vector<cln::cl_R>& diagonal_of_mass();
 
-  /// |E| and the magnitudes of V's terms: most zeros of the oracle are rounding errors of this
-  /// size. 0 if E is undefined.
+  /// |E| plus the magnitudes of the terms of V; 0 if E is undefined. If the oracle's value is 0 in
+  /// exact arithmetic, its rounding error is usually smaller than 1e-60 of this.
   [[nodiscard]] const cln::cl_R& energy();
 
-  /// The size whose rounding errors hide any zero of the oracle: energy() plus these, each 0 if it
-  /// has no value:
+  /// The scale of the rounding errors of any value that is 0 in exact arithmetic: energy() plus the
+  /// following terms, each 0 if it is undefined:
   ///
   ///     |force| of the motion    differences of forces (drift), if larger than |E|
   ///     |M| (|v| + |a|)          derivatives of inertial forces if M does not depend on q
@@ -48,22 +48,24 @@ class OracleCache {
   [[nodiscard]] cln::cl_R inertia();
 };
 
-/// |value - truth| <= 1e-50 (E + |truth|) + 1e-52 drowning. The last term serves numbers that are
-/// exactly zero, whose E is too small. An undefined number never agrees.
+/// |value - truth| <= 1e-50 (E + |truth|) + 1e-52 drowning, E = number.error. `drowning` is the
+/// scale of rounding errors for values that are exactly 0, because their E is too small. False if
+/// the number is undefined.
 [[nodiscard]] bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning);
 
-/// agrees() with 0, the oracle's energy() or its rounding_scale() as `rounding_scale`.
+/// True if agrees() holds with 0, oracle.energy() or oracle.rounding_scale() as `drowning`.
 [[nodiscard]] bool agrees_with_oracle(const Running<Real>& number, const cln::cl_R& truth,
                                       OracleCache& oracle);
 
-/// Two exact numbers that should be equal, described by a text; the text is empty if they agree.
+/// A difference between two exact numbers, in words; the text is empty if they agree.
 struct Mismatch {
   std::string text = {};
   Real value = {};  ///< of the program
   Real truth = {};
 };
 
-/// True if more digits changed neither number by more than 1e-50 of the sum of both magnitudes.
+/// True if a run with more digits changed each of both numbers by at most 1e-50 of the sum of their
+/// magnitudes.
 [[nodiscard]] bool is_stable(const Mismatch& before, const Mismatch& now);
 
 /// "1.5", or "undefined".

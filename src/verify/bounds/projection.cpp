@@ -1,8 +1,7 @@
-// Projections against oracle_contraction. Up to four coordinates, relative pivots are compared with
-// the oracle's own solution. Beyond, they are compared with the pivots of the program's mass
-// matrix, which has its own check. Accelerations at which derivatives are evaluated have the same
-// source. Under constraints the solved equations contain multipliers, which few outputs return, so
-// the oracle solves them.
+// Compares projections with oracle_contraction(). Up to four coordinates, relative pivots and
+// accelerations come from the oracle's own solution. With more coordinates, they come from the
+// program's mass matrix and accelerations, which are checked by themselves. With constraints the
+// oracle solves the equations, because few outputs return the multipliers.
 #include "verify/bounds/projection.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +18,7 @@ namespace {
 using cln::cl_R;
 using RealNumbers = std::vector<cl_R>;
 
-/// Up to this many coordinates the oracle solves the equations itself.
+/// The largest number of coordinates for which the oracle solves the equations itself.
 constexpr std::size_t directly_solved = 4;
 
 Mismatch mismatch(const std::string& what, const Real& value, const cl_R& truth) {
@@ -27,7 +26,7 @@ Mismatch mismatch(const std::string& what, const Real& value, const cl_R& truth)
           value, Real(truth)};
 }
 
-/// Compares both sides of an equation between projected forces, each a number of the oracle.
+/// Compares the projected left and right side of an equation, both computed by the oracle.
 Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& right,
                         OracleCache& oracle) {
   const Running<Real> sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
@@ -35,7 +34,8 @@ Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& r
   return mismatch(what, sum.value, right);
 }
 
-/// The program's values if it has this function and the model is large, otherwise the oracle's.
+/// The values of an output: the program's if it has this function and the model has more than
+/// directly_solved coordinates, otherwise the oracle's.
 OracleValues values_of(const Subject& subject, OutputKind kind, OracleCache& oracle) {
   const Function* function = find_function(subject.program, kind);
   const State& state = oracle.state();
@@ -44,7 +44,8 @@ OracleValues values_of(const Subject& subject, OutputKind kind, OracleCache& ora
   return defined_values(evaluate(subject.program, *function, arguments_at<Real>(state)));
 }
 
-/// Relative pivots in the model's order of elimination.
+/// The relative pivots of M in the model's order of elimination; none if M is undefined or
+/// singular.
 OracleValues pivots_of_mass(const Subject& subject, OracleCache& oracle) {
   OracleValues m = values_of(subject, OutputKind::mass_matrix, oracle);
   if (!m) return std::nullopt;
@@ -55,7 +56,7 @@ OracleValues pivots_of_mass(const Subject& subject, OracleCache& oracle) {
   return pivots;
 }
 
-/// The comparison of one field at one state.
+/// Compares one field at one state.
 class Projection {
  public:
   Projection(const Subject& subject, const FieldPlace& place, const ExactRun& run,
@@ -80,7 +81,8 @@ class Projection {
   }
   [[nodiscard]] const FieldRow& row() const { return place_.row(); }
 
-  /// sum w_i x_ij y_j, over as many entries as w and y have.
+  /// sum over i, j of w_i x_ij y_j; i runs over the entries of w only, j over the entries of y (if
+  /// it is empty, y = 1).
   [[nodiscard]] Running<Real> contracted(const Contraction& by) const {
     Running<Real> sum;
     const std::size_t columns = by.y.empty() ? 1 : by.y.size();
@@ -93,7 +95,7 @@ class Projection {
     return sum;
   }
 
-  /// Compares the first `rows` rows.
+  /// Compares the contraction of the first `rows` rows of the field.
   Mismatch compare_contraction(std::size_t rows) {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
@@ -108,13 +110,13 @@ class Projection {
     return mismatch((is_matrix ? "w.X y" : "w.x") + of_field, sum.value, *truth);
   }
 
-  /// For an undefined entry: a mistake if the oracle has a value.
+  /// An undefined entry is a mismatch if the oracle has a value, otherwise not.
   Mismatch compare_undefined(const std::string& what) {
     const OracleValues& truth = oracle_.values(place_.request);
     return truth ? mismatch(what, Real::undefined(), truth->front()) : Mismatch();
   }
 
-  /// w.B y
+  /// w.B y; 0 if y is empty.
   [[nodiscard]] std::optional<cl_R> input_force(const RealNumbers& w, const RealNumbers& y) const {
     if (y.empty()) return cl_R(0);
     return oracle_contraction(subject_.model, {.kind = OutputKind::input_matrix}, state(), {w, y});
@@ -140,14 +142,15 @@ class Projection {
     if (!pivots) return {};
     for (std::size_t i = 0; i < pivots->size(); ++i) {
       const Real truth((*pivots)[i]);
-      // A pivot that cancels has rounding errors of 1. The pivots of an indefinite M have any size.
+      // The scale of rounding errors is 1, because a pivot is relative to a diagonal entry. The
+      // pivots of an indefinite M have any magnitude.
       if (agrees({entry(i).value, abs(truth)}, truth, Real(1))) continue;
       return mismatch("a relative pivot", entry(i).value, (*pivots)[i]);
     }
     return {};
   }
 
-  /// X y in the rows of accelerations; none if an entry is undefined.
+  /// X y, without the rows above the accelerations; none if an entry is undefined.
   [[nodiscard]] OracleValues response(const RealNumbers& y) const {
     const std::size_t n = state().v.size();
     const std::size_t above = place_.field().rows - n;
@@ -161,7 +164,8 @@ class Projection {
     return defined_values(z);
   }
 
-  /// The right value of w.M z if z is the response to the changes y.
+  /// The right side of w.M z = ..., in which z = X y is the response to changes y of the columns'
+  /// variables.
   std::optional<cl_R> response_force(const RealNumbers& w, const RealNumbers& y) {
     const std::optional<Line> column = line_at(subject_.model, row().columns, 0);
     if (column && column->leaf == Opcode::input) return input_force(w, y);
@@ -172,7 +176,7 @@ class Projection {
     const auto n = static_cast<std::ptrdiff_t>(w.size());
     const RealNumbers rest(w.size(), cl_R(0));
     const bool by_velocity = row().name == "by_velocity";
-    const bool by_rates = by_velocity || y.size() > w.size();  // of states
+    const bool by_rates = by_velocity || y.size() > w.size();  // y changes velocities
     const RealNumbers x = by_velocity ? rest : RealNumbers(y.begin(), y.begin() + n);
     const RealNumbers rates = by_rates ? RealNumbers(y.end() - n, y.end()) : rest;
     const auto slope = oracle_residual_slope(subject_.model, moving, w, x, rates);
@@ -192,7 +196,7 @@ class Projection {
     const auto right = response_force(w, y);
     if (!left || !right) return {};
     const Mismatch wrong = compare_forces("w.M (X y) of " + field.name, *left, *right, oracle_);
-    // The rows above the accelerations are not solved for.
+    // The rows above the accelerations are not solved for, so they are compared directly.
     return wrong.text.empty() && field.rows > n ? compare_contraction(n) : wrong;
   }
 

@@ -1,5 +1,5 @@
-// Projections: one exact number per field and state, contracted with random rational directions.
-// Program and oracle both compute it at small cost.
+// Projections: contract the exact entries of a field with random rational directions to one number,
+// which the oracle computes at small cost, too.
 #pragma once
 
 #include "sample/points.hpp"
@@ -9,15 +9,17 @@
 
 namespace elgen {
 
-/// Compares the contraction of a field's exact entries with the oracle's, to 50 digits of
-/// sum |w_i y_j| E_ij. The text is empty if they agree or the oracle has no value. The program's
-/// entries may be undefined. Solutions are inserted into their equation, which needs no solving:
+/// Contracts the exact entries of a field with random directions w, y, and compares the number with
+/// the oracle's, to 50 digits relative to sum |w_i y_j| E_ij, E_ij the running error of entry ij.
+/// The result has an empty text if they agree, or if the oracle has no value. An undefined entry of
+/// the program is a mismatch if the oracle has a value. Solutions are inserted into the equation
+/// that they solve:
 ///
-///     every field:                  w.x, w.X y
-///     accelerations:                w.(M a + bias) = w.B u
-///     derivatives X of them:        w.M (X y) = -w.(slope of M a + bias - B u along y)
-///     derivatives by the inputs:    w.M (X y) = w.B y
-///     relative pivots:              each
+///     every other field:            w.x or w.X y
+///     accelerations a:              w.(M a + bias) = w.B u
+///     their derivatives X:          w.M (X y) = -w.(slope of M a + bias - B u along y)
+///     their derivatives by inputs:  w.M (X y) = w.B y
+///     relative pivots:              not contracted; each pivot is compared
 [[nodiscard]] Mismatch compare_projection(const Subject& subject, const FieldPlace& place,
                                           const ExactRun& run, OracleCache& oracle, Sampler& draw);
 

@@ -1,4 +1,4 @@
-// Visits: each function runs once; its fields are compared and measured.
+// Visits one state: runs each function once, compares its fields and measures their errors.
 #include "verify/bounds/visit.hpp"
 
 #include <fmt/format.h>
@@ -16,11 +16,12 @@
 namespace elgen {
 namespace {
 
-/// Digits of repeated runs at values that differ; each run doubles them.
+/// Decimal digits of the runs. If values differ, runs are repeated, each with twice the digits.
 constexpr unsigned digits_of_first_look = 64;
 constexpr unsigned digits_of_last_look = 1024;
 
-/// Irrational constants are known to 200 digits, so more digits decide nothing.
+/// The largest number of digits of a repeated run. Irrational constants have 200 digits, so more
+/// digits decide nothing.
 unsigned most_digits(const Program& program) {
   constexpr unsigned digits_of_constants = 256;
   const auto is_exact = [](const Constant& constant) { return is_rational(constant); };
@@ -28,10 +29,10 @@ unsigned most_digits(const Program& program) {
   return are_exact ? digits_of_last_look : digits_of_constants;
 }
 
-/// Two runs that agree are right if the first has this many digits. With fewer, 1 - cos(x) may be 0
-/// in both, and quotients by x^2 agree but are wrong. Second derivatives of such quotients contain
-/// powers of x up to the eighth. Parameters do not count, because they are near their nominal
-/// values.
+/// The number of digits from which two agreeing runs prove a difference. With fewer digits, 1 -
+/// cos(x) may be 0 in both runs, so that quotients by x^2 agree but are wrong. Second derivatives
+/// of such quotients contain powers of x up to the eighth. Parameters are ignored, because they are
+/// near their nominal values.
 double sufficient_digits(const State& state) {
   double farthest = 0;
   const auto look = [&farthest](Opcode kind, std::uint32_t, const cln::cl_R& x) {
@@ -60,7 +61,8 @@ Mismatch mismatch(std::size_t entry, const Real& value, const Real& truth) {
           value, truth};
 }
 
-/// The function with one field that a field of `dynamics` repeats; null if there is none.
+/// The function whose only field is the one that the given field of `dynamics` repeats; null if
+/// there is none.
 const Function* repeated_function(const Program& program, const FieldPlace& place) {
   if (!output_row(place.function->kind).is_summary) return nullptr;
   const auto found = std::ranges::find(program.functions, place.field().name, &Function::name);
@@ -129,7 +131,7 @@ Mismatch Visit<Scalar>::compare_with_entries(const FieldPlace& place,
   for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
     const Running<Real>& own = exact(place, i);
     Running<Real> other = others.entries[first + i];
-    // Outside of nominal states, one form may have a value while another is 0/0.
+    // Outside of the nominal states, one form may have a value although another is 0/0.
     const bool may_be_missing = sample_.region != Region::nominal || !own.value.is_defined();
     if (may_be_missing && !other.value.is_defined()) continue;
     other.error = other.error + own.error;
@@ -146,8 +148,8 @@ Mismatch Visit<Scalar>::differing_projection(const FieldPlace& place, Sampler& d
   const Function* const same = repeated_function(subject_.program, place);
   if (same != nullptr)
     return compare_with_entries(place, *same, 0, "the function of the same name");
-  // An undefined entry is compared with the oracle only. Outside of the domain its closed form may
-  // have a value although the solution has none.
+  // If an entry is undefined, the closed form is not compared: outside of the domain it may have a
+  // value although the solution has none.
   bool is_defined = true;
   for (std::size_t i = 0; i < place.field().entries.size(); ++i) {
     is_defined = is_defined && exact(place, i).value.is_defined();
@@ -228,7 +230,8 @@ CodeFinding Visit<Scalar>::compare_wide_code(const FieldPlace& place) const {
   });
 }
 
-/// Float rounds arguments and has a smaller range.
+/// True if float, as the inner scalar, holds all values: it has a smaller range than double and
+/// rounds the arguments.
 template <class Scalar>
 bool Visit<Scalar>::fits_inner_scalar() {
   in_float_.clear();
@@ -239,8 +242,8 @@ bool Visit<Scalar>::fits_inner_scalar() {
          std::ranges::none_of(run.entries, &Running<Real>::underflows);
 }
 
-/// Exact values have 60 digits of E. Smaller values and errors count as 0, and so do errors after
-/// an underflow. NaN and infinity lose all digits if an exact value exists.
+/// Exact values have 60 digits of E, so smaller values and errors count as 0. Errors after an
+/// underflow count as 0, too. NaN and infinity lose all digits if the exact value is defined.
 template <class Scalar>
 std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place) {
   static const Real negligible(power_of_ten(-45));
@@ -259,7 +262,8 @@ std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place) {
     references.push_back(abs(own.value) > unknown ? own.value : Real());
   }
   Loss loss = losses_.of_field(place, *exact_, errors, references);
-  // If the largest entry itself cancels, the rounding of the inputs excuses its error.
+  // Near a zero, even the largest entry may cancel; then its error comes from rounded inputs, and
+  // the smaller loss counts.
   double& of_field = loss.of_field.figure;
   if (sample_.region == Region::near_zero) of_field = std::min(of_field, loss.of_entry.figure);
   return loss;
@@ -300,7 +304,7 @@ auto Visit<Scalar>::found(const FieldPlace& place, Sampler& draw) -> Look {
   finding.regime = exact_->regime;
   finding.is_compared = has_values(finding.regime);
   finding.is_finite = has_finite_values(place);
-  // At nominal states the oracle is asked even so: if it has a value, the program must have one.
+  // At a nominal state the program must have a value if the oracle has one.
   if (!finding.is_compared && sample_.region != Region::nominal) return look;
   look.mismatch = options_.comparison == Comparison::entries ? differing_entry(place, finding)
                                                              : differing_projection(place, draw);
@@ -319,8 +323,8 @@ std::size_t work_of_state(const Subject& subject) {
   std::size_t work = 1;
   for (const Function& function : subject.program.functions) work += function.instructions.size();
   if (subject.model.constraints.empty()) return work;
-  // Elimination: n^3 operations on fractions whose digits grow with n. The factor 1/32 allows loops
-  // of a few bars all their states, and a chain of twelve rods (n = 36) five.
+  // Elimination: n^3 operations on fractions whose digits grow with n. With the factor 1/32, loops
+  // of a few bars are compared at all states, and a chain of twelve rods (n = 36) at five.
   const std::size_t n = subject.model.velocities.size() + subject.model.constraints.size();
   return work + n * n * n * n / 32;
 }

@@ -1,7 +1,7 @@
-// Visit: a program at one state, field by field. Its exact values must be the oracle's, which
-// checks the mathematics. Its rounded values must be finite; the digits that they lose are a
-// figure. Code as users compile it may round differently, within the running error E of the
-// program.
+// Visit: compares a program with the oracle at one state, field by field. The exact values must
+// equal the oracle's, which checks the mathematics. The rounded values must be finite; the digits
+// that they lose are only reported. Code as users compile it may round differently, within the
+// running error E of the program.
 #pragma once
 
 #include <map>
@@ -20,41 +20,42 @@
 
 namespace elgen {
 
-/// The bound for code as users compile it: program and code both round once per rounding in E.
+/// The bound for code as users compile it. Program and code both round once for each rounding in E:
 ///
 ///     |x_users - x| <= 16 u E + N eta
 ///
-/// N operations, eta the smallest denormal. Library functions have errors up to 4 u.
+/// N is the number of operations, eta the smallest denormal. The factor 16 allows for library
+/// functions with errors up to 4 u.
 inline constexpr double most_of_users = 16;
 
-/// The bound for code in a wider scalar, u' half its epsilon. It makes the roundings of E in the
-/// wider scalar, then one rounding to the scalar:
+/// The bound for code that computes in a wider scalar, u' half its epsilon. The wider scalar has
+/// the roundings of E; at the end the result is rounded to the scalar:
 ///
 ///     |x_wide - x*| <= u |x*| + 16 u' E + N eta
 ///
-/// The figure is the quotient of both sides, without N eta.
+/// The figure is the left side, less N eta, divided by u |x*| + 16 u' E.
 inline constexpr double most_of_wide = 1;
 
 /// How exact values are compared with the oracle's.
 enum class Comparison : std::uint8_t {
   entries,      ///< each entry
-  projections,  ///< one random contraction of a field, at the cost of a few evaluations of energies
+  projections,  ///< one random contraction per field, as cheap as a few evaluations of the energies
 };
 
 /// The error of compiled code, in the unit of its check.
 struct CodeFinding {
-  std::optional<double> error = {};  ///< the largest of all entries; none without such code
+  std::optional<double> error = {};  ///< the largest of all entries; none: no such code
   std::string mistake = {};          ///< an entry whose error exceeds the bound
 };
 
 /// The result of one field at one state.
 struct Finding {
-  Regime regime = Regime::regular;  ///< of the program, or of the oracle if it has no value
-  bool is_compared = false;         ///< exact values were compared with the oracle's
+  Regime regime = Regime::regular;  ///< of the program; undefined if the oracle has no value
+  bool is_compared = false;         ///< the exact values were compared with the oracle's
   bool is_finite = true;            ///< all rounded values are finite
   std::string mistake = {};  ///< an exact value differs from the oracle's, or a value is not finite
-  std::vector<double> errors = {};  ///< of non-zero entries, in ulp; of remainders in u E
-  std::optional<Loss> loss = {};    ///< none if it is not measured, or cannot be
+  std::vector<double> errors = {};  ///< of non-zero entries, in ulp; for remainders in u E
+  std::optional<Loss> loss = {};    ///< none if it is not measured or not defined
   CodeFinding users = {};           ///< |x_users - x| in u E
   CodeFinding wide = {};            ///< |x_wide - x*| / (u |x*| + 16 u' E)
 };
@@ -66,28 +67,28 @@ enum class LossStates : std::uint8_t { nowhere, inside_ranges, everywhere };
 struct VisitOptions {
   Comparison comparison = Comparison::entries;
   LossStates loss_states = LossStates::nowhere;  ///< states at which losses are measured
-  double least_loss = 0;  ///< smaller losses are not computed, because R is costly
-  const CompiledModel* as_users = nullptr;  ///< compared with the program; supports the scalar
-  const CompiledModel* wide = nullptr;      ///< compared with exact values; supports the scalar
+  double least_loss = 0;  ///< losses below this are not computed, because R is costly
+  const CompiledModel* as_users = nullptr;  ///< code as users compile it; may be null
+  const CompiledModel* wide = nullptr;      ///< code in a wider scalar; may be null
 };
 
-/// Scalar: double or float.
+/// Compares the fields of a program at one state. Scalar: double or float.
 template <class Scalar>
 class Visit {
  public:
-  /// All arguments must outlive the visit.
+  /// The references must stay valid as long as the visit.
   Visit(const Subject& subject, const SampledState<Scalar>& sample, const VisitOptions& options);
 
   [[nodiscard]] const State& state() const { return oracle_.state(); }
 
-  /// `draw` gives the directions of projections. Consecutive fields of one function share a run. If
-  /// exact values differ, program and oracle run again with twice the digits, up to 1000. A
-  /// difference that two such runs confirm is a mistake; without confirmation the field is
-  /// unsettled.
+  /// Compares one field. `draw` gives the directions of projections. Consecutive fields of one
+  /// function share a run. If exact values differ, program and oracle run again with twice the
+  /// digits, up to 1000. If two such runs confirm the difference, it is a mistake; otherwise the
+  /// regime is `unsettled`.
   [[nodiscard]] Finding look_at(const FieldPlace& place, Sampler& draw);
 
  private:
-  /// A finding; for a mistake also the two numbers that differ.
+  /// A finding, and for a mistake the two numbers that differ.
   struct Look {
     Finding finding = {};
     Mismatch mismatch = {};
@@ -95,25 +96,25 @@ class Visit {
 
   [[nodiscard]] Look found(const FieldPlace& place, Sampler& draw);
   void run(const FieldPlace& place);
-  /// Memoised exact runs.
+  /// The exact run of the function, memoised.
   const ExactRun& exact_run_of(const Function& function);
   [[nodiscard]] Mismatch differing_entry(const FieldPlace& place, Finding& finding);
   [[nodiscard]] Mismatch differing_projection(const FieldPlace& place, Sampler& draw);
-  /// Compares with the entries of another function from `first` on.
+  /// Compares with the entries first, first + 1, ... of another function, called `name` in texts.
   [[nodiscard]] Mismatch compare_with_entries(const FieldPlace& place, const Function& other,
                                               std::size_t first, std::string_view name);
   [[nodiscard]] bool has_finite_values(const FieldPlace& place) const;
   void measure(const FieldPlace& place, Finding& finding) const;
-  /// `reference_of`: the reference value of entry i, and the scale of its error, which is
-  /// multiplied by u.
+  /// The largest error of `values`, and the entry if the error exceeds `most`. `reference_of(i)`:
+  /// the reference value of entry i, and the scale s of its error, which is divided by u s.
   template <class Reference>
   [[nodiscard]] CodeFinding compare_code(const FieldPlace& place, const std::vector<Scalar>& values,
                                          double most, const Reference& reference_of) const;
   [[nodiscard]] CodeFinding compare_users_code(const FieldPlace& place) const;
   [[nodiscard]] CodeFinding compare_wide_code(const FieldPlace& place) const;
-  /// True if the inner scalar can hold all intermediate values; sets `in_float_`.
+  /// True if the inner scalar can hold all intermediate values. Fills `in_float_` if it is float.
   bool fits_inner_scalar();
-  /// None if an entry has no exact value.
+  /// The loss of a field; none if an entry has no exact value.
   [[nodiscard]] std::optional<Loss> measured_loss(const FieldPlace& place);
   [[nodiscard]] bool may_lose(const FieldPlace& place) const;
 
@@ -125,7 +126,7 @@ class Visit {
   const Subject& subject_;
   const SampledState<Scalar>& sample_;
   VisitOptions options_;
-  Sines<Scalar> sines_;  ///< as in emitted code
+  Sines<Scalar> sines_;  ///< with the algorithm of the emitted code
   OracleCache oracle_;
   Losses losses_;
   std::map<const Function*, ExactRun> exact_runs_ = {};
@@ -133,11 +134,12 @@ class Visit {
   const ExactRun* exact_ = nullptr;
   std::vector<Scalar> values_ = {};
   std::vector<Scalar> users_values_ = {};     ///< of the code as users compile it
-  std::vector<Scalar> wide_values_ = {};      ///< of code in a wider scalar; empty without it
-  std::vector<Running<Real>> in_float_ = {};  ///< the entries in float, if it is the inner scalar
+  std::vector<Scalar> wide_values_ = {};      ///< of code in a wider scalar; empty if there is none
+  std::vector<Running<Real>> in_float_ = {};  ///< entries in float, if it is the inner scalar
 };
 
-/// The cost of a state: instructions, and the oracle's exact solution of constrained equations.
+/// The cost of a state: the number of instructions, and the oracle's exact solution of constrained
+/// equations in the same unit.
 [[nodiscard]] std::size_t work_of_state(const Subject& subject);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Visits by several processes. Each process writes its findings to an unnamed file, which this
-// process reads after all have ended.
+// Visits states in several processes. Each process writes its findings to an unnamed file, which
+// this process reads when all processes have ended.
 #include <fmt/format.h>
 #include <sys/mman.h>
 
@@ -27,7 +27,8 @@ void for_each_member(AnyFinding& finding, const Pass& pass) {
       wide.mistake);
 }
 
-/// Findings of consecutive states, as bytes in memory. Forked processes write; this process reads.
+/// A file in memory with the findings of consecutive states. A forked process writes it; this
+/// process reads it.
 class FindingsFile {
  public:
   FindingsFile() : file_(::fdopen(::memfd_create("elgen", MFD_CLOEXEC), "w+")) {}
@@ -90,8 +91,9 @@ class FindingsFile {
   std::unique_ptr<std::FILE, Closing> file_;
 };
 
-/// A derivative of the dynamics costs the oracle as much as all other outputs together, n times.
-/// With more than three velocities, only every sixteenth state is due.
+/// True if the output is compared at this sample. The oracle's derivatives of the dynamics cost n
+/// times as much as all other outputs together, so with more than three velocities they are
+/// compared at every sixteenth sample.
 bool is_due(OutputKind kind, std::size_t velocities, std::size_t sample, Comparison comparison) {
   const bool is_costly = comparison == Comparison::entries && velocities > 3;
   return !is_costly || !output_row(kind).differentiates || sample % 16 == 0;
@@ -126,7 +128,7 @@ class Visits {
     return findings;
   }
 
-  /// False if a process failed; then `take` was not called.
+  /// False if a process failed; then `take` has not been called.
   [[nodiscard]] bool visit_in_processes(std::size_t jobs, const FindingsHandler& take) const {
     const std::vector<FindingsFile> files(jobs);
     if (!std::ranges::all_of(files, &FindingsFile::is_open)) return false;

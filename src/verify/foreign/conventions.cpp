@@ -1,4 +1,4 @@
-// A list of maps, and one way to apply them, which does not depend on the convention.
+// The list of conventions, and their maps in one form for all.
 #include "verify/foreign/conventions.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,8 @@ namespace {
 using cln::cl_R;
 using RealNumbers = std::vector<cl_R>;
 
-/// Limits the time: the pairs of more than eight coordinates would take the oracle minutes.
+/// Each convention costs one evaluation by the oracle per state. All pairs of more than eight
+/// coordinates would take minutes.
 constexpr std::size_t most_conventions = 300;
 constexpr std::size_t most_coordinates = 16;
 constexpr std::size_t most_permuted = 3;
@@ -46,13 +47,13 @@ IntegerMatrix transposed(const IntegerMatrix& a) {
 }
 
 Convention identity(const Model& model) {
-  // Single components of a quaternion have no meaning.
+  // For rotations no map is tried, because a single component of a quaternion has no meaning.
   const bool is_small = model.rotations.empty() && model.coordinates.size() <= most_coordinates;
   const std::size_t n = is_small ? model.coordinates.size() : 0;
   return {"", identity(n), identity(n), std::vector<int>(n), identity(model.inputs.size())};
 }
 
-/// The composition: first `b`, then `a`.
+/// First `b`, then `a`.
 Convention compose_conventions(const Convention& a, const Convention& b) {
   std::vector<int> half_turns = a.half_turns;
   for (std::size_t i = 0; i < half_turns.size(); ++i) {
@@ -64,7 +65,7 @@ Convention compose_conventions(const Convention& a, const Convention& b) {
           compose_permutations(b.inverse, a.inverse), half_turns, compose_permutations(a.U, b.U)};
 }
 
-/// Other directions and zeros, for each coordinate and input.
+/// For each coordinate and input, the conventions with another sign or, for angles, another zero.
 std::vector<std::vector<Convention>> choices(const Model& model) {
   const Convention same = identity(model);
   std::vector<std::vector<Convention>> all;
@@ -90,7 +91,8 @@ std::vector<std::vector<Convention>> choices(const Model& model) {
   return all;
 }
 
-/// Each angle relative to the one before, if ours are absolute; and the reverse.
+/// Two conventions: each angle relative to the previous angle; each angle absolute, the sum of our
+/// angles up to it.
 void add_relative_angles(const Model& model, std::vector<Convention>& all) {
   Convention relative = identity(model);
   relative.name = "each of its angles is relative to the previous angle";
@@ -125,7 +127,8 @@ void add_orders(const Model& model, std::vector<Convention>& all) {
   }
 }
 
-/// The map times each block of rows of x that has its size; the empty map does not change x.
+/// Multiplies each block of map.size consecutive rows of x by the map. An empty map does not change
+/// x.
 RealNumbers apply_map(const IntegerMatrix& map, const RealNumbers& x, std::size_t columns = 1) {
   const std::size_t n = map.size;
   if (n == 0) return x;
@@ -141,7 +144,7 @@ RealNumbers apply_map(const IntegerMatrix& map, const RealNumbers& x, std::size_
   return y;
 }
 
-/// x + sign pi c.
+/// x + sign pi c, c the half turns of the convention.
 RealNumbers add_half_turns(const Convention& convention, RealNumbers x, int sign) {
   const cl_R pi = (Real(4) * atan(Real(1))).value();
   for (std::size_t i = 0; i < convention.half_turns.size(); ++i) {
@@ -158,8 +161,8 @@ RealNumbers transposed(const RealNumbers& x, std::size_t columns) {
   return y;
 }
 
-/// The map of rows or columns that belong to leaves of a kind. Entries along coordinates transform
-/// as velocities or as forces.
+/// The map of rows or columns that belong to leaves of this kind; empty if they do not change. Rows
+/// along coordinates transform as velocities (S) or as forces (S^-T).
 IntegerMatrix map_of(const Convention& convention, std::optional<Opcode> leaf, bool as_velocities) {
   if (leaf == Opcode::input) return convention.U;
   if (leaf != Opcode::coordinate && leaf != Opcode::velocity) return {};

@@ -1,4 +1,4 @@
-// Conventions: choices of coordinates and inputs that other code may have made, all of the form
+// Conventions: other choices of coordinates and inputs, as foreign code may have. All have the form
 //
 //     q' = S q + pi c,   v' = S v,   a' = S a,   p' = S^-T p,   forces f' = S^-T f,   u' = U u
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace elgen {
 
-/// A square matrix of signs and small integers.
+/// A square matrix of small integers.
 struct IntegerMatrix {
   std::size_t size = 0;
   std::vector<int> entries = {};  ///< row by row
@@ -32,18 +32,19 @@ struct Convention {
   std::string name = {};  ///< "its `theta` is `theta + pi`"
   IntegerMatrix S = {};
   IntegerMatrix inverse = {};
-  std::vector<int> half_turns = {};  ///< c
-  IntegerMatrix U = {};              ///< its own inverse
+  std::vector<int> half_turns = {};  ///< c, by coordinate
+  IntegerMatrix U = {};              ///< diagonal of signs, so it is its own inverse
 };
 
-/// Signs and half turns of one coordinate or input, then of two; relative and absolute angles;
-/// other orders of up to three coordinates. For models with rotations: signs of inputs only.
+/// The conventions that are tried: another sign or zero of one coordinate or input; relative or
+/// absolute angles; other orders of up to three coordinates; then pairs of the first kind. For
+/// models with rotations, only the signs of inputs.
 [[nodiscard]] std::vector<Convention> conventions(const Model& model);
 
-/// Our state, given the state in their convention.
+/// Converts a state from their convention to ours.
 [[nodiscard]] State our_state(const Convention& convention, State theirs);
 
-/// Our values of a field of an output, in their convention.
+/// Converts our values of one field of an output to their convention.
 [[nodiscard]] std::vector<cln::cl_R> their_values(const Model& model, const Convention& convention,
                                                   const OutputRequest& output,
                                                   const ForeignField& field,

@@ -1,4 +1,4 @@
-// The size of an answer decides which fields it has, because a list of numbers has no names.
+// A list of numbers has no names, so its size decides which fields it contains.
 #include "verify/foreign/fields.hpp"
 
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-// Fields: the fields of an output to which the numbers of foreign code belong.
+// Fields: finds the fields of an output to which the numbers of foreign code belong.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// A field of an output: its shape, and the index of its first entry among the oracle's.
+/// A field of an output: its shape, and the index of its first entry among the oracle's values.
 struct ForeignField {
   const FieldRow* row = nullptr;
   std::size_t first = 0;
@@ -23,27 +23,32 @@ struct ForeignField {
 };
 using ForeignFields = std::vector<ForeignField>;
 
-/// The non-empty fields that the model has; no remainders for a method that does not iterate.
+/// The non-empty fields of an output. Remainders are included only for a method that iterates.
 [[nodiscard]] ForeignFields fields_of(const Model& model, const OutputRequest& output);
 
 /// The number of entries of all fields.
 [[nodiscard]] std::size_t size_of(const ForeignFields& fields);
 
-/// The fields of an answer of `count` numbers. The first choice that fits: the first field, all
-/// without pivots and remainders, all, or a single other field. Empty: none fits.
+/// The fields of an answer of `count` numbers: the first of the following choices that has this
+/// size, empty if none has.
+///     the first field
+///     all fields without pivots and remainders
+///     all fields
+///     one other field
 [[nodiscard]] ForeignFields answered_fields(const ForeignFields& fields, std::size_t count);
 
-/// The fields of a claim; E601 or E603 if it has none.
+/// The field that the claim names, or all fields of its output. E601 if the output or the field
+/// does not exist; an error with the reason repeats_outputs for `dynamics`.
 [[nodiscard]] Result<ForeignFields> claimed_fields(const CheckedModel& checked,
                                                    const ForeignClaim& claim);
 
-/// "A, B"
+/// The names of the fields: "A, B".
 [[nodiscard]] std::string names_text(const ForeignFields& fields);
 
-/// "A (4), B (2)": the fields with their sizes.
+/// The names and sizes of the fields: "A (4), B (2)".
 [[nodiscard]] std::string sizes_text(const ForeignFields& fields);
 
-/// "forward_dynamics.acceleration[theta]"
+/// The name of an entry: "forward_dynamics.acceleration[theta]".
 [[nodiscard]] std::string name_of_entry(const Model& model, const OutputRequest& output,
                                         const ForeignField& field, std::size_t entry);
 

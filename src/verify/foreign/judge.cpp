@@ -1,5 +1,5 @@
-// compare_foreign_code: compares answers with the oracle and explains in which situations they are
-// wrong.
+// compare_foreign_code: compares the answers of foreign code with the oracle, and searches for the
+// mistake if they are wrong.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ struct ForeignSample {
   std::vector<double> answer;
 };
 
-/// The entry with the largest error, relative to the largest entry of its field.
+/// The largest error of an answer, relative to the largest entry of its field.
 struct Deviation {
   double error = 0;
   std::size_t place = 0;  ///< index in the answer
@@ -44,25 +44,25 @@ struct Deviation {
   std::size_t entry = 0;  ///< index in the field
 };
 
-/// A thousand roundings of 2^-24.
+/// A thousand roundings of float, each 2^-24.
 constexpr double digits_of_float = 6e-5;
 
-/// The entries of one field in the list of all entries.
+/// The entries first, ..., first + size - 1.
 RealNumbers part_of(const RealNumbers& values, std::size_t first, std::size_t size) {
   const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
   return {begin, begin + static_cast<std::ptrdiff_t>(size)};
 }
 
-/// True if some field may be pure rounding: terms up to 1e30 that cancel in 64 digits.
+/// True if a field has only rounding errors: terms of up to 1e30 that cancel in 64 digits.
 bool may_be_rounding(const RealNumbers& largest) {
   return std::ranges::any_of(largest,
                              [](const cl_R& x) { return !cln::zerop(x) && x < power_of_ten(-30); });
 }
 
-/// The row of one claim: answers are compared with the oracle, then explained.
+/// Compares the answers to one claim with the oracle, and explains the differences.
 class ForeignComparison {
  public:
-  /// `fields`: the fields of the claim; `is_moved`: states are moved onto the constraints.
+  /// `fields`: the fields of the claim. `is_moved`: states are projected onto the constraints.
   ForeignComparison(const Subject& subject, const ForeignOptions& options,
                     const OutputRequest& output, ForeignFields fields, bool is_moved)
       : subject_(subject),
@@ -71,7 +71,7 @@ class ForeignComparison {
         fields_(std::move(fields)),
         is_moved_(is_moved) {}
 
-  /// The row; E716 if the code does not run.
+  /// The row of the claim; E716 if the code does not run.
   Result<CertificateRow> judge(const ForeignClaim& claim) {
     states_ = states_of(subject_, options_, output_.kind, is_moved_);
     row_.check = "foreign code vs oracle";
@@ -114,8 +114,8 @@ class ForeignComparison {
     return row_;
   }
 
-  /// The oracle's entries of the compared fields. If terms cancel, more digits distinguish a value
-  /// from rounding.
+  /// The oracle's entries of the compared fields. If a field may be pure rounding error, they are
+  /// computed with more digits.
   [[nodiscard]] OracleValues truth_at(const State& state) const {
     OracleValues truth = compared_entries(oracle_values(subject_.model, output_, state));
     if (!truth || !may_be_rounding(largest_by_field(*truth))) return truth;
@@ -148,7 +148,7 @@ class ForeignComparison {
   [[nodiscard]] Deviation deviation(const std::vector<double>& answer,
                                     const RealNumbers& truth) const;
 
-  /// True if the code gives these values at all states.
+  /// True if the code's answers agree with `expected` at all samples.
   [[nodiscard]] bool agrees(
       const std::function<OracleValues(const ForeignSample&)>& expected) const {
     return std::ranges::all_of(samples_, [&](const ForeignSample& sample) {
@@ -173,12 +173,12 @@ class ForeignComparison {
   const Subject& subject_;
   const ForeignOptions& options_;
   const OutputRequest& output_;
-  ForeignFields fields_;  ///< of the claim; after the call, of the answers
+  ForeignFields fields_;  ///< of the claim; once the code has answered, of the answers
   bool is_moved_;
   ForeignStates states_ = {};
   CertificateRow row_ = {};
   std::vector<ForeignSample> samples_ = {};
-  RealNumbers least_scales_ = {};  ///< lower bounds of the scales, by field
+  RealNumbers least_scales_ = {};  ///< by field: lower bound of the scale of errors
   Tally tally_ = {};
   std::array<std::optional<bool>, situation_count> wrong_ = {};  ///< none: not compared
 };
@@ -203,8 +203,8 @@ Deviation ForeignComparison::deviation(const std::vector<double>& answer,
   return worst;
 }
 
-/// True if every state has an answer of the right size. Otherwise the row fails and names the first
-/// state without an answer. Answers do not count if the code fails after the last one.
+/// True if the code gave an answer of the right size for each state and did not fail afterwards.
+/// Otherwise the row fails, and names the first state without such an answer.
 bool ForeignComparison::has_all_answers(const ForeignAnswers& answers, const States& states) {
   const ForeignFields claimed = fields_;
   const std::size_t count = answers.values.empty() ? 0 : answers.values.front().size();
@@ -230,8 +230,8 @@ bool ForeignComparison::has_all_answers(const ForeignAnswers& answers, const Sta
   return false;
 }
 
-/// If all entries of a field at a state are smaller than 1e-6 of the largest at all states, errors
-/// are relative to this bound: terms that cancel exactly leave 1e-16 of the largest.
+/// Errors are relative to the largest entry of the field at the state, or to 1e-6 of its largest
+/// entry at all states if this is larger: terms that cancel exactly leave 1e-16 of the largest.
 void ForeignComparison::compare(const ForeignAnswers& answers) {
   least_scales_.assign(fields_.size(), 0);
   for (std::size_t i = 0; i < states_.values.size(); ++i) {
@@ -282,8 +282,8 @@ std::string ForeignComparison::wrong_situations() const {
   return "wrong only if parameters are varied; agrees at the parameters of the file";
 }
 
-/// Names the parameters that the code ignores. `changed`: parameters that differ from the first
-/// state, one for each state behind the compared ones.
+/// Names the parameters that the code ignores. `changed`: the parameters whose values differ from
+/// those of the first state; each has one state, after the compared states.
 std::string ForeignComparison::ignored_parameters(const ForeignAnswers& answers,
                                                   const States& states,
                                                   const std::vector<std::uint32_t>& changed) const {
@@ -302,7 +302,8 @@ std::string ForeignComparison::ignored_parameters(const ForeignAnswers& answers,
   return names.empty() ? "" : fmt::format("ignores {}", fmt::join(names, ", "));
 }
 
-/// A common quotient of all entries at all states: another unit, sign, length or inertia.
+/// If all entries at all states have the same quotient to the oracle's: this quotient in words. The
+/// cause may be another unit, sign, length or inertia.
 std::string ForeignComparison::factor() const {
   const ForeignSample& first = samples_.front();
   const auto largest = std::ranges::max_element(first.truth, std::ranges::less(),
@@ -344,7 +345,7 @@ LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outpu
   return leaves;
 }
 
-/// Without compared states, the findings describe the answers.
+/// If no state was compared, row.worst describes the answers.
 Diagnostic disagreement(const Model& model, const CertificateRow& row) {
   const std::string name = in_backticks(row.subject);
   const std::string found = fmt::format("{}", fmt::join(row.findings, "; "));
@@ -352,8 +353,8 @@ Diagnostic disagreement(const Model& model, const CertificateRow& row) {
   return {Code::E717, {}, name + " " + row.worst + (found.empty() ? "" : "; " + found)};
 }
 
-/// The row of one claim. Code that fails on the constraints is also judged off them, because an
-/// output such as x^2 + y^2 - l^2 is pure rounding on them.
+/// The row of one claim. Code that fails at states on the constraints is also compared at other
+/// states, because an output such as x^2 + y^2 - l^2 is pure rounding error on the constraints.
 Result<CertificateRow> claim_row(const Subject& subject, const ForeignOptions& options,
                                  const ForeignFields& fields, const ForeignClaim& claim) {
   const OutputRequest& output = *find_request(subject.scene, claim.output);

@@ -1,4 +1,4 @@
-// States are drawn inside the declared ranges, then changed as their situation requires.
+// Draws states inside the declared ranges, then changes them for their situation.
 #include "verify/foreign/situations.hpp"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ Arguments<double> state_in(Situation situation, const Subject& subject,
   return state;
 }
 
-/// Moves the state onto the constraints; false if no step of Newton's method reaches them.
+/// Projects q and v onto the constraints; false if Newton's method does not converge.
 bool meet_constraints(const Subject& subject, OutputKind output, Arguments<double>& state) {
   const State drawn = exact_state(subject, state);
   std::optional<State> kept = move_onto_constraints(subject.model, drawn);

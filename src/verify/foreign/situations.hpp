@@ -1,5 +1,5 @@
-// Situations: at rest, moving, driven and so on. The situations in which code is wrong show its
-// mistake.
+// Situations: the states at which foreign code is called, in groups such as "at rest" or "moving".
+// The groups in which the code is wrong show its mistake.
 #pragma once
 
 #include <cstddef>
@@ -12,26 +12,33 @@
 
 namespace elgen {
 
-/// States take turns in the situations. `driven`: with inputs and accelerations, but without rates.
+/// The kinds of states, used in turn:
+///
+///     whole     velocities, accelerations and inputs are random
+///     rest      all of these are 0
+///     driven    velocities and momenta are 0
+///     moving    accelerations and inputs are 0
+///     varied    as whole, with parameters between half and twice their values
 enum class Situation : std::uint8_t { whole, rest, driven, moving, varied };
 inline constexpr std::size_t situation_count = 5;
 
-/// The drawn states at which foreign code is called.
+/// The states at which foreign code is called.
 struct ForeignStates {
   std::vector<Arguments<double>> values = {};
   std::vector<Situation> situations = {};
-  std::size_t unmet = 0;  ///< skipped: no step of Newton's method reaches the constraints
+  std::size_t unmet = 0;  ///< states without a projection onto the constraints; skipped
 };
 
-/// The drawn states for an output; `is_moved`: moved onto the constraints.
+/// Draws the states for an output; `is_moved`: projected onto the constraints.
 [[nodiscard]] ForeignStates states_of(const Subject& subject, const ForeignOptions& options,
                                       OutputKind output, bool is_moved);
 
-/// "inputs", "accelerations" or both: the ones that the output takes.
+/// "inputs", "accelerations" or "inputs or accelerations", whichever the output takes; "inputs" if
+/// it takes neither.
 [[nodiscard]] std::string_view drive_of(const OutputRequest& output);
 
-/// For each parameter that no scene fixes, appends a copy of the first state with another value of
-/// this parameter. Returns these parameters.
+/// For each parameter that the scene does not fix, appends a copy of the first state in which this
+/// parameter has another value. Returns the parameters.
 [[nodiscard]] std::vector<std::uint32_t> add_changed_parameters(
     const Subject& subject, std::vector<Arguments<double>>& states);
 

@@ -1,4 +1,5 @@
-// Kinks: the side is the sign of the argument, or of the difference of both arguments.
+// The side of a kink is the sign of the function's argument; for min and max, the sign of the first
+// argument minus the second.
 #include "verify/states/kinks.hpp"
 
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
-// Zeros of sums: searches |sum| on ever finer grids along one coordinate, which finds zeros with
-// and without a change of sign.
+// Finds zeros of sums along one coordinate: minimises |sum| on finer and finer grids. This finds
+// zeros with and without a change of sign.
 #include "verify/states/near_zeros.hpp"
 
 #include <algorithm>
@@ -16,19 +16,19 @@ namespace {
 
 constexpr std::size_t most_states = 64;
 constexpr std::size_t distances = 3;
-/// A search takes about 300 evaluations and gives three states.
+/// About 300 evaluations find a zero, which gives three states.
 constexpr std::size_t evaluations_per_state = 256;
-/// Evaluations times expressions: about a second.
+/// Limit of evaluations times the model's expressions: about a second.
 constexpr std::size_t most_work = 1 << 20;
 
 constexpr int cells = 16;
-constexpr int grids =
-    18;  ///< each eight times as fine as the last: 8^-18 is less than a double's u
-/// A fraction of the largest |sum| on the first grid. Rounding to double leaves 1e-16 at a zero; a
-/// sum that stays above this fraction loses few digits.
+constexpr int grids = 18;  ///< each 8 times finer than the last; 8^-18 is less than u of a double
+/// A sum is 0 if it is below this fraction of the largest |sum| on the first grid. At a zero,
+/// rounding of the coordinate to double leaves 1e-16; a sum that stays above 1e-10 loses few
+/// digits.
 constexpr double vanishing = 1e-10;
 
-/// A sum that depends on positions only: rates are random, or 0.
+/// A typed sum that contains coordinates, but no velocities, accelerations, momenta or open values.
 struct PositionSum {
   ExpressionId id = 0;
   std::set<std::uint32_t> coordinates = {};
@@ -39,7 +39,7 @@ std::vector<PositionSum> typed_sums(const Model& model) {
       Opcode::velocity | Opcode::acceleration | Opcode::open_value | Opcode::momentum;
   std::vector<PositionSum> sums;
   for (const ExpressionId id : reachable_from(model, equation_roots(model))) {
-    if (sums.size() == most_states) break;  // no more sums can be visited
+    if (sums.size() == most_states) break;  // each sum gives at least one state
     if (model.expressions[id].kind != ExpressionKind::add || contains_leaf(model, id, others))
       continue;
     PositionSum sum{id};
@@ -56,7 +56,7 @@ std::vector<PositionSum> typed_sums(const Model& model) {
 
 class NearZeros {
  public:
-  /// `ratio`: the quotient of consecutive distances.
+  /// `ratio`: the quotient of successive distances from a zero.
   NearZeros(const Subject& subject, const Sampling& sampling, double ratio)
       : subject_(subject),
         ratio_(ratio),
@@ -71,7 +71,8 @@ class NearZeros {
     Arguments<double> common = drawn_within(subject_, ranges_, draw_);
     std::set<std::uint32_t> held;
     for (const PositionSum& sum : sums) add_zero_of(sum, common, held);
-    // The number of distances is odd, so two rounds cover each at rest and in motion.
+    // The number of distances is odd, so the second round puts at rest the distances that the first
+    // round put in motion.
     for (int i = 0; i < 2 && !held.empty(); ++i) add_near(common, held);
     for (const PositionSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {
@@ -85,7 +86,7 @@ class NearZeros {
   }
 
  private:
-  /// Infinite if the sum has no value, or if no evaluations remain.
+  /// |sum|; infinite if the sum is undefined, or if no evaluations remain.
   double size_of(const PositionSum& sum, const Arguments<double>& at) {
     constexpr double none = std::numeric_limits<double>::infinity();
     if (evaluations_left_ == 0) return none;
@@ -94,7 +95,7 @@ class NearZeros {
     return value ? to_double(cln::abs(*value)) : none;
   }
 
-  /// Moves one coordinate to the smallest |sum|; true if the sum is zero there.
+  /// Minimises |sum| over one coordinate, which it changes in `at`; true if the minimum is 0.
   bool move_to_zero(const PositionSum& sum, std::uint32_t coordinate, Arguments<double>& at) {
     auto [low, high] = ranges_.q[coordinate];
     double place = at.q[coordinate];
@@ -117,7 +118,8 @@ class NearZeros {
     return largest > 0 && smallest <= vanishing * largest;
   }
 
-  /// Makes one more sum 0 by moving a coordinate that no earlier sum depends on.
+  /// Moves `common` to a zero of one more sum, by a coordinate that is not in `held`. Then adds the
+  /// coordinates of the sum to `held`.
   void add_zero_of(const PositionSum& sum, Arguments<double>& common,
                    std::set<std::uint32_t>& held) {
     Arguments<double> at = common;
@@ -129,7 +131,8 @@ class NearZeros {
     }
   }
 
-  /// Moves each coordinate by a different fraction, so that no two stay equal.
+  /// Adds a state at each distance from the zero. Each coordinate moves by a different fraction, so
+  /// that equal coordinates become different.
   void add_near(const Arguments<double>& zero, const std::set<std::uint32_t>& coordinates) {
     double distance = 1;
     for (std::size_t i = 0; i < distances; ++i) {
@@ -147,7 +150,7 @@ class NearZeros {
     }
   }
 
-  /// Moves x by a fraction of max(|x|, min(1, half the range)).
+  /// x plus `distance` times max(|x|, min(1, half the range)); minus if that leaves the range.
   static double nearby_value(double x, double distance, const Range& range) {
     const double change =
         distance * std::max(std::abs(x), std::min(1.0, range.high / 2 - range.low / 2));
@@ -169,8 +172,8 @@ class NearZeros {
 template <class Scalar>
 std::vector<SampledState<Scalar>> states_near_zeros(const Subject& subject,
                                                     const Sampling& sampling) {
-  // Down to distances of 1e-12, or 1e-6 in float: closer, differences of the scalar have few
-  // digits.
+  // Distances decrease to 1e-12, or 1e-6 in float. At smaller distances, differences in the scalar
+  // have few digits.
   constexpr double ratio = std::is_same_v<Scalar, float> ? 1e-2 : 1e-4;
   std::vector<SampledState<Scalar>> states;
   for (const SampledState<double>& state : NearZeros(subject, sampling, ratio).make()) {

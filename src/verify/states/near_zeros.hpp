@@ -1,6 +1,6 @@
 // States near zeros of the sums that a model's author typed: (x - 1)^2 + (y - 0.3)^2 near (1, 0.3).
-// Code that expanded such a sum loses digits near its zero. Model and oracle alone determine these
-// states.
+// Code that expanded such a sum loses digits near its zero. The states depend on the model and the
+// oracle only, not on the program.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace elgen {
 
-/// Three distances from each zero, inside the ranges: first near a common zero of as many sums as
-/// possible, then near zeros of each sum along one coordinate. Every second state is at rest,
-/// because random accelerations hide digits that a holding force loses. At most `sampling.count`
-/// and at most 64 states.
+/// States at three distances from each zero, inside the ranges: first near a common zero of as many
+/// sums as possible, then near zeros of each sum along one coordinate. Every second state is at
+/// rest, because random accelerations hide the digits that a holding force loses. At most
+/// min(sampling.count, 64) states.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> states_near_zeros(const Subject& subject,
                                                                   const Sampling& sampling);

@@ -1,4 +1,5 @@
-// Tally: the largest of many figures, its state, and the number of states without a figure.
+// Tally: the largest of many figures, the state that has it, and the number of states without a
+// figure.
 #pragma once
 
 #include <cmath>
@@ -12,7 +13,7 @@ namespace elgen {
 
 class Tally {
  public:
-  /// True if the figure is the worst so far.
+  /// Adds a figure; true if it is the worst so far.
   bool add(double figure, const State& state) {
     ++samples_;
     // A NaN is worse than any number.
@@ -28,12 +29,12 @@ class Tally {
   [[nodiscard]] std::string where(const Subject& subject) const {
     return worst_state_ ? describe(subject, *worst_state_) : std::string();
   }
-  /// Skipped if nothing was sampled; a NaN fails.
+  /// `skipped` without figures; otherwise `holds` if no figure exceeds the tolerance. A NaN fails.
   [[nodiscard]] Verdict verdict(double tolerance) const {
     if (samples_ == 0) return Verdict::skipped;
     return worst_ <= tolerance ? Verdict::holds : Verdict::fails;
   }
-  /// Writes the result into a row; `obstacle`: the reason for skipped states.
+  /// Writes counts, worst state and verdict into a row. `obstacle`: why states were skipped.
   void write_result(CertificateRow& row, const Subject& subject, double tolerance,
                     Obstacle obstacle = Obstacle::undefined) const {
     row.samples = samples_;

@@ -1,5 +1,5 @@
-// Compares the numerators of both forms over one denominator; if their denominators are different
-// sums, compares the denominators.
+// Compares the numerators of both forms over one denominator. If the denominators are different
+// sums, compares the denominators instead.
 #include "verify/structure/differing_terms.hpp"
 
 #include <fmt/ranges.h>
@@ -17,12 +17,12 @@
 namespace elgen {
 namespace {
 
-/// The limit of products of terms per comparison: some milliseconds. Textbook equations need less
-/// than a tenth.
+/// Limit of the products of terms in one comparison: some milliseconds. Textbook equations need
+/// less than a tenth.
 constexpr std::size_t most_work_of_terms = 20'000;
-/// More differing terms are not a slip of the pen.
+/// With more differing terms, the form is not just mistyped, and no terms are reported.
 constexpr std::size_t most_reported_terms = 4;
-/// The limit of `elgen diff`.
+/// The same limit as in `elgen diff`.
 constexpr std::size_t longest_form = 100;
 
 bool is_no_angle(const Atom& atom) { return atom.kind != AtomKind::circular; }
@@ -45,7 +45,7 @@ std::string times_text(const cln::cl_RA& times) {
   return fmt::format("has {} {} its factor", number_text(times), is_part ? "of" : "times");
 }
 
-/// The terms of both forms over one denominator.
+/// The differing terms of both forms over one denominator; none if the budget is exceeded.
 std::optional<DifferingTerms> terms_over_one(Algebra& algebra, const Fraction& right,
                                              const Fraction& written) {
   Arithmetic arithmetic(algebra, most_work_of_terms);
@@ -87,8 +87,8 @@ bool has_divisor(const Fraction& form, std::uint32_t factor, std::int32_t expone
   return found != form.denominator.end() && found->second >= exponent;
 }
 
-/// True if the rest of both forms has only divisors that both forms have. Then the terms occur in
-/// the written forms.
+/// True if the terms occur in the forms as written: both forms minus these terms have only divisors
+/// that both forms have.
 bool occur_in_forms(Algebra& algebra, const Fraction& right, const Fraction& written,
                     const DifferingTerms& terms) {
   Arithmetic arithmetic(algebra, most_work_of_terms);
@@ -100,7 +100,8 @@ bool occur_in_forms(Algebra& algebra, const Fraction& right, const Fraction& wri
          });
 }
 
-/// The difference of the written denominator from the one for which the written numerator is right.
+/// Compares the written denominator with the denominator that the written numerator needs; none if
+/// the latter is not a sum.
 std::optional<DifferingTerms> terms_of_denominators(Algebra& algebra, const Fraction& right,
                                                     const Fraction& written) {
   Arithmetic arithmetic(algebra, most_work_of_terms);

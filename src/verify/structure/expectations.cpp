@@ -1,6 +1,6 @@
-// Expectations: proved if possible. Otherwise they are compared to 45 digits at 64 random points,
-// and at more points if these miss a side of a kink. Then the row says "sampled", which is no
-// proof.
+// Proves expectations if possible. Otherwise compares them to 45 digits at 64 random points, and at
+// more points if these lie on one side of a kink only. Then the row says "sampled", because this is
+// no proof.
 #include "verify/structure/expectations.hpp"
 
 #include <fmt/format.h>
@@ -23,18 +23,20 @@ namespace {
 using cln::cl_R;
 
 constexpr std::size_t point_count = 64;
-/// The oracle has 60 digits; fifteen may cancel in each form.
+/// The oracle has 60 digits; in each form cancellation may cost 15.
 constexpr double tolerance = 1e-45;
 constexpr const char* sampled_reason = "1e-45 of the largest entry: sampled, no proof";
 constexpr const char* proof = "proved: both have the same canonical sum";
 constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
 constexpr const char* proof_of_equation = "proved: along the motion it is the empty canonical sum";
-/// Equations contain accelerations everywhere or nowhere, except at kinks, so few states suffice.
+/// An equation contains accelerations at all states or at none, except at kinks, so few states
+/// suffice.
 constexpr std::size_t states_of_rank = 8;
-/// A form that holds for the file's values only is an identity in the state, so few states suffice.
+/// With the file's parameter values, a form either holds at all states or fails at most of them, so
+/// few states suffice.
 constexpr std::size_t states_of_values = 16;
 
-/// The states at which the model is sampled, and the sides of kinks that they miss.
+/// The states at which expectations are sampled, and the kinks that have states on one side only.
 struct SamplingStates {
   std::vector<State> states = {};
   std::string unseen = {};
@@ -80,7 +82,8 @@ CertificateRow proved_row(const ExpectedEntry& entry) {
   return row;
 }
 
-/// The value of the file and the derived value at a state, and the scale of their difference.
+/// The value of the written form and the derived value at a state, and the scale of their
+/// difference.
 struct Sample {
   cl_R written;
   cl_R derived;
@@ -106,11 +109,11 @@ Diagnostic nothing_compared(const ExpectedEntry& entry) {
           "declare a `range` inside the domain"};
 }
 
-/// A state and the oracle's values of the output; for a rate the state alone.
+/// A state and the oracle's values of the output; for rates and equations only the state.
 struct SampledPoint {
   State state;
   OracleValues entries = {};
-  cl_R scale = 0;  ///< scale of zero: the largest entry of the output and of M
+  cl_R scale = 0;  ///< the largest entry of the output and of M; errors are relative to it
 };
 
 SampledPoint derived_at(const Model& model, const OutputRequest& request, const State& state) {
@@ -129,7 +132,8 @@ std::optional<Sample> value_sample(const ExpectedEntry& entry, const SampledPoin
   return Sample{*written, (*derived.entries)[index], cln::max(derived.scale, cln::abs(*written))};
 }
 
-/// The state with its accelerations; none if M is singular, or if the constraints cannot be met.
+/// The state with the accelerations of the motion; none if M is singular, or if the constraints
+/// cannot be satisfied.
 std::optional<State> motion_at(const Model& model, const State& start) {
   std::optional<State> state = move_onto_constraints(model, start);
   if (!state) return std::nullopt;
@@ -140,7 +144,7 @@ std::optional<State> motion_at(const Model& model, const State& start) {
   return state;
 }
 
-/// The same with zero inputs, and with the momenta and the energy of that state.
+/// motion_at() with zero inputs, and with the momenta and the energy of the resulting state.
 std::optional<State> free_motion(const Model& model, State start) {
   for (cl_R& u : start.u) u = 0;
   std::optional<State> state = motion_at(model, start);
@@ -153,8 +157,8 @@ std::optional<State> free_motion(const Model& model, State start) {
   return state;
 }
 
-/// The value f(a) of a function of the acceleration. Its scale is `size` + |f(0)| + the sum over i
-/// of |f(sizes_i e_i) - f(0)|.
+/// The value f(a) at the motion's acceleration a, in the result's `written`. Its scale is `size` +
+/// |f(0)| + sum over i of |f(sizes_i e_i) - f(0)|, e_i the unit vectors.
 template <class F>
 std::optional<Sample> sample_of_parts(const F& f, const State& motion, const cl_R& size,
                                       const std::vector<cl_R>& sizes) {
@@ -174,13 +178,15 @@ std::optional<Sample> sample_of_parts(const F& f, const State& motion, const cl_
   return result;
 }
 
-/// de/dt along the motion, relative to the size of its terms and to |e|; for an equation e itself.
+/// Conserved quantity e: de/dt along the motion, with the scale |e| plus the terms of de/dt.
+/// Equation e: its value along the motion, with the scale of its terms.
 std::optional<Sample> motion_sample(const ExpectedEntry& entry, const State& motion) {
   const Model& model = entry.subject.model;
   const ExpressionId id = entry.expression();
   const auto value = [&](const State& at) { return oracle_expression(model, id, at); };
   if (entry.of.is_equations()) {
-    // A zero acceleration has rounding errors of the size of the largest one.
+    // An acceleration that is exactly 0 has rounding errors of the size of the largest
+    // acceleration.
     const std::vector<cl_R> largest(motion.a.size(), largest_of(motion.a));
     return sample_of_parts(value, motion, 0, largest);
   }
@@ -194,7 +200,7 @@ bool needs_motion(const Expectation& expectation) {
   return expectation.is_conserved() || expectation.is_equations();
 }
 
-/// The points at which one expectation is sampled.
+/// The points at which an expectation is sampled.
 std::vector<SampledPoint> points_of(const Model& model, const Expectation& expectation,
                                     const std::vector<State>& states) {
   const auto request = find_request(model, expectation.output);
@@ -211,9 +217,10 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
   return points;
 }
 
-/// The difference of the forms; "" if a form is missing or the text is too long to read.
+/// The difference of the written form from the derived one; "" if a form is missing or the text is
+/// too long.
 std::string difference_text(const ExpectedEntry& entry, Proofs& proofs) {
-  // Typed quotients are reported as quotients, not as Stumpff functions.
+  // Quotients that the author typed are reported as quotients, not as Stumpff functions.
   if (!entry.subject.model.typed.empty() && proofs.quotients() != nullptr) {
     Proofs by_quotients(entry.subject, proofs.quotients());
     return difference_text(entry, by_quotients);
@@ -242,8 +249,8 @@ double error_of(const Sample& sample) {
   return quotient(sample.written - sample.derived, sample.scale);
 }
 
-/// True if an entry that is wrong elsewhere holds at these states with the parameters of the file.
-/// Example: 5/7 g sin(alpha) of a homogeneous ball.
+/// True if a wrong entry holds at these points with the file's values of the parameters. Example:
+/// 5/7 g sin(alpha) of a homogeneous ball.
 bool holds_at_values(const ExpectedEntry& entry, const std::vector<SampledPoint>& points) {
   const Model& model = entry.subject.model;
   const State nominal = nominal_state(model, {});
@@ -261,7 +268,8 @@ bool holds_at_values(const ExpectedEntry& entry, const std::vector<SampledPoint>
   return held > 0 && !model.parameters.empty();
 }
 
-/// The difference of a wrong entry, and whether it holds for the file's values.
+/// The difference of a wrong entry from the derived one, and a note if the entry holds with the
+/// file's values of the parameters.
 std::string hint_of(const ExpectedEntry& entry, Proofs& proofs,
                     const std::vector<SampledPoint>& points) {
   std::string hint = difference_text(entry, proofs);
@@ -270,13 +278,13 @@ std::string hint_of(const ExpectedEntry& entry, Proofs& proofs,
   return hint + "it holds for the parameter values of the file";
 }
 
-/// The points at which entries are sampled, and the sides of kinks that no point lies on.
+/// The points at which entries are sampled, and the kinks that have points on one side only.
 struct SampledPoints {
   const std::vector<SampledPoint>& points;
   const std::string& unseen;
 };
 
-/// Compares one entry at all states; the first wrong state is reported.
+/// Compares one entry at all points, adds its row, and reports the first wrong point.
 void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proofs,
              const SampledPoints& sampled) {
   Tally tally;
@@ -296,7 +304,7 @@ void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proo
   tally.write_result(row, entry.subject, tolerance);
   row.worst = fmt::format("{:.1e} relative", tally.worst());
   if (row.verdict == Verdict::holds) row.where.clear();
-  // The author expects a value: without a value, the expectation fails.
+  // An expectation without any value fails, because its author expects a value.
   if (tally.samples() == 0) row.verdict = Verdict::fails;
   if (!sampled.unseen.empty()) row.tolerance += "; sampled on one side only: " + sampled.unseen;
   if (!wrong.empty()) {
@@ -308,7 +316,7 @@ void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proo
   }
 }
 
-/// The motions at the first states that have one.
+/// The accelerated states of the first `states` for which the motion exists.
 std::vector<State> first_motions(const Model& model, const std::vector<State>& states) {
   std::vector<State> motions;
   for (std::size_t i = 0; i < states.size() && motions.size() < states_of_rank; ++i) {
@@ -354,7 +362,7 @@ CertificateRow blank_row(const ExpectedEntry& entry) {
 ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
                                      std::uint64_t seed) {
   ExpectationReport report;
-  // Expectations describe the exact model.
+  // Expectations describe the exact model, not an expansion of it.
   if (subject.model.expectations.empty() || subject.model.approximation) return report;
   Proofs proofs(subject, forms);
   const SamplingStates points = random_points(subject.model, seed);

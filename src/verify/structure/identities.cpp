@@ -1,6 +1,6 @@
-// The identities, each a balance of 64-digit values and derivatives. Notation: q, v, a, u, t; M, C,
-// g, B; E = v.dL/dv - L; p = dL/dv; T, V0, V1, and A, gamma, lambda, f, r of constraints as in the
-// table of outputs.
+// The identities, each a balance of values and derivatives in 64 digits. q, v, a, u, t, M, C, g, B,
+// T, V0, V1 and A, gamma, lambda, f, r of constraints as in the table of outputs; E = v.dL/dv - L,
+// p = dL/dv.
 #include "verify/structure/identities.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ namespace {
 using K = OutputKind;
 using Values = std::vector<Real>;
 
-/// factor * sum_j matrix_ij x_j
+/// The terms of factor * sum_j matrix_ij x_j.
 BalanceTerms matrix_vector_terms(const Values& matrix, const Values& x, int factor = 1) {
   BalanceTerms terms{matrix, factor, std::max<std::size_t>(x.size(), 1)};
   for (std::size_t i = 0; i < matrix.size(); ++i) {
@@ -49,7 +49,7 @@ Arguments<Real> unit_rate(const ExactValues& at, std::size_t i) {
   return direction;
 }
 
-/// The slopes of an energy along the unit directions of all velocities.
+/// The derivatives of an energy along the directions of all velocities.
 Values gradient(const ExactValues& at, K energy,
                 Arguments<Real> (*direction)(const ExactValues&, std::size_t)) {
   Values slopes;
@@ -64,7 +64,7 @@ Values acceleration(ExactValues& at) {
   return {both.begin(), both.begin() + static_cast<std::ptrdiff_t>(at.size())};
 }
 
-/// B u, zero without inputs.
+/// B u; zero if the model has no inputs.
 Values input_force(ExactValues& at) {
   Values force(at.size());
   const Values& u = at.arguments().u;
@@ -76,7 +76,7 @@ Values input_force(ExactValues& at) {
   return force;
 }
 
-/// A^T lambda of the program's forward dynamics; zero without constraints.
+/// A^T lambda, lambda from the program's forward dynamics; zero without constraints.
 Values constraint_force(ExactValues& at) {
   Values force(at.size());
   const Subject& subject = at.subject();
@@ -92,7 +92,7 @@ Values constraint_force(ExactValues& at) {
   return force;
 }
 
-/// N = (sum_k dM/dq_k v_k) - 2 C, N + N^T = 0
+/// N + N^T = 0 with N = (sum_k dM/dq_k v_k) - 2 C.
 Balance skew(ExactValues& at) {
   Arguments<Real> direction = at.zero_direction();
   direction.q = at.coordinate_rates(at.arguments().v);
@@ -111,8 +111,8 @@ Balance skew(ExactValues& at) {
   return balance;
 }
 
-/// dE/dt - v.(B u + Q - dD/dv + A^T lambda) + dL/dt. L = v.p - E gives -dL/dt = dE/dt - v.dp/dt,
-/// with partial derivatives by t.
+/// dE/dt - v.(B u + Q - dD/dv + A^T lambda) + dL/dt, with the partial derivative
+/// dL/dt = v.dp/dt - dE/dt, because L = v.p - E.
 Balance power(ExactValues& at) {
   Arguments<Real> motion = at.zero_direction();
   motion.q = at.coordinate_rates(at.arguments().v);
@@ -209,7 +209,7 @@ Balance regressor_of_reference(ExactValues& at) {
       {{at.value_at(K::regressor_reference, arguments)}, {at.value(K::regressor), -1}});
 }
 
-/// The state with the velocities of its momenta; none if M is singular.
+/// The state whose velocities belong to the momenta of `at`; none if M is singular.
 std::optional<ExactValues> with_momentum_velocities(ExactValues& at) {
   const OracleValues v = defined_values(at.value(K::velocities_of_momenta));
   if (!v) return std::nullopt;
@@ -218,7 +218,7 @@ std::optional<ExactValues> with_momentum_velocities(ExactValues& at) {
   return ExactValues(at.subject(), std::move(state));
 }
 
-/// A balance whose only entry has no value.
+/// A balance of one undefined entry.
 Balance undefined() { return balance_of({BalanceTerms{{Real::undefined()}}}); }
 
 Balance momenta_of_velocities(ExactValues& at) {
@@ -233,7 +233,7 @@ Balance hamiltonian_energy(ExactValues& at) {
   return balance_of({{at.value(K::hamiltonian)}, {moving->value(K::energy_function), -1}});
 }
 
-/// d/dt (q, dL/dv) along the motion, minus (dq/dt, dp/dt)
+/// d/dt (q, dL/dv) along the motion, minus (dq/dt, dp/dt).
 Balance canonical_motion(ExactValues& at) {
   std::optional<ExactValues> moving = with_momentum_velocities(at);
   if (!moving) return undefined();

@@ -1,4 +1,4 @@
-// The tables of identities between the functions of a program, and helpers of their balances.
+// The tables of identities between the functions of a program, and helpers for their balances.
 #pragma once
 
 #include <string_view>
@@ -11,15 +11,15 @@ namespace elgen {
 struct Identity {
   std::string_view check;
   std::string_view formula;
-  std::vector<OutputKind> functions;    ///< required of the program; the first is the row's subject
-  Balance (*balance)(ExactValues& at);  ///< left side minus right side
-  std::string_view constrained_formula = {};  ///< with constraints; empty: the same
+  std::vector<OutputKind> functions;          ///< needed in the program; the row names the first
+  Balance (*balance)(ExactValues& at);        ///< left side minus right side
+  std::string_view constrained_formula = {};  ///< the formula with constraints; empty: `formula`
 };
 
 [[nodiscard]] const std::vector<Identity>& identities();
 
 /// The identity between an [[output]] y and one of its derivatives. For a frame, y is a pose, and
-/// its twist replaces dy/dt; then quaternions must have norm 1.
+/// its twist takes the place of dy/dt; this needs quaternions of norm 1.
 struct OutputIdentity {
   OutputKind derivative;
   std::string_view check;
@@ -30,17 +30,18 @@ struct OutputIdentity {
 
 [[nodiscard]] const std::vector<OutputIdentity>& output_identities();
 
-/// Terms of a balance: factor times the sum of `per_entry` consecutive values, entry by entry.
+/// Terms of a balance. Entry i of the balance has the terms factor * values[per_entry i], ...,
+/// factor * values[per_entry i + per_entry - 1].
 struct BalanceTerms {
   std::vector<Real> values = {};
   int factor = 1;
   std::size_t per_entry = 1;
 };
 
-/// The sum of all terms; the first element determines the number of entries.
+/// The balance of all terms; the first element determines the number of entries.
 [[nodiscard]] Balance balance_of(const std::vector<BalanceTerms>& all);
 
-/// A unit displacement along velocity i.
+/// The displacement along velocity i at unit rate.
 [[nodiscard]] Arguments<Real> unit_position(const ExactValues& at, std::size_t i);
 
 }  // namespace elgen

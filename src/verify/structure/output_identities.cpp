@@ -8,11 +8,11 @@ namespace {
 using K = OutputKind;
 using Values = std::vector<Real>;
 
-// The twist of a frame's output (angular velocity; velocity of the origin) is a form linear in the
-// pose [R p] and in its rate. So the rate of the twist is the sum of two such forms:
+// The twist of a frame (angular velocity; velocity of the origin) is linear in the pose [R p], and
+// linear in its rate. So the rate of the twist is a sum of two such products:
 //
 //     in the world's axes    S = dR/dt R^T    v = dp/dt
-//     in the frame's         S = R^T dR/dt    v = R^T dp/dt        omega = (S_32, S_13, S_21)
+//     in the frame's axes    S = R^T dR/dt    v = R^T dp/dt        omega = (S_32, S_13, S_21)
 
 constexpr std::size_t axes = 3;
 constexpr std::size_t columns = 4;  ///< of [R p]
@@ -21,8 +21,8 @@ const Real& entry(const Values& pose, std::size_t row, std::size_t column) {
   return pose[columns * row + column];
 }
 
-/// The terms of a twist, three per component: S_32, S_13, S_21, then dp/dt along the columns of
-/// `along`.
+/// The terms of a twist, three per component: S_32, S_13, S_21, then the components of dp/dt along
+/// the columns of `along`.
 Values twist(const Values& pose, const Values& along, const Values& rate, bool in_world) {
   Values terms;
   for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -41,7 +41,7 @@ Values twist(const Values& pose, const Values& along, const Values& rate, bool i
   return terms;
 }
 
-/// The axes of the twist's components: the frame's, or the world's.
+/// The columns are the axes in which the twist is expressed: the frame's, or the world's.
 Values axes_of(const Values& pose, bool in_world) {
   if (!in_world) return pose;
   Values world(axes * columns);
@@ -49,7 +49,7 @@ Values axes_of(const Values& pose, bool in_world) {
   return world;
 }
 
-/// d^2 y/dt^2 at a = 0 along a motion.
+/// d^2 y/dt^2 along a motion with a = 0.
 Values second_rate(ExactValues& at, const Arguments<Real>& motion, std::uint32_t user) {
   Values result = at.curvatures(K::user_value, motion, user);
   if (at.subject().model.rotations.empty()) return result;
@@ -88,14 +88,14 @@ Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
   const bool in_world = output.in_world;
   const Values& pose = at.value(K::user_value, user);
   const Values rate = at.slopes(K::user_value, motion, user);
-  // The world's axes do not move.
+  // The rate of the axes; the world's axes do not move.
   const Values turning = in_world ? Values(rate.size()) : rate;
   return balance_of({{bias},
                      {twist(pose, axes_of(pose, in_world), acceleration, in_world), -1, axes},
                      {twist(rate, turning, rate, in_world), -1, axes}});
 }
 
-/// Appends the derivatives of y along `count` unit changes, row-major.
+/// Appends the derivatives of y along the directions unit(0), ..., unit(count - 1), row-major.
 template <class Unit>
 void append_slopes(Values& slopes, ExactValues& at, std::uint32_t user, std::size_t count,
                    const Unit& unit) {

@@ -1,4 +1,5 @@
-// Forms are looked up in the program's forms. A proof shows that a difference is the empty sum.
+// Looks up the derived forms in the program's closed forms. A proof shows that a difference is the
+// empty sum.
 #include "verify/structure/proofs.hpp"
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace elgen {
 
 namespace {
 
-/// True if the forms for proofs, of the program or of the file's expectations, differ from the
-/// others.
+/// True if forms for proofs would differ from the usual forms, in the program or in the file's
+/// expectations.
 bool has_other_forms(const Subject& subject) {
   const auto is_other = [](const Expression& e) {
     return e.kind == ExpressionKind::function && is_rewritten_for_proofs(e.function);
@@ -65,7 +66,7 @@ std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
   return result;
 }
 
-/// The forms of p and E that are known, for `conserved`.
+/// The known closed forms of p and E, to be inserted into `conserved` entries.
 Replacements Proofs::momenta() const {
   Replacements result;
   for (const auto& [leaf, kind] : {std::pair{Opcode::momentum, OutputKind::momentum},
@@ -110,7 +111,7 @@ bool Proofs::holds(const Expectation& expectation, std::size_t entry) {
   if (forms_ == nullptr || !has_other_forms(subject_)) return false;
   if (!other_forms_) {
     Program derived = subject_.program;
-    derived.functions.resize(forms_->functions.size());  // steps, which come last, have no forms
+    derived.functions.resize(forms_->functions.size());  // steps come last and have no forms
     other_forms_ = present_for_proofs(derived);
   }
   return Proofs(subject_, &*other_forms_).holds_in_forms(expectation, entry);

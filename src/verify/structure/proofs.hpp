@@ -1,5 +1,5 @@
-// Proofs of [[expect]] by closed forms. The author's form comes straight from the model, the
-// derived form from the program; they share only the ring in which they are compared.
+// Proofs of [[expect]] by closed forms. The written form comes from the model's expressions, the
+// derived form from the program; both share only the ring in which they are compared.
 #pragma once
 
 #include <optional>
@@ -14,32 +14,33 @@ namespace elgen {
 
 class Proofs {
  public:
-  /// Without `forms` nothing is proved.
+  /// If `forms` is null, nothing is proved.
   Proofs(const Subject& subject, ClosedForms* forms) : subject_(subject), forms_(forms) {}
 
-  /// True if the entry is proved, by the forms or by forms for proofs. Depending on the
-  /// expectation, it equals the derived output, is constant along the motion at u = 0, or vanishes
-  /// along the motion. False shows nothing.
+  /// True if a proof is found, with the usual forms or with forms for proofs. An entry of an output
+  /// equals the derived one; a `conserved` entry is constant along the motion at u = 0; an equation
+  /// holds along the motion. False proves nothing.
   [[nodiscard]] bool holds(const Expectation& expectation, std::size_t entry);
 
-  /// The form of an entry in the file, and the derived form. None if there is no form, or if it
-  /// rests on sampled zeros.
+  /// The closed form of an entry as written in the file, and as derived. None if there is no closed
+  /// form, or if the derived entry relies on sampled zeros.
   [[nodiscard]] std::optional<Fraction> written(const Expectation& expectation, std::size_t entry);
   [[nodiscard]] std::optional<Fraction> derived(const Expectation& expectation,
                                                 std::size_t entry) const;
 
-  /// The first field of an output; none if an entry has no such form.
+  /// The closed forms of the first field of an output; none if an entry has none or relies on
+  /// sampled zeros.
   [[nodiscard]] std::optional<std::vector<Fraction>> entries(OutputKind kind) const;
 
-  /// The form with the accelerations of the motion inserted.
+  /// The form, with the accelerations of the motion inserted; none if they have no closed form.
   [[nodiscard]] std::optional<Fraction> along_motion(const Fraction& form) const;
 
-  /// The rate along the motion at u = 0.
+  /// The rate of the form along the motion at u = 0; none if the accelerations have no closed form.
   [[nodiscard]] std::optional<Fraction> free_rate(const Fraction& form) const;
 
   [[nodiscard]] const Subject& subject() const { return subject_; }
-  /// The forms with quotients. Null until a proof needs forms for proofs, and if they contain
-  /// powers of exponentials, which no author typed.
+  /// The forms for proofs, which contain quotients. Null if no proof has needed them so far, or if
+  /// they contain powers of exponentials, which no author typed.
   [[nodiscard]] ClosedForms* quotients();
   /// Null if there are no forms.
   [[nodiscard]] Algebra* algebra() const { return forms_ == nullptr ? nullptr : &forms_->algebra; }

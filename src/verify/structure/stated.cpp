@@ -1,5 +1,6 @@
-// Candidate factors of an equation are quotients of one of its terms by a term of a row with the
-// same rates; only terms with accelerations count. Numbers are compared in 60 digits, and only if
+// Compares an equation with f times a row of the equations of motion. A candidate f is the quotient
+// of a term of the equation by a term of the row with the same velocities, accelerations and
+// inputs; both terms must contain an acceleration. Numbers are compared in 60 digits, and only if
 // more digits do not change them.
 #include "verify/structure/stated.hpp"
 
@@ -24,7 +25,8 @@ namespace {
 
 using cln::cl_R;
 
-/// The rows M a + bias - B u; none if a row has no form.
+/// The closed forms of M a + bias - B u, by row; none with constraints, or if a row has no closed
+/// form.
 std::optional<std::vector<Fraction>> rows_of_motion(const Proofs& proofs) {
   const Model& model = proofs.subject().model;
   auto rows = proofs.entries(OutputKind::inverse_dynamics);
@@ -45,8 +47,8 @@ std::optional<std::vector<Fraction>> rows_of_motion(const Proofs& proofs) {
 
 constexpr LeafSet of_motion = Opcode::velocity | Opcode::acceleration | Opcode::input;
 
-/// The terms of a form that contain accelerations, by their powers of rates, accelerations and
-/// inputs.
+/// The terms of a form that contain accelerations, each with its powers of velocities,
+/// accelerations and inputs.
 std::vector<std::pair<Monomial, Fraction>> accelerated_terms(Algebra& algebra,
                                                              const Fraction& form) {
   Arithmetic arithmetic(algebra);
@@ -76,7 +78,7 @@ Value without_accelerations(const Model& model, Algebra& algebra, const Fraction
   return substituted(algebra, form, rest);
 }
 
-/// The distinct factors that turn a term of the row into a term of the equation.
+/// The distinct quotients of a term of the equation by a term of the row.
 std::vector<Fraction> factors_of(Algebra& algebra, const Fraction& equation, const Fraction& row) {
   Arithmetic arithmetic(algebra);
   std::vector<Fraction> factors;
@@ -90,7 +92,8 @@ std::vector<Fraction> factors_of(Algebra& algebra, const Fraction& equation, con
   return factors;
 }
 
-/// d(left - right)/da of each equation, above the rows of A; empty if an equation has no value.
+/// The rows d(left - right)/da of all equations, then the rows of A; empty if an equation is
+/// undefined.
 std::vector<cl_R> slopes_of(const Model& model, const Expectation& equations, const State& motion) {
   std::vector<cl_R> slopes;
   State direction = map_leaves([](const cl_R&) { return cl_R(0); }, motion);
@@ -110,7 +113,7 @@ std::vector<cl_R> slopes_of(const Model& model, const Expectation& equations, co
   return slopes;
 }
 
-/// The oracle has 60 digits; fifteen may cancel.
+/// The oracle has 60 digits; cancellation may cost 15.
 const cl_R& rounding_of_equations() {
   static const cl_R share = power_of_ten(-45);
   return share;
@@ -129,11 +132,12 @@ bool meets_all(const Model& model, const Expectation& equations, const State& mo
   return true;
 }
 
-/// Another acceleration that meets all equations, as the other root of a square. It is searched on
-/// lines along which the other equations keep their values. On a line left - right is f(s),
-/// f(0) = 0. The candidates are the other zero of a parabola, s = f'/(f' - f(1)), and the mirror
-/// image of d(left - right)/da a, for even functions. None if the motion does not meet the
-/// equations: with a wrong sign they may determine another acceleration.
+/// Searches another acceleration that satisfies all equations, such as the other root of a square.
+/// The search runs along lines on which all but one equation are constant to first order. On a
+/// line, left - right of the remaining equation is f(s), with f(0) = 0. The candidates are the
+/// other zero of a parabola, s = f'/(f' - f(1)), and for even functions the reflection of d(left -
+/// right)/da a. None if the motion itself does not satisfy the equations: with a wrong sign they
+/// may determine another acceleration.
 std::optional<State> other_motion(const Model& model, const Expectation& equations,
                                   const State& motion, const std::vector<cl_R>& slopes) {
   if (!meets_all(model, equations, motion, slopes)) return std::nullopt;
@@ -166,9 +170,9 @@ std::optional<State> other_motion(const Model& model, const Expectation& equatio
   return std::nullopt;
 }
 
-/// The right form with the fewest differing terms so far.
+/// The right form that has the fewest differing terms so far.
 struct Nearest {
-  std::string right = {};  ///< in words
+  std::string right = {};  ///< the right form in words
   std::optional<DifferingTerms> terms = {};
 
   bool is_farther(const std::optional<DifferingTerms>& other) const {
@@ -184,7 +188,7 @@ std::string row_text(const Model& model, const Algebra& algebra, std::size_t row
                      is_plain ? "" : ", times ", is_plain ? "" : text);
 }
 
-/// The oracle's values of the field of an expectation.
+/// The oracle's values of the expected field; no values if the field is undefined.
 StableValues field_at(const Model& model, const Expectation& expectation, const State& state) {
   const auto request = find_request(model, expectation.output);
   if (!request) return {};
@@ -196,14 +200,14 @@ StableValues field_at(const Model& model, const Expectation& expectation, const 
   return field;
 }
 
-/// "a = (1, -2) meets all equations, too"
+/// The text of a second solution: "a = (1, -2) meets all equations, too".
 std::string also_met(const State& motion) {
   std::vector<std::string> values;
   for (const cl_R& a : motion.a) values.push_back(short_text(a));
   return fmt::format("a = ({}) meets all equations, too", fmt::join(values, ", "));
 }
 
-/// 15 digits, as many as doubles keep.
+/// The value in 15 digits, the precision of a double.
 std::string digits_of(const cl_R& value) { return fmt::format("{:.15g}", to_double(value)); }
 
 }  // namespace
@@ -217,7 +221,8 @@ std::string difference_from_motion(const Proofs& proofs, const Fraction& equatio
   Nearest nearest;
   for (std::size_t i = 0; i < rows->size(); ++i) {
     for (const Fraction& factor : factors_of(algebra, equation, (*rows)[i])) {
-      // If the author divided by a sum to solve the equation, its terms do not match the row's.
+      // If the author divided by a sum to solve for an acceleration, the terms do not match the
+      // row's.
       const Value divisor = divisor_of(algebra, factor);
       if (!divisor || divisor->numerator.size() > 1) continue;
       const Value right = arithmetic.multiply(factor, (*rows)[i]);
@@ -239,8 +244,8 @@ std::string difference_from_motion(const Proofs& proofs, const Fraction& equatio
   return whole.empty() ? "" : fmt::format("left - right is {} along the motion", whole);
 }
 
-/// If the sum has the rate r and its term t the rate r_t, the sum with t (1 - r/r_t) in place of t
-/// is conserved. Only rational r/r_t are reported.
+/// If the sum has the rate r, and its term t has the rate r_t, then the sum with t (1 - r/r_t) in
+/// place of t is conserved. Only rational r/r_t are reported.
 std::string difference_from_conserved(const Proofs& proofs, const Fraction& written) {
   Algebra& algebra = *proofs.algebra();
   Arithmetic arithmetic(algebra);
@@ -300,8 +305,8 @@ void check_rank(ExpectationReport& report, const Expectation& equations, const S
   report.rows.push_back(std::move(row));
 }
 
-/// One state in 60 digits. Parameters have the values of the file, whatever a scene fixes, because
-/// an expectation describes the model.
+/// Compares at one state in 60 digits. Parameters have the values of the file, even if the scene
+/// fixes others, because an expectation describes the model.
 void check_numbers(ExpectationReport& report, const Expectation& expectation,
                    const Subject& subject) {
   const Model& model = subject.model;

@@ -1,6 +1,6 @@
-// Stated equations of motion: the difference of a wrong equation from the right ones, and whether
-// all equations determine the accelerations. Stated numbers: an [[expect]] `at` a state, such as a
-// published table, compared with the oracle.
+// Expected equations of motion: in which terms a wrong equation differs from the right one, and
+// whether all equations determine the accelerations. Expected numbers: an [[expect]] `at` a state,
+// such as a published table, compared with the oracle.
 #pragma once
 
 #include <string>
@@ -11,26 +11,27 @@
 
 namespace elgen {
 
-/// The difference of left - right from the right form with the fewest differing terms. A right form
-/// is f times a row of M a + bias - B u, f without velocities, accelerations and inputs. Another is
-/// the form with the same accelerations that vanishes along the motion. "compared with row theta of
-/// the equations of motion, times 1/(m*l^2): the term g*sin(theta)/l has the other sign"; "" if
-/// there are no forms, as with constraints, or if none is near.
+/// In which terms left - right differs from the nearest right form, the one with the fewest
+/// differing terms. Right forms are f times a row of M a + bias - B u, f free of velocities,
+/// accelerations and inputs; and the form with the same accelerations that vanishes along the
+/// motion. "compared with row theta of the equations of motion, times 1/(m*l^2): the term
+/// g*sin(theta)/l has the opposite sign". "" if there are no closed forms, if the model has
+/// constraints, or if too many terms differ.
 [[nodiscard]] std::string difference_from_motion(const Proofs& proofs, const Fraction& equation);
 
-/// The difference from a quantity that is constant at u = 0 and has another factor in one term:
-/// "compared with a conserved quantity: the term m*g*l*cos(theta) has the other sign"; "" if there
-/// is none, or if the sum contains momenta.
+/// In which term the form differs from a quantity that is constant at u = 0: "compared with a
+/// conserved quantity: the term m*g*l*cos(theta) has the opposite sign". "" if no change of one
+/// term's factor makes the form constant, or if it contains momenta.
 [[nodiscard]] std::string difference_from_conserved(const Proofs& proofs, const Fraction& written);
 
-/// Adds a row for the rank of d(left - right)/da above the rows of A, at states with the
+/// Adds a row for the rank of d(left - right)/da together with the rows of A, at states with the
 /// accelerations of the motion. E540 if the rank is less than the number of velocities, or if
-/// another acceleration also meets all equations.
+/// another acceleration also satisfies all equations.
 void check_rank(ExpectationReport& report, const Expectation& equations, const Subject& subject,
                 const std::vector<State>& motions);
 
-/// Adds a row for each entry; its error may be `within` of the largest entry of its field. E510 for
-/// each entry with a larger error or without a value.
+/// Adds a row for each entry of an expectation `at` a state. E510 for each entry without a value,
+/// or with an error larger than the expectation's tolerance times the largest entry of its field.
 void check_numbers(ExpectationReport& report, const Expectation& expectation,
                    const Subject& subject);
 

@@ -1,4 +1,4 @@
-// The rows of structure: the table of identities, and two properties of M.
+// Makes the rows of check_structure: the identities, and two properties of M.
 #include "verify/structure/structure.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,8 @@ constexpr double identity_tolerance = 1e-40;
 constexpr const char* identity_reason =
     "1e-40 of the largest term: 64-digit arithmetic less 24 digits for cancellation";
 
-/// Smaller pivots belong to a singular chart (a pole, a gimbal), whose sign is not checked.
+/// Smaller relative pivots mean that the chart is singular (a pole, gimbal lock); then their sign
+/// is not checked.
 constexpr double singular_pivot = 1e-10;
 
 CertificateRow row_of(const Function& function, std::string_view check, std::string_view formula) {
@@ -33,7 +34,7 @@ CertificateRow row_of(const Function& function, std::string_view check, std::str
   return row;
 }
 
-/// Tallies `figure` at all points; points without a figure are skipped.
+/// Adds figure(point) of all points; points without a figure count as skipped.
 template <class Figure>
 Tally tally_of(std::vector<ExactValues>& points, const Figure& figure) {
   Tally tally;
@@ -48,8 +49,8 @@ Tally tally_of(std::vector<ExactValues>& points, const Figure& figure) {
   return tally;
 }
 
-/// True if 64 digits suffice for cancelling terms: the running error of every entry is below the
-/// tolerance.
+/// True if 64 digits suffice although terms cancel: the running error of every entry is below 1e-40
+/// of the largest entry.
 bool keeps_digits(const ExactValues& at, const Function& function) {
   static const Real roundoff(power_of_ten(-64));
   static const Real tolerance(power_of_ten(-40));
@@ -113,8 +114,8 @@ std::vector<ExactValues> points_at(const Subject& subject, const std::vector<Sta
   return points;
 }
 
-/// The states with quaternions of norm 1. In double the norm is 1 to 16 digits only, and then R is
-/// no rotation.
+/// Scales quaternions to norm 1. Sampled quaternions have norm 1 only to the 16 digits of a double,
+/// so R would not be a rotation.
 std::vector<State> with_unit_quaternions(const Subject& subject, std::vector<State> states) {
   for (State& state : states) scale_to_length_one(subject.model, state);
   return states;
@@ -143,7 +144,7 @@ void add_outputs(std::vector<CertificateRow>& rows, std::vector<ExactValues>& po
   }
 }
 
-/// The largest |M_ij - M_ji| of the program in double.
+/// The largest |M_ij - M_ji|.
 double asymmetry(const std::vector<double>& m, std::size_t n) {
   double largest = 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -168,8 +169,8 @@ CertificateRow symmetry_row(const Subject& subject, const Function& function,
   return row;
 }
 
-/// The smallest D_i / M_ii; -1 if a diagonal entry of M is negative, 0 if M is singular, none if M
-/// is undefined.
+/// The smallest relative pivot D_i/M_ii. -1 if a diagonal entry of M is negative; 0 if M is
+/// singular; none if a diagonal entry is undefined.
 std::optional<double> smallest_pivot(const std::vector<Real>& m, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     if (!m[i * n + i].is_defined()) return std::nullopt;
@@ -211,7 +212,7 @@ std::vector<CertificateRow> check_structure(const Subject& subject,
   const Function* mass = find_function(subject.program, OutputKind::mass_matrix);
   if (mass != nullptr) {
     rows.push_back(symmetry_row(subject, *mass, states));
-    // An expansion of M is positive definite only near its point.
+    // An expansion of M is positive definite only near the expansion point.
     if (!subject.model.approximation) rows.push_back(definiteness_row(*mass, points));
   }
   add_identities(rows, points);
