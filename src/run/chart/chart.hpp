@@ -1,4 +1,4 @@
-// Charts as SVG, black and grey on white, with positions in pixels: axes, and text around them.
+// Charts as SVG, black and grey on white: axes with ticks, and labels. Positions are in pixels.
 #pragma once
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ namespace elgen {
       x2, y2);
 }
 
-/// `anchor`: the part of the text at x: "start", "middle" or "end".
+/// `anchor`: which part of the text is at x: "start", "middle" or "end".
 [[nodiscard]] inline std::string svg_label(double x, double y, const char* anchor,
                                            const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
@@ -40,7 +40,7 @@ namespace elgen {
                      xml_text(text));
 }
 
-/// A line across a chart, and its label.
+/// A tick of an axis: a line across the chart, and its label.
 struct ChartTick {
   double at = 0;
   std::string label = {};
@@ -50,9 +50,10 @@ struct ChartAxis {
   double low = 0;
   double high = 1;
   std::vector<ChartTick> ticks = {};
-  std::string title = {};  ///< of x; "": no title and no labels, because the chart below has them
+  std::string title = {};  ///< of the x axis; "": it has neither title nor labels
 
-  /// The position of a number on the axis: 0 at the low end, 1 at the high end, clamped.
+  /// The position of a number on the axis: 0 at the low end, 1 at the high end. Numbers beyond an
+  /// end are drawn at this end.
   [[nodiscard]] double part(double number) const {
     return (std::clamp(number, low, high) - low) / (high - low);
   }
@@ -70,7 +71,8 @@ struct Chart {
   [[nodiscard]] double x_of(double number) const { return left + width * x.part(number); }
   [[nodiscard]] double y_of(double number) const { return top + height * (1 - y.part(number)); }
 
-  /// Lines at all ticks, with labels and title of x below the chart and labels of y on the left.
+  /// A line at each tick. Labels and title of the x axis are below the chart, labels of the y axis
+  /// left of it.
   [[nodiscard]] std::string grid() const {
     const double bottom = top + height;
     std::string svg;

@@ -1,5 +1,5 @@
-// player_controls: a slider covers the range that the model declares, or an interval around its
-// value.
+// player_controls: a slider covers the range that the model declares; without a range, an interval
+// around the value.
 #include "run/player/player_controls.hpp"
 
 #include <fmt/format.h>
@@ -22,12 +22,12 @@ namespace elgen {
 namespace {
 
 struct Slider {
-  char kind = 'q';  ///< of q, v, u or p
+  char kind = 'q';  ///< 'q', 'v', 'u' or 'p'; `index` counts within the kind
   std::size_t index = 0;
   std::string name = {};
   std::string unit = {};
   double value = 0;
-  double reach = 1;  ///< half the width of the interval if `range` is empty
+  double reach = 1;  ///< half the width of the interval, if there is no range
   std::optional<Interval> range = {};
 };
 
@@ -70,7 +70,7 @@ Sliders velocity_sliders(const Model& model, const LeafNames& leaves) {
   return list;
 }
 
-/// Sliders of inputs without a law.
+/// Sliders of the inputs that have no law.
 Sliders input_sliders(const CheckedModel& checked) {
   const Model& model = checked.model;
   constexpr double reach = 10;
@@ -108,7 +108,7 @@ std::string attribute_text(const std::string& text) {
 void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,
                   const Products& read) {
   const Model& model = checked.model;
-  constexpr std::size_t most_open = 12;  // longer groups are folded
+  constexpr std::size_t most_open = 12;  // groups with more sliders are collapsed at first
   TemplateData groups(TemplateData::type::list);
   const auto add = [&groups](const char* title, const Sliders& sliders) {
     if (sliders.empty()) return;

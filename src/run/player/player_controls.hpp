@@ -7,7 +7,7 @@
 
 namespace elgen {
 
-/// Sets the template's variables for sliders, buttons and choices.
+/// Sets the template variables for sliders, buttons and choices.
 void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,
                   const Products& read);
 

@@ -1,4 +1,4 @@
-// player_model: one function for each list that the page's script reads.
+// player_model: builds each list that the page's script needs, in one function per list.
 #include "run/player/player_model.hpp"
 
 #include <fmt/ranges.h>
@@ -42,7 +42,8 @@ Json velocities_json(const Model& model, const LeafNames& leaves) {
   return list;
 }
 
-/// The input of each law and its limits; none if the law is constant along a run.
+/// For each input with a law: its index and its limits. A law that is constant along a run is not
+/// clamped, so its limits are the largest doubles.
 Json laws_json(const CheckedModel& checked) {
   const Model& model = checked.model;
   constexpr double most = std::numeric_limits<double>::max();
@@ -86,7 +87,7 @@ Json integrals_json(const Model& model) {
   return list;
 }
 
-/// The first row of each place in the output of all places.
+/// The index of each place's first row in the output that contains all places.
 std::vector<std::size_t> first_rows(const Model& model, const std::vector<ShownPlace>& places) {
   std::vector<std::size_t> rows;
   std::size_t next = 0;
@@ -102,14 +103,14 @@ bool is_zero(const Model& model, ExpressionId id) {
   return e.kind == ExpressionKind::number && cln::zerop(e.number);
 }
 
-/// True if every third component is 0 and no place is a frame.
+/// True if the z component of every place is the number 0, and no place is a frame.
 bool is_planar(const Model& model, const std::vector<ShownPlace>& places) {
   return std::ranges::all_of(places, [&](const ShownPlace& place) {
     return place.kind != PlaceKind::frame && is_zero(model, rows_of(model, place)[2]);
   });
 }
 
-/// The last axis with a component of gravity; z without gravity.
+/// The last axis along which gravity is not the number 0; z if there is no gravity.
 std::size_t up_axis(const Model& model) {
   if (!model.gravity) return 2;
   std::size_t up = 2;
@@ -142,7 +143,8 @@ void add_places(Json& json, const Model& model) {
   json["up"] = up_axis(model);
 }
 
-/// "theta = 3.14159"; coordinates that may have any value are omitted.
+/// The values of the coordinates: "theta = 3.14159". Coordinates for which any value is at rest are
+/// omitted.
 std::string rest_point_label(const Model& model, const RestPoint& point) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
@@ -154,7 +156,7 @@ std::string rest_point_label(const Model& model, const RestPoint& point) {
   return parts.empty() ? "anywhere" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The start of a motion along the mode, displaced by 0.1 of its shape.
+/// A start at rest, displaced from the equilibrium by 0.1 of the mode's shape.
 ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode& mode) {
   constexpr double part = 0.1;
   const double omega = std::sqrt(to_double(mode.omega_squared));
@@ -166,7 +168,8 @@ ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode
   return start;
 }
 
-/// Simulated seconds per second of the clock: 1 if the run takes 2 to 60 s, otherwise 20 s in all.
+/// Simulated seconds per second: 1 if the run takes 2 to 60 s; otherwise the whole run is shown in
+/// 20 s.
 double pace_of(const SimulationOptions& options) {
   constexpr double shortest = 2;
   constexpr double longest = 60;

@@ -1,4 +1,5 @@
-// player_model: the data of a system that the page's script reads besides its functions, as JSON.
+// player_model: the data of a system, as JSON, for the page's script. The functions of the system
+// are a separate script.
 #pragma once
 
 #include <string>
@@ -10,18 +11,18 @@
 
 namespace elgen {
 
-/// A start at rest with a button on the page.
+/// A start at rest, for which the page has a button.
 struct ShownStart {
   std::string name = {};  ///< "At rest: theta = 0 (stable)", "Mode of 4.43 rad/s: theta = 0"
   std::vector<double> q = {};
 };
 
-/// The equilibria, and starts displaced by 0.1 along their normal modes with omega^2 > 0; 12 at
-/// most. Models with rotations have no starts along modes.
+/// Equilibria; and equilibria displaced by 0.1 along a normal mode with omega^2 > 0, except for
+/// models with rotations. At most 12 starts.
 [[nodiscard]] std::vector<ShownStart> shown_starts(const Model& model, const Products& read);
 
-/// Names, units, starts, places, laws and equilibria as JSON. `<` is escaped, so that no markup of
-/// HTML occurs.
+/// Names, units, starts, places, laws and equilibria as JSON. `<` is escaped, because the JSON is
+/// written into an HTML page.
 [[nodiscard]] std::string player_model(const CheckedModel& checked, const Program& program,
                                        const Products& read, const SimulationOptions& options);
 

@@ -1,5 +1,5 @@
-// player_page: one file with the program's functions as a script, the model as JSON, and the
-// equations as MathML.
+// player_page: one HTML file that contains the program's functions as a script, the model as JSON,
+// and the equations as MathML.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace elgen {
 namespace {
 
-/// "places", "mass_matrix": the name by which the script calls the function.
+/// The key by which the page's script finds the function: "places", "mass_matrix".
 std::string kind_of_call(const Scene& scene, const Function& function) {
   const bool is_shown = is_value_of_user(output_row(function.kind));
   return std::string(is_shown ? name_of(scene.shown.at(function.user))
@@ -46,13 +46,14 @@ TemplateData calls_data(const CheckedModel& checked, const Program& program) {
   });
 }
 
-/// Three years. The default step, a ten-thousandth of the run, shows no motion in a longer run.
+/// In s: three years. With the default step, a ten-thousandth of the run, the motion is not visible
+/// in a longer run.
 constexpr double longest_time = 1e8;
 
-/// A browser makes about 1e5 steps per second, so more steps would take minutes.
+/// A browser computes about 1e5 steps per second, so more steps would take minutes.
 constexpr double most_steps = 1e7;
 
-/// E621: the run takes a browser too long.
+/// E621 if a browser would need too long for the run.
 Diagnostics refuse_length(const SimulationOptions& options) {
   if (options.time > longest_time) {
     return {{Code::E621,
@@ -68,7 +69,7 @@ Diagnostics refuse_length(const SimulationOptions& options) {
        "the default step of a page is a ten-thousandth of the run"}};
 }
 
-/// A longer derivation is omitted; `show --what steps` prints it.
+/// In bytes. A page omits a longer derivation; `show --what steps` prints it.
 constexpr std::size_t longest_derivation = 200'000;
 
 struct Readable {

@@ -1,4 +1,4 @@
-// RankWatch: pivots at every state that a run reaches, compared with earlier pivots.
+// RankWatch: computes pivots at each state of a run, and compares them with earlier pivots.
 #include "run/simulate/ranks.hpp"
 
 #include <fmt/format.h>
@@ -12,15 +12,16 @@
 namespace elgen {
 namespace {
 
-/// A smaller pivot loses half of the 16 digits of double. Rounding errors then dominate the step
-/// back onto the constraints, which changes the energy: at 1e-11 by about 1e-9 of it.
+/// A pivot that falls below 1e-8 of its largest value has lost half of the 16 digits of a double.
+/// Then rounding errors dominate the projection onto the constraints, which changes the energy: at
+/// 1e-11 by about 1e-9 of it.
 constexpr double smallest_share = 1e-8;
 
-/// A cosine: a step that turns a row by more than 120 degrees has no correct digit, unless the row
-/// passed through 0.
+/// A cosine. If a row turns by more than 120 degrees in one step, the step has no correct digit,
+/// unless the row passed through 0.
 constexpr double reversal_cosine = -0.5;
 
-/// The pivots of X Y^T without interchanges; X and Y have n columns.
+/// The pivots of X Y^T, eliminated without row interchanges; X and Y have n columns.
 Numbers pivots_of_product(const Numbers& x, const Numbers& y, std::size_t n) {
   const std::size_t m = x.size() / n;
   Numbers product(m * m);
@@ -54,7 +55,7 @@ std::string RankWatch::weakest_pivot_text() const {
   for (std::size_t i = 1; i < largest_.size(); ++i) {
     if (share(i) < share(least)) least = i;
   }
-  // A pivot that lost less than four digits does not make a step too short.
+  // A pivot that fell by less than four digits is not the reason for a short step.
   if (largest_.empty() || share(least) > 1e-4) return "";
   return fmt::format(": the pivot of {} is {:.1e} of its largest value", name(least), share(least));
 }
@@ -80,7 +81,7 @@ void RankWatch::measure_pivots(const Numbers& state, double t) {
   }
 }
 
-/// The ratio of a pivot to its largest value so far; 1 if the pivot was always 0.
+/// The ratio of a pivot to its largest value so far; 1 if all values were 0.
 double RankWatch::share(std::size_t i) const {
   return largest_[i] > 0 ? std::abs(pivots_[i]) / largest_[i] : 1;
 }
@@ -93,8 +94,8 @@ std::string RankWatch::name(std::size_t i) const {
   return fmt::format("`{}` in M", leaf_text(system_.leaves(), Opcode::velocity, velocity));
 }
 
-/// D_i is only checked for a change of sign: it may be small because a coordinate is, as m r^2 of
-/// an orbit near its centre.
+/// Describes the loss of rank; "" if both ranks are full. D_i is only checked for a change of sign,
+/// because it may be small without a loss of rank: m r^2 of an orbit near its centre is.
 std::string RankWatch::loss_text(const Numbers& pivots_before, const Numbers& rows_before) const {
   const std::size_t n = system_.velocities();
   const std::size_t both = pivots_.size() - n;

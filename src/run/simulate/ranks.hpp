@@ -1,12 +1,12 @@
-// RankWatch: checks that M and A keep their ranks along a run, so that accelerations are
-// determined.
+// RankWatch: checks along a run that M and A keep full rank, because otherwise the accelerations
+// are not determined.
 //
 //     M = L D L^T,   B = A diag(M)^(-1/2),   B B^T = L' D' L'^T
 //
-// Rank is nearly lost if D_i / M_ii or D'_k falls far below its largest value so far. The ratio
-// D'_k / (B B^T)_kk cannot show this: it remains 1 if a row of A vanishes. A step may jump over a
-// loss of rank. Then D_i changes its sign, or the part of a row of B orthogonal to the earlier rows
-// is reversed.
+// A rank is nearly lost if D_i / M_ii or D'_k falls far below its largest value so far. The ratio
+// D'_k / (B B^T)_kk would not show this, because it remains 1 if a row of A vanishes. A step may
+// jump over a state at which rank is lost. Then D_i changes its sign, or a row of B reverses its
+// part orthogonal to the earlier rows.
 #pragma once
 
 #include <string>
@@ -18,15 +18,15 @@ namespace elgen {
 
 class RankWatch {
  public:
-  /// `hint`: the remedy that E624 names.
+  /// `hint`: the hint of E624.
   RankWatch(System& system, std::string hint) : system_(system), hint_(std::move(hint)) {}
 
-  /// Call at the start and after every step. E624 if rank is nearly lost, or was lost since the
-  /// last call.
+  /// Call this at the start and after every step. E624 if a rank is nearly lost, or if it was lost
+  /// since the last call.
   [[nodiscard]] Diagnostics check_ranks(const Numbers& state, double t);
 
-  /// ": the pivot of `dot(x)` in M is 1.0e-12 of its largest", at the last check_ranks(); "" if no
-  /// pivot fell.
+  /// The pivot that fell most, at the last check_ranks(): ": the pivot of `dot(x)` in M is 1.0e-12
+  /// of its largest value". "" if no pivot fell by more than four digits.
   [[nodiscard]] std::string weakest_pivot_text() const;
 
  private:
@@ -38,7 +38,7 @@ class RankWatch {
 
   System& system_;
   std::string hint_;
-  Numbers pivots_ = {};  ///< D_i / M_ii of velocities, D'_k of constraints, D_i of velocities
+  Numbers pivots_ = {};  ///< D_i / M_ii by velocity, then D'_k by constraint, then D_i by velocity
   Numbers largest_ = {};
   Numbers rows_ = {};  ///< B
 };

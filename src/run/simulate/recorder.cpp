@@ -1,4 +1,4 @@
-// Recorder: adds one sample after another to the rows and drifts.
+// Recorder: adds the samples of a run, one by one, to its rows and drifts.
 #include "run/simulate/recorder.hpp"
 
 #include <fmt/format.h>
@@ -14,17 +14,17 @@
 namespace elgen {
 namespace {
 
-/// The error estimate belongs to a method of lower order, so most runs stay far within the
-/// tolerance. If a step is long for its order, the error may exceed the estimate by this factor.
+/// The error estimate belongs to the method of lower order, so most runs stay far within the
+/// tolerance. In long steps the error may exceed the estimate, at most by this factor.
 constexpr double energy_margin = 10;
 
-/// Shares of the scale, for steps of one length. A plot shows a loss of 1 %; a run that loses 10 %
-/// no longer shows the motion of the system.
+/// Fractions of the energy scale, for steps of one length. A loss of 1 % is visible in a plot; a
+/// run that loses 10 % no longer shows the motion of the system.
 constexpr double reported_loss = 0.01;
 constexpr double refused_loss = 0.1;
 
-/// E is a sum of many rounded terms, and near rest only their rounding errors change it: about a
-/// thousand terms, each with an error of 2e-16.
+/// A fraction of the energy scale: E is a sum of about a thousand rounded terms, each with an error
+/// of 2e-16. Near rest, E changes only by rounding errors.
 constexpr double rounding_share = 1e-12;
 
 bool is_finite(const Numbers& values) {
@@ -123,8 +123,8 @@ double Recorder::energy_scale() const {
   return largest_kinetic_ + (highest_potential_ - lowest_potential_);
 }
 
-/// The energy of a symmetric method oscillates about a constant, so the means of the first and last
-/// tenth of the run are compared.
+/// With a symmetric method the energy oscillates about a constant, so the mean of the first tenth
+/// of the run is compared with the mean of the last tenth.
 void Recorder::check_energy_drift(Trajectory& trajectory) {
   const Drift& drift = trajectory.energy;
   const bool is_symmetric = step_of_run(options_).has_value();
@@ -160,7 +160,7 @@ void Recorder::check_conserved_drift(const std::vector<ConservedDrift>& conserve
   }
 }
 
-/// sum |dC/dx| |x| over q and v, which is not small even if the terms of C cancel.
+/// sum |dC/dx| |x| over q and v: a scale of C that is not small even if the terms of C cancel.
 Numbers Recorder::conserved_scales(const TrajectorySample& sample) const {
   Numbers state = sample.state;
   const auto values = [&] {
@@ -183,8 +183,9 @@ std::string_view Recorder::energy_name() const {
   return system_.does_work() ? "E - E0 - work" : "E - E0";
 }
 
-/// A step may change E - work by the effect of its error in each number, and by the rounding error
-/// of E. These changes do not grow later, since the exact motion conserves E - work.
+/// Adds to `allowed_` by how much this step may change E - work: by its error in each number, and
+/// by the rounding error of E. The change does not grow later, because the exact motion conserves E
+/// - work.
 void Recorder::check_energy_step(const TrajectorySample& sample, double energy) {
   const std::size_t work = sample.state.size() - 1;
   const auto error = [&](std::size_t i) {

@@ -24,18 +24,18 @@ class WeightedMean {
   double weight_ = 0;
 };
 
-/// The drift of a number that should be constant, in one pass over a run: the worst deviation, and
-/// the means over the first and the last tenth.
+/// The drift of a quantity that should be constant, computed in one pass over a run: its worst
+/// deviation, and the mean of the last tenth of the run minus the mean of the first tenth.
 class DriftMeter {
  public:
-  /// `deviation` at the fraction `part` of the run, with the time `weight` as its weight.
-  /// `magnitude` is the size of the quantity that deviates.
+  /// Adds the `deviation` after the fraction `part` of the run. `weight`: the length of the step in
+  /// time; `magnitude`: the size of the quantity.
   void add(double part, double weight, double deviation, double magnitude);
 
   /// The largest magnitude so far.
   [[nodiscard]] double scale() const { return scale_; }
 
-  /// Relative to the largest magnitude, or absolute if that is 0.
+  /// The drift divided by the largest magnitude, or undivided if this is 0.
   [[nodiscard]] Drift drift(std::string name, std::string measure) const;
 
  private:
@@ -45,10 +45,10 @@ class DriftMeter {
   WeightedMean last_tenth_ = {};
 };
 
-/// A state (q, v, work) that the run reached, and the inputs at it.
+/// A state (q, v, work) of a run, and the inputs at this state.
 struct TrajectorySample {
   double t = 0;
-  double after = 0;  ///< time since the sample before
+  double after = 0;  ///< time since the previous sample
   bool is_row = false;
   Numbers state = {};
   Numbers inputs = {};
@@ -58,26 +58,28 @@ class Recorder {
  public:
   Recorder(System& system, const SimulationOptions& options, const TrajectorySample& start);
 
-  /// E624 if a number is not finite; it names the last finite state.
+  /// Adds a sample. E624 if a number is not finite; the error names the last finite state.
   [[nodiscard]] Diagnostics add(const TrajectorySample& sample);
 
-  /// E624 at the last sample, with the reason, a further observation, and the remedy.
+  /// E624 at the last sample: `why` the run ends, an additional observation (`besides`), and the
+  /// remedy as hint.
   [[nodiscard]] Diagnostic end_diagnostic(std::string_view why, std::string_view besides,
                                           std::string_view remedy) const;
 
-  /// Moves the rows into `trajectory`. E648 if E - E0 - work exceeds the tolerance of the steps.
-  /// For steps of one length: if it, or an entry of `conserved`, exceeds 1 % of its scale.
+  /// Moves the rows and drifts into `trajectory`. Returns warnings E648: with adapted steps, if E -
+  /// E0 - work exceeds what the tolerance allows; with steps of one length, if this energy or an
+  /// entry of `conserved` drifts by more than 1 % of its scale.
   Diagnostics finish(Trajectory& trajectory) &&;
 
  private:
-  /// Multipliers use the inputs of the sample, because the system may already hold later inputs.
+  /// The multipliers belong to sample.inputs; the system may already hold later inputs.
   [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
   [[nodiscard]] std::string_view energy_name() const;
   void check_energy_step(const TrajectorySample& sample, double energy);
   void add_momenta(const TrajectorySample& sample, double part);
   void add_conserved(const TrajectorySample& sample);
   void add_offset(const TrajectorySample& sample);
-  /// max |T| + (max V - min V) so far; max (|v.p| + |L|) if only L is known.
+  /// max |T| + (max V - min V) so far; if only L is known, max (|v.p| + |L|).
   [[nodiscard]] double energy_scale() const;
   void check_energy_drift(Trajectory& trajectory);
   void check_conserved_drift(const std::vector<ConservedDrift>& conserved);
@@ -94,12 +96,12 @@ class Recorder {
   double largest_kinetic_ = 0;
   double lowest_potential_ = std::numeric_limits<double>::infinity();
   double highest_potential_ = -std::numeric_limits<double>::infinity();
-  double tolerance_ = 0;  ///< of a step; 0 for steps of one length
-  double allowed_ = 0;    ///< the largest |E - E0 - work| that the steps so far allow
+  double tolerance_ = 0;  ///< of adapted steps; 0 for steps of one length
+  double allowed_ = 0;    ///< largest |E - E0 - work| within the tolerance of the steps
   Diagnostics warnings_ = {};
   std::vector<DriftMeter> momentum_drifts_;
   std::vector<std::vector<double>> rows_ = {};
-  std::vector<double> work_ = {};  ///< up to each row
+  std::vector<double> work_ = {};  ///< the work up to each row
   TrajectorySample start_;
   TrajectorySample last_;
 };

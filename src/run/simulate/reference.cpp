@@ -1,7 +1,7 @@
 // reference_run: integrates the same equations twice, in double and in long double, by
-// Boost.odeint's Fehlberg method with steps adapted to its error estimate. The distance of the two
-// ends is the uncertainty of both. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
-// I, 2nd ed., sec. II.10.
+// Boost.odeint's Fehlberg method with steps adapted to its error estimate. The uncertainty of the
+// reference is the distance of both final states. Hairer, Norsett, Wanner, Solving Ordinary
+// Differential Equations I, 2nd ed., sec. II.10.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// d(q, v)/dt, with q and v in one list.
+/// Evaluates d(q, v)/dt in Scalar; a state is q, then v.
 template <class Scalar>
 class ReferenceSystem {
  public:
@@ -59,12 +59,12 @@ class ReferenceSystem {
                 middle);
   }
 
-  /// E624 if M or A loses rank.
+  /// E624 if M or A loses its rank.
   [[nodiscard]] Diagnostics check_ranks(const Values& state, Scalar t) {
     return ranks_.check_ranks({state.begin(), state.end()}, static_cast<double>(t));
   }
 
-  /// Normalises quaternions; with constraints also projects onto them.
+  /// Normalises quaternions, and projects onto the constraints if the model has any.
   void restore(Values& state, Scalar t) {
     const bool is_projected = !system_.model().constraints.empty();
     const Function* const restored =
@@ -104,7 +104,7 @@ bool record_state(const Values& state, ReferenceEnd& end) {
   return std::ranges::all_of(end.last, [](double x) { return std::isfinite(x); });
 }
 
-/// E624 if the run cannot reach its end, or M or A loses rank on the way.
+/// E624 if the run does not reach its end, or if M or A loses its rank.
 template <class Scalar>
 Result<ReferenceEnd> integrate(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
   using Values = std::vector<Scalar>;

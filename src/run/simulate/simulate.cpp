@@ -1,5 +1,5 @@
-// A run: from row to row, and with held inputs from one hold to the next. Steps are timed in
-// blocks; after each block its samples are recorded.
+// A run: steps from row to row; if inputs are held, also from hold to hold. Steps are timed in
+// blocks; after each block, its samples are recorded.
 #include "elgen/simulate.hpp"
 
 #include <fmt/ranges.h>
@@ -30,14 +30,14 @@ constexpr const char* singular_remedy =
     "start or "
     "other coordinates may avoid the place";
 
-/// Equidistant instants after `begin`; without a period only the end.
+/// Equidistant instants after `begin`, up to `end`; without a period only `end`.
 class Instants {
  public:
   Instants(double begin, double end, std::optional<double> period)
       : begin_(begin), end_(end), period_(period.value_or(end - begin)) {}
 
-  /// The first instant that was not passed. An instant that differs from the end by rounding is the
-  /// end.
+  /// The first instant after the last pass(). An instant that differs from the end only by rounding
+  /// is replaced by the end.
   [[nodiscard]] double next() const {
     const double instant = begin_ + static_cast<double>(passed_ + 1) * period_;
     return instant > end_ - 1e-9 * period_ ? end_ : instant;
@@ -90,7 +90,7 @@ class Run {
     return start;
   }
 
-  /// Steps to the next row or hold. All samples are recorded before the inputs change.
+  /// Steps to the next row or hold. Records all samples before the inputs change.
   Diagnostics advance() {
     const double row = rows_.next();
     const double hold = holds_.next();
@@ -124,7 +124,7 @@ class Run {
     system_.hold(current_.state.data(), system_.v_of(current_.state), current_.t);
   }
 
-  /// The clock is stopped while samples are recorded.
+  /// Records the samples of the block; this time is not counted.
   Diagnostics flush() {
     elapsed_ += Clock::now() - resumed_;
     Diagnostics wrong;
@@ -161,7 +161,7 @@ class Run {
   std::chrono::duration<double> elapsed_ = {};
 };
 
-/// With x and y of `point`, unless it is empty.
+/// The columns of a run, with x and y of `point` if it is not empty.
 std::vector<TrajectoryColumn> columns_of(const System& system, const std::string& point) {
   const Model& model = system.model();
   std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
@@ -200,7 +200,7 @@ std::vector<TrajectoryColumn> columns_of(const System& system, const std::string
   return columns;
 }
 
-/// E201, with a suggestion from the known names.
+/// E201, with a similar known name as suggestion, or the list of known names.
 Diagnostic unknown_name(std::string_view kind, const std::string& name,
                         const std::vector<std::string>& known) {
   const std::string all =
@@ -211,7 +211,7 @@ Diagnostic unknown_name(std::string_view kind, const std::string& name,
           suggestion(name, known, all)};
 }
 
-/// Gives panels to the columns in options.show. E201 for an unknown column or point.
+/// Assigns a panel to each column in options.show. E201 for an unknown column or point.
 Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
                           std::vector<TrajectoryColumn>& columns) {
   Diagnostics wrong;
@@ -231,7 +231,8 @@ Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
   return wrong;
 }
 
-/// The unit of all rows of a field of the residual; "" if units differ, are 1 or unknown.
+/// The common unit of all rows of a field of constraint_residual; "" if their units differ, are
+/// unknown or 1.
 std::string common_unit(const Model& model, std::string_view field, Extent rows) {
   std::vector<std::optional<Unit>> units;
   for (std::size_t row = 0; row < extent_of(model, rows); ++row) {
@@ -243,7 +244,7 @@ std::string common_unit(const Model& model, std::string_view field, Extent rows)
   return has_one ? to_string(*units.front()) : "";
 }
 
-/// The visible moves of q and v. `columns` begins with t, q and v.
+/// The corrections of q and v that are visible in printed numbers. `columns`: t, q, v, ...
 std::vector<StartCorrection> start_moves(const Model& model, const Model& assembled,
                                          const std::vector<TrajectoryColumn>& columns) {
   const Numbers from = stated_start(model);
@@ -262,7 +263,8 @@ void add_units(ConstraintAccuracy& kept, const Model& model) {
   kept.rate_unit = common_unit(model, "rate", Extent::constraints);
 }
 
-/// E518 for constant laws beyond the limits of their inputs; the run uses them without clamping.
+/// E518 for each constant law beyond the limits of its input. The run applies such a law without
+/// clamping.
 Diagnostics laws_beyond_limits(System& system, double t) {
   Diagnostics found;
   const Model& model = system.model();
@@ -284,7 +286,7 @@ Diagnostics laws_beyond_limits(System& system, double t) {
   return found;
 }
 
-/// The outputs that pages and runs call.
+/// The outputs that both pages and runs call.
 std::string common_outputs(const Model& model) {
   std::string names =
       "mass_matrix,dissipation,applied_force,momentum,energy_function,forward_dynamics";
@@ -310,7 +312,7 @@ std::string outputs_of_run(const Model& model) {
   return names;
 }
 
-/// The model is checked first, because the list of outputs depends on it.
+/// Checks the model first, because the list of outputs depends on it.
 Products derive_for_run(const Inputs& inputs, PipelineOptions options,
                         const std::optional<StepSpec>& step) {
   PipelineOptions first = options;
@@ -362,7 +364,7 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
     trajectory->method += fmt::format(" of order {}", *options.order);
   }
   trajectory->title = checked.model.title;
-  // Programs of `step` are never compiled for a run.
+  // A run with a `step` method evaluates its program; it is never compiled.
   trajectory->timed_code = compiled == nullptr ? "in the evaluator" : "of the emitted C++";
   trajectory->from = options.from;
   trajectory->columns = std::move(columns);

@@ -1,4 +1,5 @@
-// The start of a run: assembled with 60 digits, and checked once before the first step.
+// The start of a run: solves the constraints in 60 digits, and checks that the start is not
+// singular.
 #include "run/simulate/start.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Zero up to rounding errors: the sine of the double nearest to pi is 1e-16.
+/// Smaller values count as 0: the sine of the double nearest to pi is 1e-16.
 constexpr double zero = 64 * epsilon;
 
 constexpr const char* start_elsewhere = "`--state` starts the run elsewhere";
@@ -44,8 +45,8 @@ CheckedModel with_start(CheckedModel checked, const State& state) {
   return checked;
 }
 
-/// True if no stated value moved visibly. A printed state meets the constraints except in its last
-/// digits.
+/// True if no value in `--state` changed visibly. A printed state satisfies the constraints except
+/// in its last digits, so small changes are permitted.
 bool keeps_stated_values(const Model& model, const StatedStart& stated, const Model& moved) {
   const Numbers from = stated_start(model);
   const Numbers to = stated_start(moved);

@@ -1,4 +1,4 @@
-// The start of a run, and the errors that prevent a run.
+// The start of a run, and the errors that refuse a start.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,14 @@
 
 namespace elgen {
 
-/// A smaller move of the start is not reported, because printed numbers do not show it.
+/// True if a printed number would show the change. Smaller corrections of the start are not
+/// reported.
 [[nodiscard]] inline bool is_visible_move(double from, double to) {
   return std::abs(to - from) > 1e-9 * std::max(1.0, std::abs(from));
 }
 
-/// E623 if the start does not determine the acceleration: a factor that the model declares singular
-/// is 0, or a relative pivot of M or of A M^-1 A^T is.
+/// E623 if the accelerations at the start are not determined: a factor that the model declares
+/// singular is 0, or a relative pivot of M or of A M^-1 A^T is 0 up to rounding.
 [[nodiscard]] Diagnostics refuse_start(System& system, const Numbers& state, double t);
 
 }  // namespace elgen

@@ -1,7 +1,7 @@
-// A trajectory as SVG: a panel for each coordinate, each input and E - E0 - work. Lines are black,
-// so that print shows them; the four components of a rotation share a panel and differ by their
-// dashes. E itself is not drawn, because a drift of 1e-9 J could not be seen. Alternatively the
-// path of a point, in a square with equal scales.
+// A trajectory as SVG, with a panel for each coordinate, for each input, and for E - E0 - work. The
+// four components of a rotation share a panel and differ by their dashes; all lines are black, for
+// printing. E itself has no panel, because a drift of 1e-9 J would be invisible. With a point as
+// `path`, the plot is instead the path of this point in a square with equal scales.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,12 +22,13 @@ constexpr double top = 60;
 constexpr double bottom = 46;
 constexpr double right = 20;
 
-/// E is a sum of products, each rounded to 1.1e-16 of |T| + |V| at most, and a run adds up some
-/// hundred errors. A coordinate that should be 0 is a difference of coordinates as large as any of
-/// the same unit. The shape of a smaller curve shows rounding errors, not the motion.
+/// A curve smaller than this fraction shows rounding errors, not the motion. E is a sum of
+/// products, each rounded to at most 1.1e-16 of |T| + |V|, and a run adds up some hundred errors. A
+/// coordinate that should be 0 is a difference of coordinates, which may be as large as the largest
+/// coordinate of the same unit.
 constexpr double rounding = 1e-13;
 
-/// Steps are chosen to 1e-9 of each number, so a smaller relative change shows no motion.
+/// Steps are accurate to 1e-9 of each number, so a smaller relative change shows no motion.
 constexpr double smallest_change = 1e-9;
 
 struct LineKind {
@@ -37,7 +38,7 @@ struct LineKind {
 constexpr std::array line_kinds{LineKind{"solid", "none"}, LineKind{"dashed", "9 4"},
                                 LineKind{"dotted", "2 3"}, LineKind{"dash-dotted", "9 3 2 3"}};
 
-/// 1, 2 or 5 times a power of ten, so that an axis has three to seven ticks.
+/// 1, 2 or 5 times a power of ten; with this distance an axis has three to seven ticks.
 double tick_distance(const ChartAxis& axis) {
   const double rough = (axis.high - axis.low) / 3;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));
@@ -49,7 +50,7 @@ double tick_distance(const ChartAxis& axis) {
 
 int decade_of(double number) { return static_cast<int>(std::floor(std::log10(number))); }
 
-/// With the digits that distinguish the ticks of an axis, and `more` digits.
+/// The number with enough digits to distinguish neighbouring ticks of the axis, plus `more` digits.
 std::string tick_label(double value, const ChartAxis& axis, int more) {
   const int last = decade_of(tick_distance(axis)) - more;
   const double largest = std::max(std::abs(axis.low), std::abs(axis.high));
@@ -68,15 +69,15 @@ ChartAxis axis_between(double low, double high, int more) {
   return axis;
 }
 
-/// The interval from the smallest to the largest of some numbers.
+/// The interval between the smallest and the largest of the plotted numbers.
 struct PlotSpan {
   double low = INFINITY;
   double high = -INFINITY;
 
   [[nodiscard]] double width() const { return high - low; }
   [[nodiscard]] double size() const { return std::max(std::abs(low), std::abs(high)); }
-  /// The margin beyond both ends. If only noise changes the numbers, it is so wide that the line is
-  /// flat.
+  /// The margin beyond both ends. If the numbers change by noise only, it is much wider than the
+  /// changes, so that the line looks flat.
   [[nodiscard]] double margin(double noise) const {
     if (size() <= noise) return noise > 0 ? 10 * noise : 1;
     return width() > std::max(smallest_change * size(), noise) ? width() / 25 : size() / 10;
@@ -111,7 +112,7 @@ class TrajectoryPlot {
     return svg + "</svg>\n";
   }
 
-  /// y over x of the point, both centred on the middle of the path.
+  /// The path of the point in x and y. Both axes have the same length and are centred on the path.
   [[nodiscard]] std::string path_text() const {
     const std::size_t column = trajectory_.columns.size() - 3;
     const PlotPanel upwards = panel_of(column + 1);
@@ -133,7 +134,7 @@ class TrajectoryPlot {
   }
 
  private:
-  /// The title of the model; below it the method and the number of steps.
+  /// The title; below it the model, the method and the number of steps.
   [[nodiscard]] std::string start(double height) const {
     const bool has_title = !trajectory_.title.empty();
     return svg_start(left + panel_width + right, top + height + bottom,
@@ -167,7 +168,8 @@ class TrajectoryPlot {
     const TrajectoryColumn& first = trajectory_.columns[panel.columns.front()];
     const PlotSpan span = span_of(panel);
     const double margin = span.margin(noise_of(first));
-    // The size of a difference matters, and only tick labels show it: they get one more digit.
+    // In a panel of differences from the start, only tick labels show the size, so they have one
+    // more digit.
     return axis_between(span.low - margin, span.high + margin, first.from_start ? 1 : 0);
   }
 
@@ -193,7 +195,7 @@ class TrajectoryPlot {
     return rounding * largest;
   }
 
-  /// "theta [rad]"; "e: e_w solid, e_x dashed, …"
+  /// The title of a panel: "theta [rad]", "e: e_w solid, e_x dashed, …".
   [[nodiscard]] std::string title(const PlotPanel& panel) const {
     std::string text = panel.name + (panel.unit.empty() ? "" : " [" + panel.unit + "]");
     if (panel.columns.size() == 1) return text;
@@ -221,7 +223,8 @@ class TrajectoryPlot {
     return svg;
   }
 
-  /// An angle that wraps jumps by more than half a turn; the line is interrupted at the jump.
+  /// The line of a column. At a jump of more than half a turn, an angle was wrapped, so the line is
+  /// interrupted.
   [[nodiscard]] std::string path(std::size_t column, const Chart& chart, std::size_t x) const {
     const bool is_angle = trajectory_.columns[column].unit == "rad";
     std::string result;

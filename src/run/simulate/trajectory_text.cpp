@@ -1,4 +1,4 @@
-// A trajectory as a few lines of text, as a CSV table, and as a JSON object with the table.
+// A trajectory as a short text, as a CSV table, and as a JSON object that contains the table.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Json json_of(const Drift& drift) {
           {"scale", drift.scale}};
 }
 
-/// " m"; "" without a unit.
+/// The unit after a space, " m"; "" if there is no unit.
 std::string unit_after(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
 
 std::string conserved_line(const ConservedDrift& quantity) {

@@ -1,4 +1,4 @@
-// KinkWatch: the calls with a kink in forces and laws, and their arguments.
+// KinkWatch: finds the calls with kinks in forces and laws, and evaluates their arguments.
 #include "run/steps/kinks.hpp"
 
 #include "elgen/references.hpp"
@@ -7,7 +7,7 @@
 namespace elgen {
 namespace {
 
-/// The velocity, if it is the only leaf of the expressions besides parameters; empty otherwise.
+/// The only velocity in the expressions, if their other leaves are parameters; none otherwise.
 std::optional<std::size_t> only_rate(const Model& model, const std::vector<ExpressionId>& roots) {
   std::optional<std::size_t> rate;
   for (const ExpressionId id : reachable_from(model, roots)) {

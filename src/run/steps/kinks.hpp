@@ -1,5 +1,6 @@
-// KinkWatch: the side of each abs, sign, min and max in forces and laws on which a state lies. The
-// side is the sign of the argument, or of the difference of two arguments.
+// KinkWatch: for each abs, sign, min and max in forces and laws, on which side of its kink a state
+// lies. The side is the sign of the argument; for min and max, the sign of the first argument minus
+// the second.
 #pragma once
 
 #include <optional>
@@ -12,21 +13,21 @@ namespace elgen {
 
 class KinkWatch {
  public:
-  /// Considers kinks whose argument changes along a motion.
+  /// Finds all kinks whose arguments change along a motion.
   explicit KinkWatch(System& system);
 
   [[nodiscard]] bool empty() const { return kinks_.empty(); }
 
-  /// -1, 0 or 1 for each kink; 0 for the law of an input on hold. Cost: evaluation of the
-  /// arguments.
+  /// The side of each kink: -1, 0 or 1; 0 for kinks in laws while inputs are held. Cost: one
+  /// evaluation of all arguments.
   [[nodiscard]] std::vector<int> sides(const Numbers& state, double t);
 
-  /// The velocity, if the argument depends on no other variable.
+  /// The velocity, if the arguments depend on no other variable; none otherwise.
   [[nodiscard]] std::optional<std::size_t> rate_of(std::size_t kink) const {
     return kinks_[kink].rate;
   }
 
-  /// "`sign(x + dot(x))`"
+  /// The call as typed: "`sign(x + dot(x))`".
   [[nodiscard]] std::string kink_text(std::size_t kink) const;
 
  private:

@@ -1,4 +1,4 @@
-// The table of methods, their names, and the checks of a run's options.
+// The table of methods, and the checks of a run's options.
 #include "run/steps/methods.hpp"
 
 #include <fmt/ranges.h>
@@ -13,15 +13,15 @@
 namespace elgen {
 namespace {
 
-/// A fraction of the run: 1e12 steps take days. Only near a state without an acceleration does the
-/// tolerance require shorter steps.
+/// The shortest adapted step, as a fraction of the run: 1e12 steps would take days. The tolerance
+/// requires shorter steps only near a state without an acceleration.
 constexpr double shortest_share = 1e-12;
 
 Diagnostic impossible(std::string message, std::string hint = {}) {
   return {Code::E621, {}, std::move(message), std::move(hint)};
 }
 
-/// The row of a method of the output `step`.
+/// The row of a method that runs the output `step`.
 constexpr MethodRow row_by_program(StepMethod method) {
   const StepMethodRow& row = step_row(method);
   return {row.name, row.order, StepKind::fixed, method, &make_step_program};

@@ -1,4 +1,4 @@
-// Methods of integration: their steppers, their table, and the choice of a method.
+// Methods of integration: their steppers, their table, and the choice of a method by options.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace elgen {
 inline constexpr std::string_view usual_remedy =
     "check with a shorter step, or with a smaller tolerance";
 
-/// Makes one step after another from the beginning of an interval to its end.
+/// Steps from the beginning of an interval to its end.
 class Stepper {
  public:
   Stepper() = default;
@@ -26,28 +26,28 @@ class Stepper {
   Stepper& operator=(const Stepper&) = delete;
   virtual ~Stepper() = default;
 
-  /// The next steps lead from `begin` to `end`. Inputs may be discontinuous at `begin`.
+  /// Sets the interval of the next steps. Inputs may be discontinuous at `begin`.
   virtual void set_interval(double begin, double end) = 0;
 
-  /// Makes one step and returns the time it reaches; the last step returns exactly `end`. Empty if
-  /// the step cannot be made.
+  /// Makes one step, and returns the time after it; the last step returns exactly `end`. None if no
+  /// step is possible.
   [[nodiscard]] virtual std::optional<double> step(Numbers& state) = 0;
 
-  /// The reason if step() made no step.
+  /// Why step() returned none.
   [[nodiscard]] virtual std::string_view obstacle() const = 0;
 
-  /// The hint of the resulting error.
+  /// The hint of the error that reports obstacle().
   [[nodiscard]] virtual std::string_view remedy() const { return usual_remedy; }
 };
 
-/// Steps of one length by a method (System&) with restart() and step(state, t, h).
+/// Steps of equal length. Method: constructed from System&, with restart() and step(state, t, h).
 template <class Method>
 class FixedSteps final : public Stepper {
  public:
   FixedSteps(System& system, double longest) : method_(system), longest_(longest) {}
 
   void set_interval(double begin, double end) override {
-    // A quotient that differs from an integer by rounding counts as the integer.
+    // A quotient that exceeds an integer only by rounding counts as the integer.
     const double count = std::ceil((end - begin) / longest_ * (1 - 1e-12));
     count_ = static_cast<std::uint64_t>(std::max(count, 1.0));
     begin_ = begin;
@@ -79,40 +79,41 @@ class FixedSteps final : public Stepper {
   std::uint64_t done_ = 0;
 };
 
-/// The tolerance of a step if the options contain neither a tolerance nor a length of steps.
+/// The tolerance of a step if the options have neither a tolerance nor a step.
 inline constexpr double default_tolerance = 1e-9;
 
-/// Either the length of steps, or the tolerance from which it follows.
+/// The fixed length of steps, or the tolerance to which steps are adapted.
 struct StepRule {
   std::optional<double> step = {};
   double tolerance = 0;
-  double shortest = 0;  ///< lower bound of adapted steps
+  double shortest = 0;  ///< the shortest adapted step, in s
 };
 
-/// fixed: steps have one length; adapted: the tolerance determines it, unless a length is an
-/// option.
+/// fixed: all steps have the length in the options. adapted: the tolerance determines each length,
+/// unless the options have a length.
 enum class StepKind : std::uint8_t { fixed, adapted };
 
 struct MethodRow {
   std::string_view name;
-  std::uint32_t order;  ///< without composition
+  std::uint32_t order;  ///< of the method itself, without composition of steps
   StepKind step;
   std::optional<StepMethod> program;  ///< the `step` that it runs; none: it integrates dv/dt
   std::unique_ptr<Stepper> (*make)(System& system, const StepRule& rule);
 };
 
-/// All methods that `--method` accepts.
+/// The methods that `--method` accepts.
 [[nodiscard]] std::span<const MethodRow> method_table();
 
 [[nodiscard]] std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule);
 [[nodiscard]] std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule);
 [[nodiscard]] std::unique_ptr<Stepper> make_step_program(System& system, const StepRule& rule);
 
-/// The row of options.method. E620 with a suggestion; E647 for an unknown order.
+/// The row of options.method. E620 for an unknown method, with a suggestion; E647 for an unknown
+/// order.
 [[nodiscard]] Result<MethodRow> find_method(const SimulationOptions& options);
 
-/// The steps of a run. E621 for impossible numbers, for a step and a tolerance together, and for no
-/// step if the method needs one.
+/// The steps of a run. E621 if a number is not positive and finite, if options contradict each
+/// other, or if a step is missing that the method needs.
 [[nodiscard]] Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& options);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Pieces: the sides of kinks, the rates that dry friction holds, and the forces that hold them.
+// Pieces: finds the sides of kinks, the rates that dry friction holds, and their shares.
 #include "run/steps/pieces.hpp"
 
 #include <algorithm>
@@ -13,11 +13,11 @@
 namespace elgen {
 namespace {
 
-/// A rate is held at its kink, or it is above or below the kink.
+/// Whether a rate is held at its kink, or lies above or below it.
 enum class RatePlace : std::uint8_t { held, above, below };
 
-/// Solves a + W s = 0 in the rows of held rates, with s = 0 for rates above and s = 1 for rates
-/// below their kinks. Empty if the equations are singular.
+/// The shares s: s = 0 for rates above their kinks, s = 1 for rates below, and a + W s = 0 in the
+/// rows of held rates. None if the equations are singular.
 std::optional<Numbers> shares_of(const Numbers& a, const Numbers& w,
                                  const std::vector<RatePlace>& places) {
   const std::size_t n = a.size();
@@ -35,19 +35,20 @@ std::optional<Numbers> shares_of(const Numbers& a, const Numbers& w,
   return echelon.solution();
 }
 
-/// The next place of a rate, if its share or its acceleration contradicts `place`.
+/// `place`, or the next place if `share` or `acceleration` contradicts it.
 RatePlace next_place(RatePlace place, double share, double acceleration) {
   if (place == RatePlace::above) return acceleration < 0 ? RatePlace::held : place;
   if (place == RatePlace::below) return acceleration > 0 ? RatePlace::held : place;
   return share < 0 ? RatePlace::above : share > 1 ? RatePlace::below : place;
 }
 
-/// A rate is held with 0 <= s <= 1, above with s = 0 and a >= 0, or below with s = 1 and a <= 0.
-/// The first rate that violates its condition changes its place. Murty, Mathematical Programming 5
-/// (1973) 213: this rule ends if W is a P-matrix, as B M^-1 B^T is. Empty if it does not end.
+/// The place of each rate. Held: 0 <= s <= 1. Above: s = 0 and a >= 0. Below: s = 1 and a <= 0. The
+/// first rate that violates its condition changes its place, until no rate does. Murty,
+/// Mathematical Programming 5 (1973) 213: this ends if W is a P-matrix, as B M^-1 B^T is. Empty if
+/// it does not end.
 std::vector<RatePlace> places_of(const Numbers& a, const Numbers& w) {
   const std::size_t n = a.size();
-  const std::size_t most_turns = 1000;  // more than any system of 20 rates needed
+  const std::size_t most_turns = 1000;  // no system of 20 rates needed as many
   std::vector<RatePlace> places(n, RatePlace::held);
   for (std::size_t turn = 0; turn < most_turns; ++turn) {
     const std::optional<Numbers> shares = shares_of(a, w, places);
@@ -140,7 +141,8 @@ void Pieces::begin_piece(const Numbers& before, Numbers& state, double t) {
   sides_ = kinks_.sides(state, t);
 }
 
-/// The rate at which the side changes, by bisection between two states; 0 if it is nearly 0.
+/// The rate at which the kink's side changes, by bisection between two states; exactly 0 if it is
+/// nearly 0.
 double Pieces::kink_rate(std::size_t kink, Numbers from, const Numbers& to, double t) {
   double& v = system_.v_of(from)[*kinks_.rate_of(kink)];
   double low = v;
@@ -154,8 +156,8 @@ double Pieces::kink_rate(std::size_t kink, Numbers from, const Numbers& to, doub
   return std::abs(high) < side_distance(0) ? 0 : high;
 }
 
-/// True if the force jumps only in the direction of this rate, and is larger below the kink. Over
-/// this distance damping changes forces by far less than 1e-6 of a jump.
+/// True if only this component of the force jumps at the kink, and if the force is larger below the
+/// kink than above. Damping changes forces over this distance by far less than 1e-6 of the jump.
 bool Pieces::can_hold(const HeldRate& held, Numbers state, double t) const {
   const auto forces = [&](double rate) {
     system_.v_of(state)[held.rate] = rate;

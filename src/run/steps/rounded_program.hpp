@@ -1,4 +1,5 @@
-// RoundedProgram: evaluates a program in Scalar; constants are rounded once, not at every state.
+// RoundedProgram: evaluates a program in Scalar. The constructor rounds the constants, so that
+// calls do not round them again.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
 // rk4 and dopri5 by Boost.odeint: the classical method of Runge and Kutta, and the method of
-// Dormand and Prince of order 5. dopri5 estimates its error and ends its steps at kinks of the
-// forces. Laws of inputs are evaluated at every stage. Hairer, Norsett, Wanner, Solving Ordinary
-// Differential Equations I, 2nd ed., sec. II.1, II.5 and II.6.
+// Dormand and Prince of order 5, which adapts its steps to an error estimate and ends them at kinks
+// of the forces. Laws of inputs are evaluated at every stage. Hairer, Norsett, Wanner, Solving
+// Ordinary Differential Equations I, 2nd ed., sec. II.1, II.5 and II.6.
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// Adapts find_rates() of a System or of Pieces to odeint.
+/// find_rates() of a System or of Pieces, as a function for odeint.
 template <class Source>
 auto rates_of(Source& source) {
   return [&source](const Numbers& state, Numbers& rates, double t) {
@@ -26,14 +26,14 @@ auto rates_of(Source& source) {
   };
 }
 
-/// Discards the rates at the end of the last step, if the method reuses them in the next step.
+/// If the method reuses the rates at the end of the last step, it computes them again.
 template <class Steps>
 void discard_rates(Steps& steps) {
   if constexpr (requires { steps.reset(); }) steps.reset();
 }
 
-/// Call at the end of a step. Rates from before the restoration belong to another state, so the
-/// method discards them.
+/// Call at the end of a step. Restores the state; then the rates at the end of the step are invalid
+/// and are discarded.
 template <class Steps>
 void restore_state(System& system, Steps& steps, Numbers& state, double t) {
   if (!system.needs_restore()) return;
@@ -59,7 +59,7 @@ class RungeKutta {
   Steps steps_ = {};
 };
 
-/// Adapted steps as long as their error estimate allows; no step crosses a kink.
+/// Steps as long as their error estimate permits. No step crosses a kink.
 template <class Steps>
 class AdaptedSteps final : public Stepper {
  public:
@@ -99,23 +99,24 @@ class AdaptedSteps final : public Stepper {
   }
 
  private:
-  /// Along a kink at which no rate is held, every step changes the side and time hardly advances.
+  /// If the motion slides along a kink at which no rate is held, every step changes the side, and
+  /// time hardly advances. After this many tiny steps the run ends.
   static constexpr int most_tiny_steps = 1000;
 
-  /// The shortest step: 1e-12 of the run, and at least 4 times the spacing of doubles near t.
+  /// The shortest step: 1e-12 of the run, but at least 4 times the spacing of doubles near t.
   [[nodiscard]] double shortest() const {
     const double spacing =
         std::numeric_limits<double>::epsilon() * std::max(std::abs(t_), std::abs(end_));
     return std::max(shortest_, 4 * spacing);
   }
 
-  /// 1e-9 of the run, and at least 4 times the shortest step.
+  /// Steps below this length are tiny: 1e-9 of the run, but at least 4 times the shortest step.
   [[nodiscard]] double tiny() const { return std::max(1e3 * shortest_, 4 * shortest()); }
 
-  /// Makes one step and sets `t_`; false if the step would be too short.
+  /// Makes one step and sets `t_`; false if the tolerance needs a shorter step than shortest().
   bool advance(Numbers& state) {
     while (true) {
-      // Steps halve the distance to `edge_`, because the end of the piece before it is unknown.
+      // The piece ends somewhere before `edge_`, so each step goes half of the distance.
       const double half = (edge_ - t_) / 2;
       if (half < shortest()) return cross_kink(state);
       const double wanted = std::min(length_, half);
@@ -139,7 +140,7 @@ class AdaptedSteps final : public Stepper {
         length_ = h;
         continue;
       }
-      // The length of a step that was cut short does not limit the next step.
+      // A step that was shortened for the end or for a kink does not limit the next step.
       length_ = is_cut ? std::max(length_, h) : h;
       if (is_last) t_ = end_;
       restore_state(system_, steps_, state, t_);
@@ -148,7 +149,7 @@ class AdaptedSteps final : public Stepper {
     }
   }
 
-  /// Leaves the piece by a step of Euler's method that is short enough to change nothing else.
+  /// Leaves the piece by a step of Euler's method, so short that everything else hardly changes.
   bool cross_kink(Numbers& state) {
     before_ = state;
     Numbers slope(state.size());
@@ -179,11 +180,11 @@ class AdaptedSteps final : public Stepper {
   double shortest_;
   double t_ = 0;
   double end_ = 0;
-  double length_ = 0;                                      ///< of the next step
-  double edge_ = std::numeric_limits<double>::infinity();  ///< a time after the end of the piece
+  double length_ = 0;                                      ///< of the next step; 0 before the first
+  double edge_ = std::numeric_limits<double>::infinity();  ///< a time after the piece's end
   bool has_begun_ = false;
   bool has_crossed_ = false;
-  int tiny_steps_ = 0;  ///< consecutive tiny steps since a kink was crossed
+  int tiny_steps_ = 0;  ///< tiny steps in succession since a kink was crossed
   Numbers before_ = {};
   std::string obstacle_ = "the tolerance requires a step that is too short";
 };

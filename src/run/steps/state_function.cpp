@@ -1,4 +1,4 @@
-// StateFunction: evaluates an expression node by node, operands before their users.
+// StateFunction: evaluates the nodes of an expression, operands first.
 #include "run/steps/state_function.hpp"
 
 #include <limits>
@@ -9,7 +9,7 @@
 namespace elgen {
 namespace {
 
-/// Numbers are rounded once by the constructor, not at every state.
+/// The constructor rounds numbers, so that calls do not evaluate them again.
 bool is_number(const Expression& node) { return node.kind == ExpressionKind::number; }
 
 }  // namespace
@@ -76,7 +76,8 @@ StateFunction::Rated StateFunction::leaf(const Expression& node) const {
           is_constant ? 0 : std::numeric_limits<double>::quiet_NaN()};
 }
 
-/// The rate of a quaternion component is that component of de/dt = 1/2 e w.
+/// e' = 1/2 e w, w the angular velocity as a pure quaternion; other coordinates have their velocity
+/// as rate.
 StateFunction::Rated StateFunction::coordinate(std::uint32_t index) const {
   const Coordinate& coordinate = model_.coordinates[index];
   if (!coordinate.rotation) return {q_[index], v_[coordinate.velocity]};

@@ -11,14 +11,16 @@ namespace elgen {
 
 class StateFunction {
  public:
-  /// `others` supplies all leaves except q, v and t at every call, and must outlive the function.
+  /// `others` gives the values of all leaves except q, v and t. Every call reads it, so it must
+  /// outlive this object.
   StateFunction(const Model& model, ExpressionId root, const Arguments<double>& others);
 
-  /// Cost: one operation on a value and its rate for each node.
+  /// Cost: for each node, one operation on a value and its time derivative.
   [[nodiscard]] double operator()(const double* q, const double* v, double t);
 
  private:
-  /// A value and its rate along the motion. The rates of a, u, p and E are unknown (NaN).
+  /// A value and its time derivative along the motion; the derivatives of a, u, p and E are unknown
+  /// (NaN).
   using Rated = Dual<double>;
 
   [[nodiscard]] Rated value_of(const Expression& node, ExpressionId id) const;
@@ -28,8 +30,8 @@ class StateFunction {
 
   const Model& model_;
   const Arguments<double>& others_;
-  std::vector<ExpressionId> order_;  ///< expressions to evaluate, operands before their users
-  std::vector<Rated> known_;         ///< indexed by expression
+  std::vector<ExpressionId> order_;  ///< expressions to evaluate, operands first
+  std::vector<Rated> known_;         ///< values, indexed by expression
   ExpressionId result_ = 0;
   const double* q_ = nullptr;
   const double* v_ = nullptr;

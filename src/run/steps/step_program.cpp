@@ -1,5 +1,5 @@
-// verlet and midpoint: evaluates the output `step` once per step, with the inputs at its start. The
-// work of a step is its length times the power in its middle, at the mean rate.
+// verlet and midpoint: evaluates the output `step` once per step, with the inputs at its beginning.
+// The work of a step is h times the power at its midpoint, with the mean rates of the step.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace elgen {
 namespace {
 
-/// The largest residual of an implicit step, relative to p, at which it counts as solved.
+/// An implicit step counts as solved if its residual is at most this fraction of the sum |p|.
 constexpr double largest_residual = 1e-3;
 
 class StepProgram {
@@ -24,7 +24,7 @@ class StepProgram {
   bool step(Numbers& state, double t, double h) {
     const Numbers& next = system_.step_result(state, t, h);
     if (!is_solved(state, next, t, h)) return false;
-    // Models with rotations have no such step, so dq/dt is v.
+    // Models with rotations have no `step`, so dq/dt = v.
     for (std::size_t i = 0; i < rates_.size(); ++i) {
       rates_[i] = (next[i] - state[i]) / h;
       middle_[i] = state[i] + h / 2 * rates_[i];

@@ -1,4 +1,4 @@
-// System: calls of functions on flat arrays of numbers, and the work done on the system.
+// System: calls functions on flat arrays of numbers, and computes the work.
 #include "run/steps/system.hpp"
 
 #include <fmt/ranges.h>
@@ -15,7 +15,8 @@
 namespace elgen {
 namespace {
 
-/// Limits are infinite if the model declares none, or if a law is constant along a run.
+/// The law and limits of each input. Limits are infinite if the model declares none, or if the law
+/// is constant along a run.
 std::vector<InputLaw> laws_of(const CheckedModel& checked, const Arguments<double>& at) {
   const Model& model = checked.model;
   std::vector<InputLaw> laws(model.inputs.size());
@@ -32,7 +33,7 @@ std::vector<InputLaw> laws_of(const CheckedModel& checked, const Arguments<doubl
   return laws;
 }
 
-/// The number of entries of a result; 0 without a function.
+/// The number of entries of a result; 0 if the program lacks the function.
 std::size_t result_size(const Function* function) {
   return function == nullptr ? 0 : entry_count(*function);
 }
@@ -92,7 +93,7 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
   for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
 }
 
-/// `conserved` holds for the exact model only, so an expanded model has no entries.
+/// `conserved` holds for the exact model only, so an expansion of the model checks no such entries.
 void System::add_conserved(const Expectation& expectation) {
   if (!expectation.is_conserved() || model_.approximation) return;
   for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
@@ -155,7 +156,7 @@ const Numbers& System::inputs(const double* q, const double* v, double t) {
     auto& [law, function, low, high] = laws_[k];
     if (!function) continue;
     const double value = (*function)(seen.data(), v, t);
-    // Both comparisons are false for a NaN, so it remains a NaN.
+    // Both comparisons with a NaN are false, so a NaN remains a NaN.
     at_.u[k] = value < low ? low : value > high ? high : value;
   }
   return at_.u;
@@ -228,7 +229,7 @@ void System::add_input_force(const double* q, const double* v, double t) {
   }
 }
 
-/// A^T lambda at the inputs of the last inputs().
+/// Adds A^T lambda to `force_`, with the inputs of the last inputs().
 void System::add_constraint_force(const double* q, const double* v, double t) {
   const std::size_t n = velocities();
   call(OutputKind::forward_dynamics, q, v, t, solution_.data());
@@ -268,8 +269,8 @@ double System::power_at_last_inputs(const double* q, const double* v, double t) 
   return sum;
 }
 
-/// -dL/dt = dE/dt - v.dp/dt at constant q and v, since L = v.p - E. No output contains it: the
-/// program is evaluated with dual numbers in t.
+/// -dL/dt = dE/dt - v.dp/dt at constant q and v, because L = v.p - E. No output has this value, so
+/// the program is evaluated with dual numbers in t.
 double System::explicit_power(const double* q, const double* v, double t) const {
   Arguments<Dual<double>> at = map_leaves([](double x) { return Dual<double>{x, 0}; }, at_);
   for (std::size_t i = 0; i < positions(); ++i) at.q[i].value = q[i];

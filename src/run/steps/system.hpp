@@ -1,12 +1,13 @@
-// System: the functions of a model that integration in time calls, on flat arrays of numbers.
+// System: the functions of a model that integration in time needs, on flat arrays of numbers.
 //
-// A state is one list: q, then v, then the work W done by forces, time and constraints, with
+// A state is one list: q, then v, then the work W of inputs, forces, constraints and explicit time
+// dependence:
 //
 //     dq/dt = N v,   M dv/dt = B u - bias + A^T lambda,   dW/dt = v.F - dL/dt,
 //     F = B u + Q - dD/dv + A^T lambda
 //
-// E - W is constant along the motion. W remains 0 if nothing does work; constraints only do work if
-// they move by themselves.
+// E - W is constant along the motion. W remains 0 if nothing does work; constraints do work only if
+// they depend on time (moving constraints).
 #pragma once
 
 #include <cmath>
@@ -29,7 +30,7 @@ namespace elgen {
 
 using Numbers = std::vector<double>;
 
-/// q and v of the start that the model states.
+/// q, then v, of the model's start.
 template <class Scalar = double>
 [[nodiscard]] std::vector<Scalar> stated_start(const Model& model) {
   std::vector<Scalar> start;
@@ -42,13 +43,14 @@ template <class Scalar = double>
   return start;
 }
 
-/// True if a law is constant along a run. Limits do not clamp a constant law.
+/// True if a law is constant along a run: it contains neither q, v nor t. Such a law is not clamped
+/// to limits.
 [[nodiscard]] bool is_one_number(const Model& model, ExpressionId law);
 
-/// True if a constraint does work: f depends on t, or phi does not vanish at v = 0.
+/// True if constraints may do work: some f depends on t, or some phi does not vanish at v = 0.
 [[nodiscard]] bool has_moving_constraints(const Model& model);
 
-/// T and V; v.p and -L if only L is known.
+/// T and V; if only L is known, v.p and -L.
 struct EnergyParts {
   double kinetic = 0;
   double potential = 0;
@@ -56,48 +58,48 @@ struct EnergyParts {
   [[nodiscard]] double magnitude() const { return std::abs(kinetic) + std::abs(potential); }
 };
 
-/// The law of an input, and the limits that clamp it.
+/// The law of an input, and the limits to which its values are clamped.
 struct InputLaw {
   std::optional<ExpressionId> value = {};      ///< none: the input is 0
-  std::optional<StateFunction> function = {};  ///< evaluates `value`, if it is set
+  std::optional<StateFunction> function = {};  ///< evaluates `value`
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
 
 class System {
  public:
-  /// Calls the functions of `compiled`; if that is null, evaluates the program. `projects`:
-  /// restore() also projects states onto the constraints.
+  /// Calls the functions of `compiled`; evaluates the program if it is null or lacks a function. If
+  /// `projects`, restore() also projects states onto the constraints.
   System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
          bool projects = true);
   System(const System&) = delete;
   System& operator=(const System&) = delete;
 
   [[nodiscard]] const Model& model() const { return model_; }
-  /// By input; inputs without a law are included.
+  /// One element per input, including inputs without a law.
   [[nodiscard]] const std::vector<InputLaw>& laws() const { return laws_; }
   [[nodiscard]] const LeafNames& leaves() const { return program_.leaves; }
   [[nodiscard]] std::size_t positions() const { return model_.coordinates.size(); }
   [[nodiscard]] std::size_t velocities() const { return model_.velocities.size(); }
 
-  /// The address of v in a state.
+  /// The first element of v in a state.
   [[nodiscard]] double* v_of(Numbers& state) const { return state.data() + positions(); }
   [[nodiscard]] const double* v_of(const Numbers& state) const {
     return state.data() + positions();
   }
   [[nodiscard]] static double& work_of(Numbers& state) { return state.back(); }
-  /// "theta = 1, dot(theta) = 2", for at most 8 of q and v.
+  /// The first 8 numbers of q and v: "theta = 1, dot(theta) = 2".
   [[nodiscard]] std::string state_text(const Numbers& state) const;
 
-  /// The start of the model, with quaternions normalised.
+  /// The start of the model with normalised quaternions, and work 0.
   [[nodiscard]] Numbers start();
 
-  /// Inputs keep the values of their laws at this state until the next hold().
+  /// Inputs keep their present values, the laws at this state, until the next hold().
   void hold(const double* q, const double* v, double t);
   [[nodiscard]] bool holds_inputs() const { return is_held_; }
   /// The values of the laws at wrapped angles, clamped to `limits`; 0 for inputs without a law.
   [[nodiscard]] const Numbers& inputs(const double* q, const double* v, double t);
-  /// q with `wrap` angles in (-pi, pi], as rows show it.
+  /// q as rows show it: angles with `wrap` in (-pi, pi].
   [[nodiscard]] const Numbers& displayed_position(const double* q);
 
   /// The value of an expression of the model in q, v and t.
@@ -109,37 +111,37 @@ class System {
     return {model_, expression, at_};
   }
 
-  /// The result of the program's `step` of length h from a state, with the inputs at that state: q,
-  /// v, and the residual of an implicit method.
+  /// The result of the program's `step` of length h: q, v, and the residual of an implicit method.
+  /// The inputs are those at `state`.
   [[nodiscard]] const Numbers& step_result(const Numbers& state, double t, double h);
 
   void acceleration(const double* q, const double* v, double t, double* a);
-  /// D_i / M_ii of M = L D L^T, then the relative pivots of A M^-1 A^T, from the last evaluation of
-  /// forward dynamics.
+  /// D_i / M_ii of M = L D L^T, then the relative pivots of A M^-1 A^T, all from the last
+  /// evaluation of forward dynamics.
   [[nodiscard]] std::span<const double> relative_pivots() const {
     return {solution_.data() + first_pivot_, velocities() + model_.constraints.size()};
   }
-  /// lambda of every constraint at these inputs.
+  /// lambda, by constraint, for these inputs.
   [[nodiscard]] std::span<const double> multipliers(const double* q, const double* v, double t,
                                                     const Numbers& inputs);
   void coordinate_rates(const double* q, const double* v, double* rates);
-  /// d(q, v, W)/dt
+  /// d(q, v, W)/dt.
   void find_rates(const Numbers& state, Numbers& rates, double t);
-  /// B u + Q - dD/dv
+  /// B u + Q - dD/dv.
   [[nodiscard]] const Numbers& applied_force(const double* q, const double* v, double t);
-  /// v.F - dL/dt; 0 if no work is done.
+  /// dW/dt = v.F - dL/dt.
   [[nodiscard]] double power(const double* q, const double* v, double t);
-  /// power() with the inputs of the last inputs().
+  /// power(), but with the inputs of the last inputs().
   [[nodiscard]] double power_at_last_inputs(const double* q, const double* v, double t);
   /// M, n x n, row-major.
   [[nodiscard]] const Numbers& mass_matrix(const double* q, const double* v, double t);
   /// A, m x n, row-major.
   [[nodiscard]] const Numbers& constraint_jacobian(const double* q, const double* v, double t);
   void momentum(const double* q, const double* v, double t, double* result);
-  /// sum_j |M_ij v_j| for every i: the scale of p_i, except for terms of L that are linear in v.
+  /// sum_j |M_ij v_j| by i: the scale of p_i, without terms of L linear in v.
   [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
   [[nodiscard]] double energy(const double* q, const double* v, double t);
-  /// The entries of the model's `conserved`, and their values at a state.
+  /// The entries of the model's `conserved`.
   [[nodiscard]] const std::vector<ConservedDrift>& conserved() const { return conserved_; }
   [[nodiscard]] const Numbers& conserved_values(const double* q, const double* v, double t);
   /// True if T and V are known separately.
@@ -147,22 +149,23 @@ class System {
     return function(OutputKind::kinetic_energy) != nullptr;
   }
   [[nodiscard]] EnergyParts energy_parts(const double* q, const double* v, double t);
-  /// The largest violations of the constraints.
+  /// The largest violations of the constraints and of their rates.
   [[nodiscard]] ConstraintOffset offset(const double* q, const double* v, double t);
-  /// True if steps may change the length of quaternions or violate constraints.
+  /// True if steps may violate constraints, or change the norm of quaternions.
   [[nodiscard]] bool needs_restore() const { return function(restoring_output_) != nullptr; }
-  /// Normalises quaternions, and projects onto the constraints by one Newton step.
+  /// Normalises quaternions; if the constructor's `projects` is set, also projects onto the
+  /// constraints by one Newton step.
   void restore(Numbers& state, double t);
 
-  /// True if forces, time or constraints do work.
+  /// True if E may change: forces, constraints or explicit time dependence do work.
   [[nodiscard]] bool does_work() const {
     return conservation_.is_forced || conservation_.has_time || has_moving_constraints_;
   }
-  /// The velocities whose momentum is conserved.
+  /// The velocities with conserved momentum.
   [[nodiscard]] const std::vector<std::uint32_t>& cyclic() const { return conservation_.momenta; }
 
  private:
-  /// `function` is null if the program has no such output, `code` if it is not compiled.
+  /// `function` is null if the program lacks the output; `code` is null if it is not compiled.
   struct Callee {
     const Function* function = nullptr;
     DriverFunction<double> code = nullptr;
@@ -184,11 +187,12 @@ class System {
   const Program& program_;
   const CompiledModel* compiled_;
   const Sines<double> sines_;
-  /// Arguments of a call. u are the last inputs; a, p and E are set for conserved quantities only.
+  /// The arguments of all calls. u has the last inputs; a, p and E are set only by
+  /// conserved_values().
   Arguments<double> at_;
   std::vector<InputLaw> laws_;
   std::vector<Callee> callees_;  ///< indexed by OutputKind
-  OutputKind restoring_output_;  ///< the output that restore() calls
+  OutputKind restoring_output_;  ///< `projected` or `normalized`, which restore() calls
   bool is_held_ = false;
   bool is_driven_ = false;
   bool has_moving_constraints_ = false;
@@ -196,7 +200,7 @@ class System {
   std::vector<ConservedDrift> conserved_ = {};
   std::vector<StateFunction> conserved_functions_ = {};
   Numbers conserved_values_ = {};
-  std::size_t first_acceleration_ = 0;  ///< offset in `solution_`
+  std::size_t first_acceleration_ = 0;  ///< index of the first acceleration in `solution_`
   std::size_t first_pivot_ = 0;
   std::size_t first_multiplier_ = 0;
   Numbers shown_, solution_, moved_, residual_, jacobian_, force_, more_force_, matrix_, mass_,

@@ -1,5 +1,5 @@
-// Designs with the same derivation share a run of the pipeline. Designs that also have the same
-// sines and inner scalar share a library.
+// Measures designs. Designs with the same derivation share a run of the pipeline; if they also have
+// the same sines and inner scalar, they share a compiled library.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,15 +14,15 @@
 namespace elgen {
 namespace {
 
-/// The output of the table if the command names none.
+/// The output that is measured if the command names none: inverse dynamics, or the first output.
 std::string default_output(const Scene& scene) {
   const auto usual =
       std::ranges::find(scene.outputs, OutputKind::inverse_dynamics, &OutputRequest::kind);
   return usual != scene.outputs.end() ? usual->name : scene.outputs.front().name;
 }
 
-/// Every design evaluates all states in each turn. 1008 states fit a cache and fill packs of 16.
-/// With 1024 states the arrays would lie at equal positions of the cache.
+/// In each turn, every design evaluates all states. 3 * 336 = 1008 states fit a cache and fill
+/// packs of 16. With 1024 states the arrays would be mapped to the same sets of the cache.
 constexpr std::size_t sample_count = 3;
 constexpr std::size_t states_of_sample = 336;
 
@@ -33,26 +33,27 @@ std::string first_line(const Diagnostics& diagnostics) {
   return fmt::format("{}: {}", code_row(error.code).name, message);
 }
 
-/// Designs that share a library.
+/// Designs that share a compiled library.
 struct DesignLibrary {
   std::vector<TradeoffRow*> rows = {};
-  /// A function for each row, then a second one for each row in packs, called with one state each.
-  /// Empty if compilation failed.
+  /// A function for each row; then, for each row with packs, the function that is called with a
+  /// single state. Empty if compilation failed.
   TimedFunctions functions = {};
 };
 
-/// Runs of the pipeline and of the compiler on designs of one output.
+/// Runs the pipeline and the compiler on designs of one output.
 class DesignRuns {
  public:
   DesignRuns(const DesignRequest& request, const OutputBase& base, const BenchProcess& process)
       : request_(request), base_(base), process_(process) {}
 
-  /// Serves as a key: the texts of derivation_key() are equal for designs with the same derivation.
+  /// The scene of the design as a key. For derivation_key(), it is equal for designs with the same
+  /// derivation.
   [[nodiscard]] std::string key_of(const Design& design) const {
     return scene_text(base_.base(), design, request_.inputs.model->path);
   }
 
-  /// Memoised pipeline run per derivation.
+  /// The pipeline's products for the design's derivation, memoised.
   const Products& derive_design(const Design& design) {
     const Design derivation = derivation_key(design);
     const auto [at, is_new] = derived_.try_emplace(key_of(derivation));
@@ -98,7 +99,7 @@ class DesignRuns {
     return products;
   }
 
-  /// The numerics of the design's own scene, with its scalar added to `scalars`.
+  /// The numerics of the design's scene; its scalar is appended to `scalars`.
   Numerics numerics_of(const Design& design, std::vector<ScalarKind> scalars) {
     Numerics numerics = run(design, Goal::check).checked->scene.numerics;
     scalars.push_back(design.scalar);
@@ -152,7 +153,7 @@ class DesignBench {
   }
 
  private:
-  /// The designs, the states, and the exact values at the states.
+  /// Plans the designs, draws the states, and computes the exact values at the states.
   Diagnostics prepare(const Products& exact) {
     Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, choices_);
     if (!planned) return planned.diagnostics;
@@ -168,7 +169,7 @@ class DesignBench {
     for (const PlannedDesign& each : planned->designs) {
       table_.rows.push_back({.values = each.values, .design = each.design});
     }
-    // Without packs a call evaluates one state, so both costs are the same.
+    // Without packs, every call evaluates one state, so both costs are equal.
     const auto in_packs = [](const TradeoffRow& row) { return row.design.in_packs; };
     if (std::ranges::none_of(table_.rows, in_packs)) {
       table_.cost = std::exchange(table_.call_cost, {});
@@ -176,7 +177,7 @@ class DesignBench {
     return {};
   }
 
-  /// The designs by library; libraries with the same derivation follow each other.
+  /// The designs, grouped by library. Libraries with the same derivation follow each other.
   [[nodiscard]] std::map<std::string, DesignLibrary> workpieces() {
     std::map<std::string, DesignLibrary> pieces;
     for (TradeoffRow& row : table_.rows) {
@@ -207,7 +208,8 @@ class DesignBench {
     for (TradeoffRow* const row : piece.rows) row->failure = why;
   }
 
-  /// Apart from the timing: the errors of a design do not depend on a clock.
+  /// Searches the errors of all designs, separately from the timing, because errors do not depend
+  /// on it.
   void search_all(const Products& exact) {
     for (const auto& [rows, functions] : libraries_) {
       for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -1,4 +1,4 @@
-// Errors at one state, and the scales to which they are relative.
+// The error of a design at one state, and the scale to which it is relative.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// |value - exact|, and |exact|.
+/// distance(): |value - exact|; magnitude(): |exact|.
 [[nodiscard]] inline double distance(double value, const ExactNumber& exact) {
   return std::abs(value - exact.high - exact.low);
 }
@@ -29,9 +29,9 @@ class FieldScales {
  public:
   explicit FieldScales(const TradeoffStates& states);
 
-  /// The maximum over the fields of |x - x*| / |x*|, both the largest in the field; |x*| at the
-  /// states and here. x of entry k is values[k * stride]. Infinite if x is NaN, or if x* is 0
-  /// everywhere and x is not.
+  /// The error at one state: the maximum over fields of (largest |x - x*|) / (largest |x*|). The
+  /// largest |x*| of the field is over the trade-off's states and this state. Entry k is values[k *
+  /// stride]. Infinite if x is NaN, or if x* is always 0 but x is not.
   template <class Exact>
   [[nodiscard]] double error(const double* values, std::size_t stride,
                              const std::vector<Exact>& exact) const {
@@ -59,8 +59,8 @@ class FieldScales {
   std::vector<Scale> fields_ = {};
 };
 
-/// The entries of the first function at a state with the exact parameters, in 60 digits; empty if
-/// an entry has no value.
+/// The entries of the program's first function in 60 digits, with exact values of the parameters.
+/// None if an entry is undefined at the state.
 [[nodiscard]] std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checked,
                                                                     const Program& program,
                                                                     const Arguments<double>& state);

@@ -1,4 +1,4 @@
-// find_costs: in each round every work is timed once. A turn repeats its work until the cost of
+// find_costs: times every work once per round. Each timing repeats the work until the cost of
 // reading the clock is negligible.
 #include <algorithm>
 #include <chrono>
@@ -11,11 +11,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Work = std::function<void()>;
 
-constexpr double shortest_turn = 2e4;  ///< ns; reading the clock takes 30
+constexpr double shortest_turn = 2e4;  ///< of one timing, in ns; reading the clock takes 30 ns
 constexpr std::size_t fewest_rounds = 9;
 constexpr std::size_t most_rounds = 1001;
 
-/// The mean duration of a call in ns, over `calls` calls.
+/// The mean duration of a call in ns, measured over `calls` calls.
 double duration(const Work& work, std::size_t calls) {
   const Clock::time_point start = Clock::now();
   for (std::size_t call = 0; call < calls; ++call) work();
@@ -23,14 +23,15 @@ double duration(const Work& work, std::size_t calls) {
   return elapsed.count() / static_cast<double>(calls);
 }
 
-/// The first call meets cold caches, so the second call is timed.
+/// How often one timing repeats the work. Measured at the second call, because caches are cold at
+/// the first.
 std::size_t calls_of_turn(const Work& work) {
   work();
   const double once = std::max(duration(work, 1), 1.0);
   return 1 + static_cast<std::size_t>(shortest_turn / once);
 }
 
-/// `numbers` must not be empty.
+/// Median, lower and upper quartile. `numbers` must not be empty.
 Quartiles quartiles_of(std::vector<double> numbers) {
   std::sort(numbers.begin(), numbers.end());
   return {numbers[numbers.size() / 2], numbers[numbers.size() / 4],

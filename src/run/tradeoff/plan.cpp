@@ -1,8 +1,9 @@
-// plan: all combinations of the values of a table of dimensions that exist. For a function of
-// parameters and sines, in double and float:
+// plan: combines all values of all dimensions, and removes combinations that do not exist. Example:
+// a function of parameters and sines, in double and float:
 //
 //     scalar double, float   batch one, packs   trigonometry full, 1e-7
 //     parameters arguments, fixed
+//     ->   10 designs: sines of 1e-7 only exist in packs of double
 //     ->   10 designs: sines of 1e-7 only exist in packs of double
 #include <cln/rational.h>
 #include <fmt/ranges.h>
@@ -20,12 +21,12 @@
 namespace elgen {
 namespace {
 
-/// A dimension, and the key by which a scene chooses its value.
+/// A dimension, and the entry and key by which a scene sets its value.
 struct DimensionRow {
   std::string_view name;
   std::string_view entry;
   std::string_view key;
-  bool is_optional;  ///< used only if the command names or pins it
+  bool is_optional;  ///< used only if the command names the dimension or pins a value
   std::string_view doc;
 };
 
@@ -40,13 +41,14 @@ constexpr std::array dimension_rows{
                  "try only this scalar between arguments and results in double"},
     DimensionRow{"order", "approximate", "order", true, "try only this order of an expansion"}};
 
-/// A value of a dimension. `is_compatible`: the value is compatible with a scene that has the key.
+/// A value of a dimension. `is_compatible`: true if the value does not contradict a scene that sets
+/// the key.
 struct ValueRow {
   std::string_view dimension;
   std::string_view value;
   void (*choose)(Design&);
   bool (*is_compatible)(const CheckedModel&);
-  bool is_optional = false;  ///< tried only if it is pinned or its dimension named
+  bool is_optional = false;  ///< tried only if the command pins it or names its dimension
 };
 
 bool has_scalar(const CheckedModel& base, ScalarKind scalar) {
@@ -103,7 +105,7 @@ constexpr std::array value_rows{
              [](const CheckedModel& base) { return has_order(base, 1); }},
 };
 
-/// E631. The default dimensions may be named too.
+/// E631 for each unknown name. A command may also name dimensions that are used by default.
 Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
   const std::vector<std::string> known = column_words(dimension_rows, &DimensionRow::name);
   Diagnostics found;
@@ -117,7 +119,7 @@ Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
   return found;
 }
 
-/// The properties of the model that decide which combinations exist.
+/// Decides which combinations exist for a model and a program.
 class ExistingDesigns {
  public:
   ExistingDesigns(const CheckedModel& checked, const Program& program)
@@ -125,7 +127,7 @@ class ExistingDesigns {
         has_sines_(calls(program, FunctionId::sin) || calls(program, FunctionId::cos)),
         fits_float_(fits(checked.model, program, ScalarKind::single_precision)) {}
 
-  /// The reason why the design does not exist; "" if it exists.
+  /// Why the design does not exist; "" if it exists.
   [[nodiscard]] const char* why_missing(const Design& design) const {
     const bool is_float = design.scalar == ScalarKind::single_precision;
     if (is_float && !fits_float_) return "a number of the output does not fit float";
@@ -140,7 +142,7 @@ class ExistingDesigns {
       const bool is_plain = design.inner == InnerScalar::same && !design.in_packs;
       return is_plain ? "" : "packs and wider scalars use their own sines";
     }
-    // Float cannot be accurate to 1e-7, and functions of one state have no polynomials.
+    // Float is not accurate to 1e-7, and functions of one state do not use polynomials.
     return design.in_packs && !is_float ? "" : "only packs of double have sines of this accuracy";
   }
 
@@ -156,18 +158,19 @@ const PinnedDimension* find_pin(const std::vector<PinnedDimension>& pinned,
   return found == pinned.end() ? nullptr : &*found;
 }
 
-/// "`--scalar float`"
+/// The option that pins the value: "`--scalar float`".
 std::string option_of(const PinnedDimension& pin) {
   return fmt::format("`--{} {}`", pin.name, pin.value);
 }
 
-/// E645: the pinned values exclude every design.
+/// E645: no design has all pinned values.
 Diagnostics no_design_left(const std::vector<PinnedDimension>& pinned, const char* why) {
   const std::vector<std::string> options = column_words(pinned, option_of);
   return {{Code::E645, {}, fmt::format("no design fits {}", fmt::join(options, ", ")), why}};
 }
 
-/// The pinned value, or all values that are tried by default or whose dimension is named.
+/// The pinned value if there is one; otherwise all values if the dimension is named, or else the
+/// default values.
 std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignChoices& choices) {
   const PinnedDimension* const pin = find_pin(choices.pinned, dimension.name);
   const bool is_named = std::ranges::find(choices.more, dimension.name) != choices.more.end();
@@ -180,7 +183,7 @@ std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignCh
   return values;
 }
 
-/// Every design combined with every value of another dimension.
+/// Each design, combined with each value of another dimension.
 std::vector<PlannedDesign> combine(const std::vector<PlannedDesign>& designs,
                                    const std::vector<ValueRow>& values) {
   std::vector<PlannedDesign> result;
@@ -195,7 +198,7 @@ std::vector<PlannedDesign> combine(const std::vector<PlannedDesign>& designs,
   return result;
 }
 
-/// Removes dimensions in which all designs agree, unless they are pinned.
+/// Removes each dimension in which all designs have the same value, unless it is pinned.
 void leave_out_constant_dimensions(TradeoffPlan& plan, const std::vector<PinnedDimension>& pinned) {
   for (std::size_t i = plan.dimensions.size(); i-- > 0;) {
     const auto is_first = [&](const PlannedDesign& design) {

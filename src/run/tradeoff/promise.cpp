@@ -1,4 +1,4 @@
-// promised_errors: certificate rows for a scene with `[numeric] max_error`.
+// check_max_error: certificate rows for a scene with `[numeric] max_error`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,14 +13,15 @@
 namespace elgen {
 namespace {
 
-/// Compiled code that must keep the promise.
+/// Compiled code whose errors must not exceed `max_error`.
 struct PromisedCode {
   std::string types;  ///< "batch", "as users compile"; "" for the plain header
   const CompiledModel* functions;
 };
 
-/// Headers with the same results in other types and builds are skipped; contracted builds differ.
-/// If the scene has a wider inner scalar, the promise concerns its header.
+/// The compiled headers to check. Headers with the same results in other argument types are
+/// skipped; builds with contraction have other results. If the scene has a wider inner scalar, only
+/// headers in this scalar are checked.
 std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
   const bool has_wide = std::ranges::any_of(compiled, &CompiledHeader::is_wide);
   std::vector<PromisedCode> codes;
@@ -35,7 +36,8 @@ std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
   return codes;
 }
 
-/// Empty if the code lacks the function; NaN at states at which it raises an exception.
+/// The values, entry by entry over all states. Empty if the code lacks the function; NaN at states
+/// at which it throws an exception.
 template <class Scalar>
 std::vector<double> values_of(const CompiledModel& code, const Function& function,
                               const std::vector<Arguments<double>>& states) {
@@ -71,7 +73,7 @@ class PromiseRows {
   PromiseRows(const CheckedModel& exact, const std::vector<PromisedCode>& codes, std::uint64_t seed)
       : exact_(exact), codes_(codes), seed_(seed) {}
 
-  /// Adds rows for the only function of `program`.
+  /// Adds rows for the program's only function.
   void add(const Program& program) {
     const Function& function = program.functions.front();
     const Result<TradeoffStates> states = tradeoff_states(exact_, program, {.seed = seed_});

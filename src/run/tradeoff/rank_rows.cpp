@@ -1,4 +1,4 @@
-// judged: ranks, the order of the rows, the Pareto front, and the picked row.
+// rank_rows: ranks and sorts the rows, and marks the Pareto front. Also finds the picked row.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 namespace elgen {
 namespace {
 
-/// True if `cost` is higher beyond noise.
+/// True if `cost` exceeds `than` by more than noise.
 bool is_more_expensive(const Quartiles& cost, const Quartiles& than) {
   return cost.low > than.high && cost.median > equality_factor * than.median;
 }
 
-/// Ranks all rows that have not failed.
+/// Ranks the rows that have not failed, by cost.
 void number_ranks(std::vector<TradeoffRow>& rows) {
   std::vector<TradeoffRow*> by_cost;
   for (TradeoffRow& row : rows) {
@@ -37,7 +37,7 @@ TradeoffTable rank_rows(TradeoffTable table) {
   std::ranges::stable_sort(table.rows, {}, [](const TradeoffRow& row) {
     return std::tuple(!row.failure.empty(), row.rank, row.error.worst);
   });
-  // A relative error of more than 1 leaves no correct digit.
+  // If the relative error exceeds 1, no digit is correct.
   constexpr double largest_error = 1;
   double least = std::numeric_limits<double>::infinity();
   for (TradeoffRow& row : table.rows) {
@@ -45,8 +45,8 @@ TradeoffTable rank_rows(TradeoffTable table) {
     const double error = row.error.worst;
     row.is_on_pareto_front =
         !row.is_below_reference && error <= largest_error && equality_factor * error < least;
-    // A row whose error is below the reference's is good enough to exclude rows of higher cost,
-    // too.
+    // A row whose error is below the error of the reference is not on the front, but it excludes
+    // more expensive rows from it.
     if (row.is_on_pareto_front || row.is_below_reference) least = std::min(least, row.error.least);
   }
   return table;

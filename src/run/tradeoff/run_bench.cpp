@@ -1,5 +1,6 @@
-// Each step is derived and compiled once. For the errors it runs to the end with all lengths of
-// steps; for the times some steps of one length are repeated, by turns.
+// Measures runs. Each step is derived and compiled once. Errors are measured at the end of a whole
+// run, for each length of steps. Costs are measured by repeating some steps of one length, in
+// turns.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,24 +15,24 @@
 namespace elgen {
 namespace {
 
-/// Compilers take minutes for longer functions.
+/// In instructions. Compilers take minutes for longer functions.
 constexpr std::size_t longest_compiled = 20'000;
 
-/// "midpoint of order 8"
+/// The step in words: "`midpoint` of order 8".
 std::string name_of_step(const StepSpec& step) {
   return fmt::format("`{}` of order {}", step_row(step.method).name, step_order(step));
 }
 
-/// A compiled step, or the reason why it is not compiled.
+/// A compiled step, or why it is not compiled.
 struct StepCode {
   StepLoops loops = {};
   std::string failure = {};
-  bool has_rows = true;  ///< false: the step was refused, with a sentence
+  bool has_rows = true;  ///< false: the step is not measured; a sentence in `refusals_` says why
   Quartiles one = {};    ///< ns per step
   Quartiles in_packs = {};
 };
 
-/// `bar`: the distance of the two reference runs.
+/// The sentences below the table. `bar`: the distance between both reference runs.
 std::vector<std::string> sentences(const std::map<StepSpec, StepCode>& codes, double bar) {
   std::vector<std::string> all{fmt::format(
       "reference: Fehlberg's method of order 8 with tolerance 1e-15 in long double; a run with "
@@ -45,15 +46,15 @@ std::vector<std::string> sentences(const std::map<StepSpec, StepCode>& codes, do
   return all;
 }
 
-/// E621: the run cannot be made.
+/// E621 with this message.
 Diagnostics impossible_run(std::string message) { return {{Code::E621, {}, std::move(message)}}; }
 
-/// True if the length divides the run into at least 1 and at most 1e8 steps.
+/// True if steps of this length divide the run into 1 to 1e8 steps.
 bool divides_run(double length, double time) {
-  constexpr double most_steps = 1e8;  // minutes of the fastest steps
+  constexpr double most_steps = 1e8;  // the fastest steps take minutes
   const double count = time / length;
   return count >= 1 && count <= most_steps &&
-         std::abs(count - std::round(count)) <= 1e-9 * count;  // decimal input is rounded
+         std::abs(count - std::round(count)) <= 1e-9 * count;  // the length is a rounded decimal
 }
 
 Result<StepLoops> compiled(const Products& products, const Limits& limits) {
@@ -120,13 +121,14 @@ class RunBench {
     return {};
   }
 
-  /// Memoised per step.
+  /// Derives and compiles the step, unless this was done before.
   void prepare_step(const StepSpec& step) {
     const auto [at, is_new] = codes_.try_emplace(step);
     if (is_new) at->second = compile_step(step);
   }
 
-  /// A method that does not suit the system, or a step that is too long, is reported by a sentence.
+  /// If the method does not suit the system, or its function is too long, the table has a sentence
+  /// instead of rows.
   StepCode compile_step(const StepSpec& step) {
     Products products = derived(step);
     if (!products.program) {
@@ -173,8 +175,8 @@ class RunBench {
       return;
     }
     row.error = errors_of(last, reference_, checked.model);
-    // This error and the error it is compared with are both uncertain by `uncertainty_`, hence
-    // twice.
+    // The smallest possible error, for the Pareto front. An error is uncertain by `uncertainty_`,
+    // and so is the error to which it is compared; hence the factor 2.
     row.error.least = std::max(row.error.worst - 2 * uncertainty_, 0.0);
     row.is_below_reference = row.error.worst <= uncertainty_;
     if (row.is_below_reference) row.error = {uncertainty_, uncertainty_, uncertainty_};
@@ -203,13 +205,12 @@ class RunBench {
   const RunRequest& request_;
   double time_;
   const BenchProcess& process_;
-  Products exact_ = {};  ///< the equations and their start
+  Products exact_ = {};  ///< of the equations without a step; its model has the assembled start
   ReferenceRun reference_ = {};
-  double uncertainty_ =
-      0;  ///< uncertainty of the reference in errors, at least that of rounding to double
+  double uncertainty_ = 0;  ///< relative error of the reference; at least the one of rounding
   std::map<StepSpec, StepCode> codes_ = {};
   TradeoffTable table_ = {};
-  std::vector<std::size_t> steps_ = {};     ///< of each row
+  std::vector<std::size_t> steps_ = {};     ///< steps of a run, by row
   std::vector<std::string> refusals_ = {};  ///< "`verlet` is not for this system: ..."
 };
 

@@ -1,4 +1,5 @@
-// Runs in time as designs: method by order by step by batch. The table is a work-precision diagram.
+// Runs in time as designs: all combinations of method, order, step and batch. The table is a
+// work-precision diagram.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,13 +16,13 @@ namespace {
 constexpr std::array<double, 3> steps_of_a_run{100, 1000, 10'000};
 constexpr double turn = 6.283185307179586;
 
-/// One state makes enough steps that the cost of its start is negligible. The states in packs and
-/// their results fit the fastest cache if the model is small.
+/// A single state makes so many steps that the cost of the call is negligible. For small models,
+/// the states in packs and their results fit the fastest cache.
 constexpr std::size_t steps_of_one = 200;
 constexpr std::size_t states_in_packs = 256;
 constexpr std::size_t steps_in_packs = 8;
 
-/// |x - y|; modulo a turn if the angle wraps.
+/// |x - y|; for an angle that wraps, modulo a full turn.
 double distance(double x, double y, bool wraps) {
   return wraps ? std::abs(std::remainder(x - y, turn)) : std::abs(x - y);
 }
@@ -33,7 +34,8 @@ Numbers repeat(const Numbers& numbers, std::size_t count) {
   return all;
 }
 
-/// A run with steps of h s, one state at a time.
+/// The design of a run with steps of h seconds, one state at a time; its number of steps is not
+/// set.
 PlannedRun plan_run(const StepMethodRow& method, std::uint32_t order, double h) {
   const std::string length = fmt::format("{:g} s", h);
   const StepSpec step = default_step(method.id, order == method.order ? 0 : order);

@@ -1,4 +1,4 @@
-// scene_text: a scene as TOML, in which the choices of a design replace the scene's choices.
+// scene_text: writes a scene as TOML. A design's choices replace the choices of the scene.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// A text that is no integer of TOML becomes a string.
+/// The expression as a TOML integer if it is one, otherwise as a string.
 std::string expression_text(const std::string& text) {
   constexpr std::size_t most_digits = 18;
   const bool is_integer = !text.empty() && text.size() <= most_digits &&
@@ -22,7 +22,7 @@ std::string expression_text(const std::string& text) {
   return is_integer ? text : toml_string(text);
 }
 
-/// "a = 1"
+/// A line of TOML without its end: "a = 1".
 std::string assignment(const std::string& key, const std::string& value) {
   return fmt::format("{} = {}", toml_key(key), value);
 }
@@ -48,13 +48,13 @@ std::string value_text(const ValueSyntax& value) {
   return {};
 }
 
-/// The word characters of a text, for use in a name: "1e7" for "1e-7".
+/// The text without all characters that cannot occur in a name: "1e7" for "1e-7".
 std::string word_of(std::string text) {
   std::erase_if(text, [](char c) { return !is_word_character(c); });
   return text;
 }
 
-/// The start of a run as a point of expansion. Rotations are not expanded.
+/// The start of a run as an expansion point, without rotations, which are not expanded.
 std::string start_of(const Model& model) {
   std::vector<std::string> values;
   for (const Coordinate& coordinate : model.coordinates) {
@@ -65,12 +65,13 @@ std::string start_of(const Model& model) {
   return toml_inline_table(values);
 }
 
-/// "" without a value.
+/// "key = value" and a line end; "" if the value is empty.
 std::string line(const std::string& key, const std::string& value) {
   return value.empty() ? "" : assignment(key, value) + "\n";
 }
 
-/// A design of steps has the sines that the scene has for functions of numbers.
+/// The value of `trigonometry`; "" for the default. A design of steps uses library sines if the
+/// scene does.
 std::string sines_of(const Design& design, const Scene& scene) {
   std::vector<std::string> entries;
   const std::string& sines = design.trigonometry;
@@ -106,7 +107,7 @@ class DesignText {
     return text.empty() ? "" : fmt::format("\n[{}]\n{}", title, text);
   }
 
-  /// The value of a key in the scene; "" if the scene does not have the key.
+  /// The value of a key in the scene; "" if the scene lacks the key.
   [[nodiscard]] std::string scene_value(const char* entry, const char* key) const {
     const KeySyntax* const found = find_key(base_.scene, entry, key);
     return found == nullptr ? "" : value_text(found->value);
@@ -138,7 +139,7 @@ class DesignText {
     return text;
   }
 
-  /// "" if the design computes in its own scalar.
+  /// The inner scalar; "" if it is the same as the scalar.
   [[nodiscard]] std::string inner() const {
     if (design_.inner == InnerScalar::same) return {};
     return std::string(inner_row(design_.inner).name);
@@ -151,7 +152,8 @@ class DesignText {
                         : base_.checked.scene.outputs.front().name;
   }
 
-  /// The output `projected`, for use after each step of a model with constraints.
+  /// "true" to request the output `projected`, which runs of constrained models call after each
+  /// step; otherwise "".
   [[nodiscard]] std::string projected() const {
     return design_.step && !base_.checked.model.constraints.empty() ? "true" : "";
   }
@@ -172,7 +174,8 @@ class DesignText {
     return entries.empty() ? "true" : toml_inline_table(entries);
   }
 
-  /// Parameters that the scene fixes keep their values.
+  /// The value of `fixed`. A parameter that the scene fixes keeps the scene's value, even if the
+  /// design fixes all parameters.
   [[nodiscard]] std::string fixed() const {
     const std::string own_value = scene_value("parameters", "fixed");
     if (!design_.is_fixed) return own_value;
@@ -192,7 +195,8 @@ class DesignText {
     return toml_inline_table(values);
   }
 
-  /// The order of the design, else of the scene; the point of the scene, else the start.
+  /// The lines of `[approximate]`: the design's order, or else the scene's; the scene's expansion
+  /// point, or else the start.
   [[nodiscard]] Lines approximation() const {
     if (design_.order == exact_design.order) return {};
     const bool is_expanded = !design_.order.empty();
@@ -213,7 +217,7 @@ class DesignText {
             line("ranges", ranges())};
   }
 
-  /// The ranges of the scene; ranges of the command are added to them or replace them.
+  /// The ranges of the scene, extended or replaced by the ranges of the command.
   [[nodiscard]] std::string ranges() const {
     std::map<std::string, std::string> ends;
     const KeySyntax* const key = find_key(base_.scene, "numeric", "ranges");

@@ -1,9 +1,9 @@
-// find_errors: a pattern search (Hooke and Jeeves) for the state with the largest error of a
-// design.
+// find_errors: a pattern search (Hooke and Jeeves) for the state at which a design has its largest
+// error.
 //
-// Rounding errors jump from state to state, and also vary slowly over many states. Steps from 2^-1
-// to 2^-20 of a range, each times a number between 1/2 and 1, reach new states around the worst
-// state so far, as long as the search lasts.
+// Rounding errors jump from state to state, but their size also varies slowly over the ranges. The
+// search tries steps around the worst state so far, from 2^-1 to 2^-20 of a range. Each step is
+// multiplied by a random number between 1/2 and 1, so that the search always reaches new states.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -20,15 +20,15 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t states_of_a_climb = 100;  ///< each starts at one of the worst states
+constexpr std::size_t states_of_a_climb = 100;  ///< one climb per 100 states, from the worst
 constexpr std::size_t searched_per_state = 20;
 constexpr std::size_t fewest_sweeps = 8;
 constexpr std::size_t most_sweeps = 400;
-constexpr double longest_step = 0.5;  ///< fraction of a range
+constexpr double longest_step = 0.5;  ///< steps are fractions of a range
 constexpr double first_step = 0.25;
 constexpr double shortest_step = 0x1p-20;
 
-/// A leaf that the function reads, and its range.
+/// A leaf on which the function depends, and its range.
 struct SearchedLeaf {
   Opcode kind;
   std::uint32_t number;
@@ -43,7 +43,7 @@ void set(Arguments<double>& state, const SearchedLeaf& moving, double value) {
   for_each_leaf(visit, state);
 }
 
-/// The leaves that the search varies; parameters keep their values.
+/// The leaves that the search varies: the function's leaves with a range, except parameters.
 std::vector<SearchedLeaf> searched_leaves(const Function& function, const TradeoffStates& states) {
   std::vector<SearchedLeaf> moving;
   for (const Instruction& i : function.instructions) {
@@ -55,11 +55,11 @@ std::vector<SearchedLeaf> searched_leaves(const Function& function, const Tradeo
   return moving;
 }
 
-/// The worst state so far in the search from one start.
+/// One search upwards: the worst state so far, its error, and the next step.
 struct Climb {
   Arguments<double> state;
   double error;
-  double step;  ///< fraction of the ranges
+  double step;  ///< a fraction of the ranges
 };
 
 class ErrorSearch {
@@ -76,7 +76,7 @@ class ErrorSearch {
         states_searched_(searched_per_state * states.states.size()),
         draw_(states.seed) {}
 
-  /// The final states of the climbs.
+  /// Runs all climbs, and returns their final states.
   std::vector<Arguments<double>> search(std::vector<Climb> climbs) {
     const std::size_t states_of_sweep = climbs.size() * (2 * moving_.size() + 1);
     const std::size_t sweeps =
@@ -87,7 +87,7 @@ class ErrorSearch {
     return ends;
   }
 
-  /// The errors in 60 digits; 0 outside the domain.
+  /// The errors at some states, computed in 60 digits; 0 at states outside the domain.
   [[nodiscard]] std::vector<double> exact_errors(
       const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {
@@ -96,7 +96,7 @@ class ErrorSearch {
   }
 
  private:
-  /// `exact`: the entries at a state; empty if they have no value.
+  /// `exact`: the exact entries at a state; none if an entry is undefined.
   template <class Exact>
   [[nodiscard]] std::vector<double> errors(const std::vector<Arguments<double>>& states,
                                            const Exact& exact) const {
@@ -109,7 +109,8 @@ class ErrorSearch {
     return found;
   }
 
-  /// The reference is the program in long double: 2048 times as precise as double on some machines.
+  /// The errors relative to the program in long double, which is 2048 times as precise as double on
+  /// some machines.
   [[nodiscard]] std::vector<double> errors_at(const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {
       auto arguments = map_leaves([](double x) { return static_cast<long double>(x); }, state);
@@ -132,7 +133,7 @@ class ErrorSearch {
     return state;
   }
 
-  /// For each climb and each number the states with this number increased and decreased.
+  /// For each climb and each leaf two states: the leaf increased, and decreased.
   [[nodiscard]] std::vector<Arguments<double>> neighbours(const std::vector<Climb>& climbs) {
     std::vector<Arguments<double>> states;
     for (const Climb& climb : climbs) {
@@ -145,7 +146,7 @@ class ErrorSearch {
     return states;
   }
 
-  /// Changes every number in the direction in which changing it alone increases the error.
+  /// Moves every leaf in the direction in which the error grew when only this leaf changed.
   [[nodiscard]] Arguments<double> joint_state(const Climb& climb, const Arguments<double>* near,
                                               const double* errors) const {
     Arguments<double> state = climb.state;
@@ -186,7 +187,7 @@ class ErrorSearch {
   const CheckedModel& exact_;
   const Program& program_;
   RoundedProgram<long double> reference_;
-  std::vector<long double> parameters_;  ///< exact values
+  std::vector<long double> parameters_;  ///< the exact parameters, rounded to long double
   FieldScales scales_;
   std::vector<SearchedLeaf> moving_;
   const DesignValues& design_;

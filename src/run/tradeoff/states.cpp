@@ -1,4 +1,5 @@
-// tradeoff_states: random states inside the ranges, and the exact values at them.
+// tradeoff_states: draws random states inside the ranges, and computes the exact values at these
+// states.
 #include "sample/states.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// Replaces the range of the leaf that `narrowed` names.
+/// Sets the range of the leaf that has the name of `narrowed`.
 void narrow(const Model& model, const NamedRange& narrowed, LeafValues<Range>& ranges) {
   const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
     const bool is_named = is_in_state(kind) && leaf_text(model, kind, i) == narrowed.name;

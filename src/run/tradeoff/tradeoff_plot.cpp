@@ -1,6 +1,6 @@
-// A table as SVG: worst error over cost, both logarithmic. The shape of a mark shows the value of
-// the first dimension, its number the design. The Pareto front is filled and joined by a staircase.
-// The plot explains this below the list of designs.
+// A table as SVG: worst error over cost, both logarithmic. Each design is a mark with its number.
+// The shape of the mark shows the value of the first dimension. Marks on the Pareto front are
+// filled and joined by a staircase line. The legend explains this below the list of designs.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -21,11 +21,11 @@ constexpr double plot_width = 520;
 constexpr double plot_height = 420;
 constexpr double bottom_margin = 50;
 constexpr double legend_left = left_margin + plot_width + 30;
-constexpr double legend_width = 430;  // of all dimensions together
+constexpr double legend_width = 430;  // enough for all dimensions
 constexpr double line_height = 18;
 constexpr double radius = 5;
 
-/// Outlines around (0, 0), in the order of the values of the first dimension.
+/// Outlines of marks around (0, 0), by value of the first dimension.
 constexpr std::array outlines{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0 -5 0Z",
                               "M-4.5 -4.5H4.5V4.5H-4.5Z",
                               "M0 -5.5L5.5 4.5H-5.5Z",
@@ -33,8 +33,8 @@ constexpr std::array outlines{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0 -5 0Z",
                               "M0 5.5L5.5 -4.5H-5.5Z",
                               "M-2 -6H2V6H-2Z"};
 
-/// An axis of decimal logarithms between powers of ten around the numbers, without ticks. Numbers
-/// without a logarithm do not extend the axis; they are drawn at its ends.
+/// An axis of log10 between the powers of ten around all numbers, without ticks. Numbers without a
+/// logarithm (0, infinity) are drawn at its ends.
 ChartAxis decades_around(const std::vector<double>& numbers) {
   double low = INFINITY;
   double high = -INFINITY;
@@ -94,8 +94,8 @@ class TradeoffPlot {
                   fmt::format("{}, {}: {}", table_.model, table_.subject, table_.error));
     svg += chart_.grid() + svg_label(14, top_margin - 14, "start", "worst error, relative") +
            pareto_front() + legend();
-    // In reverse order: the front, which comes first among equal costs, is drawn last and never
-    // covered.
+    // In reverse order, because rows on the front come first among equal costs: drawn last, they
+    // are not covered.
     for (std::size_t i = rows_.size(); i-- > 0;) {
       const TradeoffRow& row = *rows_[i];
       svg += symbol(row, x_of(row), y_of(row)) + number(i);
@@ -107,13 +107,13 @@ class TradeoffPlot {
   [[nodiscard]] double x_of(const TradeoffRow& row) const {
     return chart_.x_of(std::log10(row.cost.median));
   }
-  /// An error of 0 is at the bottom.
+  /// An error of 0 is drawn at the bottom.
   [[nodiscard]] double y_of(const TradeoffRow& row) const {
     return chart_.y_of(std::log10(row.error.worst));
   }
 
-  /// Along the Pareto front costs increase and errors decrease. Between two costs the cheaper
-  /// design is the best.
+  /// A staircase: costs increase and errors decrease along the front. Between two costs, the line
+  /// has the error of the cheaper design.
   [[nodiscard]] std::string pareto_front() const {
     std::string path;
     for (const TradeoffRow* row : rows_) {
@@ -141,8 +141,8 @@ class TradeoffPlot {
     return outlines[static_cast<std::size_t>(at) % outlines.size()];
   }
 
-  /// Neighbours in cost are often close. Their numbers alternate between two sides of the marks
-  /// that the line of the Pareto front does not touch.
+  /// Marks with similar costs are often close, so their numbers alternate between upper left and
+  /// lower right, which the line of the Pareto front does not touch.
   [[nodiscard]] std::string number(std::size_t i) const {
     const bool is_left = i % 2 == 0;
     return svg_label(x_of(*rows_[i]) + (is_left ? -radius : radius),
@@ -154,7 +154,7 @@ class TradeoffPlot {
     return top_margin + line_height * (static_cast<double>(line) + 0.5);
   }
 
-  /// Explains dimensions, designs, marks and the line.
+  /// Lists dimensions and designs, and explains the marks and the line.
   [[nodiscard]] std::string legend() const {
     std::string svg = svg_title(legend_left + 14, legend_y(0) + 4,
                                 fmt::format("{}", fmt::join(table_.dimensions, ", ")));

@@ -1,5 +1,5 @@
-// A table as text in columns, with a star at rows of the Pareto front, as JSON and as CSV. All of
-// them show the picked row.
+// A table as text with a star at rows of the Pareto front, as JSON and as CSV. All of them mark the
+// picked row.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ Cells cells_of(const TradeoffTable& table, const TradeoffRow& row) {
   return cells;
 }
 
-/// "" if no row is picked.
+/// The line about the picked row; "" if no row is picked.
 std::string pick_line(const TradeoffTable& table) {
   const TradeoffRow* const row = picked_row(table);
   if (row == nullptr) return "";
@@ -59,7 +59,7 @@ Json json_of(const Quartiles& spread) {
   return {{"median", spread.median}, {"low", spread.low}, {"high", spread.high}};
 }
 
-/// JSON has no infinity; null replaces it.
+/// null for infinity and NaN, which JSON lacks.
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
@@ -81,7 +81,7 @@ Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
   return json;
 }
 
-/// In quotes if it contains a comma, a quote or a line end.
+/// The text, in quotes if it contains a comma, a quote or a line end.
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -1,4 +1,5 @@
-// Records: fields by the output table, and values of which all digits are correct.
+// Records: the fields of each output by the output table, and stable values: all of their digits
+// are correct.
 #include "run/values/records.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ ValueField field_of(const Model& model, const OutputRequest& output, const Field
 ValueFunction function_of(const Model& model, const OutputRequest& output) {
   ValueFunction function{output,
                          arguments_of(model, Function{.kind = output.kind, .user = output.user})};
-  // Emitted functions have the argument u even if the model has no inputs.
+  // Emitted functions have an argument u even if the model has no inputs.
   std::erase_if(function.takes,
                 [&](Opcode kind) { return kind != Opcode::input && leaf_count(model, kind) == 0; });
   for (const FieldRow& row : output_row(output.kind).fields) {

@@ -1,4 +1,4 @@
-// records: the values of a function at a state, by the oracle.
+// records: the oracle's values of an output at a state.
 #pragma once
 
 #include <string>
@@ -8,14 +8,16 @@
 
 namespace elgen {
 
-/// A table of the outputs of a scene, without records. Outputs that repeat others are omitted.
+/// A table of the scene's outputs, still without records. Omits `dynamics`, which repeats other
+/// outputs.
 [[nodiscard]] ValueTable table_of(const CheckedModel& checked, int digits);
 
-/// E521 if the function has no value at the state, or the digits do not determine it.
+/// E521 if the output is undefined at the state, or if the largest number of digits does not decide
+/// its values.
 [[nodiscard]] Result<ValueRecord> record_at(const ValueTable& table, std::size_t function,
                                             std::string place, const State& state);
 
-/// E521 for an output or input without settled values.
+/// E521: the output or input `name` is undefined, or undecided.
 [[nodiscard]] Diagnostic no_value(std::string_view name, const Span& span,
                                   const StableValues& settled);
 

@@ -1,4 +1,4 @@
-// Values at the state of `--state`: the leaves, kind by kind, then the outputs.
+// Computes the values of all outputs at the state of `--state`.
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -16,7 +16,7 @@ namespace {
 
 using cln::cl_R;
 
-/// The leaves in `--state` of kinds that are not part of a start.
+/// The leaves in `--state` that are no part of a start, such as t.
 std::vector<StatedLeaf> stated_leaves(const CheckedModel& checked, const State& start) {
   const std::map<std::string, cl_R>& stated = checked.scene.stated.others;
   std::vector<StatedLeaf> leaves;
@@ -29,7 +29,7 @@ std::vector<StatedLeaf> stated_leaves(const CheckedModel& checked, const State& 
   return leaves;
 }
 
-/// The start of the model, with the leaves of `--state` and the inputs of the laws.
+/// The start of the model, with the leaves of `--state`, and with inputs by their laws.
 Result<State> stated_state(const CheckedModel& checked, const std::vector<StatedLeaf>& leaves) {
   const Model& model = checked.model;
   State state = with_leaves(model, start_state(model, checked.scene), leaves);

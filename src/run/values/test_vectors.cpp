@@ -1,4 +1,5 @@
-// Test vectors: kinds of states by turns, and the digits of each value that double keeps.
+// Test vectors: draws states of several kinds in turn; finds how many digits of each value a double
+// keeps.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ constexpr int digits_of_double = 17;
 struct VectorState {
   const char* place = "";
   State drawn = {};
-  std::optional<State> kept = {};  ///< moved onto the constraints; none: Newton's method fails
+  std::optional<State> kept = {};  ///< on the constraints; none: Newton's method fails
 };
 
 State start_of(const Subject& subject) {
@@ -33,7 +34,8 @@ State start_of(const Subject& subject) {
   return state;
 }
 
-/// Every third state has other parameters: half to twice the model's, or anywhere in their ranges.
+/// State 0 is the start. Every third state has other parameters: half to twice the model's values,
+/// or anywhere in their ranges.
 VectorState state_number(const Subject& subject, std::size_t number, Sampler& draw) {
   if (number == 0) return {"start", start_of(subject)};
   const bool varies = number % 3 == 0;
@@ -48,7 +50,7 @@ VectorState state_number(const Subject& subject, std::size_t number, Sampler& dr
   return {"rest", std::move(state)};
 }
 
-/// The states at which functions are evaluated, in exact doubles.
+/// Draws the states. Their numbers are exact doubles.
 std::vector<VectorState> drawn_states(const Subject& subject, const VectorOptions& options) {
   Sampler draw(options.seed);
   std::vector<VectorState> states;
@@ -60,8 +62,8 @@ std::vector<VectorState> drawn_states(const Subject& subject, const VectorOption
   return states;
 }
 
-/// The state at which an output is evaluated; empty if Newton's method finds none on the
-/// constraints.
+/// The state at which an output is evaluated, on the constraints if this output is compared there;
+/// none if the projection failed.
 std::optional<State> state_for(const Subject& subject, OutputKind output, const VectorState& at) {
   if (!is_compared_on_constraints(subject.model, output)) return at.drawn;
   if (!at.kept) return std::nullopt;
@@ -69,7 +71,7 @@ std::optional<State> state_for(const Subject& subject, OutputKind output, const 
   return exact_state(subject, arguments_at<double>(state));
 }
 
-/// The digits of `size` that a value keeps if rounding errors are at most u E.
+/// How many digits, relative to `size`, remain correct in double, with rounding errors up to u E.
 int kept_digits(const Running<Real>& value, const cl_R& size) {
   if (value.is_lost || !value.error.is_defined()) return 0;
   const cl_R error = value.error.value() * rounding<double>().roundoff.value();
@@ -78,7 +80,7 @@ int kept_digits(const Running<Real>& value, const cl_R& size) {
   return digits;
 }
 
-/// The kept digits of all values, from a run of the emitted function with error bounds.
+/// The correct digits of all values in double, by the running errors of the emitted function.
 std::vector<int> digits_of(const Subject& subject, const ValueFunction& function,
                            const ValueRecord& record) {
   const Function& emitted =
@@ -97,7 +99,7 @@ std::vector<int> digits_of(const Subject& subject, const ValueFunction& function
   return digits;
 }
 
-/// E633 for each open function that a function of the program reads.
+/// E633 for each function that the program calls although it has no expression.
 Diagnostics refuse_open_functions(const Model& model, const Program& program) {
   std::vector<std::set<std::string>> readers(model.functions.size());
   for (const Function& function : program.functions) {

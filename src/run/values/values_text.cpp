@@ -1,4 +1,4 @@
-// Tables of values: as text, as JSON, as CSV with one row per entry, and as arrays of C.
+// Writes tables of values: as text, as JSON, as CSV with a row per entry, and as C arrays.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// The leaves of a kind in the syntax of models.
+/// The leaves of a kind, as models name them.
 std::vector<std::string> leaf_texts(const Model& model, Opcode kind) {
   std::vector<std::string> texts;
   const auto count = static_cast<std::uint32_t>(leaf_count(model, kind));
@@ -34,7 +34,7 @@ LeafSet argument_kinds(const ValueTable& table) {
   return kinds;
 }
 
-/// The table of one field; `texts` are its numbers with their units.
+/// The text of one field; `texts`: its numbers with units.
 std::string field_text(const std::string& title, const ValueField& field,
                        std::vector<std::string> texts) {
   const std::vector<std::string> no_name{""};
@@ -53,7 +53,7 @@ std::string field_text(const std::string& title, const ValueField& field,
   return fmt::format("{}\n{}\n", title, fmt::join(lines, "\n"));
 }
 
-/// "theta = 0.1, dot(theta) = 2.0": all leaves that functions take, except parameters.
+/// The leaves that some function takes, except parameters: "theta = 0.1, dot(theta) = 2.0".
 std::string state_text(const ValueTable& table, const State& state) {
   const LeafSet kinds = argument_kinds(table);
   std::vector<std::string> parts;
@@ -89,7 +89,7 @@ std::string record_json(const ValueTable& table, const ValueRecord& record) {
   return text + "}";
 }
 
-/// The struct of a function: its arguments, its values, and their digits.
+/// The members of a function's C struct: arguments, values, and digits of the values.
 std::string struct_text(const ValueTable& table, const ValueFunction& function) {
   std::string text;
   for (const Opcode kind : function.takes) {
