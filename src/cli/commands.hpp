@@ -1,5 +1,5 @@
-// Commands: each has a file with its name, its options and its action. Options of several commands
-// are here.
+// Commands: each command has a file with its name, its options and its action. This file has the
+// options that several commands share.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,15 +17,17 @@
 
 namespace elgen::cli {
 
-/// Runs a command with the options that the command line sets.
+/// Runs a command. The action contains the command's options; the argument has the global options.
 using Action = std::function<ExitCode(const GlobalOptions&)>;
 
-// Each adds its command to `app`. The command sets `action` if the command line names it.
+// Each function adds its command to `app`. If the command line names the command, parsing sets
+// `action`.
 #define ELGEN_COMMAND(name) void add_##name(CLI::App& app, Action& action);
 #include "cli/commands.def"
 #undef ELGEN_COMMAND
 
-/// Sets `action` to `run` with the options that CLI11 fills while it parses the command line.
+/// When CLI11 parses the command, sets `action` to call `run` with `options`, which CLI11 has
+/// filled.
 template <class Options>
 void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options>& options,
                 ExitCode (*run)(const GlobalOptions&, const Options&)) {
@@ -34,7 +36,8 @@ void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options
   });
 }
 
-/// An option that may be repeated; each value is a source that diagnostics point into.
+/// An option that may be repeated. Each value becomes a source, so that diagnostics can point into
+/// it.
 inline void add_sources(CLI::App& command, const std::string& name, const std::string& type,
                         std::vector<SourcePointer>& sources, const std::string& doc) {
   const auto read = [&sources](const std::vector<std::string>& values) {
@@ -45,8 +48,8 @@ inline void add_sources(CLI::App& command, const std::string& name, const std::s
       ->allow_extra_args(false);
 }
 
-/// The reason why a word is no number of this type; "" if it is. CLI11 would replace negative
-/// numbers and numbers that are too large by the largest number.
+/// Why the word is no number of this type; "" if it is one. CLI11 itself would replace negative and
+/// too large numbers by the largest number.
 inline std::string number_error(const std::string& word) {
   std::uint64_t number = 0;
   const char* const end = word.data() + word.size();
@@ -55,26 +58,27 @@ inline std::string number_error(const std::string& word) {
   return is_read ? "" : "`" + word + "` is not a whole number below 2^64";
 }
 
-/// An optional number.
+/// An option with a number; `value` stays empty if the option is missing.
 inline CLI::Option* add_number(CLI::App& command, const char* name, std::optional<double>& value,
                                const char* doc) {
   return command.add_option_function<double>(
       name, [&value](double given) { value = given; }, doc);
 }
 
-/// A file that its owner may edit, so only --force replaces it.
+/// An output file that its owner may edit, so only --force replaces it.
 struct FileOption {
-  std::string file = {};  ///< empty: none
+  std::string file = {};  ///< empty: no file
   bool force = false;
 };
 
-/// -o and --force
+/// Adds -o and --force.
 inline void add_output(CLI::App& command, FileOption& output, const std::string& doc) {
   command.add_option("-o,--output", output.file, doc)->type_name("FILE");
   command.add_flag("--force", output.force, "overwrite FILE if it exists");
 }
 
-/// The E703 and E708 of write_output(), to be checked before a long computation.
+/// The errors E703 and E708 that write_output() would report, for a check before a long
+/// computation.
 [[nodiscard]] inline Diagnostics refuse_place(const FileOption& output) {
   if (output.file.empty()) return {};
   return refuse_places({{output.file, "", Replaces::nothing}}, output.force);
@@ -88,14 +92,14 @@ inline Result<std::vector<std::string>> write_output(const GlobalOptions& global
                      {output.force, global.limits.seconds});
 }
 
-/// --fix and --size
+/// Adds --fix and --size.
 inline void add_specialisation(CLI::App& command, SceneOptions& options) {
   add_sources(command, "--fix", "NAME[=VALUE]", options.fixed,
               "replace a parameter by a number: NAME, NAME=VALUE or all");
   add_sources(command, "--size", "NAME=N", options.sizes, "override a size of the model");
 }
 
-/// --language
+/// Adds --language.
 inline void add_language(CLI::App& command, std::optional<LanguageId>& language) {
   std::vector<std::string> names;
   for (const LanguageRow& row : language_table) names.emplace_back(row.name);

@@ -1,5 +1,5 @@
-// Files of two folders are paired by their paths, files of a revision with the working tree. Files
-// that moved are paired by the names of their systems.
+// Pairs the files of two folders by their paths, and the files of a revision with the working tree.
+// Pairs moved files by the names of their systems.
 #include "cli/compared_versions.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ bool same_text(const SourcePointer& x, const SourcePointer& y) {
   return x->text == y->text;
 }
 
-/// False for a path that is too long and for a circular link.
+/// False also if the path is too long, or if it is a circular link.
 bool is_folder(const fs::path& path) {
   std::error_code error;
   return fs::is_directory(path, error);
@@ -42,12 +42,12 @@ bool path_exists(const fs::path& path) {
 
 bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 
-/// Reads the files of one version.
+/// Reads the files of one version, from the disk or from a revision.
 struct VersionReader {
   SourceReader read;
   std::function<Result<Inputs>(const std::string& path)> inputs;
-  /// Paths relative to the folder, without files in hidden folders. E707 if a folder cannot be
-  /// read.
+  /// The paths of all files below a folder, relative to it, without files in hidden folders. E707
+  /// if a folder cannot be read.
   std::function<Result<std::vector<std::string>>(const std::string& folder)> files_below;
 };
 
@@ -58,7 +58,7 @@ Result<std::vector<std::string>> files_on_disk(const std::string& folder) {
   for (auto at = fs::recursive_directory_iterator(folder, error);
        !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
     last = at->path();
-    // A broken or circular link is no directory.
+    // For a broken or circular link this is false, without an error.
     std::error_code unknown;
     if (at->is_directory(unknown) && is_hidden(last.filename())) at.disable_recursion_pending();
     if (!at->is_regular_file(unknown)) continue;
@@ -90,19 +90,19 @@ VersionReader in_revision(const Revision& revision, const Limits& limits) {
           }};
 }
 
-/// The systems of a folder and its other TOML files. Paths are relative to the folder, so that they
-/// pair the files of two folders.
+/// The systems (models and scenes) of a folder, and its other TOML files. Paths are relative to the
+/// folder, so that the files of two folders can be paired by them.
 struct FolderFiles {
   std::set<std::string> systems = {};
   std::set<std::string> others = {};
-  std::set<std::string> doubtful = {};  ///< subset of `others`: may be models with errors
+  std::set<std::string> doubtful = {};  ///< the subset of `others` that may be models with errors
 };
 
 std::string join_paths(const std::string& folder, const std::string& inside) {
   return (fs::path(folder) / inside).lexically_normal().generic_string();
 }
 
-/// The kinds of TOML files.
+/// The role of a TOML file.
 enum class FileRole : std::uint8_t {
   system,    ///< a model or a scene, or a file that cannot be read
   doubtful,  ///< may be a model with errors
@@ -114,8 +114,9 @@ bool has_entry(const TomlValue& root, std::string_view key, TomlKind kind) {
   return entry != nullptr && entry->value.kind == kind;
 }
 
-/// Reads the file once. A model with errors has [[coordinate]] but misspells [model], or it is no
-/// valid TOML but its text contains a header of models.
+/// Reads the file to find its role. It may be a model with errors in two cases: it has
+/// [[coordinate]] but no table [model]; or it is invalid TOML, but its text contains [model] or
+/// [[coordinate]].
 FileRole role_of(const VersionReader& side, const std::string& path) {
   if (path.ends_with(".scene.toml")) return FileRole::system;
   const Result<SourcePointer> source = side.read(path);
@@ -148,8 +149,8 @@ Result<FolderFiles> systems_below(const VersionReader& side, const std::string& 
 /// A file that exists on one side only.
 struct UnpairedFile {
   const VersionReader* side = nullptr;
-  std::string path = {};   ///< on its side
-  std::string shown = {};  ///< in the report
+  std::string path = {};   ///< the path on its side
+  std::string shown = {};  ///< the path in the report
 };
 
 class VersionPairs {
@@ -157,7 +158,7 @@ class VersionPairs {
   VersionPairs(const CompareOptions& options, const Limits& limits)
       : options_(options), limits_(limits) {}
 
-  /// Compares two files.
+  /// Compares two files; their errors are kept for the result.
   void compare(const VersionReader& old_side, const std::string& old_path,
                const VersionReader& new_side, const std::string& new_path) {
     const Progress progress(new_path);
@@ -216,12 +217,12 @@ class VersionPairs {
     }
   }
 
-  /// A file that only the newer side has.
+  /// Notes a file that only the new side has.
   void add(const VersionReader& side, const std::string& path) {
     added_.push_back({&side, path, path});
   }
 
-  /// A file that only the older side has.
+  /// Notes a file that only the old side has.
   void remove(const VersionReader& side, const std::string& path, const std::string& shown) {
     removed_.push_back({&side, path, shown});
   }
@@ -246,7 +247,7 @@ class VersionPairs {
     return inputs ? system_name(*inputs, limits_) : std::string();
   }
 
-  /// Compares added with removed systems of the same name.
+  /// Compares each added system with the removed system of the same name, if there is one.
   void compare_moved() {
     if (added_.empty() || removed_.empty()) return;
     std::vector<std::string> old_names;
@@ -270,7 +271,8 @@ class VersionPairs {
     return keep_errors(path, mistakes(inputs, limits_));
   }
 
-  /// Keeps errors; true if there are none. Warnings are dropped, because `generate` reports them.
+  /// Keeps the errors among the diagnostics; true if there are none. Warnings are dropped, because
+  /// `generate` reports them.
   bool keep_errors(const std::string& path, const Diagnostics& found) {
     for (const Diagnostic& diagnostic : found) {
       if (code_row(diagnostic.code).severity != Severity::error) continue;

@@ -1,4 +1,4 @@
-// Two versions of models and scenes: read, lowered and compared.
+// Reads two versions of models and scenes, lowers their equations and compares them.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace elgen::cli {
 
-/// Compares two files or two folders. Files of folders are paired by their relative paths, files
-/// that moved by the names of their systems. In a folder every TOML file NAME.toml with a table
-/// [model] is a model, and every file NAME.scene.toml is a scene. Errors of either version
-/// accompany the report on the systems that can be compared.
+/// Compares two files or two folders. Files in folders are paired by their relative paths; moved
+/// files by the names of their systems. In a folder, a file NAME.toml with a table [model] is a
+/// model, and a file NAME.scene.toml is a scene. If a version has errors, the report contains the
+/// remaining systems, and the errors are the result's diagnostics.
 [[nodiscard]] Result<DiffReport> compare_paths(const std::string& before, const std::string& after,
                                                const CompareOptions& options, const Limits& limits);
 
-/// Compares files and folders (default: ".") with a revision of git. E713 if git does not know the
-/// revision or cannot be run.
+/// Compares files and folders (default: ".") with their versions in a revision of git. E713 if git
+/// does not know the revision, or cannot be run.
 [[nodiscard]] Result<DiffReport> compare_with_revision(const std::string& name,
                                                        std::vector<std::string> paths,
                                                        const CompareOptions& options,

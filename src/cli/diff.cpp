@@ -18,19 +18,19 @@ namespace {
 
 struct DiffOptions {
   std::vector<std::string> inputs = {};
-  std::string revision = {};  ///< of git; empty: `inputs` has two paths
+  std::string revision = {};  ///< revision of git; empty: `inputs` has two paths
   std::string allowed = "equal";
   std::vector<std::string> renames = {};
   std::vector<std::string> only = {};
-  std::string format = {};  ///< empty: the format of messages
+  std::string format = {};  ///< empty: follows the global --format
   bool lists_all = false;
-  bool strict = false;  ///< undecided entries count as different
+  bool strict = false;  ///< equal entries without a proof count as different
 };
 
 struct DiffFormat {
   std::string_view name;
   std::string (*text)(const DiffReport& report, const DiffOptions& options);
-  bool shows_errors = false;  ///< the format contains the errors of systems
+  bool shows_errors = false;  ///< the output contains the errors of systems that cannot be compared
 };
 
 constexpr std::array formats{
@@ -52,7 +52,7 @@ const DiffFormat& output_format(const GlobalOptions& global, const DiffOptions& 
   return *std::ranges::find(formats, name, &DiffFormat::name);
 }
 
-/// Parses texts OLD=NEW.
+/// Splits each text OLD=NEW.
 Result<Renames> renames_of(const std::vector<std::string>& texts) {
   Renames renames;
   for (const std::string& text : texts) {
@@ -69,7 +69,7 @@ Result<Renames> renames_of(const std::vector<std::string>& texts) {
   return renames;
 }
 
-/// E913 for names in --only that are no output of either version, if a version has changes.
+/// E913 for each name in --only that is no output of any version; none if no system has changes.
 Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options) {
   std::set<std::string> known;
   for (const SystemChange& system : report.systems) {

@@ -16,7 +16,7 @@ struct EvaluateOptions {
   std::string input = {};
   SceneOptions scene = {};
   StateOptions values = {};
-  std::string as = {};  ///< empty: follows --format
+  std::string as = {};  ///< format; empty: follows --format
 };
 
 constexpr std::array value_formats{DataFormat<ValueTable>{"csv", &to_csv},

@@ -1,6 +1,6 @@
-// elgen explain NAME: explains an error code and its remedy, or an output, a function of the
-// language or a name in [[expect]]. For an entry of model and scene files (`coordinate`,
-// `scene.outputs`) it lists the keys.
+// elgen explain NAME: explains an error code, an output, a function of the model language, or a
+// name in [[expect]]. For an entry of model and scene files (`coordinate`, `scene.outputs`), it
+// lists the keys.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -19,10 +19,10 @@
 namespace elgen::cli {
 namespace {
 
-/// Details wrap here, so that they stay readable on wide terminals.
+/// Lines of details break at this column, so that they stay readable on wide terminals.
 constexpr std::size_t page_width = 100;
 
-/// A name that expressions of [[expect]] may use besides the names of the model.
+/// A name that [[expect]] may use, although no model declares it.
 struct WordRow {
   std::string_view name;
   std::string_view doc;
@@ -103,7 +103,7 @@ std::string text_of(const WordRow& row) {
   return fmt::format("{}: a name in [[expect]]\n\n{}\n", row.name, row.doc);
 }
 
-/// A paragraph of lines behind `indent`; empty without details.
+/// The details in lines that begin with `indent`; "" if there are no details.
 std::string details_text(std::string_view details, const std::string& indent) {
   if (details.empty()) return {};
   return indent + break_lines(details, page_width - indent.size(), indent) + "\n";
@@ -119,7 +119,8 @@ std::string key_line(const KeyRow& key) {
                      details_text(key.details, std::string(17, ' ')));
 }
 
-/// `[[frame]]` with its doc; for a table inside an entry only its name, `frame.dh`.
+/// The header and doc of an entry: "[[frame]]: ..."; for a table inside an entry only its name,
+/// "frame.dh".
 std::string header(const std::string& name) {
   for (const EntryRow& entry : entry_table()) {
     if (entry.entry != name) continue;
@@ -129,8 +130,8 @@ std::string header(const std::string& name) {
   return name + "\n";
 }
 
-/// Keys of an entry and of the tables inside it. If no model has the entry, it is an entry of
-/// scenes: `routh` means `scene.routh`.
+/// The keys of an entry and of the tables inside it. If models have no such entry, the name means
+/// an entry of scenes: `routh` means `scene.routh`.
 std::vector<KeyRow> keys_of_entry(const std::string& name) {
   std::vector<KeyRow> keys;
   for (const KeyRow& key : key_table()) {
@@ -154,7 +155,7 @@ std::string text_of(const std::vector<KeyRow>& keys) {
   return text;
 }
 
-/// Every code, output, function and name, and every entry that has its own header in a file.
+/// All names that `explain` knows, except tables inside entries.
 std::vector<std::string> known_names() {
   std::vector<std::string> names = column_words(entry_table(), &EntryRow::entry);
   for (const CodeRow& code : code_table()) names.emplace_back(code.name);
@@ -184,7 +185,7 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
   if (!keys.empty()) {
     Json list = Json::array();
     for (const KeyRow& key : keys) list.push_back(json_of(key));
-    // The entry and the output `gravity` have the same name; both are printed.
+    // If an entry and an output have the same name, such as `gravity`, both are printed.
     const OutputRow* namesake = find_output(name);
     const std::string text = text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
     return print(global, wants_json(global) ? list.dump(2) + "\n" : text);

@@ -1,4 +1,4 @@
-// elgen generate: writes the files of its inputs, or carries out --check, --list-outputs, --stdout.
+// elgen generate: writes the files of its inputs, or prints with --check, --list-outputs, --stdout.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ struct GenerateOptions {
   std::string depfile = {};
 };
 
-/// One input, its sources and its products.
+/// One input with its sources and products.
 struct Job {
   std::string path;
   Inputs inputs;
@@ -48,7 +48,7 @@ struct Job {
   [[nodiscard]] const Scene& scene() const { return products.checked->scene; }
 };
 
-/// Scenes repeat the warnings and notes of their model. Repetitions are removed.
+/// Removes warnings and notes that were already reported: scenes repeat those of their model.
 Diagnostics without_repetitions(Diagnostics diagnostics, std::set<std::string>& reported) {
   std::erase_if(diagnostics, [&reported](const Diagnostic& diagnostic) {
     const bool is_error = code_row(diagnostic.code).severity == Severity::error;
@@ -57,7 +57,7 @@ Diagnostics without_repetitions(Diagnostics diagnostics, std::set<std::string>& 
   return diagnostics;
 }
 
-/// Reads and runs every input, and reports the diagnostics of all inputs.
+/// Reads all inputs, runs the pipeline for each, and reports their diagnostics.
 ExitCode run_jobs(const GlobalOptions& global, const GenerateOptions& options,
                   std::vector<Job>& jobs) {
   PipelineOptions pipeline = pipeline_options(global, {Goal::self_check});
@@ -84,7 +84,7 @@ ExitCode run_jobs(const GlobalOptions& global, const GenerateOptions& options,
   return worst;
 }
 
-/// E604: two inputs would write the same files.
+/// E604 if two inputs would write the same files.
 Diagnostics duplicate_names(const std::vector<Job>& jobs) {
   Diagnostics errors;
   std::map<std::string, std::string> first;
@@ -108,7 +108,7 @@ EmittedFiles all_files(const std::vector<Job>& jobs) {
   return all;
 }
 
-/// E607: options would change files that `generate` without options writes.
+/// E607 if options would change files that were written by `generate` without these options.
 Diagnostics changed_by_options(const GenerateOptions& options, const std::vector<Job>& jobs) {
   Diagnostics errors;
   for (const Job& job : jobs) {
@@ -125,7 +125,7 @@ Diagnostics changed_by_options(const GenerateOptions& options, const std::vector
   return errors;
 }
 
-/// The files that were read: the model, and the scene if there is one.
+/// The files of the job that were read: the model, and the scene if there is one.
 std::vector<SourcePointer> sources_of(const Job& job) {
   std::vector<SourcePointer> sources{job.inputs.model, job.inputs.scene};
   std::erase_if(sources, [](const SourcePointer& source) {
@@ -134,7 +134,7 @@ std::vector<SourcePointer> sources_of(const Job& job) {
   return sources;
 }
 
-/// E714: the code would be newer than an edit that it does not contain, so builds would keep it.
+/// E714 if a source changed after it was read: builds would keep code that is newer than the edit.
 Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
   Diagnostics errors;
   for (const Job& job : jobs) {
@@ -149,8 +149,8 @@ Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
   return errors;
 }
 
-/// The source that an existing file states, if this is not the job's input and still may generate
-/// files of this name; empty otherwise.
+/// The source that an existing generated file states, if it is another input that may still
+/// generate files of this name; none otherwise.
 std::optional<std::string> other_source(const GlobalOptions& global, const Job& job,
                                         const std::string& directory, const OutputFile& file) {
   const auto source = source_file(directory, stated_paths(existing_text(file.path).value_or("")));
@@ -159,7 +159,7 @@ std::optional<std::string> other_source(const GlobalOptions& global, const Job& 
   return is_other && may_have_name(global, *source, job.scene().base_name) ? source : std::nullopt;
 }
 
-/// E604: files of another model or scene with the same name would be replaced.
+/// E604 if files of another model or scene with the same name would be replaced.
 Diagnostics occupied_names(const GlobalOptions& global, const GenerateOptions& options,
                            const std::vector<Job>& jobs) {
   Diagnostics errors;
@@ -178,7 +178,7 @@ Diagnostics occupied_names(const GlobalOptions& global, const GenerateOptions& o
   return errors;
 }
 
-/// The header first, then the other files in the order of artifacts.def.
+/// The paths of a job's files, the header first, then in the order of artifacts.def.
 std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job) {
   std::vector<std::string> paths;
   for (const Artifact& artifact : artifacts_of(job.scene())) {
@@ -187,8 +187,8 @@ std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job
   return paths;
 }
 
-/// The text for --depfile. The header is the first target, because Ninja expects the first output
-/// of its rule.
+/// The text of --depfile. The header is the first target, because Ninja expects the first output of
+/// its rule.
 std::string dependencies(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
@@ -211,7 +211,7 @@ std::vector<OutputFile> output_files(const GenerateOptions& options, const std::
   return files;
 }
 
-/// The word, in single quotes if a shell needs them.
+/// The word; in single quotes if a shell needs quotes.
 std::string quoted_for_shell(const std::string& word) {
   constexpr const char* harmless =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
@@ -221,7 +221,7 @@ std::string quoted_for_shell(const std::string& word) {
   return text + "'";
 }
 
-/// The command line without --check. If options change files, it contains the output directory.
+/// The command line without --check. If options change the files, the output directory is added.
 std::string repair_command(const GlobalOptions& global, const GenerateOptions& options) {
   std::string command = "elgen";
   for (std::size_t i = 1; i < global.words.size(); ++i) {
@@ -233,7 +233,7 @@ std::string repair_command(const GlobalOptions& global, const GenerateOptions& o
   return command;
 }
 
-/// The command that compares the inputs with their old versions; "" for standard input.
+/// The command that compares the inputs with their committed versions; "" for standard input.
 std::string comparison_command(const GenerateOptions& options) {
   if (std::ranges::count(options.inputs, "-") > 0) return {};
   std::string command = "elgen diff --against REV";
@@ -252,7 +252,7 @@ ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
   return check_generated(global, systems);
 }
 
-/// Commands that a new user may run next.
+/// Suggestions for a new user: the next commands.
 std::string next_commands(const std::string& input) {
   const std::string steps = fmt::format("elgen show {} --what steps", input);
   const std::string outputs = fmt::format("elgen show {}", input);
@@ -280,14 +280,14 @@ void report_files(const GlobalOptions& global, const GenerateOptions& options, c
   if (global.verbose) tell(global, next_commands(job.path));
 }
 
-/// The order of printed lists.
+/// The paths in the order in which they are printed.
 std::vector<std::string> sorted_paths_of(const GenerateOptions& options, const Job& job) {
   std::vector<std::string> paths = paths_of(options, job);
   std::sort(paths.begin(), paths.end());
   return paths;
 }
 
-/// `written`: the files that changed, of all inputs; null if no file is written.
+/// `written`: the paths of all files that changed; null if files are only listed.
 Json json_of(const GenerateOptions& options, const Job& job,
              const std::vector<std::string>* written) {
   Json sources = Json::array();

@@ -1,5 +1,6 @@
-// generated_check: compares files byte by byte; `elgen diff` compares equations. Sidecars state the
-// sources of their folders. This finds generated files that no input generates any more.
+// generated_check: compares files byte by byte, in contrast to `elgen diff`, which compares
+// equations. A folder's sidecar states the sources of its files; so files are found that no input
+// generates now.
 #include "cli/generated_check.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Sorted by name.
+/// The paths in a folder, sorted by name.
 std::vector<fs::path> entries_in(const fs::path& folder) {
   std::vector<fs::path> all;
   std::error_code error;
@@ -65,7 +66,7 @@ class OrphanSearch {
     }
   }
 
-  /// The reason why no input generates the files of a folder; "" if an input does, or if unknown.
+  /// Why no input generates the files of the folder; "" if some input does, or if this is unknown.
   std::string reason_of(const fs::path& folder) const {
     for (const fs::path& path : entries_in(folder)) {
       if (!path.filename().string().ends_with(sidecar_ending)) continue;
@@ -88,9 +89,10 @@ class OrphanSearch {
   std::vector<FileDifference> found_ = {};
 };
 
-/// In the folders of `files`: generated files that are not among `files`. Elsewhere below
-/// `directory`: folders whose sidecar names a model or scene that does not exist, or one of
-/// `sources`, whose files now have another name.
+/// Finds orphans, which are generated files that no input generates now. In the folders of `files`:
+/// generated files that are not among `files`. In other folders below `directory`: the files of
+/// folders whose sidecar names a source that does not exist, or one of `sources`, whose files now
+/// have another name.
 std::vector<FileDifference> orphans(const std::string& directory, const EmittedFiles& files,
                                     const std::vector<SourcePaths>& sources) {
   return OrphanSearch(directory, files, sources)();
@@ -127,7 +129,8 @@ Diagnostics diagnostics_of(const std::vector<FileDifference>& differences) {
   return all;
 }
 
-/// One diagnostic for all files, with the commands that repair them and that compare the equations.
+/// Reports one error for all files, with the commands that repair them and the command that
+/// compares the equations.
 ExitCode report_all(const GlobalOptions& global, const GeneratedSystems& systems,
                     const std::vector<FileDifference>& differences) {
   const auto is_orphan = [](const FileDifference& found) {

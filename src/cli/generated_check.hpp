@@ -1,4 +1,4 @@
-// generated_check: the report of `generate --check`.
+// generated_check: compares and reports for `generate --check`.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace elgen::cli {
 
-/// The files that `generate` would write, and their folder.
+/// The files that `generate` would write, their folder and their sources.
 struct GeneratedSystems {
   std::string directory = {};
   EmittedFiles files = {};
   std::vector<SourcePaths> sources = {};
-  std::string repair = {};      ///< the command that writes them
-  std::string comparison = {};  ///< the command that compares the equations; "": none
+  std::string repair = {};      ///< the command that writes the files
+  std::string comparison = {};  ///< the command that compares the equations; "" if there is none
 };
 
-/// Prints the files that differ from the generated ones, with -v their first lines that differ,
-/// then the commands that repair them and compare the equations. In formats other than text: E715
-/// for each file.
+/// Prints the files that differ from the generated text; with -v also the first lines of the
+/// difference. Then prints the commands that repair them and that compare the equations. In other
+/// formats than text, reports E715 for each file.
 [[nodiscard]] ExitCode check_generated(const GlobalOptions& global,
                                        const GeneratedSystems& systems);
 

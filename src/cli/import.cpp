@@ -1,4 +1,4 @@
-// elgen import: a robot description as a model file, on stdout or in the file of -o.
+// elgen import: writes a robot description as a model file, to stdout or to the file of -o.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,15 +20,15 @@ namespace {
 
 struct ImportCommand {
   std::string input = {};
-  std::string checked = {};  ///< the model to compare with the robot; nothing is written
+  std::string checked = {};  ///< the model file of --check; nothing is written
   FileOption output = {};    ///< empty: stdout
   ImportOptions model = {};
 };
 
 using Kind = std::pair<Code, std::string>;
 
-/// The kind of a note. E815 has several kinds, which differ in the message. E820 is grouped by its
-/// hint: why and where a joint is held.
+/// The kind of a note, for merging. Notes E815 of one kind have the same message; notes E820 of one
+/// kind have the same hint, which says why and where a joint is held.
 Kind kind_of(const Diagnostic& note) {
   if (note.code == Code::E820) return {note.code, note.hint};
   return {note.code, note.code == Code::E815 ? note.message : std::string()};
@@ -46,8 +46,8 @@ bool is_note(const Diagnostic& diagnostic) {
   return code_row(diagnostic.code).severity == Severity::note && diagnostic.span.source != nullptr;
 }
 
-/// Merges notes of one kind into one note without a place. Errors, warnings and single notes
-/// remain.
+/// Merges all notes of one kind into one note without a place. Keeps errors, warnings, and notes
+/// that are the only ones of their kind.
 Diagnostics merge_by_kind(const Diagnostics& diagnostics) {
   std::map<Kind, std::size_t> counts;
   for (const Diagnostic& diagnostic : diagnostics) {
@@ -66,7 +66,7 @@ Diagnostics merge_by_kind(const Diagnostics& diagnostics) {
   return kept;
 }
 
-/// Prints every note with --verbose and in formats for programs, otherwise one line per kind.
+/// Prints each note if --verbose or a format for programs is set, otherwise one line per kind.
 ExitCode report_import(GlobalOptions global, const Diagnostics& diagnostics) {
   if (global.verbose) global.style.maximum = diagnostics.size();
   const bool is_whole = global.verbose || global.style.format != DiagnosticFormat::text;
@@ -76,18 +76,18 @@ ExitCode report_import(GlobalOptions global, const Diagnostics& diagnostics) {
   return code;
 }
 
-/// "ur5_gripper" of "models/ur5_gripper.toml".
+/// The file's name without its ending: "ur5_gripper" of "models/ur5_gripper.toml".
 std::string model_name(const std::string& output) {
   return std::filesystem::path(output).stem().string();
 }
 
-/// JSON with the path of the file, and whether it was written.
+/// JSON with the path of the file, and whether the file was written.
 std::string written_json(const std::string& path, bool is_new) {
   const Json file{{"path", path}, {"written", is_new}};
   return Json{{"files", Json::array({file})}}.dump(2) + "\n";
 }
 
-/// The text between two others; "" if the first is missing.
+/// The text between `before` and `behind`; "" if `before` is missing.
 std::string between(const std::string& text, std::string_view before, std::string_view behind) {
   const std::size_t found = text.find(before);
   if (found == std::string::npos) return {};
@@ -95,7 +95,8 @@ std::string between(const std::string& text, std::string_view before, std::strin
   return text.substr(begin, text.find(behind, begin) - begin);
 }
 
-/// The text of the model with the names in `stated`, an imported model, since files may be renamed.
+/// The model's text with the names that `stated` has, an imported model: its file may have been
+/// renamed.
 std::string text_by_names_of(const std::string& stated, const SourcePointer& source,
                              const Limits& limits, ImportOptions options) {
   options.name = between(stated, "[model]\nname        = \"", "\"");
@@ -104,7 +105,7 @@ std::string text_by_names_of(const std::string& stated, const SourcePointer& sou
   return model ? model->text : "";
 }
 
-/// E715 if the file differs from the model in more than names of files.
+/// E715 if the file differs from the imported model in more than the names of files.
 ExitCode check_file(const GlobalOptions& global, const ImportCommand& options,
                     const SourcePointer& source, const std::string& text) {
   const Result<SourcePointer> file = read_source(options.checked, global.limits);

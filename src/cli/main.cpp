@@ -1,6 +1,5 @@
-// elgen: parses the command line. Every command has its own file.
-//
-// CLI11 parses the words; its errors become diagnostics that point into the command line.
+// elgen: parses the command line and runs its command; every command has its own file. Errors of
+// CLI11 become diagnostics that point into the command line.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -29,12 +28,12 @@ constexpr const char* examples =
     "  elgen verify models/cart_pole.toml              compare with 60-digit arithmetic\n";
 
 struct CommandLine {
-  Action action = {};       ///< empty for --help, --version and --limits
-  std::string answer = {};  ///< the text that these options print
+  Action action = {};       ///< empty for --help, --version, --limits, and without a command
+  std::string answer = {};  ///< the text that is printed if there is no action
   GlobalOptions global = {};
 };
 
-/// Options whose values need more than the conversions of CLI11.
+/// Options that are converted after CLI11 has parsed them.
 struct RawOptions {
   std::string color = "auto";
   std::string format = "text";
@@ -42,7 +41,7 @@ struct RawOptions {
   bool list_limits = false;
 };
 
-/// "elgen 0.1.0 (d205d2cd1a2b)"
+/// "elgen 0.1.0 (d205d2cd1a2b)".
 std::string version() {
   const std::string of_commit = *commit == '\0' ? "" : fmt::format(" ({})", commit);
   return "elgen " ELGEN_VERSION + of_commit;
@@ -69,7 +68,7 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
       ->allow_extra_args(false);
 }
 
-/// E913 with a source that shows the command line, and a span on `word`.
+/// E913 at `word`, in a source that contains the command line.
 Diagnostic error_at_word(const std::vector<std::string>& words, const std::string& word,
                          std::string message, std::string hint) {
   std::string text = "elgen";
@@ -101,14 +100,14 @@ std::vector<std::string> known_words(const CLI::App& app) {
   return known;
 }
 
-/// Refers to the help of the command, if the command line names one.
+/// The hint to --help, of the command if the command line names one.
 std::string see_help(const CLI::App& app) {
   const std::vector<CLI::App*> begun = app.get_subcommands();
   const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";
   return fmt::format("see `elgen {}--help`", command);
 }
 
-/// Replaces `elgen help` and `elgen help show` by the corresponding options.
+/// Turns `elgen help show` into `elgen show --help`, and `elgen help` into `elgen --help`.
 std::vector<std::string> without_help_command(std::vector<std::string> words) {
   if (words.size() < 2 || words[1] != "help") return words;
   words.erase(words.begin() + 1);
@@ -116,11 +115,11 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
   return words;
 }
 
-/// Turns `--state a=1 b=2`, also with commas, into `--state a=1 --state b=2`. Input files are no
-/// settings.
+/// Turns `--state a=1 b=2` and `--state a=1, b=2` into `--state a=1 --state b=2`. Names of input
+/// files do not count as settings.
 std::vector<std::string> with_options_repeated(const std::vector<std::string>& words) {
   std::vector<std::string> all;
-  std::string option;  // of the preceding settings
+  std::string option;  // to which the following settings belong
   bool is_first = false;
   for (std::string word : words) {
     const std::size_t equals = word.find('=');
@@ -200,7 +199,7 @@ std::string limits_json() {
   return list.dump(2) + "\n";
 }
 
-/// The text that `elgen` without arguments prints: examples and all commands.
+/// What `elgen` prints without arguments: examples and all commands.
 std::string short_help(const CLI::App& app) {
   std::string text = std::string(examples) + "\n";
   for (const CLI::App* command : app.get_subcommands({})) {
@@ -225,7 +224,7 @@ DiagnosticStyle style_of(const std::string& color, const std::string& format) {
   return style;
 }
 
-/// E913 for options that only people read, if the format is for programs.
+/// E913 for each option whose output has no JSON form, if the format is JSON.
 Diagnostics refuse_json(const GlobalOptions& global) {
   if (!wants_json(global)) return {};
   Diagnostics refused;
@@ -240,7 +239,7 @@ Diagnostics refuse_json(const GlobalOptions& global) {
   return refused;
 }
 
-/// The value of an option, even if other words contain mistakes.
+/// The value of an option, found without CLI11, even if other words contain mistakes.
 std::string value_of(const std::vector<std::string>& words, const std::string& option) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (words[i] == option && i + 1 < words.size()) return words[i + 1];
@@ -249,7 +248,7 @@ std::string value_of(const std::vector<std::string>& words, const std::string& o
   return {};
 }
 
-/// The style for errors of read_command_line(), from the words that can be understood.
+/// The style for errors of read_command_line(), from --color and --format as far as they are valid.
 DiagnosticStyle style_of_mistakes(const std::vector<std::string>& words) {
   const std::string color = value_of(words, "--color");
   return style_of(color.empty() ? "auto" : color, value_of(words, "--format"));
@@ -300,7 +299,8 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   return line;
 }
 
-/// `global` receives the options as soon as they are known, for exceptions that follow.
+/// Sets `global` as soon as the options are known, so that the caller can report exceptions in
+/// their format.
 ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global) {
   const auto line = read_command_line(words);
   if (!line) {
@@ -312,7 +312,7 @@ ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global)
   return line->action ? line->action(global) : print(global, line->answer);
 }
 
-/// Every exception becomes a diagnostic.
+/// Runs the command line; every exception becomes a diagnostic.
 ExitCode run_program(int count, char** words) {
   GlobalOptions global;
   try {

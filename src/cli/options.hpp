@@ -1,4 +1,4 @@
-// The global options, and the output functions that every command needs.
+// The global options, and the functions with which every command prints.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace elgen::cli {
 
-/// Options of every command.
+/// The options that all commands have.
 struct GlobalOptions {
-  std::vector<std::string> words = {};  ///< of the command line; the first is the program's name
+  std::vector<std::string> words = {};  ///< the whole command line, including the program's name
   DiagnosticStyle style = {};
   bool quiet = false;
   bool verbose = false;
@@ -21,18 +21,18 @@ struct GlobalOptions {
   Limits limits = {};
 };
 
-/// Prints a result on stdout in one piece. E706 if that fails.
+/// Prints a result on stdout, in one piece. E706 if that fails.
 ExitCode print(const GlobalOptions& global, const std::string& asked_for);
 
-/// Prints diagnostics on stderr (--quiet: without notes), and returns their exit code.
+/// Prints diagnostics on stderr, without notes if --quiet is set, and returns their exit code.
 ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics);
 
-/// True if results are printed as JSON. Commands refuse results without a JSON form.
+/// True if results are printed as JSON. Commands report an error for results without a JSON form.
 [[nodiscard]] inline bool wants_json(const GlobalOptions& global) {
   return global.style.format == DiagnosticFormat::json;
 }
 
-/// Prints a line for people on stderr, unless --quiet is set or the format is JSON.
+/// Prints a line on stderr, unless --quiet is set or the format is JSON.
 void tell(const GlobalOptions& global, const std::string& line);
 
 void tell_times(const GlobalOptions& global, const Products& products);

@@ -1,4 +1,4 @@
-// All that is printed: results on stdout, everything else on stderr.
+// Prints results on stdout, and everything else on stderr.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -12,12 +12,13 @@
 namespace elgen::cli {
 namespace {
 
-/// A failure to write to stderr cannot be reported.
+/// If writing to stderr fails, nothing can report it.
 void write_stderr(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
-/// Prints the whole text before the message of any limit that is reached meanwhile.
+/// Prints all diagnostics before the message of any limit that is exceeded meanwhile.
 void write_stderr(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
-  // Memory is allocated before the first byte; signals are deferred until the last byte is written.
+  // All memory is allocated before the first byte is written. Signals are deferred until the last
+  // byte is written.
   const std::string text = format(diagnostics, style);
   const NoInterrupts until_written;
   write_stderr(text);

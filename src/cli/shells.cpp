@@ -1,4 +1,4 @@
-// elgen completions, elgen man: the command line, described for shells and for man.
+// elgen completions, elgen man: prints a completion script or the manual page.
 #include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "cli/help/command_list.hpp"
@@ -7,7 +7,8 @@ namespace elgen::cli {
 
 namespace {
 
-/// The text is made during parsing, while the list of commands exists, and printed later.
+/// Sets an action that prints `text`. The text is made during parsing, because the list of commands
+/// exists only then.
 void print_later(Action& action, std::string text) {
   action = [text = std::move(text)](const GlobalOptions& global) {
     if (!wants_json(global)) return print(global, text);

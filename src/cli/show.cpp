@@ -1,4 +1,5 @@
-// elgen show: prints the equations of one input on stdout, in notations for people or programs.
+// elgen show: prints the equations of one input on stdout, in notations for readers or for
+// programs.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -26,19 +27,19 @@ namespace {
 
 struct ShowOptions {
   std::string input = {};
-  std::string what = {};  ///< outputs, or a word of subjects; empty: all outputs
-  std::string as = {};    ///< empty: depends on --format
+  std::string what = {};  ///< names of outputs, or a word of `subjects`; empty: all outputs
+  std::string as = {};    ///< notation; empty: usual_notation()
   std::string at = {};    ///< "theta=0", or the name of an [[equilibrium]]
   SceneOptions scene = {};
 };
 
-/// Makes a page or data from the result of an analysis.
+/// Calls `make` with the result of an analysis, to make a page or JSON.
 template <auto make, auto found>
 auto format_result(const Products& products, const PageOptions&) {
   return make(*products.checked, *(products.*found));
 }
 
-/// The sidecar, which lists all outputs.
+/// The text of the sidecar, which describes all outputs.
 std::string json_of_outputs(const Products& products, const PageOptions&) {
   for (const auto& [path, text] : products.files->files) {
     if (path.ends_with(".json")) return text;
@@ -67,13 +68,14 @@ constexpr std::string_view all_steps;
 template <class T>
 using Shown = T (*)(const Products& products, const PageOptions& options);
 
-/// A subject of --what besides outputs, which cannot be combined.
+/// A subject of --what. Outputs can be combined with each other; all other subjects are shown
+/// alone.
 struct SubjectRow {
-  std::string_view word;    ///< "": outputs
-  Goal goal;                ///< the pipeline stage that computes it
-  Shown<Page> page;         ///< null: text only
-  Shown<std::string> text;  ///< null: the text of the page
-  Shown<std::string> json;  ///< null: none
+  std::string_view word;    ///< in --what; "": outputs
+  Goal goal;                ///< the pipeline's goal that computes it
+  Shown<Page> page;         ///< null: only text exists
+  Shown<std::string> text;  ///< null: the text is made from the page
+  Shown<std::string> json;  ///< null: no JSON form
 };
 
 constexpr std::array subjects{
@@ -89,10 +91,11 @@ constexpr std::array subjects{
 #include "elgen/analyses.def"
 };
 
-/// "lagrangian, steps, cost, equilibria, modes, symmetries or base_parameters"
+/// The words of all subjects: "lagrangian, steps, cost, equilibria, modes, symmetries or
+/// base_parameters".
 std::string subject_words() {
   std::vector<std::string> words = column_words(subjects, &SubjectRow::word);
-  words.erase(words.begin());  // the row of outputs has no word
+  words.erase(words.begin());  // outputs have no word
   const std::string last = std::move(words.back());
   words.pop_back();
   return fmt::format("{} or {}", fmt::join(words, ", "), last);
@@ -135,7 +138,8 @@ double generation_time(const Products& products) {
   return seconds(products.times, "parse", "emit");
 }
 
-/// Sizes from options and the scene, in the words of --size. Options take precedence.
+/// The sizes from options, and the sizes from the scene that no option overrides, as values of
+/// --size.
 std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions& options) {
   std::vector<SourcePointer> sizes = options.scene.sizes;
   const auto is_given = [&options](const std::string& name) {
@@ -153,7 +157,8 @@ std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions&
   return sizes;
 }
 
-/// The built-in scene at the same sizes: all outputs, no fixed values, no locks.
+/// The products of the model without a scene, at the same sizes: all outputs, no fixed values, no
+/// locks.
 Products full_model(const Inputs& inputs, const PipelineOptions& options) {
   PipelineOptions full = options;
   full.scene = {};
@@ -165,7 +170,7 @@ std::string percentage(double part, double whole) {
   return whole > 0 ? fmt::format("{:.0f} %", 100 * part / whole) : "";
 }
 
-/// The costs in the scene and in the full model, and their ratio.
+/// The cost in the scene; if `full` is set, also the cost in the full model and their ratio.
 std::vector<std::string> cost_columns(const OutputRequest& request, const Program& program,
                                       const Products* full) {
   const auto cost_in = [&request](const std::optional<Program>& of) -> std::optional<std::size_t> {
@@ -181,9 +186,9 @@ std::vector<std::string> cost_columns(const OutputRequest& request, const Progra
           percentage(static_cast<double>(own), static_cast<double>(*whole))};
 }
 
-/// A table with three columns for each output: cost of one call, the same in the full model, and
-/// time to derive this output alone (formulate to choose). Each output of `products`, which belong
-/// to `inputs`, is derived again; so is the full model if there is a scene.
+/// A table of outputs: cost of one call, cost in the full model (if there is a scene), and time to
+/// derive this output by itself (formulate to choose). Derives each output of `products` again, and
+/// the full model. `products` must belong to `inputs`.
 std::string generation_costs(const Inputs& inputs, const PipelineOptions& options,
                              const Products& products) {
   PipelineOptions silent = options;
@@ -201,7 +206,7 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
   rows[0].emplace_back("alone");
   columns.push_back({true, 12});
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (!has_equations(output_row(requests[i].kind))) continue;  // composed of other functions
+    if (!has_equations(output_row(requests[i].kind))) continue;  // it only calls other functions
     std::vector<std::string>& row = rows.emplace_back(1, requests[i].name);
     const std::vector<std::string> costs = cost_columns(requests[i], *products.program, full);
     row.insert(row.end(), costs.begin(), costs.end());
@@ -221,7 +226,7 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
 std::string output_text(const Products& products, const SubjectRow& subject,
                         const ShowOptions& wanted) {
   PageOptions options;
-  options.zeros = !wanted.what.empty();  // named outputs are shown even if 0
+  options.zeros = !wanted.what.empty();  // a named output is shown even if it is 0
   if (options.zeros) options.most_entries = SIZE_MAX;
   const bool opens = wanted.what.empty() && products.book && products.book->steps;
   if (opens) options.opening = &*products.book->steps;
@@ -238,7 +243,8 @@ std::string output_text(const Products& products, const SubjectRow& subject,
   return wanted.as == "mathml" ? html_page(shown) : markdown_page(shown);
 }
 
-/// The default notation. Pipes get one for programs.
+/// The default notation: JSON if --format says so, Unicode on a terminal that shows it, otherwise
+/// text.
 std::string usual_notation(const GlobalOptions& global) {
   if (wants_json(global)) return "json";
   return screen_of(stdout).alphabet == Alphabet::unicode ? "unicode" : "text";

@@ -1,4 +1,4 @@
-// Shows the stages of the pipeline on one terminal line.
+// Runs the pipeline, and shows its stages on one line of the terminal.
 #include "cli/shown_pipeline.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The pipeline as all commands run it: progress is shown first, then diagnostics.
+// The pipeline as commands run it: they show the progress, then the diagnostics.
 #pragma once
 
 #include <string>
@@ -8,19 +8,21 @@
 
 namespace elgen::cli {
 
-/// The options of all commands, with `goals` unless --stop-after sets another.
+/// The pipeline options that the global options set. `goals` are used unless --stop-after sets
+/// another goal.
 [[nodiscard]] PipelineOptions pipeline_options(const GlobalOptions& global,
                                                std::vector<Goal> goals);
 
-/// Runs the pipeline and shows its stages. The line is cleared before this returns, so that
-/// products can be printed.
+/// Runs the pipeline and shows its stages. The line of progress is cleared before this returns, so
+/// that results can be printed.
 [[nodiscard]] Products run_with_progress(const std::string& subject, const Inputs& inputs,
                                          PipelineOptions options);
 
-/// Prints the dump and the diagnostics.
+/// Prints the dump, if any, on stdout and the diagnostics on stderr.
 ExitCode report_products(const GlobalOptions& global, const Products& products);
 
-/// True if the file exists and its scene has this name, or if the name cannot be determined.
+/// True if `path` is a model or scene of this name, or one with errors, whose name is unknown.
+/// False if it cannot be read.
 [[nodiscard]] bool may_have_name(const GlobalOptions& global, const std::string& path,
                                  const std::string& name);
 

@@ -1,4 +1,4 @@
-// elgen simulate: a run of one model or scene from its start. Prints the last state and the drifts,
+// elgen simulate: simulates a model or scene from its start. Prints the last state and the drifts,
 // and writes the rows to the file of -o.
 #include "elgen/simulate.hpp"
 
@@ -29,14 +29,15 @@ struct SimulateOptions {
   std::string input = {};
   SceneOptions scene = {};
   SimulationOptions run = {};
-  FileOption output = {};  ///< of the rows
+  FileOption output = {};  ///< for the rows
 };
 
-/// Number of rows in a file if --every is not set.
+/// The number of rows if --every is not set.
 constexpr double default_rows = 1000;
 
-/// After a second it estimates the duration of the run, and shows it once if it is ten seconds or
-/// more: in the line of progress on a terminal, otherwise as a message.
+/// A function for the progress of a run. After one second it estimates the duration of the whole
+/// run. If this is ten seconds or more, it shows the estimate once: in the line of progress on a
+/// terminal, otherwise as a message.
 std::function<void(double)> estimate_of_run(const GlobalOptions& global, const Progress& progress,
                                             double from, double time) {
   using Clock = std::chrono::steady_clock;
@@ -55,7 +56,7 @@ std::function<void(double)> estimate_of_run(const GlobalOptions& global, const P
   };
 }
 
-/// The line of progress is cleared before this returns.
+/// Runs derive_for_run() and shows its stages. The line of progress is cleared before this returns.
 Products derive_with_progress(const SimulateOptions& options, const Inputs& inputs,
                               PipelineOptions pipeline) {
   const Progress progress(options.input);
@@ -63,7 +64,7 @@ Products derive_with_progress(const SimulateOptions& options, const Inputs& inpu
   return derive_for_run(inputs, std::move(pipeline), step_of_run(options.run));
 }
 
-/// E910 if the rows take more memory than the limit. Each has t, q, v and E, as numbers and as
+/// E910 if the rows need more memory than the limit. Each row has t, q, v and E, as numbers and as
 /// texts of at least two characters.
 Diagnostics refuse_rows(const SimulationOptions& run, const Model& model, const Limits& limits) {
   if (!run.every) return {};
@@ -103,7 +104,7 @@ Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOpti
 
 bool is_page(const SimulateOptions& options) { return options.output.file.ends_with(".html"); }
 
-/// The run that a page opens with: by default rk4 in ten thousand steps of one length.
+/// The options of a page's run. Default: rk4 with ten thousand steps of equal length.
 SimulationOptions run_of_page(SimulationOptions run) {
   constexpr double default_steps = 10'000;
   if (run.method.empty()) run.method = "rk4";
@@ -111,7 +112,8 @@ SimulationOptions run_of_page(SimulationOptions run) {
   return run;
 }
 
-/// The derivation and, without constraints, the equilibria and normal modes if they are found.
+/// The derivation for the page; without constraints, also the equilibria and normal modes, if they
+/// can be found.
 Products derive_page_texts(const SimulateOptions& options, const Inputs& inputs,
                            PipelineOptions pipeline, bool is_constrained) {
   pipeline.scene.purpose = purpose::rest;
@@ -147,7 +149,7 @@ ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options)
   return std::max(reported_code, report(global, written.diagnostics));
 }
 
-/// E913 if `--show` or `--path` is set but no plot is written.
+/// E913 if `--show` or `--path` is set but the output is no plot.
 Diagnostics refuse_curves(const SimulateOptions& options) {
   const bool has_curves = !options.run.show.empty() || !options.run.path.empty();
   if (!has_curves || options.output.file.ends_with(".svg")) return {};
@@ -197,7 +199,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
 void add_numbers(CLI::App& command, SimulationOptions& run) {
   command.add_option("--time", run.time, "duration in s")->required();
   command.add_option("--from", run.from, "time at the start in s")->capture_default_str();
-  run.method.clear();  // pages and rows have different defaults
+  run.method.clear();  // pages and other runs have different defaults
   command.add_option("--method", run.method,
                      "dopri5 (default), rk4 (default for .html), verlet or midpoint");
   command.add_option_function<std::uint32_t>(

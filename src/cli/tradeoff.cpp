@@ -1,5 +1,5 @@
-// elgen tradeoff: measures the designs of one output, or runs, as a table. The table and the scene
-// of a row are written together or not at all.
+// elgen tradeoff: measures the designs of one output, or of runs, and prints a table. The table's
+// file and the scene of a picked row are written together or not at all.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,25 +20,25 @@
 namespace elgen::cli {
 namespace {
 
-/// The output of a table, and the choice of one of its rows.
+/// The options for the table, and for a picked row.
 struct TradeoffOutput {
   std::string as = {};  ///< format on stdout; empty: follows --format
   FileOption table = {};
-  std::optional<double> max_error = {};  ///< of the row to pick
-  std::string scene_file = {};           ///< for the scene of that row; empty: none
+  std::optional<double> max_error = {};  ///< the cheapest row within this error is picked
+  std::string scene_file = {};           ///< for the scene of the picked row; empty: no scene
 };
 
 struct TradeoffOptions {
   std::string input = {};
   std::string of = {};               ///< the output to measure
-  std::optional<double> time = {};   ///< of runs, which replace the output
-  std::vector<double> lengths = {};  ///< of the steps of runs
+  std::optional<double> time = {};   ///< duration of runs in s; none: an output is measured
+  std::vector<double> lengths = {};  ///< of steps in these runs, in s
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
   TradeoffOutput output = {};
 };
 
-/// The path of the model, relative to the folder of the scene.
+/// The path of the model, relative to the scene's folder.
 std::string model_path(const Inputs& inputs, const std::string& scene_file) {
   namespace fs = std::filesystem;
   const auto from_root = [](const fs::path& path) { return fs::absolute(path).lexically_normal(); };
@@ -58,7 +58,8 @@ Diagnostics no_design_within(const TradeoffTable& table, double max_error) {
                              name_of(*nearest), nearest->error.worst)}};
 }
 
-/// Picks a row by --max-error. Its scene, which promises this error, is appended to `files`.
+/// Picks the cheapest row within --max-error; E632 if there is none. Appends its scene, which
+/// requires this `max_error`, to `files` if --write-scene is set.
 ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
                     const Inputs& inputs, const TradeoffTable& table,
                     std::vector<OutputFile>& files) {
@@ -76,7 +77,7 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
   return ExitCode::success;
 }
 
-/// E913 for an unknown ending; E703, E708 for existing files that may not be replaced.
+/// E913 for an unknown file ending; E703 or E708 if an existing file may not be replaced.
 Diagnostics refuse_output(const TradeoffOutput& output) {
   if (!output.table.file.empty()) {
     const auto format = format_of<TradeoffTable>(output.table.file);
@@ -89,8 +90,8 @@ Diagnostics refuse_output(const TradeoffOutput& output) {
   return refuse_places(files, output.table.force);
 }
 
-/// Prints and writes a judged table, and the scene of the picked design if output.scene_file is
-/// set. E632 if no row is within max_error; E706.
+/// Prints and writes a ranked table, and the scene of the picked row if output.scene_file is set.
+/// E632 if no row is within max_error; E706 if a file cannot be written.
 ExitCode write_results(const GlobalOptions& global, const TradeoffOptions& options,
                        const Inputs& inputs, const TradeoffTable& table) {
   const TradeoffOutput& output = options.output;
@@ -109,7 +110,7 @@ ExitCode write_results(const GlobalOptions& global, const TradeoffOptions& optio
   return std::max(worst, report(global, written.diagnostics));
 }
 
-/// Shows the stages. The line of progress is cleared before this returns.
+/// Measures and shows the stages. The line of progress is cleared before this returns.
 Result<MeasuredTable> measure_with_progress(const GlobalOptions& global,
                                             const TradeoffOptions& options, const Inputs& inputs) {
   const Progress progress(options.input);
@@ -120,7 +121,8 @@ Result<MeasuredTable> measure_with_progress(const GlobalOptions& global,
   return measure_designs({inputs, options.of, options.choices, options.ranges}, process);
 }
 
-/// E913: a scene names the file of its model, and standard input has none.
+/// E913 if a scene should be written for a model on standard input: a scene names the file of its
+/// model.
 Diagnostics refuse_scene(const TradeoffOptions& options, const Inputs& inputs) {
   if (options.output.scene_file.empty() || inputs.model->path != stdin_name) return {};
   return {{Reason::stdin_in_scene, {}, "a scene cannot name a model on standard input"}};
@@ -135,7 +137,8 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
   ExitCode found = report(global, result.diagnostics);
   if (!result) return found;
   if (!result->not_compiled.empty()) {
-    // The other designs are measured nevertheless, so this is not only a mistake in elgen.
+    // Other designs were compiled and measured, so the exit code is not the one of an internal
+    // error.
     report(global, result->not_compiled);
     found = ExitCode::inaccessible;
   }
@@ -149,7 +152,7 @@ ExitCode run_tradeoff(const GlobalOptions& global, const TradeoffOptions& option
   return wrong.empty() ? measure_input(global, options) : report(global, wrong);
 }
 
-/// An option for each dimension of designs.
+/// Adds an option for each dimension of designs.
 void add_dimension_options(CLI::App& command, DesignChoices& choices) {
   for (const DesignDimension& dimension : design_dimensions()) {
     const auto pin = [&choices, name = dimension.name](const std::string& value) {
@@ -161,7 +164,7 @@ void add_dimension_options(CLI::App& command, DesignChoices& choices) {
   }
 }
 
-/// The options for the designs and the ranges of their states, or for the runs.
+/// Adds the options that select the designs and the ranges of their states, or the runs.
 void add_subject(CLI::App& command, TradeoffOptions& options) {
   CLI::Option* const time = add_number(
       command, "--trajectory", options.time,
@@ -189,7 +192,7 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
   command.get_option("--range")->excludes(time);
 }
 
-/// The options for the output of the table.
+/// Adds the options for the output of the table.
 void add_output_options(CLI::App& command, TradeoffOutput& output) {
   CLI::Option* const max_error =
       add_number(command, "--max-error", output.max_error,

@@ -1,4 +1,5 @@
-// elgen vectors: states and the values of functions at these states, to test code of other authors.
+// elgen vectors: writes states, and the values of functions at these states, as tests for other
+// code.
 #include <array>
 
 #include "cli/commands.hpp"
@@ -17,14 +18,14 @@ struct VectorsOptions {
   std::string input = {};
   SceneOptions scene = {};
   VectorOptions vectors = {};
-  FileOption output = {};  ///< empty: JSON is printed
+  FileOption output = {};  ///< empty: JSON on stdout
 };
 
 constexpr std::array vector_formats{DataFormat<ValueTable>{"csv", &to_csv},
                                     DataFormat<ValueTable>{"json", &to_json},
                                     DataFormat<ValueTable>{"h", &to_header}};
 
-/// Shows the stage. The line of progress is cleared before this returns.
+/// Computes the vectors and shows the stage. The line of progress is cleared before this returns.
 Result<ValueTable> vectors_of(const GlobalOptions& global, const VectorsOptions& options,
                               const Products& products) {
   const Progress progress(options.input);

@@ -1,4 +1,4 @@
-// elgen verify: a certificate per input, on stdout and in the file of -o.
+// elgen verify: prints a certificate for each input, and also writes it to the file of -o.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -22,7 +22,7 @@
 namespace elgen::cli {
 namespace {
 
-/// A value of --build.
+/// A word of --build.
 struct BuildWord {
   std::string_view word;
   Build build;
@@ -32,20 +32,20 @@ constexpr std::array<BuildWord, 3> build_words{
 
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
-  VerifyOptions verify = {};  ///< verify_compiled() adds forms, claims and on_step
+  VerifyOptions verify = {};  ///< verify_compiled() sets forms, claims and on_step
   std::vector<Build> builds = {Build::as_written, Build::native, Build::user_flags};
-  bool strict = false;     ///< skipped checks count as failed
-  FileOption output = {};  ///< of certificates
+  bool strict = false;     ///< a skipped check counts as failed
+  FileOption output = {};  ///< for the certificates
   std::optional<LanguageId> language = {};
-  ForeignOptions foreign = {};  ///< without claims no foreign code is judged
+  ForeignOptions foreign = {};  ///< no claims: no foreign code is checked
 };
 
-/// With every check, as -o writes it.
+/// The certificate with every check, as -o writes it.
 std::string full_text(const GlobalOptions& global, const Certificate& certificate) {
   return wants_json(global) ? to_json(certificate) : to_full_text(certificate);
 }
 
-/// The text that -q, -v and --format select.
+/// The certificate in the form that -q, -v and --format select.
 std::string certificate_text(const GlobalOptions& global, const Certificate& certificate) {
   if (wants_json(global) || (global.verbose && !global.quiet))
     return full_text(global, certificate);
@@ -68,14 +68,15 @@ auto run_timed(const std::string& name, Products& products, const Progress& prog
   return result;
 }
 
-/// A compiler that is too slow says nothing about the model, so its checks are skipped.
+/// One header without code, so that its checks are skipped: a compiler that is too slow is no fault
+/// of the model.
 CompiledHeaders late_compilation(const Diagnostic& late) {
   CompiledHeaders headers(1);
   headers.front().failure_reason = late.message + "; " + late.hint;
   return headers;
 }
 
-/// Compiles the emitted code in every build of options.builds; nothing if --quick is set.
+/// Compiles the emitted code in each build of options.builds; nothing if --quick is set.
 Result<CompiledHeaders> compile_builds(Products& products, const VerifyCommandOptions& options,
                                        const Limits& limits, const Progress& progress) {
   if (options.verify.quick) return CompiledHeaders();
@@ -90,7 +91,8 @@ Result<CompiledHeaders> compile_builds(Products& products, const VerifyCommandOp
   });
 }
 
-/// The rows of `max_error`. An expanded scene is derived again without its expansion.
+/// The rows of `max_error`. If the scene expands the model, the exact model is derived for the
+/// comparison.
 Result<std::vector<CertificateRow>> check_promises(const Inputs& inputs, const Products& products,
                                                    const CompiledHeaders& compiled,
                                                    const VerifyOptions& options,
@@ -108,8 +110,8 @@ Result<std::vector<CertificateRow>> check_promises(const Inputs& inputs, const P
   return check_max_error(*exact.checked, *exact.program, compiled, options);
 }
 
-/// Compiles the code and verifies the products. Every step is shown, and timed with the stages of
-/// the products.
+/// Compiles the code and verifies the products. Shows every step, and appends its time to
+/// products.times.
 Result<Verification> verify_compiled(const std::string& path, const Inputs& inputs,
                                      Products& products, const VerifyCommandOptions& options,
                                      const Limits& limits) {
@@ -134,7 +136,7 @@ Result<Verification> verify_compiled(const std::string& path, const Inputs& inpu
   return result;
 }
 
-/// Judges foreign code. Nothing is derived.
+/// Compares foreign code with the oracle; no equations are derived.
 Result<Verification> judge_code(const std::string& path, Products& products,
                                 const VerifyCommandOptions& options, const Limits& limits) {
   ForeignOptions foreign = options.foreign;
@@ -145,7 +147,8 @@ Result<Verification> judge_code(const std::string& path, Products& products,
                    [&] { return compare_foreign_code(*products.checked, foreign); });
 }
 
-/// Appends the full certificate of an input; nothing if the input has errors.
+/// Prints the certificate of an input, and appends its full text to `certificates`; nothing is
+/// appended if the input has errors.
 ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
                     const Inputs& inputs, std::vector<std::string>& certificates) {
   const std::string& path = (inputs.scene != nullptr ? inputs.scene : inputs.model)->path;
@@ -191,7 +194,7 @@ ExitCode verify_each(const GlobalOptions& global, const VerifyCommandOptions& op
                                   : report(global, inputs.diagnostics);
     worst = std::max(worst, found);
   }
-  // A file in which some certificates are missing would look complete.
+  // A file without the certificates of some inputs would look complete.
   if (options.output.file.empty() || certificates.size() != options.inputs.size()) return worst;
   std::string all;
   for (const std::string& certificate : certificates) all += certificate;
@@ -203,7 +206,7 @@ ExitCode run_verify(const GlobalOptions& global, const VerifyCommandOptions& opt
   return refused.empty() ? verify_each(global, options) : report(global, refused);
 }
 
-/// Options for the number and the seed of states, and for the number of processes.
+/// Adds the options for the number and the seed of states, and for the number of processes.
 void add_states(CLI::App& command, VerifyOptions& verify) {
   constexpr unsigned most_jobs = 512;
   verify.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, most_jobs);
@@ -218,7 +221,7 @@ void add_states(CLI::App& command, VerifyOptions& verify) {
       ->check(CLI::Range(1U, most_jobs));
 }
 
-/// --build
+/// Adds --build.
 void add_build(CLI::App& command, std::vector<Build>& builds) {
   const auto set = [&builds](const std::string& word) {
     builds = {std::ranges::find(build_words, word, &BuildWord::word)->build};
@@ -229,7 +232,8 @@ void add_build(CLI::App& command, std::vector<Build>& builds) {
   build->excludes(command.get_option("--quick"));
 }
 
-/// "linearization.B=my_B"; the default name is the text before "=".
+/// The claim in "OUTPUT.FIELD=NAME", such as "linearization.B=my_B". By default NAME is the text
+/// before "=".
 ForeignClaim claim_of(const std::string& text) {
   const std::string claimed = text.substr(0, text.find('='));
   const std::string output = claimed.substr(0, claimed.find('.'));

@@ -1,4 +1,5 @@
-// Compares files with the disk for --check: missing, stale or edited by hand.
+// --check: compares the generated files with the files on disk, which may be missing, stale or
+// edited.
 #include <fmt/format.h>
 
 #include <array>
@@ -11,7 +12,7 @@ namespace elgen::cli {
 
 namespace {
 
-constexpr std::size_t diff_lines = 20;  // of each file; further lines are counted
+constexpr std::size_t diff_lines = 20;  // printed lines per file; the rest is only counted
 
 std::vector<std::string> lines(const std::string& text) {
   std::vector<std::string> result;
@@ -20,7 +21,7 @@ std::vector<std::string> lines(const std::string& text) {
   return result;
 }
 
-/// A unified diff of at most `diff_lines` lines.
+/// A unified diff, cut after `diff_lines` lines.
 std::string unified_diff(const std::string& before, const std::string& after) {
   dtl::Diff<std::string> diff(lines(before), lines(after));
   diff.onHuge();

@@ -1,4 +1,4 @@
-// data_formats: the formats of tables and rows, by name or by the ending of a file.
+// data_formats: the formats of tables and rows. A name or a file's ending selects the format.
 #pragma once
 
 #include <fmt/ranges.h>
@@ -19,15 +19,15 @@ struct DataFormat {
   std::string (*text)(const Data&);
 };
 
-/// The formats of data with to_csv, to_json and to_svg.
+/// The formats csv, json and svg, for data that has to_csv(), to_json() and to_svg().
 template <class Data>
 inline constexpr std::array data_formats{
     DataFormat<Data>{"csv", [](const Data& data) { return to_csv(data); }},
     DataFormat<Data>{"json", [](const Data& data) { return to_json(data); }},
     DataFormat<Data>{"svg", [](const Data& data) { return to_svg(data); }}};
 
-/// The format for the ending of a file name; E913 for other endings. `other`: an ending that the
-/// command handles by itself.
+/// The format that the file's ending selects; E913 if it selects none. `other`: another ending that
+/// the message lists, because the command handles it itself.
 template <class Data>
 [[nodiscard]] Result<DataFormat<Data>> format_of(
     const std::string& file, const std::array<DataFormat<Data>, 3>& formats = data_formats<Data>,

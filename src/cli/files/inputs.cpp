@@ -1,4 +1,4 @@
-// Reads the files a command names. A scene's model is found through the scene's own text.
+// Reads the files that a command names. The path of a scene's model is in the scene's text.
 #include "cli/files/inputs.hpp"
 
 #include <fcntl.h>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Identifies a file, whatever its path is.
+/// Device and inode: equal for all paths of the same file.
 using Identity = std::pair<dev_t, ino_t>;
 
 Identity identity(const struct stat& file) { return {file.st_dev, file.st_ino}; }
@@ -41,7 +41,8 @@ Diagnostic unreadable(const std::string& path, int error) {
   return unreadable(path, "could not be read: " + std::generic_category().message(error));
 }
 
-/// Checked before the file is opened, because opening may block for ever or affect a device.
+/// E111 or E707 if the file does not exist or is no regular file or FIFO. Must precede opening,
+/// because opening a device may block or have effects.
 std::optional<Diagnostic> missing_file_error(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) {
@@ -53,7 +54,7 @@ std::optional<Diagnostic> missing_file_error(const std::string& path) {
   return unreadable(path, fmt::format("is {}, not a file", kind));
 }
 
-/// Reads an open file, but stops soon after the limit.
+/// Reads an open file; stops soon after the limit of bytes.
 Result<SourcePointer> read_descriptor(const std::string& name, const Descriptor& file,
                                       const Limits& limits) {
   struct stat found {};
@@ -93,8 +94,8 @@ bool is_scene(const SourceText& source) {
          source.path.ends_with(".scene.toml");
 }
 
-/// The error of a file that is no model and is not named as a scene: a robot description, a scene,
-/// or a model with the name of a scene.
+/// The error of a file whose name and content disagree: a robot description, a scene without the
+/// ending of scenes, or a model with this ending. None otherwise.
 std::optional<Diagnostic> misnamed_error(const SourceText& source) {
   const std::size_t first = source.text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && source.text[first] == '<') {
@@ -130,8 +131,8 @@ std::vector<std::string> toml_files(const fs::path& folder) {
   return names;
 }
 
-/// The hint for a scene whose model does not exist. To show a revision, git puts a single file into
-/// a temporary folder.
+/// The hint if a scene's model does not exist. To show a revision, git copies single files into a
+/// temporary folder `git-blob-*`.
 std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
   const bool is_alone = scene.parent_path().filename().string().starts_with("git-blob-");
   if (is_alone)
@@ -176,8 +177,8 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
   const Result<FileSyntax> scene = parse_scene(*source, limits);
   if (!scene) return scene.diagnostics;
   const KeySyntax* named = find_key(&*scene, "", "model");
-  if (named == nullptr) return scene.diagnostics;  // parse has reported the missing key
-  // Files of other kinds are not read, so that no diagnostic quotes them.
+  if (named == nullptr) return scene.diagnostics;  // parse_scene() has reported the missing key
+  // Other files are not read, so that no diagnostic quotes their text.
   if (!named->value.text.ends_with(".toml")) {
     return Diagnostic{Reason::misnamed_file, named->value.span,
                       fmt::format("{} is no model", in_backticks(named->value.text)),
@@ -186,7 +187,7 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
   const fs::path model = fs::path(path).parent_path() / named->value.text;
   Result<SourcePointer> model_source = read(model.lexically_normal().string());
   if (!model_source) {
-    // The mistake is in the scene, so the diagnostic points into the scene.
+    // The scene has the wrong path, so the diagnostic points into the scene.
     Diagnostics errors = model_source.diagnostics;
     errors.front().span = named->value.span;
     return errors;

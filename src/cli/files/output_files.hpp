@@ -1,4 +1,5 @@
-// Writes the output files of every command: all or none, and never over files of others.
+// Writes the output files of a command: all of them or none. Never replaces files that elgen did
+// not write, unless forced.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +13,14 @@
 
 namespace elgen::cli {
 
-/// The ending of files that list the generated files.
+/// The ending of sidecars, which list the generated files of a system.
 inline constexpr std::string_view sidecar_ending = artifact_table.sidecar.ending;
 
-/// The condition on an existing file under which it is replaced without --force.
+/// When an existing file may be replaced without --force.
 enum class Replaces : unsigned char {
-  generated,     ///< it has the marker of elgen
-  dependencies,  ///< its first rule makes a generated file
-  nothing,       ///< never: its owner edits it
+  generated,     ///< if it has the marker of elgen
+  dependencies,  ///< if its first rule makes a generated file
+  nothing,       ///< never, because its owner edits it
 };
 
 struct OutputFile {
@@ -29,49 +30,49 @@ struct OutputFile {
 };
 
 struct WriteOptions {
-  bool force = false;         ///< replaces any regular file that is no input
-  std::uint64_t seconds = 0;  ///< longest wait for another process that writes to the same folder
+  bool force = false;         ///< replace any regular file, except inputs
+  std::uint64_t seconds = 0;  ///< how long to wait for a process that writes to the same folder
 };
 
-/// The emitted files with their paths in `directory`.
+/// The emitted files, with paths in `directory`.
 [[nodiscard]] std::vector<OutputFile> files_in(const std::string& directory,
                                                const EmittedFiles& files);
 
-/// Writes the files and returns the paths of those that changed. E703, E708: an existing file may
-/// not be replaced. E706: a file could not be written. After an error nothing is changed.
+/// Writes the files, and returns the paths of the files that changed. E703 or E708 if an existing
+/// file may not be replaced; E706 if a file cannot be written. After an error no file has changed.
 [[nodiscard]] Result<std::vector<std::string>> write_files(const std::vector<OutputFile>& files,
                                                            const WriteOptions& options);
 
-/// Only the E703 and E708 of write_files(), to be checked before a long computation.
+/// The errors E703 and E708 that write_files() would report, for a check before a long computation.
 [[nodiscard]] Diagnostics refuse_places(const std::vector<OutputFile>& files, bool force);
 
-/// True if the first 200 bytes of a regular file contain the marker of generated files.
+/// True if the path is a regular file whose first 200 bytes contain the marker of generated files.
 [[nodiscard]] bool has_marker(const std::string& path);
 
-/// The text of a regular file; empty if there is none.
+/// The text of a regular file; none if it does not exist or cannot be read.
 [[nodiscard]] std::optional<std::string> existing_text(const std::string& path);
 
-/// A path with spaces and dollar signs escaped for make and ninja.
+/// The path, with spaces and dollar signs escaped for make and ninja.
 [[nodiscard]] std::string escaped_for_make(const std::string& path);
 
 enum class FileState : unsigned char {
   stale,
-  edited,  ///< by hand: the text does not have the hash that it states
+  edited,  ///< by hand: the file states a hash that its text does not have
   missing,
-  orphaned,  ///< it has the marker, but no input generates it any more
+  orphaned,  ///< it has the marker, but no input generates it now
 };
 
-/// "stale", "edited", "missing", "orphaned"
+/// "stale", "edited", "missing" or "orphaned".
 [[nodiscard]] std::string_view name_of(FileState state);
 
-/// A file that differs from the generated text.
+/// A file on disk that differs from the generated text.
 struct FileDifference {
   FileState state = FileState::stale;
   std::string path = {};
-  std::string detail = {};  ///< the first lines of a unified diff; for an orphan the reason
+  std::string detail = {};  ///< first lines of a unified diff; for an orphan, its reason
 };
 
-/// The differences between `files` and the disk. Orphans are not searched.
+/// The generated files that are missing or different on disk. Does not search orphans.
 [[nodiscard]] std::vector<FileDifference> compare_files(const std::string& directory,
                                                         const EmittedFiles& files);
 

@@ -1,4 +1,4 @@
-// source_paths: paths are compared folder by folder; links are resolved if they exist.
+// source_paths: compares paths folder by folder, after resolving links of existing files.
 #include "cli/files/source_paths.hpp"
 
 #include <algorithm>
@@ -37,8 +37,8 @@ bool is_in_repository(fs::path folder) {
   return false;
 }
 
-/// True if files below this folder may be unrelated: it is or contains the home or a folder for
-/// temporary files.
+/// True if files below this folder may be unrelated: if it is, or contains, the home folder or a
+/// folder for temporary files.
 bool is_shared_folder(const fs::path& folder) {
   std::vector<std::string> places{"/tmp", "/var/tmp"};
   for (const char* const variable : {"HOME", "TMPDIR"}) {

@@ -1,4 +1,4 @@
-// source_paths: the paths of sources that generated files state.
+// source_paths: the paths of sources that generated files state, relative to the output folder:
 //
 //     generated/, models/a.toml        ->   ../models/a.toml
 //     /tmp/out/, /home/ann/a.toml      ->   a.toml
@@ -10,12 +10,12 @@
 
 namespace elgen::cli {
 
-/// Paths relative to the output folder, if source and output are in one repository of git or in one
-/// common folder. The root, the home and folders for temporary files do not count as common.
-/// Otherwise, and for standard input, bare names, so that no file reveals paths of a machine.
+/// Relative paths if source and output folder are in one git repository, or have a common folder.
+/// The root, the home folder and folders for temporary files do not count as common. Otherwise, and
+/// for standard input, only the file's name, so that generated files reveal no paths of a machine.
 [[nodiscard]] SourcePaths source_paths(const Inputs& inputs, const std::string& directory);
 
-/// The file that the paths name: the scene, or else the model. Empty if they are bare names.
+/// The path of the scene, or else of the model; none if it is only a file's name.
 [[nodiscard]] std::optional<std::string> source_file(const std::string& directory,
                                                      const SourcePaths& paths);
 

@@ -1,7 +1,8 @@
 // transaction: all processes create, open and lock folders in the same order. After locking they
-// check the folders again, because a process that fails removes the folders it created. The stage
-// of a folder has a known prefix: the next process recognises the stage of a killed process and
-// removes it under the lock.
+// check that the folders still exist, because a process that fails removes the folders it created.
+// New files are first written to a stage, a temporary folder with a known prefix inside the target
+// folder. If a process is killed, the next process finds its stage by the prefix and removes it
+// under the lock.
 #include "cli/files/transaction.hpp"
 
 #include <dirent.h>
@@ -58,7 +59,7 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
-/// A folder that receives files, and the stage inside it that holds the new files.
+/// A folder that receives files, and its stage, which holds the new files.
 class TargetFolder {
  public:
   TargetFolder(std::string path, Descriptor open)
@@ -66,25 +67,26 @@ class TargetFolder {
 
   void add(const OutputFile& file) { files_.push_back(&file); }
 
-  /// The path of the first file.
+  /// The path of the first file, for messages.
   [[nodiscard]] const std::string& path() const { return files_.front()->path; }
-  /// True if this process has the lock now; false while another process has it.
+  /// True if this process now has the lock; false if another process has it.
   [[nodiscard]] bool lock() const;
-  /// True if another process removed the folder before it was locked.
+  /// True if another process removed the folder before this process locked it.
   [[nodiscard]] bool is_removed() const;
 
-  /// Removes the stages of killed processes.
+  /// Removes the stages that killed processes left.
   void remove_stale_stages() const;
   /// Writes the files that differ from the disk into a new stage, and appends their paths to
   /// `written`.
   [[nodiscard]] std::optional<Failure> stage(std::vector<std::string>& written);
-  /// Moves the files of the stage to their places.
+  /// Moves the files from the stage to their paths.
   [[nodiscard]] std::optional<Failure> commit();
-  /// Removes the stage, and undoes commit() unless `stays`. Allocates no memory.
+  /// Removes the stage. Unless `stays`, first undoes commit(). Allocates no memory.
   void finish(bool stays) noexcept;
 
  private:
-  /// A new file of the stage. The old file is kept under a second name.
+  /// A file of the stage (`fresh`), its path (`target`), and a second name of the old file (`old`),
+  /// if there was one.
   struct Move {
     std::string target = {};
     std::string fresh = {};
@@ -107,7 +109,7 @@ void TargetFolder::finish(bool stays) noexcept {
   for (auto move = moves_.rbegin(); move != moves_.rend(); ++move) {
     const bool can_remove_old = stays || !move->is_done || undo(*move);
     (void)::unlink(move->fresh.c_str());
-    // If the old file cannot be restored, its second name is kept.
+    // If the old file could not be restored, its second name is not removed.
     if (move->had_old && can_remove_old) (void)::unlink(move->old.c_str());
   }
   if (!stage_.empty()) (void)::rmdir(stage_.c_str());
@@ -115,7 +117,7 @@ void TargetFolder::finish(bool stays) noexcept {
 
 bool TargetFolder::lock() const {
   if (::flock(open_.number(), LOCK_EX | LOCK_NB) == 0) return true;
-  return errno != EWOULDBLOCK && errno != EINTR;  // a file system without locks
+  return errno != EWOULDBLOCK && errno != EINTR;  // true if the file system has no locks
 }
 
 bool TargetFolder::is_removed() const {
@@ -123,7 +125,8 @@ bool TargetFolder::is_removed() const {
   return ::fstat(open_.number(), &status) != 0 || status.st_nlink == 0;
 }
 
-/// Uses readdir(), because the iterators of std::filesystem end the process if memory is short.
+/// Uses readdir(), because the iterators of std::filesystem terminate the process if memory is
+/// exhausted.
 void TargetFolder::remove_stale_stages() const {
   const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir(path_.c_str()), &::closedir);
   if (folder == nullptr) return;
@@ -159,7 +162,7 @@ std::optional<Failure> TargetFolder::commit() {
   for (Move& move : moves_) {
     const char* const target = move.target.c_str();
     struct stat found {};
-    // Without hard links the old file is renamed.
+    // If the file system has no hard links, the old file is renamed.
     if (::lstat(target, &found) == 0) {
       const char* const old = move.old.c_str();
       move.had_old = ::link(target, old) == 0 || ::rename(target, old) == 0;
@@ -184,7 +187,7 @@ Transaction::~Transaction() {
     if (folder != nullptr) folder->finish(is_committed_);  // null if its allocation failed
   }
   if (is_committed_) return;
-  // Folders created in vain are empty and still locked.
+  // After a failure, folders that this process created are empty and still locked.
   for (auto path = created_.rbegin(); path != created_.rend(); ++path) {
     (void)::rmdir(path->c_str());
   }
@@ -248,7 +251,7 @@ std::optional<Failure> Transaction::open_and_lock_folders(const std::vector<Outp
 
 std::optional<Failure> Transaction::write(const std::vector<OutputFile>& files) {
   if (auto failure = open_and_lock_folders(files)) return failure;
-  // Before any file is staged, so that a failure leaves no stage behind.
+  // Precedes the staging of files, so that a failure leaves no stages behind.
   for (auto& [identity, folder] : folders_) folder->remove_stale_stages();
   for (auto& [identity, folder] : folders_) {
     if (auto failure = folder->stage(written_)) return failure;

@@ -1,4 +1,4 @@
-// Transaction: changes many files together, or none of them.
+// Transaction: writes many files together, or none.
 #pragma once
 
 #include <sys/stat.h>
@@ -15,7 +15,7 @@
 
 namespace elgen::cli {
 
-/// The path that could not be written, and the system's error number.
+/// A path that could not be written, and the system's error number.
 struct Failure {
   std::string path = {};
   int error = 0;
@@ -23,7 +23,7 @@ struct Failure {
 
 class TargetFolder;
 
-/// While it exists, interrupts are deferred and the folders are locked. The destructor restores all
+/// While it exists, folders are locked and interrupts are deferred. The destructor restores all
 /// files, unless write() succeeded.
 class Transaction {
  public:
@@ -32,19 +32,19 @@ class Transaction {
   Transaction& operator=(const Transaction&) = delete;
   ~Transaction();
 
-  /// Waits for other processes that write to the same folders, stages the files that differ from
-  /// the disk, and moves them to their places.
+  /// Waits for other processes that write to the same folders; then stages the files that differ
+  /// from the disk, and moves them to their paths.
   [[nodiscard]] std::optional<Failure> write(const std::vector<OutputFile>& files);
 
-  /// The paths of the files that differed.
+  /// The paths of the files that differed from the disk.
   [[nodiscard]] const std::vector<std::string>& written() const { return written_; }
 
  private:
   using Identity = std::pair<dev_t, ino_t>;
-  /// Sorted by identity, the order in which every process locks folders.
+  /// Sorted by identity, so that every process locks folders in the same order.
   using Folders = std::map<Identity, std::unique_ptr<TargetFolder>>;
 
-  /// Opens and locks all folders.
+  /// Creates, opens and locks the folders of all files.
   [[nodiscard]] std::optional<Failure> open_and_lock_folders(const std::vector<OutputFile>& files);
   [[nodiscard]] std::optional<Failure> open_folders(const std::vector<OutputFile>& files);
   [[nodiscard]] std::optional<Failure> open_folder(const OutputFile& file);
@@ -53,7 +53,7 @@ class Transaction {
 
   NoInterrupts until_done_;
   std::chrono::steady_clock::time_point deadline_;
-  std::vector<std::string> created_ = {};  ///< folders, outer folders first
+  std::vector<std::string> created_ = {};  ///< folders made by this process, outer first
   Folders folders_;
   std::vector<std::string> written_ = {};
   bool is_committed_ = false;

@@ -1,4 +1,4 @@
-// Checks which places may be written to. The Transaction writes.
+// Checks which paths may be written to; a Transaction then writes.
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -30,12 +30,12 @@ Diagnostic no_place(const std::string& path, std::string_view reason) {
   return {Code::E708, {}, fmt::format("`{}` {}", path, reason)};
 }
 
-/// "a/b.hpp" of "a/b.hpp: a.toml".
+/// The first target of make rules: "a/b.hpp" of "a/b.hpp: a.toml".
 std::string first_target(const std::string& rules) {
   return rules.substr(0, std::min(rules.find(": "), rules.find(":\n")));
 }
 
-/// True if the first of the existing rules makes one of `files`, or another generated file.
+/// True if the first rule in the existing file makes one of `files`, or another generated file.
 bool makes_generated_file(const std::string& path, const std::vector<OutputFile>& files) {
   const std::string target = first_target(existing_text(path).value_or(""));
   const auto is_made = [&target](const OutputFile& file) {
@@ -44,7 +44,7 @@ bool makes_generated_file(const std::string& path, const std::vector<OutputFile>
   return std::any_of(files.begin(), files.end(), is_made) || has_marker(target);
 }
 
-/// The reason why the existing file may not be replaced without --force; empty if it may.
+/// Why the existing file may not be replaced without --force; "" if it may.
 std::string refusal_reason(const OutputFile& file, const std::vector<OutputFile>& files) {
   switch (file.replaces) {
     case Replaces::generated:

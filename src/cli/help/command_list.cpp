@@ -1,5 +1,5 @@
-// command_list: read from CLI11, which stores the words of IsMember only as "{a,b}" in the text of
-// a type.
+// command_list: reads the commands from CLI11. CLI11 stores the words of IsMember only in the text
+// of a type, as "{a,b}".
 #include "cli/help/command_list.hpp"
 
 #include <algorithm>

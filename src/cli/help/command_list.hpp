@@ -1,4 +1,4 @@
-// command_list: commands and their options as data, for completions and the manual.
+// command_list: commands and their options as data, for completion scripts and the manual page.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,9 +8,9 @@
 namespace elgen::cli {
 
 struct ListedOption {
-  std::vector<std::string> names = {};    ///< "-q", "--quiet"; a positional argument has one name
-  std::string type = {};                  ///< "DIR"; empty: a flag
-  std::vector<std::string> choices = {};  ///< all allowed values, if these are words
+  std::vector<std::string> names = {};    ///< "-q", "--quiet"; an argument has one name
+  std::string type = {};                  ///< "DIR"; empty for a flag
+  std::vector<std::string> choices = {};  ///< the allowed words; empty if other values are allowed
   std::string doc = {};
   bool is_positional = false;
   bool takes_several = false;
@@ -22,9 +22,9 @@ struct ListedCommand {
   std::vector<ListedOption> options = {};
 };
 
-/// The content of `--help`.
+/// What `--help` prints.
 struct CommandList {
-  std::string doc = {};                    ///< with the examples
+  std::string doc = {};                    ///< with examples
   std::vector<ListedOption> options = {};  ///< global options
   std::vector<ListedCommand> commands = {};
 };
@@ -34,11 +34,11 @@ struct CommandList {
 /// The shells for which completions exist.
 [[nodiscard]] std::vector<std::string> completed_shells();
 
-/// A script that completes commands, options, their values, and files. `shell` is one of
+/// A script that completes commands, options, options' arguments, and files. `shell` must be one of
 /// completed_shells().
 [[nodiscard]] std::string completions(const CommandList& list, const std::string& shell);
 
-/// elgen(1), for man and groff.
+/// The manual page elgen(1), in the troff macros of man.
 [[nodiscard]] std::string manual_page(const CommandList& list);
 
 }  // namespace elgen::cli

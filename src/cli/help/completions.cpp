@@ -1,4 +1,4 @@
-// completions: fills a template for each shell from one list of commands.
+// completions: fills the template of a shell from the list of commands.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::string spaced(const std::vector<std::string>& words) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-/// Names of options, without positional arguments.
+/// The names of all options, without positional arguments.
 std::vector<std::string> names_of(const std::vector<ListedOption>& options) {
   std::vector<std::string> names;
   for (const ListedOption& option : options) {
@@ -34,15 +34,15 @@ std::vector<std::string> names_of(const std::vector<ListedOption>& options) {
   return names;
 }
 
-/// Escapes a text for '…' in all three shells.
+/// Escapes a text for single quotes, in all three shells.
 std::string in_single_quotes(const std::string& text) { return escaped(text, {{'\'', "'\\''"}}); }
 
-/// Escapes a text for the specifications of zsh's _arguments.
+/// Escapes a text for the option specifications of zsh's _arguments.
 std::string zsh_text(const std::string& text) {
   return escaped(in_single_quotes(text), {{'[', "\\["}, {']', "\\]"}, {':', "\\:"}});
 }
 
-/// '--as[doc]:TEXT:(text json)'
+/// An option for zsh's _arguments: '--as[doc]:TEXT:(text json)'.
 std::string zsh_spec(const ListedOption& option, const std::string& name) {
   const std::string words =
       option.choices.empty() ? "_files" : fmt::format("({})", spaced(option.choices));
@@ -61,7 +61,8 @@ TemplateData zsh_specs(const std::vector<ListedOption>& options) {
   return lines_data(lines);
 }
 
-/// " -n '…' -l as -x -a 'text json' -d 'doc'"; `command` is empty for global options.
+/// The options of fish's `complete`: " -n '…' -l as -x -a 'text json' -d 'doc'". `command` is empty
+/// for global options.
 std::string fish_option(const std::string& command, const ListedOption& option) {
   std::string line;
   if (!command.empty()) line += fmt::format(" -n '__fish_seen_subcommand_from {}'", command);

@@ -26,8 +26,8 @@ constexpr std::array exit_rows{
     ExitRow{ExitCode::internal, "internal error of elgen"},
     ExitRow{ExitCode::interrupted, "interrupted; no file is incomplete"}};
 
-/// Escapes the requests and escapes of troff; hyphens become minus signs, so that they can be
-/// copied.
+/// Escapes backslashes and leading dots and quotes for troff. Hyphens become minus signs, so that
+/// readers can copy options.
 std::string troff_text(const std::string& text) {
   std::string result;
   bool begins_line = true;
@@ -39,7 +39,7 @@ std::string troff_text(const std::string& text) {
   return result;
 }
 
-/// "\fB-o\fR, \fB--output-directory\fR \fIDIR\fR"
+/// The names of an option, and its argument: "\fB-o\fR, \fB--output-directory\fR \fIDIR\fR".
 std::string heading_of(const ListedOption& option) {
   std::string text;
   for (const std::string& name : option.names) {
@@ -47,7 +47,7 @@ std::string heading_of(const ListedOption& option) {
     text += fmt::format("{}\\f{}{}\\fR", text.empty() ? "" : ", ", font, troff_text(name));
   }
   if (option.is_positional || option.type.empty()) return text;
-  std::string words;  // troff may break the line after each
+  std::string words;  // "\\:" after each word: troff may break the line here
   for (const std::string& choice : option.choices) {
     words += (words.empty() ? "" : "|\\:") + troff_text(choice);
   }

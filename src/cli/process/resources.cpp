@@ -1,4 +1,4 @@
-// setrlimit and signal handlers; handlers only write a prepared text and end the process.
+// Resource limits and signal handlers. Handlers only write a prepared text and end the process.
 #include "cli/process/resources.hpp"
 
 #include <cln/malloc.h>
@@ -21,7 +21,8 @@ namespace elgen::cli {
 
 namespace {
 
-/// The shadow memory of the address sanitizer counts as memory, and it takes terabytes.
+/// The address sanitizer reserves terabytes of shadow memory, which would exceed the limit of
+/// memory.
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool has_shadow_memory = true;
 #elif !defined(__has_feature)
@@ -32,18 +33,19 @@ constexpr bool has_shadow_memory = true;
 constexpr bool has_shadow_memory = false;
 #endif
 
-/// The last messages of the process, formatted in advance because signal handlers may not allocate.
+/// The last messages of the process. They are formatted in advance, because signal handlers must
+/// not allocate memory.
 struct FinalMessages {
   DiagnosticStyle style = {};
   std::uint64_t seconds = 0;
   std::optional<std::string> stage = {};
-  std::array<std::string, 2> processor_time = {};  ///< one is read while the other is written
+  std::array<std::string, 2> processor_time = {};  ///< one may be read while the other is written
   std::atomic<const std::string*> stage_now = nullptr;
   std::string waiting = {};
   std::string memory = {};
 };
 
-/// Never destroyed, because a signal may arrive while the process ends.
+/// Never destroyed, because a signal may arrive while the process exits.
 FinalMessages& last_words() {
   static FinalMessages& words = *new FinalMessages;
   return words;
@@ -64,13 +66,14 @@ Diagnostic out_of_time(std::string message) {
   return {Code::E909, {}, std::move(message), "`--limit seconds=N` raises the limit"};
 }
 
-/// Seconds of real time; alarm(0) would set no limit.
+/// Limits the real time, in seconds. alarm(0) would set no limit.
 void set_alarm(std::uint64_t seconds) {
   constexpr std::uint64_t longest = 1U << 30U;
   ::alarm(static_cast<unsigned>(std::clamp<std::uint64_t>(seconds, 1, longest)));
 }
 
-/// Destructors of libraries allocate memory but may not throw.
+/// The handler of std::terminate, for destructors of libraries: they allocate memory but may not
+/// throw.
 [[noreturn]] void end_without_memory() {
   try {
     if (std::current_exception() != nullptr) throw;
@@ -82,8 +85,8 @@ void set_alarm(std::uint64_t seconds) {
   std::abort();
 }
 
-/// Memory functions that throw std::bad_alloc. Without them CLN throws another exception, after
-/// which a page would continue, and GMP, which CLN uses, aborts.
+/// Allocation functions for CLN and GMP that throw std::bad_alloc. By default CLN throws another
+/// exception, after which a page would be continued, and GMP, which CLN uses, aborts.
 void* allocate(std::size_t size) {
   void* const memory = std::malloc(size);
   return memory == nullptr ? throw std::bad_alloc() : memory;
@@ -96,7 +99,7 @@ void* reallocate(void* old, std::size_t /*size*/, std::size_t size) {
 
 void deallocate(void* old, std::size_t /*size*/) { std::free(old); }
 
-/// The type of a resource is an enumeration in glibc and int in musl.
+/// A template, because the type of a resource is an enumeration in glibc but int in musl.
 template <class Resource>
 void limit(Resource resource, std::uint64_t value) {
   rlimit both{};
@@ -118,7 +121,8 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
   ::mp_set_memory_functions(allocate, reallocate, deallocate);
   std::signal(SIGXCPU, end_on_time);
   std::signal(SIGALRM, end_waiting);
-  std::signal(SIGXFSZ, SIG_IGN);  // writing to a file that may not grow fails (E706)
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit then fails (E706) and does
+                                  // not end the process
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (std::signal(signal, end_on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
@@ -128,8 +132,8 @@ void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
 
 void name_stage(const std::string& stage) {
   FinalMessages& words = last_words();
-  const std::string name = stage.substr(0, stage.find(','));  // "accuracy, state 3 of 8"
-  // Returns early, because verify calls this for each of many states.
+  const std::string name = stage.substr(0, stage.find(','));  // "accuracy" of "accuracy, state 3"
+  // Verification calls this at each of many states, so an unchanged name must cost little.
   if (words.stage == name) return;
   words.stage = name;
   std::string& next = words.processor_time[words.stage_now == words.processor_time.data() ? 1 : 0];

@@ -1,4 +1,4 @@
-// Time and memory limits of the process, and its end by a signal.
+// Limits of time and memory of the process, and its end by signals.
 #pragma once
 
 #include <string>
@@ -8,19 +8,20 @@
 
 namespace elgen::cli {
 
-/// Beyond the limit of processor time the process ends with E909 and exit code 3; beyond the limit
-/// of memory allocations throw std::bad_alloc. SIGINT, SIGTERM and SIGHUP end it with 130, unless
-/// ignored. In a scope of NoInterrupts these signals are deferred.
+/// Sets the limits. If processor time exceeds its limit, the process ends with E909 and exit code
+/// 3. If memory exceeds its limit, allocations throw std::bad_alloc. SIGINT, SIGTERM and SIGHUP end
+/// the process with exit code 130, unless they were ignored when it started. In the scope of a
+/// NoInterrupts they are deferred.
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style);
 
 /// Sets the stage that E909 names; "" for none.
 void name_stage(const std::string& stage);
 
-/// Restarts the limit of processor time for the next input.
+/// Restarts the limit of processor time, for the next input.
 void renew_time_limit(const Limits& limits);
 
-/// While this exists, the process ends with E909 and exit code 3 after `limits.seconds` of real
-/// time, because an input may never arrive.
+/// While it exists, the process ends with E909 and exit code 3 after `limits.seconds` of real time,
+/// because an input may never arrive.
 class WaitingLimit {
  public:
   WaitingLimit(const Limits& limits, const std::string& path);

@@ -1,5 +1,5 @@
-// terminal: the system knows the width, the environment the alphabet. A watching thread rewrites
-// the line of progress, and clears it at the end.
+// terminal: the system gives the width of a terminal, environment variables its alphabet. A thread
+// shows the progress on one line, and clears the line at the end.
 #include "cli/process/terminal.hpp"
 
 #include <fmt/format.h>
@@ -22,14 +22,14 @@ namespace elgen::cli {
 namespace {
 
 constexpr std::size_t usual_columns = 80;
-constexpr std::size_t least_columns = 40;  ///< lines wrap on narrower terminals
+constexpr std::size_t least_columns = 40;  ///< narrower terminals wrap lines
 
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr ? "" : value;
 }
 
-/// The first variable that is set decides, as in setlocale(3).
+/// The first of the variables that is set decides, as in setlocale(3).
 bool is_utf8() {
   for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
     std::string value = variable(name);
@@ -60,7 +60,8 @@ Screen screen_of(std::FILE* stream) {
 
 Progress::Progress(const std::string& subject) : subject_(shown_path(subject)) {
   if (!is_terminal(stderr)) return;
-  const NoInterrupts inherited;  // only the working thread handles signals
+  const NoInterrupts inherited;  // the new thread inherits the blocked signals, so only the first
+                                 // thread handles them
   watcher_ = std::thread([this] { watch(); });
 }
 

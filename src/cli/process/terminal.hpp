@@ -1,4 +1,4 @@
-// terminal: the capabilities of a stream, and the progress of long work on it.
+// terminal: the capabilities of a stream, and the display of progress.
 #pragma once
 
 #include <condition_variable>
@@ -13,11 +13,11 @@ namespace elgen::cli {
 
 [[nodiscard]] bool is_terminal(std::FILE* stream);
 
-/// The width of a terminal, or 80 columns. Unicode if the stream is a terminal, its locale is UTF-8
-/// (LC_ALL, LC_CTYPE, LANG), and it is neither `dumb` nor the Linux console.
+/// The width of a terminal, or 80 columns if the stream is none. Unicode if the stream is a
+/// terminal with a UTF-8 locale (LC_ALL, LC_CTYPE, LANG), and TERM is neither `dumb` nor `linux`.
 [[nodiscard]] Screen screen_of(std::FILE* stream);
 
-/// Shows the stage on stderr, only on a terminal and only after half a second.
+/// Shows the current stage on stderr, if it is a terminal, from half a second on.
 class Progress {
  public:
   explicit Progress(const std::string& subject);

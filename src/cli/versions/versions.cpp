@@ -1,9 +1,9 @@
 // Revisions: `git ls-tree` lists the objects, `git cat-file` prints their bytes. Both read
-// committed objects unchanged; attributes, path specifications and the working tree do not affect
-// them.
+// committed objects unchanged: attributes, path specifications and the working tree have no effect
+// on them.
 //
-// Equations are lowered, which is enough to compare them. Forms are chosen if the emitted functions
-// depend on them, or if the program is small.
+// Two versions are compared by their lowered equations. Forms are chosen in two cases only: if
+// emitted functions depend on them, or if the program is small.
 #include "cli/versions/versions.hpp"
 
 #include <fmt/format.h>
@@ -23,9 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t seconds_of_git = 60;
-/// Enough for the paths of ten million files.
+/// Bytes of a list of files: enough for the paths of ten million files.
 constexpr std::size_t longest_list = 1U << 30U;
-/// The limit of Linux.
+/// The largest number of links that Linux follows in a path.
 constexpr int most_links = 40;
 constexpr std::size_t longest_path = 4096;
 constexpr std::string_view link_mode = "120000";
@@ -46,7 +46,7 @@ ProcessResult git(std::vector<std::string> words, std::size_t most_output = long
   return run_with_input(words, seconds_of_git, most_output);
 }
 
-/// Without the final line end; a path may contain others.
+/// The output without its final line end; a path may contain other line ends.
 std::string line_of(const ProcessResult& result) {
   std::string line = result.output;
   if (line.ends_with('\n')) line.pop_back();
@@ -58,8 +58,8 @@ bool is_object_id(const std::string& text) {
   return text.size() >= 40 && std::ranges::all_of(text, is_digit);
 }
 
-/// The root of the working tree. If only $GIT_DIR is set, git takes the working directory as the
-/// root.
+/// The root of the working tree. E713 if only $GIT_DIR is set, because then git takes the working
+/// directory as root.
 Result<std::string> root_of_tree() {
   const ProcessResult top = git({"rev-parse", "--show-toplevel"});
   if (!top.succeeded()) return git_error("the working directory is in no repository", top);
@@ -77,10 +77,11 @@ Result<std::string> root_of_tree() {
   return root;
 }
 
-/// Up to this number of instructions the choice of forms takes little time; panda7 has 29 000.
+/// For programs of at most this many instructions, choosing forms takes little time; panda7 has 29
+/// 000.
 constexpr std::size_t most_chosen = 2'000;
 
-/// Integration steps call functions in their chosen forms.
+/// True if an output is an integration step, which calls functions in their chosen forms.
 bool needs_forms(const Scene& scene) {
   return std::ranges::any_of(
       scene.outputs, [](const OutputRequest& output) { return output_row(output.kind).steps; });
@@ -116,13 +117,13 @@ Result<Revision> Revision::open(const std::string& name) {
   const std::string commit = line_of(known);
   const std::string no_revision = fmt::format("{} is no revision", in_backticks(name));
   if (!known.succeeded()) return git_error(no_revision, known);
-  // "^HEAD" excludes HEAD and names no commit.
+  // rev-parse also accepts "^HEAD", which is no commit.
   if (!is_object_id(commit)) return Diagnostic{Code::E713, {}, no_revision};
   const ProcessResult list = git({"ls-tree", "-r", "-z", "--full-tree", commit});
   if (!list.succeeded() || list.output.size() == longest_list) {
     return git_error(fmt::format("{} was not read", in_backticks(name)), list);
   }
-  // MODE TYPE ID<tab>PATH<null>
+  // Each row: MODE TYPE ID<tab>PATH<null>.
   Revision revision(name, *root);
   for (std::size_t begin = 0; begin < list.output.size();) {
     const std::size_t end = list.output.find('\0', begin);
@@ -140,7 +141,8 @@ Result<Revision> Revision::open(const std::string& name) {
 Result<std::string> Revision::path_of(const std::string& path) const {
   std::error_code error;
   const fs::path root = fs::weakly_canonical(root_, error);
-  // A link is a file of the tree, wherever it leads; links in the folders above it are resolved.
+  // A link is itself a file of the tree, wherever it points; links among its parent folders are
+  // resolved.
   const fs::path full = fs::absolute(path, error).lexically_normal();
   const bool is_folder = fs::is_directory(full, error) || !full.has_filename();
   const fs::path real = is_folder

@@ -1,5 +1,5 @@
-// Versions: the files of a revision of git, read from its objects; and a model or scene, loaded for
-// a comparison.
+// Versions: the files of a git revision, read from its objects; and a model or scene that is loaded
+// for a comparison.
 #pragma once
 
 #include <map>
@@ -14,36 +14,37 @@
 
 namespace elgen::cli {
 
-/// Paths are relative to the root of the repository. An error of git becomes E713 with its message.
+/// The files of a revision. Paths are relative to the root of the repository. An error of git is
+/// reported as E713, with git's message.
 class Revision {
  public:
-  /// A commit of the repository that contains the working directory.
+  /// Opens a revision of the repository that contains the working directory.
   [[nodiscard]] static Result<Revision> open(const std::string& name);
 
-  /// The path of a file or folder of the working tree. E713 outside of the tree, and in a
-  /// submodule.
+  /// The path in the repository of a file or folder of the working tree. E713 if it is outside of
+  /// the tree or in a submodule.
   [[nodiscard]] Result<std::string> path_of(const std::string& path) const;
 
   [[nodiscard]] bool has(const std::string& path) const { return objects_.count(path) > 0; }
 
-  /// The files below a folder, with paths relative to it; "" is the root. Links that lead to no
-  /// file are omitted.
+  /// The files below a folder ("": the root), with paths relative to it. Omits links that point to
+  /// no file of the revision.
   [[nodiscard]] std::vector<std::string> files_below(const std::string& folder) const;
 
-  /// Messages call the source NAME:PATH. Links lead to files of the same revision. E111 if there is
-  /// no such file.
+  /// Reads a file. Messages call it NAME:PATH. Links are followed inside the revision. E111 if
+  /// there is no such file.
   [[nodiscard]] Result<SourcePointer> read(const std::string& path, const Limits& limits) const;
 
  private:
   struct Object {
-    std::string mode = {};  ///< "100644"; "120000": a link; "160000": a submodule
+    std::string mode = {};  ///< "100644"; "120000" for a link, "160000" for a submodule
     std::string id = {};
   };
 
-  /// The object at the end of all links; null if it is no file of the revision.
+  /// The object after following all links; null if it is no file of the revision.
   [[nodiscard]] Result<const Object*> resolve_links(const std::string& path) const;
 
-  /// The first `most` bytes; `path` is for messages.
+  /// The first `most` bytes of the object; `path` is for messages.
   [[nodiscard]] Result<std::string> bytes(const Object& object, const std::string& path,
                                           std::size_t most) const;
 
@@ -54,7 +55,7 @@ class Revision {
   std::map<std::string, Object> objects_ = {};
 };
 
-/// A model or scene with its equations, and the syntax trees that these point into.
+/// A model or scene with its equations, and the syntax trees into which their diagnostics point.
 struct LoadedVersion {
   Inputs inputs = {};
   FileSyntax model = {};
@@ -65,13 +66,13 @@ struct LoadedVersion {
   [[nodiscard]] Version version() const;
 };
 
-/// The base name of the system's files: MODEL, or MODEL_SCENE. "" if it has errors.
+/// The base name of the system's files: MODEL or MODEL_SCENE. "" if the system has errors.
 [[nodiscard]] std::string system_name(const Inputs& inputs, const Limits& limits);
 
-/// Errors and warnings of the stages before the equations are derived.
+/// The diagnostics of the stages before the derivation.
 [[nodiscard]] Diagnostics mistakes(const Inputs& inputs, const Limits& limits);
 
-/// Errors of the stages up to the equations.
+/// Loads a system and lowers its equations. Fails with the diagnostics of the stages up to lower.
 [[nodiscard]] Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits);
 
 }  // namespace elgen::cli
