@@ -1,5 +1,6 @@
-// By-ways: the choice of forms, then the integration steps that call the chosen functions; the
-// steps of elgen/steps.hpp for readers, with the names of the masses.
+// Combinations of stages: the choice of forms, with the integration steps that call the chosen
+// functions; the claims of [[equilibrium]]; and the pages, with the steps of elgen/steps.hpp and
+// the names of the masses.
 #include "pipeline/combined_stages.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@
 namespace elgen {
 namespace {
 
-/// A Lagrangian, and the scene whose functions are chosen.
+/// The input of a choice of forms: a Lagrangian, and the scene that requests its functions.
 struct ChoiceInput {
   const Lagrangian& lagrangian;
   const Model& model;
@@ -36,8 +37,8 @@ struct ChoiceInput {
 
 bool is_energy(const OutputRequest& output) { return output_row(output.kind).is_energy; }
 
-/// Chooses forms for the functions with V as a leaf: for all of them, or only for the energies if
-/// dV/dq keeps its form.
+/// Chooses the forms of functions in which V is a leaf: of all functions, or only of the energies
+/// if dV/dq keeps its form.
 Result<Choice> open_choice(const ChoiceInput& input, const std::vector<GiNaC::ex>& variables,
                            const RewrittenPotential& potential, const Domain& domain) {
   Scene scene = input.scene;
@@ -48,7 +49,7 @@ Result<Choice> open_choice(const ChoiceInput& input, const std::vector<GiNaC::ex
   return choose(*open, present(*open), with_open_potential(domain, potential.program), scene);
 }
 
-/// Gives V the same form in all functions, if V has a form of its own.
+/// Derives V by itself. If this gives V another form, inserts the form into all functions.
 Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, Choice& choice) {
   const bool has_second = std::ranges::any_of(
       input.scene.outputs,
@@ -65,7 +66,7 @@ Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, Choice
   return {};
 }
 
-/// Chooses the forms of the functions of a program.
+/// Chooses the forms of a program's functions.
 Result<Choice> forms_of(const ChoiceInput& input, const Program& recursive,
                         const ClosedForms& forms) {
   const Domain domain = domain_of({input.model, input.scene, recursive.leaves});
@@ -76,7 +77,7 @@ Result<Choice> forms_of(const ChoiceInput& input, const Program& recursive,
   return choice;
 }
 
-/// The functions that the step calls, in the forms that the scene would choose.
+/// The functions that a step calls, in the forms that a scene would choose for them.
 Result<Program> step_callees(const Lagrangian& lagrangian, const CheckedModel& checked,
                              const OutputRequest& step, const Limits& limits) {
   Scene scene = checked.scene;
@@ -89,7 +90,7 @@ Result<Program> step_callees(const Lagrangian& lagrangian, const CheckedModel& c
   return std::move(choice->program);
 }
 
-/// Adds the costs of the step, which has only one form.
+/// Adds the costs of the step, which is the last function and has only one form.
 void add_costs(Choice& choice) {
   const Function& step = choice.program.functions.back();
   choice.program.readable.emplace_back();
@@ -102,8 +103,8 @@ std::string name_of(const Model& model, const Entity& origin) {
   return {};
 }
 
-/// Points and bodies with a mass that are not shown, because frames carry them or a scene expands
-/// their energies.
+/// Names of points and bodies that have a mass but are not in `shown`, because frames carry them or
+/// a scene expands their energies.
 std::vector<std::string> other_masses(const Model& model, const std::vector<Entity>& shown) {
   std::vector<std::string> names;
   const auto add = [&](EntityKind kind, std::uint32_t index, const auto& placed) {
@@ -120,8 +121,9 @@ std::vector<std::string> other_masses(const Model& model, const std::vector<Enti
   return names;
 }
 
-/// The model with the quotients of its file instead of Stumpff functions. Empty if the file itself
-/// contains Stumpff functions, because pages then print them.
+/// The model with the quotients that the file contains, not the Stumpff functions that replaced
+/// them. None if it has no quotients, or if the file itself contains Stumpff functions, because
+/// pages then print those functions.
 std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
   if (checked.model.typed.empty()) return std::nullopt;
   CheckedModel result = checked;
@@ -135,23 +137,25 @@ std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
   return has_series ? std::nullopt : std::optional(std::move(result));
 }
 
-/// The chosen program in the forms of its pages.
+/// The chosen program in the forms that pages print.
 Program typeset_choice(const ClosedForms& forms, const Choice& choice,
                        const CheckedModel& checked) {
   const auto typed = with_quotients(checked);
   if (!typed) return typeset(checked, forms, choice.program);
   Program derived = choice.program;
-  derived.functions.resize(forms.functions.size());  // integration steps after them have no forms
+  // Integration steps come last and have no forms.
+  derived.functions.resize(forms.functions.size());
   return typeset(*typed, present_quotients(derived), choice.program);
 }
 
-/// True if a row of the equations of motion has a short closed form. Computed from the inverse
-/// dynamics with the budget of the derivation, at a tenth of its cost.
+/// True if some row of the equations of motion has a short closed form. Presents only the inverse
+/// dynamics, row by row, at a tenth of the cost of the whole derivation.
 bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
                    const Limits& limits) {
   const std::vector<OutputRequest> requests =
       available_requests(checked.model, {OutputKind::inverse_dynamics});
-  if (requests.empty() || !checked.model.constraints.empty()) return true;  // constraints are rows
+  // Equations of constraints are rows, too.
+  if (requests.empty() || !checked.model.constraints.empty()) return true;
   Result<Program> rows = recursive_program(lagrangian, requests, limits);
   if (!rows) return true;
   const Function all = std::move(rows->functions.front());
@@ -162,7 +166,7 @@ bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
   return std::ranges::any_of(present(*rows).functions, has_short_entry);
 }
 
-/// True if all terms of the equation of motion that the scene requests are short enough to read.
+/// True if all requested terms of the equation of motion are short enough to read.
 bool has_readable_terms(const Program& program, const ClosedForms& forms) {
   const auto is_short = [&](OutputKind kind) {
     const auto term = std::ranges::find(program.functions, kind, &Function::kind);
@@ -233,7 +237,7 @@ Result<Book> book_or_code(const Program& code, const std::function<Book()>& make
   try {
     return make();
   } catch (const std::bad_alloc&) {
-    // The memory of a machine must not change a file.
+    // Code E915 would omit the page, so the written files would depend on the machine's memory.
     throw;
   } catch (const std::exception& mistake) {
     const std::string text = fmt::format("the page shows the forms of code: {}", mistake.what());

@@ -1,4 +1,4 @@
-// By-ways of the pipeline: functions that combine several stages, or need additional equations.
+// Functions that combine several stages of the pipeline, or that need additional equations.
 #pragma once
 
 #include <functional>
@@ -15,35 +15,36 @@
 
 namespace elgen {
 
-/// The program of some outputs of the Lagrangian, before forms are chosen: derive, lower, cancel
-/// and compose in one call. Errors of derive() and lower().
+/// The program of some outputs of the Lagrangian, before forms are chosen: the stages derive, lower
+/// and cancel, and the composition of outputs. Errors of derive() and lower().
 [[nodiscard]] Result<Program> recursive_program(const Lagrangian& lagrangian,
                                                 const std::vector<OutputRequest>& outputs,
                                                 const Limits& limits);
 
-/// The functions of a scene in the forms that are emitted, and the integration steps that call such
-/// functions. Errors of choose() and add_step(). Cost: the functions that `step` calls are derived
-/// again.
+/// Chooses the emitted forms of a scene's functions, and adds the integration steps, which call
+/// functions in these forms. Errors of choose() and add_step(). Cost: the functions that a step
+/// calls are derived separately.
 [[nodiscard]] Result<Choice> choose_forms(const Lagrangian& lagrangian, const Program& recursive,
                                           const ClosedForms& forms, const CheckedModel& checked,
                                           const Limits& limits);
 
-/// The verdict on every [[equilibrium]].
+/// The verdict on each [[equilibrium]] of the model.
 [[nodiscard]] Result<std::vector<EquilibriumVerdict>> claims(const Lagrangian& lagrangian,
                                                              const CheckedModel& checked,
                                                              const Limits& limits);
 
-/// The content of pages. If the scene has no page, it has no functions. E915.
+/// The content of the scene's page; an empty book if the scene has no page. E915 if it could not be
+/// made.
 [[nodiscard]] Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms,
                                    const Choice& choice, const CheckedModel& checked,
                                    const Limits& limits);
 
-/// The book that `make` returns. If `make` throws, the forms of code and the note E915, because a
-/// page must not prevent code.
+/// make(). If it throws, the page shows the forms of code, with the note E915, because a failing
+/// page must not prevent code. std::bad_alloc is not caught.
 [[nodiscard]] Result<Book> book_or_code(const Program& code, const std::function<Book()>& make);
 
-/// The derivation step by step, for readers. Steps are lowered, presented and typeset in their
-/// closed forms, as every output is.
+/// The derivation step by step, for readers. Its equations are lowered, presented and typeset like
+/// outputs.
 [[nodiscard]] Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian,
                                                    const CheckedModel& checked,
                                                    const Limits& limits);

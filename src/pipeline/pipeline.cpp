@@ -1,11 +1,13 @@
-// The order of the stages up to the files and their self-check:
+// The stages, from the inputs to the files and their self-check:
 //
-//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel (with
-//     outputs composed of their parts) -> present -> choose -> typeset -> emit -> self-check
+//     parse -> check -> inspect -> formulate -> specialise -> derive -> lower -> cancel (and
+//     compose outputs) -> present -> choose -> typeset -> emit -> self-check
 //
-//     specialise -> steps                 the derivation as a student writes it
-//     specialise -> choose                the functions that `step` calls, derived separately
-//     specialise -> equilibria -> modes   equilibria, and motions about them
+// Other stages start from specialise:
+//
+//     specialise -> steps                 the derivation, as a student writes it
+//     specialise -> choose                the functions that a `step` calls, derived separately
+//     specialise -> equilibria -> modes   equilibria, and linear motions about them
 //     specialise -> other analyses        the rows of analyses.def
 //
 // An analysis of the Lagrangian derives its own outputs.
@@ -38,7 +40,7 @@ struct Syntaxes {
   std::optional<FileSyntax> scene;
 };
 
-/// The product of inspect, which only reports diagnostics.
+/// The product of the stage inspect, which only reports diagnostics.
 struct Inspection {};
 
 Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
@@ -51,7 +53,7 @@ Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
   return {{std::move(*model), std::move(scene.value)}, std::move(all)};
 }
 
-/// E539 for every analysis among the goals that does not support constraints.
+/// E539 for each analysis among the goals that does not support constraints, if the model has any.
 Diagnostics refused_analyses(const Model& model, const std::vector<Goal>& goals) {
   Diagnostics errors;
   if (model.constraints.empty()) return errors;
@@ -65,10 +67,10 @@ Diagnostics refused_analyses(const Model& model, const std::vector<Goal>& goals)
   return errors;
 }
 
-/// The scene for `inspect`, with the outputs that the goals need.
+/// The scene that inspect() checks, with the outputs that the goals need.
 Scene inspected_scene(const CheckedModel& checked, const std::vector<Goal>& goals) {
   Scene scene = checked.scene;
-  // A derivation step by step shows no output, so none is missing from it.
+  // A derivation by steps shows no outputs, so outputs that the model lacks are not reported.
   const auto shows_outputs = [](Goal goal) { return goal != Goal::steps; };
   if (std::ranges::none_of(goals, shows_outputs)) scene.left_out.clear();
   const auto needs_scene = [](Goal goal) {
@@ -84,7 +86,7 @@ Scene inspected_scene(const CheckedModel& checked, const std::vector<Goal>& goal
   return scene;
 }
 
-/// Momenta of `[routh]` are numbers that the oracle computes; check cannot.
+/// check(), then the oracle computes the values of momenta in `[routh]`, and analyses are refused.
 Result<CheckedModel> check_inputs(const Syntaxes& syntaxes, const PipelineOptions& options) {
   Result<CheckedModel> result = check(syntaxes.model, syntaxes.scene ? &*syntaxes.scene : nullptr,
                                       options.scene, options.limits);
@@ -106,13 +108,13 @@ Result<SelfCheck> run_self_check(const CheckedModel& checked, const Program& pro
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }
 
-/// The stages in their order, each with its product and the products that it needs.
+/// The stages in their order. Each has its product, and names the stages whose products it needs.
 class Compilation {
  public:
   Compilation(const Inputs& inputs, const PipelineOptions& options)
       : inputs_(inputs), options_(options), run_(options) {}
 
-  /// For a model that is already checked.
+  /// Starts from a model that is already checked.
   Compilation(CheckedModel checked, const PipelineOptions& options)
       : options_(options), run_(options) {
     checked_.set(std::move(checked));
@@ -143,7 +145,7 @@ class Compilation {
   }
 
  private:
-  /// The result of an analysis that reads the program of its own outputs.
+  /// Runs an analysis of the Lagrangian, on the program of the analysis's own outputs.
   template <class Found>
   static Result<Found> run_analysis(Goal goal, Result<Found> (*find)(const AnalysisInput&),
                                     const Lagrangian& lagrangian, const CheckedModel& checked,
@@ -154,7 +156,7 @@ class Compilation {
     return find({checked, *recursive, options.about, options.limits});
   }
 
-  /// The result of an analysis that reads the result of another analysis.
+  /// Runs an analysis that needs the result of another analysis.
   template <class Found, class Known>
   static Result<Found> run_analysis(Goal, Result<Found> (*find)(const CheckedModel&, const Known&),
                                     const Known& known, const CheckedModel& checked,

@@ -1,5 +1,5 @@
-// stages: the common behaviour of the stages of a Compilation. A stage runs once, after the stages
-// that it needs. It is timed, and its errors and exceptions become diagnostics.
+// stages: what all stages of a Compilation have in common. A stage runs at most once, after the
+// stages that it needs. Its time is measured, and its errors and exceptions become diagnostics.
 #pragma once
 
 #include <cln/exception.h>
@@ -26,10 +26,11 @@ class StageRunner {
   StageRunner& operator=(const StageRunner&) = delete;
 
   Diagnostics diagnostics = {};
-  std::string dumped = {};  ///< the product of options.dump
+  std::string dumped = {};  ///< the text of the product that options.dump selects
   std::vector<StageTime> times = {};
 
-  /// Runs a stage. Empty after an error, or if a product that it needs is null.
+  /// Runs a stage and returns its product. None if this or an earlier stage had an error, or if a
+  /// needed product is null.
   template <class T, class Make, class... Needs>
   std::optional<T> run_stage(Goal goal, const Make& make, const Needs*... needs) {
     if (has_errors(diagnostics) || (... || (needs == nullptr))) return std::nullopt;
@@ -38,20 +39,21 @@ class StageRunner {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     times.push_back({std::string(name_of(goal)), elapsed.count()});
     diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
-    if constexpr (requires { dump(*result); }) {  // equations and programs
+    if constexpr (requires { dump(*result); }) {  // only equations and programs have a text
       if (result && goal == options_.dump) dumped = dump(*result);
     }
     return std::move(result.value);
   }
 
-  /// Registers the function that reaches a stage, by the stage's goal.
+  /// Registers `reach`, which runs the stage of this goal and the stages that it needs.
   void add(Goal goal, std::function<void()> reach) {
     stages_[static_cast<std::size_t>(goal)] = std::move(reach);
   }
   void reach(Goal goal) const { stages_[static_cast<std::size_t>(goal)](); }
 
  private:
-  /// An internal error must not hide the diagnostics of earlier stages.
+  /// Calls `make`. Exceptions become diagnostics, so that the diagnostics of earlier stages are
+  /// still reported.
   template <class T, class Make, class... Needs>
   Result<T> run_guarded(const std::string& name, const Make& make, const Needs&... needs) {
     try {
@@ -76,12 +78,12 @@ class StageRunner {
   std::array<std::function<void()>, goal_names.size()> stages_ = {};
 };
 
-/// A stage makes its product from the products of other stages on first use.
+/// A stage: get() makes its product on the first call, from the products of other stages.
 template <class T>
 class Stage {
  public:
-  /// `needs`: std::tie of the other stages. `make` takes their products, and optionally the limits
-  /// as its last argument.
+  /// `needs`: std::tie of the stages whose products `make` takes, in this order; `make` may also
+  /// take the limits as last argument.
   template <class Needs, class Make>
   Stage(StageRunner& run, Goal goal, const Needs& needs, Make make)
       : make_([=, &run, make = std::move(make)] {
@@ -95,7 +97,7 @@ class Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  /// Null if the stage, or a stage that it needs, failed.
+  /// The product; null if this stage, or a stage that it needs, failed.
   const T* get() {
     if (!std::exchange(has_run_, true)) product = make_();
     return product ? &*product : nullptr;
