@@ -1,4 +1,4 @@
-// change_words: long texts are shortened; an entry without a closed form shows its verdict.
+// change_words: shortens long texts. For an entry without a closed form, writes its verdict.
 #include "diff/change_words.hpp"
 
 #include <fmt/format.h>
@@ -10,14 +10,14 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t longest_value = 60;  ///< of a key
+constexpr std::size_t longest_value = 60;  ///< characters of a key's value
 
 std::string shortened(const std::string& text) {
   if (text.size() <= longest_value) return text;
   return text.substr(0, longest_value - 3) + "...";
 }
 
-/// " m/s"; "" without a unit.
+/// The unit after a space, " m/s"; "" if there is none or it is 1.
 std::string with_unit(const EntryChange& entry) {
   return entry.unit.empty() || entry.unit == "1" ? "" : " " + entry.unit;
 }

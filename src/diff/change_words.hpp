@@ -1,4 +1,4 @@
-// change_words: single changes as text.
+// change_words: each kind of change as text.
 #pragma once
 
 #include <string>
@@ -7,57 +7,58 @@
 
 namespace elgen {
 
-/// "models/cart_pole.toml:55:17  "; "" without a place
+/// The place of a key and two spaces: "models/cart_pole.toml:55:17  "; "" if it has no place.
 [[nodiscard]] std::string place_text(const KeyChange& change);
 
-/// "[gravity] vector[2]: -g -> g"
+/// A changed key in words: "[gravity] vector[2]: -g -> g".
 [[nodiscard]] std::string text_of(const KeyChange& change);
 
-/// "the equations are the same"; it says so if only sampled points show this.
+/// The meaning of an impact: "the equations are the same". Unless `is_told_apart`, adds that
+/// entries were only compared at sampled points.
 [[nodiscard]] std::string meaning(Impact impact, bool is_told_apart);
 
-/// The name of a system, with its path if other systems have the same name.
+/// The name of a system, followed by its path if other systems have the same name.
 [[nodiscard]] std::string label_of(const DiffReport& report, const SystemChange& system);
 
-/// True if lines have to name their systems.
+/// True if the report has several systems or files, so that each line must name its system.
 [[nodiscard]] bool has_several(const DiffReport& report);
 
-/// "models/a.toml: E201: unknown name `z`"
+/// A system with errors in words: "models/a.toml: E201: unknown name `z`".
 [[nodiscard]] std::string text_of(const UnreadableSystem& system);
 
 /// True if the versions differ in this entry, or may differ.
 [[nodiscard]] bool may_differ(const EntryChange& entry);
 
-/// Numbers of entries by verdict.
+/// The numbers of entries by verdict.
 struct VerdictCounts {
   std::size_t all = 0;
   std::size_t different = 0;
-  std::size_t undecided = 0;  ///< neither proved equal nor different
+  std::size_t undecided = 0;  ///< neither proved equal nor shown to differ
   std::size_t rewritten = 0;
-  std::size_t proved = 0;    ///< rewritten entries whose equality is proved
-  std::size_t replaced = 0;  ///< an old entry is gone and a new one exists, as after a rename
+  std::size_t proved = 0;    ///< of `rewritten`: proved equal
+  std::size_t replaced = 0;  ///< pairs of a removed and an added entry, as after a rename
   std::size_t added = 0;
   std::size_t removed = 0;
 
   void add(const OutputChange& output);
-  /// "3 of 12 entries differ, 2 rewritten (1 proved)"
+  /// "3 of 12 entries differ, 2 rewritten (1 proved)".
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::size_t changed() const { return different + replaced + added + removed; }
 };
 
 [[nodiscard]] VerdictCounts counts_of(const SystemChange& system);
 
-/// "a -> b"; "" without a closed form that is short enough
+/// "a -> b"; "" if a form is missing or too long.
 [[nodiscard]] std::string change_text(const EntryChange& entry);
 
-/// A state, and the values of the entry at it; "" without a witness.
+/// A state, and both values of the entry at this state; "" without a witness.
 [[nodiscard]] std::string witness_text(const EntryChange& entry);
 
-/// "gravity[2] = a -> b, difference c", "gravity[2]: is new", "gravity[2], not told apart at 64
-/// points"
+/// A changed entry in words: "gravity[2] = a -> b, difference c", "gravity[2]: is new",
+/// "gravity[2], undecided at 64 points".
 [[nodiscard]] std::string text_of(const EntryChange& entry);
 
-/// "mass_matrix: mul 3 -> 4"
+/// Changed numbers of operations in words: "mass_matrix: mul 3 -> 4".
 [[nodiscard]] std::string text_of(const OperationsChange& change);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// changed_keys: compares two parsed trees. Expressions are compared as trees, so that blanks and
-// redundant brackets are no change.
+// changed_keys: compares two parsed files. Expressions are compared as syntax trees, so blanks and
+// redundant brackets make no difference.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -22,13 +22,14 @@ std::string text_of(const std::vector<KeySyntax>& keys) {
   return fmt::format("{{ {} }}", text);
 }
 
-/// False for equations and repetitions, whose texts are parsed into tables and lists.
+/// True for values other than lists and tables; also for equations and repetitions, whose text the
+/// parser turned into a list or table.
 bool has_single_text(const ValueSyntax& value) {
   const bool has_parts = value.kind == ValueKind::list || value.kind == ValueKind::table;
   return !has_parts || !value.text.empty();
 }
 
-/// The value as it is written, in one line.
+/// The value as it is written, on one line.
 std::string text_of(const ValueSyntax& value) {
   if (value.kind == ValueKind::boolean) return value.boolean ? "true" : "false";
   if (has_single_text(value)) return value.text;
@@ -77,11 +78,11 @@ bool is_repeated(const EntrySyntax& entry) {
   return row != entry_table().end() && row->repeated;
 }
 
-/// An entry, with the key and the number that identify it among repeated entries.
+/// An entry of a file. If entries of its kind may be repeated, `key` and `number` identify it.
 struct IdentifiedEntry {
   const EntrySyntax* entry = nullptr;
-  const KeySyntax* key = nullptr;  ///< "name", "on", "at" or "frame"; null if it has none of these
-  std::size_t number = 1;          ///< among entries with an equal key
+  const KeySyntax* key = nullptr;  ///< "name", "on", "at" or "frame"; null: none of these
+  std::size_t number = 1;          ///< counts entries with an equal key
 };
 
 bool has_same_key(const IdentifiedEntry& x, const IdentifiedEntry& y) {
@@ -97,7 +98,7 @@ const KeySyntax* identifying_key(const EntrySyntax& entry) {
   return nullptr;
 }
 
-/// "[[point]] bob", "[[force]] on x #2", "[gravity]"; "" for keys outside of tables
+/// "[[point]] bob", "[[force]] on x #2", "[gravity]"; "" for keys outside of all tables.
 std::string text_of(const IdentifiedEntry& one) {
   const auto& table = one.entry->name;
   if (!is_repeated(*one.entry)) return table.empty() ? "" : fmt::format("[{}]", table);
@@ -207,7 +208,7 @@ class KeyComparison {
     add(path, text_of(old), text_of(now), old.span, now.span);
   }
 
-  /// `m = 1` is short for `m = { value = 1 }`.
+  /// Compares `m = 1` with its long form `m = { value = 1 }`; false for other kinds of values.
   bool compare_short(const ValueSyntax& old, const ValueSyntax& now, const Path& path) {
     const auto written_out = [](const ValueSyntax& value) {
       return std::vector<KeySyntax>{{"value", value.span, value}};
@@ -223,9 +224,9 @@ class KeyComparison {
     return false;
   }
 
-  /// The order in the file determines the order of q, u, multipliers and members of Parameters.
+  /// The order in a model determines the order of q, u, multipliers and members of Parameters.
   void compare_orders(const IdentifiedEntries& olds, const IdentifiedEntries& news) {
-    if (!prefix_.empty()) return;  // a scene only refers to them
+    if (!prefix_.empty()) return;  // a scene only refers to these names
     for (const char* const kind : {"coordinate", "input", "constraint"}) {
       place_ = {.table = kind, .entry = fmt::format("[[{}]]", kind), .is_order = true};
       compare_order(names_of(olds, kind), names_of(news, kind));
@@ -255,7 +256,7 @@ class KeyComparison {
     return names;
   }
 
-  /// Compares the order of the names that both versions have.
+  /// Compares the order of the names that both versions have, and adds a change if it differs.
   void compare_order(Names olds, Names news) {
     const auto drop_others = [](Names& names, const Names& others) {
       std::erase_if(names, [&others](const auto& name) {
@@ -274,7 +275,7 @@ class KeyComparison {
   }
 
   std::string_view prefix_ = {};
-  KeyChange place_ = {};  ///< for the changes to be found
+  KeyChange place_ = {};  ///< table and entry of the next changes
   std::vector<KeyChange> changes_ = {};
 };
 

@@ -1,4 +1,4 @@
-// compare: the changes between two versions, and their impact.
+// compare: finds the changes between two versions, and the impact of each change.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,13 +19,13 @@ constexpr std::array impact_rows{
 #undef ELGEN_IMPACT
 };
 
-/// Keys on which no equation depends, in all entries. Only runs read the `sample` of an open
-/// function.
+/// Keys, in any entry, on which no equation depends. The `sample` of a function without an
+/// expression only affects runs.
 constexpr std::array descriptive_keys{"doc",   "latex",  "title",    "description", "reference",
                                       "range", "limits", "min",      "max",         "rate_range",
                                       "wrap",  "start",  "singular", "sample"};
 
-/// True if a key on the path is in `descriptive_keys`. Names that users chose do not count.
+/// True if a step of the key's path is in `descriptive_keys` and is not a name that a user chose.
 bool has_descriptive_key(const KeyChange& change) {
   std::string table = change.table;
   for (const KeyStep& step : change.path) {
@@ -41,7 +41,7 @@ bool is_drawn(const KeyChange& change) {
   return !change.path.empty() && elgen::is_drawn(change.table, change.path.front().key);
 }
 
-/// True if the key is a number: `m` or `m.value` of a model, `fixed` or an accuracy of a scene.
+/// True if only a number changes: `m` or `m.value` of a model, `fixed` or an accuracy of a scene.
 bool is_value(const KeyChange& change) {
   if (change.table == "scene.parameters") return true;
   const bool is_both = !change.before.empty() && !change.after.empty();
@@ -55,7 +55,7 @@ bool is_value(const KeyChange& change) {
 }
 
 /// The least impact of a changed key, before values and equations are compared. If a scene fixes a
-/// parameter, the parameter becomes a number, even if its value is the same.
+/// parameter at its value, the parameter becomes a number, so the impact is `values`.
 Impact impact_of(const KeyChange& change) {
   const bool is_fixed =
       change.table == "scene.parameters" && (change.before.empty() || change.after.empty());
@@ -84,7 +84,7 @@ Impact impact_of(const std::vector<KeyChange>& keys) {
   return worst;
 }
 
-/// A scene may expand about an equilibrium, so a move of it may change equations.
+/// True if an equilibrium moves: a scene may expand about it, so equations may change.
 bool is_moved_equilibrium(const KeyChange& key) {
   if (key.table != "equilibrium" || key.path.empty()) return false;
   return key.path.front().key == "at" || key.path.front().key == "inputs";
@@ -96,7 +96,7 @@ bool may_change_equations(const KeyChange& key) {
   return impact_of(key) == Impact::equal && !is_value(key);
 }
 
-/// True if callers see what the key declares: names, their order, functions, the target.
+/// True if callers see what the key declares: names, orders, functions, or the target language.
 bool affects_interface(const KeyChange& key) {
   constexpr std::array tables{"model",  "sizes",      "coordinate", "input",
                               "output", "constraint", "parameters", "function"};
@@ -105,7 +105,7 @@ bool affects_interface(const KeyChange& key) {
   return is_seen && (may_change_equations(key) || key.table == "scene.parameters");
 }
 
-/// Sets the impact of every key to the worst that this key may have caused.
+/// Sets the impact of each key to the worst impact that this key alone may have.
 void classify_keys(SystemChange& system, Impact of_entries) {
   Impact of_interface = Impact::equal;
   for (const InterfaceChange& change : system.interface) {
@@ -123,7 +123,7 @@ void classify_keys(SystemChange& system, Impact of_entries) {
 
 std::string source_text(const SourcePointer& source) { return source ? source->text : ""; }
 
-/// The built-in scene has no keys and no source.
+/// The syntax of the scene; an empty file for a model without a scene.
 const FileSyntax& scene_of(const Version& version) {
   static const FileSyntax no_keys;
   return version.scene == nullptr ? no_keys : *version.scene;
@@ -134,7 +134,7 @@ bool same_texts(const Version& before, const Version& after) {
          source_text(scene_of(before).source) == source_text(scene_of(after).source);
 }
 
-/// The parameters that only the newer version has, with the value 0.
+/// The parameters that only the newer version has, with the value 0 instead of their own.
 ParameterValues new_parameters(const Version& before, const Version& after,
                                const Renames& renames) {
   ParameterValues values;
@@ -146,7 +146,7 @@ ParameterValues new_parameters(const Version& before, const Version& after,
   return values;
 }
 
-/// "at mt = 0 all entries equal the old entries (proved)"; "" if they are not.
+/// "at mt = 0 all entries equal the old entries (proved)"; "" if they do not.
 std::string extension(const Version& before, const Version& after, const CompareOptions& options) {
   const ParameterValues values = new_parameters(before, after, options.renames);
   if (values.empty()) return {};
@@ -167,7 +167,7 @@ std::string extension(const Version& before, const Version& after, const Compare
                      is_proved ? "proved" : "at 64 random points");
 }
 
-/// The entries of [[expect]] that do not hold.
+/// The names of the [[expect]] entries that do not hold.
 std::set<std::string> wrong_expectations(const Version& version) {
   const Subject subject{version.checked.model, version.checked.scene, version.program};
   std::set<std::string> wrong;
@@ -197,7 +197,7 @@ Diagnostics new_warnings(const Version& before, const Version& after) {
   return found;
 }
 
-/// Changes of the model, then changes of the scene.
+/// The changed keys of the model, then of the scene.
 std::vector<KeyChange> all_changed_keys(const Version& before, const Version& after,
                                         const Renames& renames) {
   std::vector<KeyChange> keys = changed_keys(before.model, after.model, renames);
@@ -206,7 +206,8 @@ std::vector<KeyChange> all_changed_keys(const Version& before, const Version& af
   return keys;
 }
 
-/// Empty if one of the versions has no operations.
+/// The functions whose numbers of operations changed; none if a version has no numbers of
+/// operations.
 std::optional<std::vector<OperationsChange>> operations_changes(const Version& before,
                                                                 const Version& after) {
   if (before.operations == nullptr || after.operations == nullptr) return std::nullopt;

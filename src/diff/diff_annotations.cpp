@@ -1,4 +1,5 @@
-// diff_annotations: systems that fail, then causes. Consequences have no place in a file.
+// diff_annotations: annotations for failing systems, then for changed keys. Changed entries have no
+// place in a file, so they get no annotations.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,10 +18,11 @@
 namespace elgen {
 namespace {
 
-/// GitHub shows this number of annotations per step and level.
+/// The number of annotations that GitHub shows per step and level.
 constexpr std::size_t most_annotations = 10;
 
-/// All reasons why it breaks, at the first key that breaks it and exists in the newer version.
+/// One error with all reasons why the system breaks. Its place is the first key that breaks the
+/// system and exists in the newer version.
 WorkflowCommand broken_system(const DiffReport& report, const SystemChange& system) {
   std::string reasons;
   for (const InterfaceChange& change : system.interface) {
@@ -34,7 +36,7 @@ WorkflowCommand broken_system(const DiffReport& report, const SystemChange& syst
           fmt::format("{}: {}", label_of(report, system), reasons)};
 }
 
-/// An error for each system that breaks, is removed or cannot be read.
+/// An error for each system that breaks, was removed, or cannot be read.
 std::vector<WorkflowCommand> failures(const DiffReport& report) {
   std::vector<WorkflowCommand> commands;
   for (const SystemChange& system : report.systems) {
@@ -52,12 +54,12 @@ std::vector<WorkflowCommand> failures(const DiffReport& report) {
 /// A changed key, and its impact on each system.
 struct Cause {
   const KeyChange* key = nullptr;
-  Impact impact = Impact::equal;  ///< the worst of all systems
+  Impact impact = Impact::equal;  ///< the worst impact on a system
   bool is_certain = true;
-  std::string systems = {};  ///< "cart_pole: different, cart_pole_balance: values"
+  std::string systems = {};  ///< impacts: "cart_pole: different, cart_pole_balance: values"
 };
 
-/// Sorted by impact, the worst first.
+/// All changed keys, sorted by impact, the worst first.
 std::vector<Cause> causes_of(const DiffReport& report) {
   std::vector<Cause> found;
   std::map<std::string, std::size_t> known;

@@ -1,4 +1,4 @@
-// diff_data: a report as JSON, for programs.
+// diff_data: writes a report as JSON.
 #include <array>
 #include <utility>
 

@@ -1,5 +1,6 @@
-// diff_text: a report as lines with labels, as text and as Markdown. A line that several systems
-// share appears once. Equations are in blocks of code, in which no character is markup.
+// diff_text: writes a report as lines with labels, in plain text and in Markdown. A line that
+// applies to several systems appears once. Markdown has equations in code blocks, in which no
+// character is markup.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -19,18 +20,18 @@ namespace elgen {
 namespace {
 
 struct SummaryLine {
-  std::string label = {};  ///< "changed"; "" if it continues the label above
+  std::string label = {};  ///< "changed"; "" for a further line of the same label
   std::string text = {};
-  std::string systems = {};  ///< systems of the line: "cart_pole, cart_pole_balance"
+  std::string systems = {};  ///< systems with this line: "cart_pole, cart_pole_balance"
 };
 using SummaryLines = std::vector<SummaryLine>;
 
-constexpr std::size_t most_keys = 5;       ///< further keys are counted
-constexpr std::size_t most_interface = 6;  ///< further changes are counted
+constexpr std::size_t most_keys = 5;       ///< further keys are only counted
+constexpr std::size_t most_interface = 6;  ///< further changes are only counted
 constexpr std::size_t most_operations = 3;
-constexpr std::size_t most_named = 4;  ///< expectations
+constexpr std::size_t most_named = 4;  ///< number of named expectations
 
-/// Lines with one label. Each text appears once, with its systems.
+/// The lines with one label. Each text appears once, with all its systems.
 class Section {
  public:
   Section(SummaryLines& lines, std::string label, std::size_t most = SIZE_MAX)
@@ -46,7 +47,7 @@ class Section {
     systems += (systems.empty() ? "" : ", ") + system;
   }
 
-  /// Adds a line with the number of texts beyond `most_`.
+  /// Adds a line with the number of texts that were left out.
   void count_others(std::string_view noun) {
     if (known_.size() <= most_) return;
     lines_.push_back(
@@ -59,10 +60,10 @@ class Section {
   SummaryLines& lines_;
   std::string label_;
   std::size_t most_;
-  std::map<std::string, std::size_t> known_ = {};  ///< line numbers by text; SIZE_MAX: no line
+  std::map<std::string, std::size_t> known_ = {};  ///< index of the line by text; SIZE_MAX: no line
 };
 
-/// A component of the equations of motion.
+/// A part of the equations of motion, and its output.
 struct EquationTerm {
   std::string_view symbol;
   OutputKind kind;
@@ -74,7 +75,8 @@ constexpr std::array equation_terms{EquationTerm{"T", OutputKind::kinetic_energy
                                     EquationTerm{"B", OutputKind::input_matrix},
                                     EquationTerm{"A", OutputKind::constraint_jacobian}};
 
-/// "V = a -> b", "V differs", "B: 2 of 3 entries differ, 0 rewritten", "V is written differently"
+/// A changed part in words: "V = a -> b", "V differs", "B: 2 of 3 entries differ, 0 rewritten", "V
+/// is written differently".
 std::string term_text(std::string_view symbol, const OutputChange& output) {
   VerdictCounts counts;
   counts.add(output);
@@ -88,7 +90,7 @@ std::string term_text(std::string_view symbol, const OutputChange& output) {
                         : fmt::format("{} = {}", symbol, change);
 }
 
-/// "V = a -> b;  T, D, Q, B identical"
+/// All parts in words: "V = a -> b;  T, D, Q, B identical".
 std::string terms_text(const SystemChange& system) {
   std::string changed;
   std::string identical;
@@ -106,7 +108,7 @@ std::string terms_text(const SystemChange& system) {
   return fmt::format("{}{}{} identical", changed, changed.empty() ? "" : ";  ", identical);
 }
 
-/// "[[expect]] was not updated: 1 entry no longer holds (bias[2])"
+/// "[[expect]] was not updated: 1 entry no longer holds (bias[2])"; "" if all entries hold.
 std::string expectations_text(const SystemChange& system) {
   std::vector<std::string> some = system.broken_expectations;
   if (some.empty()) return {};
@@ -118,7 +120,7 @@ std::string expectations_text(const SystemChange& system) {
                      some.size() == count ? "" : ", ...");
 }
 
-/// The system with the most entries that differ.
+/// The system in which most entries differ.
 const SystemChange* most_changed(const DiffReport& report) {
   const auto most = std::ranges::max_element(report.systems, {}, [](const SystemChange& system) {
     const VerdictCounts counts = counts_of(system);
@@ -127,7 +129,8 @@ const SystemChange* most_changed(const DiffReport& report) {
   return most == report.systems.end() ? nullptr : &*most;
 }
 
-/// The entry that differs and has the shortest text; if no entry differs, one that may differ.
+/// The differing entry with the shortest text; if no entry differs, an undecided entry; null if
+/// there is none.
 const EntryChange* example(const SystemChange& system) {
   const EntryChange* best = nullptr;
   const auto rank = [](const EntryChange& entry) {
@@ -143,9 +146,9 @@ const EntryChange* example(const SystemChange& system) {
   return best;
 }
 
-/// Lines in the order: causes, consequences, one entry in full, changes of the interface, verdict.
-/// If the changes break callers, the interface precedes the causes. About a dozen lines unless
-/// `lists_all`.
+/// The lines of a report: changed keys, consequences, one entry as example, changes of the
+/// interface, verdict. If the interface breaks callers, its changes come first. About a dozen lines
+/// unless `lists_all`.
 class Summary {
  public:
   Summary(const DiffReport& report, bool lists_all) : report_(report), lists_all_(lists_all) {}
@@ -187,7 +190,7 @@ class Summary {
     return label_of(report_, system);
   }
 
-  /// One text per system.
+  /// Adds one text per system.
   template <class TextOf>
   void for_each(std::string label, const TextOf& words) {
     Section section(lines_, std::move(label));
@@ -262,7 +265,8 @@ class Summary {
     section.count_others("change");
   }
 
-  /// Either all systems are listed or none, because a part would look complete.
+  /// Numbers of operations are shown for all systems or not at all, because a part would look
+  /// complete.
   void add_operations() {
     Section section(lines_, "operations", most(most_operations));
     for (const SystemChange& system : report_.systems) {
@@ -290,7 +294,7 @@ void add_lines(const OutputChange& output, std::vector<std::string>& lines) {
   }
 }
 
-/// Labels are in a separate column.
+/// The lines with their labels in a separate column.
 std::string text_of(const SummaryLines& lines) {
   std::string text;
   for (const SummaryLine& line : lines) {
@@ -299,7 +303,7 @@ std::string text_of(const SummaryLines& lines) {
   return text;
 }
 
-/// The entries of one system that are not identical.
+/// The entries of one system that are not identical, in words.
 struct EntryList {
   std::string system = {};
   std::vector<std::string> lines = {};
@@ -315,10 +319,10 @@ std::vector<EntryList> entry_lists(const DiffReport& report) {
   return lists;
 }
 
-/// Lines per system: a comment on GitHub has at most 65 536 characters.
+/// The largest number of lines per system: a comment on GitHub has at most 65 536 characters.
 constexpr std::size_t most_lines = 200;
 
-/// A fence longer than any sequence of back-ticks in the text.
+/// A fence that is longer than any sequence of backticks in the text.
 std::string fence(std::string_view text) {
   std::size_t longest = 2;
   std::size_t row = 0;
@@ -334,7 +338,7 @@ std::string code_block(const std::string& text) {
   return fmt::format("{}text\n{}{}\n", marks, text, marks);
 }
 
-/// A <details> element of Markdown, which readers unfold.
+/// A <details> element, which readers can unfold.
 std::string folded(const EntryList& list) {
   std::string text;
   for (std::size_t i = 0; i < std::min(list.lines.size(), most_lines); ++i) {

@@ -1,4 +1,4 @@
-// interface_changes: compares the names, counts, orders and units that callers rely on.
+// interface_changes: compares the names, counts, orders and units on which callers rely.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -17,12 +17,12 @@
 namespace elgen {
 namespace {
 
-/// An element that callers know by its name or its position.
+/// Something that callers know by its name or by its position.
 struct KnownName {
   std::string name = {};
   std::string unit = {};
   std::size_t size = 1;
-  std::optional<Unit> meant = {};  ///< the unit as parsed
+  std::optional<Unit> meant = {};  ///< the unit, parsed
 };
 
 using Names = std::vector<KnownName>;
@@ -32,7 +32,7 @@ std::string unit_text_of(const Entry& entry) {
   return entry.unit_text;
 }
 
-/// Units of f and phi are not declared.
+/// The unit is derived, because models do not declare units of f and phi.
 std::string unit_text_of(const Constraint& constraint) {
   return constraint.unit ? to_string(*constraint.unit) : "";
 }
@@ -48,7 +48,7 @@ Names members(const List& list, const Renames& renames) {
   return all;
 }
 
-/// Members of the emitted Parameters.
+/// The members of the emitted Parameters.
 Names members(const Model& model, const std::vector<ParameterArray>& arrays,
               const Renames& renames) {
   Names all = members(arrays, renames);
@@ -105,7 +105,7 @@ void compare_units(Changes& changes, const std::string& what, const Names& olds,
   }
 }
 
-/// Compares the names of the elements of arrays by position.
+/// Compares the names at each position of an array, then the units by name.
 void compare_lists(Changes& changes, const std::string& what, const Names& olds,
                    const Names& news) {
   if (olds.size() != news.size()) {
@@ -157,7 +157,7 @@ void compare_names(Changes& changes, const Version& before, const Version& after
   }
 }
 
-/// Compares the members of a struct by name and by position.
+/// Compares the members of Parameters by name and by position.
 void compare_parameters(Changes& changes, const Names& olds, const Names& news) {
   for (const KnownName& old : olds) {
     const KnownName* const now = find(news, old.name);
@@ -182,7 +182,7 @@ void compare_parameters(Changes& changes, const Names& olds, const Names& news) 
         find(added, news[kept.size()].name) != nullptr &&
         name_list(Names(news.begin(), news.begin() + static_cast<std::ptrdiff_t>(kept.size()))) ==
             name_list(kept);
-    // If members are gone, callers do not compile, so they cannot misread the others.
+    // If members were removed, callers no longer compile, so no caller can confuse members.
     if (are_last || kept.size() < olds.size()) {
       changes.add(Impact::extended, "Parameters has new members: " + name_list(added));
     } else {
@@ -237,7 +237,7 @@ bool has_same_shape(const Function& old, const Function& now) {
   });
 }
 
-/// "2 x 3", "2 x 1"
+/// The shapes of all fields: "2 x 3, 2 x 1".
 std::string shape(const Function& function) {
   std::string text;
   for (const Field& field : function.fields) {
@@ -246,13 +246,13 @@ std::string shape(const Function& function) {
   return text;
 }
 
-/// Compares the shapes of user outputs and of the residual of constraints. All other shapes follow
-/// from the lists above.
+/// Compares the shapes of user outputs and of constraint_residual. All other shapes follow from the
+/// lists of coordinates, inputs and constraints.
 void compare_shapes(Changes& changes, const Program& before, const Program& after) {
   for (const Function& now : after.functions) {
     const auto old = std::ranges::find(before.functions, now.name, &Function::name);
     const bool is_in_both = old != before.functions.end() && old->kind == now.kind;
-    // Depends on a kind: the interface has no list of the constraints on positions.
+    // The residual depends on how many constraints restrict positions, which no list shows.
     const bool is_compared =
         output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
     if (!is_in_both || !is_compared || has_same_shape(*old, now)) continue;
@@ -261,7 +261,7 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
   }
 }
 
-/// Compares the rows or columns of fields that no list of the interface names: the rows of
+/// Compares rows or columns that no list of the interface names; for example, the rows of
 /// `reaction` are locked coordinates.
 struct UnlistedLines {
   const Version& before;

@@ -1,5 +1,5 @@
-// joint_program: value numbering finds instructions that the function already contains. The output
-// table names rows and columns.
+// joint_program: joins functions by value numbering, which finds instructions that the function
+// already contains. Matches entries by the names of rows and columns in the output table.
 #include "diff/joint_program.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Assumption weaker(Assumption x, Assumption y) {
   return x == y ? x : Assumption::nonnegative;
 }
 
-/// Copies the instructions of a function, and returns the positions of its entries.
+/// Appends the instructions of a function, and returns the indices of its entries.
 class FunctionCopier {
  public:
   FunctionCopier(const Program& from, const LeafValues<std::uint32_t>& places, Program& to,
@@ -89,7 +89,7 @@ auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
-  // A parameter of both versions keeps the weaker assumption.
+  // A parameter that both versions have gets the weaker of its assumptions.
   joint.assumptions.resize(joint.parameters.size(), Assumption::none);
   for (std::uint32_t i = 0; i < names.parameters.size(); ++i) {
     Assumption& assumption = joint.assumptions[places.parameters[i]];
@@ -113,8 +113,8 @@ namespace {
 
 using Labels = std::vector<std::string>;
 
-/// The labels of rows or columns, with the names of the newer version. The labels of an [[output]]
-/// are numbers, since it may have another name.
+/// The labels of rows or columns, in the names of the newer version. Rows of an [[output]] are
+/// numbered, because the output may have been renamed.
 Labels labels_of(const Model& model, const Renames& renames, Extent extent,
                  std::uint32_t user = 0) {
   Labels labels;
@@ -125,7 +125,7 @@ Labels labels_of(const Model& model, const Renames& renames, Extent extent,
   return labels;
 }
 
-/// The labels of fields that are not in the output table, such as the diagonal of M.
+/// Numbers as labels of fields that the output table lacks, such as the diagonal of M.
 Labels numbers(std::uint32_t count) {
   Labels labels;
   for (std::uint32_t i = 1; i <= count; ++i) labels.push_back(std::to_string(i));
@@ -146,7 +146,8 @@ struct Labelled {
   std::string unit = {};
 };
 
-/// The pivots of M and of A M^-1 A^T depend on the order in which they are eliminated.
+/// True if both versions eliminate in the same order, on which the pivots of M and of A M^-1 A^T
+/// depend.
 bool same_order(const Model& before, const Model& after, const Renames& renames) {
   return labels_of(before, renames, Extent::pivots) == labels_of(after, {}, Extent::pivots);
 }

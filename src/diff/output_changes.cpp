@@ -1,5 +1,5 @@
-// output_changes: joins entries output by output, and examines entries that are computed
-// differently. Closed forms and a state at which a difference is visible explain the difference.
+// output_changes: joins both versions of each output, and examines the entries that are computed
+// differently. Closed forms, and a state at which the values differ, explain a difference.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,25 +27,25 @@ const Function* find_named(const Program& program, const std::string& name) {
   return found == program.functions.end() ? nullptr : &*found;
 }
 
-/// Longer texts are not printed.
+/// Longer closed forms are not printed.
 constexpr std::size_t longest_read = 100;
 
-/// A form beyond this budget does not fit into a line.
+/// A form beyond this budget would not fit into a line.
 constexpr PresentBudget texts_budget{
     .products_per_function = 2'000, .products = 60'000, .terms = 300};
-/// Neither does a form of more instructions.
+/// A form of more instructions would not fit into a line.
 constexpr std::size_t most_instructions = 400;
 
-/// The function with this entry only; an empty function if it is too long.
+/// The function with only this entry; an empty function if it has more than `most_instructions`.
 Function single_entry(const Function& function, std::uint32_t at) {
   Function one = with_entries(function, {at});
   if (one.instructions.size() <= most_instructions) return one;
   return {.kind = function.kind, .name = function.name};
 }
 
-/// The closed form of each instruction over the leaves, as pages show it; "" if it is too long or
-/// exceeds its budget. Each instruction is a separate function with a small budget, so that one
-/// failure does not affect the others.
+/// The closed form of each of the given instructions, as pages show it; "" if it is too long or
+/// exceeds the budget. Each instruction becomes a separate function with a small budget, so that
+/// one failure does not affect the others.
 std::vector<std::string> closed_texts(const Program& program, const Function& function,
                                       const std::vector<std::uint32_t>& instructions) {
   Program each{program.leaves, program.constants, {}};
@@ -62,15 +62,17 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
   return texts;
 }
 
-/// A witness is one of the first states. The others may distinguish roots and kinks.
+/// Witnesses are selected from the first states; further states may reveal differences at roots and
+/// kinks.
 constexpr std::size_t witness_count = 16;
 constexpr std::size_t state_count = zero_sample_count;
 constexpr std::uint64_t seed_of_witnesses = 16;
 
-/// Rounded to three significant digits, as in print.
+/// The number that is printed: three significant digits.
 double text_value(double x) { return std::stod(fmt::format("{:.3g}", x)); }
 
-/// Appends values of leaves that only the older version has, in the order of `joint`.
+/// Appends the leaves that only the older version has, in the order of `joint`, with their values
+/// in `values`.
 void append_old_leaves(const LeafNames& joint, const LeafNames& olds,
                        const Arguments<double>& values, Arguments<double>& state) {
 #define ELGEN_LEAVES(kind, member, ...)                                                     \
@@ -86,31 +88,31 @@ void append_old_leaves(const LeafNames& joint, const LeafNames& olds,
 #undef ELGEN_LEAF
 }
 
-/// The instructions of two corresponding entries and of their difference in a function.
+/// The instructions of two matching entries, and of their difference.
 struct InstructionPair {
-  std::size_t number = 0;  ///< index of the change
+  std::size_t number = 0;  ///< index in OutputChange::entries
   std::uint32_t before = 0;
   std::uint32_t after = 0;
   std::uint32_t difference = 0;
 };
 
-/// States inside the ranges of the newer version, over the leaves of both. Parameters have their
-/// values, random values replace 0, and leaves of the older version have values of this version.
-/// The last state is the origin, where many kinks are.
+/// States over the leaves of both versions, inside the ranges of the newer version. Parameters have
+/// their values, or random values if these are 0. Leaves that only the older version has are drawn
+/// in its ranges. In the last state everything but parameters is 0, because many kinks are there.
 class WitnessStates {
  public:
   WitnessStates(const Version& before, const Version& after, const Program& joint);
 
   [[nodiscard]] const std::vector<Arguments<double>>& all() const { return states_; }
 
-  /// Sets share and witness of a change between two instructions; neither if no state shows a
-  /// difference.
+  /// Sets the share and the witness of a change, at the state with the largest difference. Sets
+  /// nothing if no state shows a difference.
   void explain(const Function& function, const InstructionPair& pair, EntryChange& change) const;
 
  private:
   const Program& joint_;
   std::vector<Arguments<double>> states_ = {};
-  LeafValues<double> known_ = {};  ///< parameters at their values, which a witness does not list
+  LeafValues<double> known_ = {};  ///< nominal values of parameters, which a witness omits
 };
 
 WitnessStates::WitnessStates(const Version& before, const Version& after, const Program& joint)
@@ -157,7 +159,7 @@ void WitnessStates::explain(const Function& function, const InstructionPair& pai
     best = &state;
     values_there = values;
   }
-  // Doubles may differ by rounding errors only, so the difference is checked in more digits.
+  // Two doubles may differ by rounding alone, so the difference is checked in 64 digits.
   const Function difference = with_entries(function, {pair.difference});
   if (largest_change == 0 || vanishes_at(joint_, difference, *best)) return;
   change.witness = Witness{{}, values_there[0], values_there[1]};
@@ -174,8 +176,8 @@ void WitnessStates::explain(const Function& function, const InstructionPair& pai
   }
 }
 
-/// Parameters that only the scene of the other version fixes, if the fixed number is rational and
-/// equals their value. The renames give the names in the newer version.
+/// The parameters that `free` does not fix but `fixing` does, at a rational number that equals
+/// their value. Both renames lead to names of the newer version.
 ParameterValues fixed_at_own_value(const CheckedModel& free, const Renames& free_renames,
                                    const CheckedModel& fixing, const Renames& renames) {
   ParameterValues values;
@@ -192,7 +194,8 @@ ParameterValues fixed_at_own_value(const CheckedModel& free, const Renames& free
   return values;
 }
 
-/// Entries per output with texts and witness; for further entries only the verdict is reported.
+/// Number of entries per output that get closed forms and a witness; further entries get only a
+/// verdict.
 constexpr std::size_t most_explained = 20;
 
 class OutputComparison {
@@ -225,7 +228,8 @@ class OutputComparison {
   }
 
  private:
-  /// Added or removed; otherwise different until a proof or points show that it is equal.
+  /// An entry with the verdict `added` or `removed`; if both versions have it, `different` until it
+  /// is shown to be equal.
   static EntryChange undecided_change(const MatchedEntry& entry) {
     const EntryVerdict lone = entry.after ? EntryVerdict::added : EntryVerdict::removed;
     const bool is_in_both = entry.before && entry.after;
@@ -234,7 +238,7 @@ class OutputComparison {
             .verdict = is_in_both ? EntryVerdict::different : lone};
   }
 
-  /// An output that only one version has; the other function is empty.
+  /// The changes of an output that only one version has; the other function is empty.
   static OutputChange lone_output(const Version& version, const Function& before,
                                   const Function& after) {
     const Model& model = version.checked.model;
@@ -317,7 +321,7 @@ class OutputComparison {
   const Renames& renames_;
   JointValues values_;
   JointProgram joint_;
-  std::optional<WitnessStates> states_ = {};  ///< computed on first use
+  std::optional<WitnessStates> states_ = {};  ///< drawn on first use
 };
 
 }  // namespace

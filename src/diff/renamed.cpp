@@ -31,9 +31,9 @@ void rename(std::vector<KeySyntax>& keys, const std::string& table, const Rename
   }
 }
 
-/// `table`: the path of the value in the key table, used if the value is a table.
+/// `table`: the path of the value in the key table, needed if the value is a table.
 void rename(ValueSyntax& value, const std::string& table, const Renames& renames) {
-  // A value that is a single name also has a text, which identifies entries.
+  // If the value is a single name, its text is renamed, too, because it identifies entries.
   const bool is_name = value.kind == ValueKind::expression &&
                        value.expression.kind == SyntaxKind::name &&
                        value.expression.operands.empty();
@@ -47,12 +47,12 @@ void rename(ValueSyntax& value, const std::string& table, const Renames& renames
 
 std::string renamed(const std::string& name, const Renames& renames) {
   const std::size_t inner = name.find('(') + 1;
-  if (inner > 0 && name.back() == ')') {  // dot(x), a key of ranges and states
+  if (inner > 0 && name.back() == ')') {  // dot(x), as in ranges and states
     const std::string argument = name.substr(inner, name.size() - 1 - inner);
     return name.substr(0, inner) + renamed(argument, renames) + ")";
   }
   const std::string_view armature = "armature.";
-  if (name.starts_with(armature)) {  // an inertial parameter, like hand.m
+  if (name.starts_with(armature)) {  // an inertial parameter of an armature
     return std::string(armature) + renamed(name.substr(armature.size()), renames);
   }
   const std::size_t dot = std::min(name.find('.'), name.size());

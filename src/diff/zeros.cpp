@@ -1,6 +1,6 @@
-// zeros: values that are not analytic (program/network/analytic.hpp) are sampled twice. As
-// independent variables they decide that an entry vanishes; as computed they distinguish a
-// difference from an open question.
+// zeros: entries with functions that are not analytic (program/network/analytic.hpp) are sampled
+// twice. First such functions are independent random variables; if the entry is 0 then, it is 0.
+// Then they are computed, which may show that the entry is not 0; otherwise it is undecided.
 #include "diff/zeros.hpp"
 
 #include <algorithm>
@@ -17,20 +17,23 @@ namespace elgen {
 namespace {
 
 constexpr std::uint64_t seed_of_zeros = 16;
-/// Points to try until each entry has a value at enough of them: one per scale and rule of signs.
+/// Number of points to try until each entry has a value at enough of them: 8 for each needed point,
+/// for 4 scales and 2 rules of signs.
 constexpr std::size_t most_tries = 8 * zero_sample_count;
 
-/// The observation of an entry at one point.
+/// What one point shows about an entry; `nothing`: no value, or rounding hides it.
 enum class Seen : std::uint8_t { nothing, zero, other };
 
 class PointDrawer {
  public:
   explicit PointDrawer(const Program& program) : program_(program) {}
 
-  /// All entries of the function at the next point. The `variables` are random, not computed.
+  /// Observes all entries of the function at the next point. The instructions in `variables` are
+  /// random, not computed.
   std::vector<Seen> operator()(const Function& function, const std::vector<bool>& variables) {
     const std::vector<Running<Real>> values = values_at(next_point(), function, variables);
-    // A random variable may have a value that its computation never gives.
+    // With random variables a missing value proves nothing, because they may have values that their
+    // computation never gives.
     const bool is_computed = std::ranges::count(variables, true) == 0;
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
@@ -41,7 +44,8 @@ class PointDrawer {
     return seen;
   }
 
-  /// The same at a given point, where one of two terms may be 0/0.
+  /// Observes all entries at a given point. There a missing value proves nothing, because one of
+  /// two terms may be 0/0.
   std::vector<Seen> at(const LeafValues<Running<Real>>& point, const Function& function,
                        const std::vector<bool>& variables) {
     const std::vector<Running<Real>> values = values_at(point, function, variables);
@@ -68,7 +72,7 @@ class PointDrawer {
     return values;
   }
 
-  /// True if the rules replaced a value or an operand of it by a limit: 1/exp(-2^21) divides by 0.
+  /// True if the value, or an operand of it, was replaced by a limit: 1/exp(-2^21) divides by 0.
   [[nodiscard]] bool is_limited(const Instruction& i,
                                 const std::vector<Running<Real>>& values) const {
     const std::size_t operands = operand_count(i);
@@ -83,13 +87,13 @@ class PointDrawer {
     return running_leaf(number * scale(), rounding<double>());
   }
 
-  /// Cycles through scales, so that differences for large or small values only are seen, too.
+  /// Cycles through scales, to find differences that appear only at large or small values.
   [[nodiscard]] cln::cl_RA scale() const {
     static const std::array<cln::cl_RA, 4> scales{1, 1000, cln::cl_RA(1) / 1000, 1'000'000};
     return scales[points_ / 2 % scales.size()];
   }
 
-  /// Parameters without an assumption are positive at every second point, since most masses and
+  /// At every second point parameters without an assumption are positive, because most masses and
   /// lengths must be positive.
   LeafValues<Running<Real>> next_point() {
     const Positive positive = points_ % 2 == 0 ? Positive::parameters : Positive::assumed;
@@ -99,13 +103,14 @@ class PointDrawer {
     return point;
   }
 
-  /// True if only one of two terms has a value: log(x^2) has a value at x < 0, 2 log(x) has none.
+  /// True if only one of both terms has a value: at x < 0, log(x^2) has a value but 2 log(x) has
+  /// none.
   static bool is_one_sided(const Instruction& i, const std::vector<Running<Real>>& values) {
     return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }
 
-  /// `nothing` for limits, and if rounding in 64 digits hides more than the last digits of the
-  /// terms. If the terms are 0, leaves of about 1 replace them.
+  /// `nothing` if a limit was taken, if the value is undefined, or if rounding in 64 digits may
+  /// hide a value that is large in comparison with the terms. Terms count as at least 1e-5.
   [[nodiscard]] Seen observation(const Function& function, std::uint32_t entry,
                                  const std::vector<Running<Real>>& values) const {
     static const Real share(power_of_ten(-45));
@@ -125,7 +130,7 @@ class PointDrawer {
   const Program& program_;
   Sampler draw_{seed_of_zeros};
   std::size_t points_ = 0;
-  std::vector<bool> is_limited_ = {};  ///< of the instructions at the last point
+  std::vector<bool> is_limited_ = {};  ///< by instruction, at the last point
 };
 
 /// The indices of the entries that may vanish.
@@ -148,14 +153,14 @@ Function select_entries(const Function& function, const std::vector<std::size_t>
 constexpr PresentBudget zeros_budget{
     .products_per_function = 10'000, .products = 40'000, .terms = 1'000};
 
-/// The doubles of a state as exact numbers.
+/// The state's doubles as exact numbers.
 LeafValues<Running<Real>> exact_point(const Arguments<double>& state) {
   return map_leaves([](double x) { return running_leaf(exact_value(x), rounding<double>()); },
                     state);
 }
 
-/// For each entry: `other` if a point shows a value other than 0; `zero` if it vanishes at
-/// `zero_sample_count` points or more; else `nothing`. The points are the states and random points.
+/// For each entry: `other` if it is not 0 at some point; `zero` if it is 0 at `zero_sample_count`
+/// points or more; otherwise `nothing`. The points are the states, then random points.
 std::vector<Seen> observe_points(const Function& function, const std::vector<bool>& variables,
                                  const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   std::vector<std::size_t> zeros(entry_count(function));
@@ -183,7 +188,7 @@ std::vector<Seen> observe_points(const Function& function, const std::vector<boo
   return result;
 }
 
-/// The verdict on every entry of a function without a proof.
+/// The verdicts on all entries, by sampling.
 std::vector<Zero> sample_verdicts(const Program& program, const Function& function,
                                   const std::vector<Arguments<double>>& states, PointDrawer& draw) {
   const std::vector<bool> variables = unknowns(program, function);

@@ -1,4 +1,4 @@
-// zeros: the entries of a function that vanish at all states, by proof or at sampled points.
+// zeros: which entries of a function vanish at all states, by proof or by sampling.
 #pragma once
 
 #include "elgen/evaluate.hpp"
@@ -6,22 +6,24 @@
 
 namespace elgen {
 
-/// A value vanishes at a point if |x| <= 1e-45 E in 64 digits, E the running error of x.
+/// An entry vanishes at a point if |x| <= 1e-45 E in 64 digits, E the running error of x.
 enum class Zero : std::uint8_t {
   no,
-  not_decided,  ///< no point shows another value, but it is not analytic, or vanishes at fewer than
-                ///< `zero_sample_count`: another point may differ
-  sampled,  ///< analytic (program/network/analytic.hpp), and vanishes at `zero_sample_count` points
-  proved,   ///< its closed form is the empty sum
+  not_decided,  ///< no point shows a value other than 0, but the entry is not analytic, or vanishes
+                ///< at fewer than `zero_sample_count` points
+  sampled,      ///< vanishes at `zero_sample_count` points and is analytic
+                ///< (program/network/analytic.hpp)
+  proved,       ///< the closed form is the empty sum
 };
 
-/// One verdict per entry, in the order of the fields. Cost: one evaluation in 64 digits. Entries
-/// that vanish in it are proved, or sampled at 63 more points; twice, and also at `states`, if they
-/// are not analytic.
+/// The verdict on each entry, in the order of the fields. Cost: one evaluation in 64 digits.
+/// Entries that vanish there are proved, or evaluated at 63 more points; if they are not analytic,
+/// they are evaluated there twice, and at `states`.
 [[nodiscard]] std::vector<Zero> zeros(const Program& program, const Function& function,
                                       const std::vector<Arguments<double>>& states = {});
 
-/// True if the only entry vanishes at a state in 64 digits, even if doubles give another value.
+/// True if the function's only entry vanishes at a state in 64 digits, even if doubles give another
+/// value.
 [[nodiscard]] bool vanishes_at(const Program& program, const Function& function,
                                const Arguments<double>& state);
 
