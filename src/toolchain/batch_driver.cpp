@@ -1,7 +1,8 @@
-// batch_driver: the driver of the batch header, called with one state. The state is computed in a
-// batch of two and a half packs, at each place in turn: in full packs and in the remainder. The
-// other states of the batch have other numbers, so that a wrong stride reads or writes a wrong
-// number. If the bits at some place differ from the first place, the entry is NaN.
+// batch_driver: the driver of the batch header, which is called with one state. The driver makes a
+// batch of two and a half packs, with the state at each place in turn, so that it is computed in
+// full packs and in the remainder. The other states of the batch have other numbers, so that a
+// wrong stride reads or writes a wrong number. If an entry's bits at some place differ from its
+// bits at the first place, the entry is NaN.
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
@@ -77,7 +78,7 @@ extern "C" void {symbol}({leaves}{scalar}* to) {{
 {appends}}}
 )";
 
-/// Has its own namespace, because the sine driver may be compiled without the batch driver.
+/// A separate namespace, because some builds compile the sine driver without the batch driver.
 constexpr std::string_view sine_prologue = R"(#include "{header}"
 
 namespace driver_of_sines {{
@@ -94,7 +95,8 @@ extern "C" void {symbol}({leaves}{scalar}* to) {{
 }}
 )";
 
-/// ", batch_of(q, emitted::coordinate_count, place).data(), batch_of(&t, 1, place).data()"
+/// The arguments after the parameters and the count: ", batch_of(q, 2, place).data(), batch_of(&t,
+/// 1, place).data()".
 std::string batch_arguments(const Model& model, const Function& function) {
   std::string text;
   for (const Opcode argument : arguments_of(model, function)) {
@@ -106,7 +108,7 @@ std::string batch_arguments(const Model& model, const Function& function) {
   return text;
 }
 
-/// "  append(to, values.data() + 2, 2, 1);" for each field.
+/// One line for each field: "  append(to, values.data() + 2, 2, 1);".
 std::string batch_appends(const Function& function) {
   std::string text;
   std::size_t before = 0;

@@ -1,4 +1,4 @@
-// c99_driver: the driver of a C header, for its single scalar type.
+// c99_driver: the driver of a C header, in the header's only scalar type.
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
@@ -8,7 +8,8 @@
 namespace elgen {
 namespace {
 
-/// `append` has a prototype, because a header that only returns numbers does not use it.
+/// `append` is extern with a prototype: a static function would cause a warning if a header only
+/// returns numbers.
 constexpr std::string_view c99_prologue = R"(#include "{header}"
 
 #include <stddef.h>
@@ -36,7 +37,7 @@ void {symbol}({leaves}{scalar} *to) {{
 {body}}}
 )";
 
-/// "&p, q, v"
+/// The arguments of a call: "&p, q, v".
 std::string c99_arguments(const DriverInput& input, const Function& function) {
   std::string text;
   for (const Opcode argument :

@@ -1,4 +1,4 @@
-// compile: builds a shared object of each unit of drivers in a workshop, and loads it.
+// compile: builds a shared object from each driver unit in a workshop, and loads it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,7 +62,7 @@ class LoadedModel final : public CompiledModel {
   std::vector<LoadedFunction> functions_;
 };
 
-/// The functions of a driver. A pointer is null if the driver does not have the scalar.
+/// The functions that a driver wraps. A pointer is null if the driver lacks the scalar.
 std::vector<LoadedFunction> functions_of(const Driver& driver, const Library& library,
                                          const Program& program) {
   std::vector<LoadedFunction> functions;
@@ -85,7 +85,8 @@ std::size_t scalars_in(const LoadedFunction& function) {
   return (function.in_double != nullptr ? 1U : 0U) + (function.in_float != nullptr ? 1U : 0U);
 }
 
-/// `library`: of the driver's unit; null if the compiler does not accept the flags of the build.
+/// `library`: the object of the driver's unit; null if the compiler does not accept the flags of
+/// the build.
 Result<CompiledHeader> header_of(const Driver& driver, Build build,
                                  const std::shared_ptr<const Library>& library,
                                  const DriverInput& input) {
@@ -110,7 +111,8 @@ Result<CompiledHeader> header_of(const Driver& driver, Build build,
   return header;
 }
 
-/// Calls the function of the driver that returns the declared numbers.
+/// Sets the declared numbers to the values that the library returns; false if it lacks the
+/// function.
 bool read_declared(const Library& library, std::vector<DeclaredNumber>& numbers) {
   const auto give = library.find<void (*)(double*)>(declarations_symbol);
   if (give == nullptr) return false;
@@ -120,7 +122,7 @@ bool read_declared(const Library& library, std::vector<DeclaredNumber>& numbers)
   return true;
 }
 
-/// Units of all builds; the first unit ends with `declared`.
+/// The driver units of all builds; `declared` is appended to the first unit.
 std::vector<DriverUnit> all_units(const DriverInput& input, const std::vector<Build>& builds,
                                   const std::string& declared) {
   std::vector<DriverUnit> all;

@@ -1,5 +1,5 @@
-// compile_timed: compiles and loads the timing driver, with arrays of the states. compile_steps:
-// compiles and loads the loops of a step.
+// compile_timed: compiles and loads the timing driver, and keeps the states as its arrays.
+// compile_steps: compiles and loads the loops over a step.
 #include <algorithm>
 #include <utility>
 
@@ -9,7 +9,7 @@
 namespace elgen {
 namespace {
 
-/// The value of each leaf in every state.
+/// For each leaf, its values in all states.
 template <class Scalar>
 using StateArrays = PerLeaf<std::vector<Scalar>, std::vector<Scalar>>;
 
@@ -70,7 +70,7 @@ class LoadedTiming final : public TimedFunction {
   std::vector<Scalar> results_;
 };
 
-/// Null if the symbol is missing.
+/// The timed function of this symbol; null if the library lacks the symbol.
 template <class Scalar>
 std::unique_ptr<TimedFunction> load_timed(const std::shared_ptr<const Library>& library,
                                           const std::string& symbol,

@@ -1,5 +1,5 @@
-// compiler: the user's compiler: $CXX if it is set, else the first of c++, g++, clang++ that
-// answers.
+// compiler: finds and runs the user's compiler. This is $CXX if it is set, otherwise the first of
+// c++, g++, clang++ that answers.
 #include <fmt/ranges.h>
 #include <gnu/libc-version.h>
 #include <sys/utsname.h>
@@ -14,8 +14,8 @@
 namespace elgen {
 namespace {
 
-/// In the order of Build. Without -fno-tree-slp-vectorize, g++ 12 contracts products and sums to
-/// vfmaddsub in straight-line code, despite -ffp-contract=off.
+/// In the order of Build. Without -fno-tree-slp-vectorize, g++ 12 contracts products and sums in
+/// straight-line code to vfmaddsub, despite -ffp-contract=off.
 constexpr std::array<const char*, 4> flags_of_builds{
     "-O2 -ffp-contract=off -fPIC -shared -Wall -Wextra -Wpedantic -Wconversion -Wshadow "
     "-Wsign-conversion -Wfloat-equal -Wdouble-promotion -Werror",
@@ -23,7 +23,7 @@ constexpr std::array<const char*, 4> flags_of_builds{
     "-O3 -march=native -ffp-contract=fast -fPIC -shared",
     "-O2 -march=native -ffp-contract=fast -fPIC -shared"};
 
-/// The folder of Eigen on Debian and other systems; on the remaining systems $CPATH names it.
+/// Eigen's folder on Debian and other systems. On all other systems the user's $CPATH must name it.
 constexpr const char* eigen_folder = "/usr/include/eigen3";
 
 CompilerCommand language_flags(const std::filesystem::path& source) {
@@ -45,7 +45,7 @@ Diagnostic out_of_time(const CompilerCommand& command, std::uint64_t seconds) {
           "`--limit seconds=N` raises the limit"};
 }
 
-/// The error if no candidate answers; `last` is the result of the last candidate.
+/// E704. `last`: the result of the last candidate.
 Diagnostic no_compiler(const ProcessResult& last) {
   const std::string chosen = chosen_compiler();
   if (!chosen.empty()) {
@@ -61,8 +61,8 @@ Diagnostic no_compiler(const ProcessResult& last) {
   return {Code::E704, {}, "tried " + tried};
 }
 
-/// A source with the requirements of every source: the language, its library, space for the object,
-/// and sums that are not reassociated.
+/// A source that compiles if the compiler has what every source needs: the language, its library,
+/// and no reassociation of sums. Also checks that an object can be written.
 std::string probe_text(const Source& source) {
   std::string headers =
       "#include <math.h>\n#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)\n#error\n"
@@ -73,8 +73,8 @@ std::string probe_text(const Source& source) {
   return headers + "int elgen_probe(void);\nint elgen_probe(void) { return 0; }\n";
 }
 
-/// GCC and clang exit with 1 if they refuse a source. GCC also exits with 1 if the system lacks
-/// memory or space, and then names the reason.
+/// True if the compiler refused the source: GCC and clang then exit with 1. GCC also exits with 1
+/// if memory or disk space is exhausted; its output then names this reason.
 bool is_refusal(const ProcessResult& compiled) {
   constexpr std::array<std::string_view, 4> other_reasons{
       "signal terminated program", "virtual memory exhausted", "out of memory",
@@ -86,7 +86,7 @@ bool is_refusal(const ProcessResult& compiled) {
          std::none_of(other_reasons.begin(), other_reasons.end(), is_said);
 }
 
-/// The model name in /proc/cpuinfo, which x86 has; elsewhere the name of the architecture.
+/// The model name in /proc/cpuinfo, which x86 systems have; otherwise the name of the architecture.
 std::string processor_name() {
   constexpr std::string_view key = "model name";
   std::ifstream file("/proc/cpuinfo");

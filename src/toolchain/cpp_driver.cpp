@@ -1,4 +1,4 @@
-// cpp_driver: the C++ drivers of the main header, of the Eigen header and of the header in a wider
+// cpp_driver: the C++ drivers of the main header, the Eigen header, and the header in a wider
 // scalar.
 #include <fmt/ranges.h>
 
@@ -66,17 +66,17 @@ extern "C" void {symbol}({leaves}{scalar}* result) {{
 }}
 )";
 
-/// The names and types in which the three headers differ.
+/// The names and types in which the drivers of the three headers differ.
 struct Types {
   std::string_view name;  ///< of the driver
   std::string header;
-  std::string functions;                           ///< the namespace of the functions
-  std::string_view vector;                         ///< from flat numbers to an argument
-  std::string (*array)(const Function& function);  ///< a result too large to be returned
+  std::string functions;    ///< namespace of the emitted functions
+  std::string_view vector;  ///< text of from_flat(), which converts numbers to a vector argument
+  std::string (*array)(const Function& function);  ///< type of a result too large to return
   bool is_wide = false;
 };
 
-/// A driver without its text, for questions about the functions and scalars that it wraps.
+/// A driver without its text, as argument of is_wrapped() and scalars_of().
 Driver driver_without_text(const Types& types) {
   Driver driver;
   driver.is_wide = types.is_wide;
@@ -92,7 +92,7 @@ std::string eigen_result(const Function& function) {
   return fmt::format("emitted::Matrix<Scalar, {}, {}>", field.rows, field.columns);
 }
 
-/// "parameters_from<Scalar>(parameters), from_flat<Scalar, emitted::coordinate_count>(q)"
+/// The arguments of a call: "parameters_from<Scalar>(parameters),\n      from_flat<Scalar, 2>(q)".
 std::string cpp_arguments(const Model& model, const Function& function) {
   std::string text = "parameters_from<Scalar>(parameters)";
   for (const Opcode argument : arguments_of(model, function)) {

@@ -1,5 +1,5 @@
-// declarations: a function returns the numbers one after another. For two parameters m and l[2] in
-// C++:
+// declarations: the text of a function that writes all declared numbers, one after another. For the
+// parameters m and l[2] in C++ it contains:
 //
 //     const emitted::Parameters<double> in_double{};
 //     *to++ = static_cast<double>(in_double.l[1]);
@@ -23,19 +23,19 @@
 namespace elgen {
 namespace {
 
-/// Patterns with which a language reads the declarations of a header.
+/// The patterns with which a language reads the declarations in a header.
 struct DeclarationRow {
-  ArtifactId header;            ///< the header, for scenes without a batch header
-  std::string_view array;       ///< {0}: namespace, {1}: its name
-  std::string_view size;        ///< {}: an array
-  std::string_view linkage;     ///< of the function that returns the numbers
-  std::string_view statement;   ///< {}: the number that it returns
-  std::string_view constant;    ///< {0}: namespace, {1}: its name, {2}: both in capitals
+  ArtifactId header;            ///< the header that is read if the scene has no batch header
+  std::string_view array;       ///< name of an array; {0}: namespace, {1}: name without it
+  std::string_view size;        ///< size of the array {}
+  std::string_view linkage;     ///< linkage of the function that writes the numbers
+  std::string_view statement;   ///< statement that writes the number {}
+  std::string_view constant;    ///< {0}: namespace, {1}: name without it, {2}: both in capitals
   std::string_view parameters;  ///< {0}: namespace, {1}: scalar, {2}: name, {3}: {0} in capitals
-  std::string_view address;     ///< {0}: scalar, {1}: the variable
+  std::string_view address;     ///< address of the variable {1} as pointer to the scalar {0}
 };
 
-/// Rows of the compiled languages, which are the first rows of languages.def.
+/// The rows of the compiled languages, which come first in languages.def.
 constexpr std::array declaration_table{
     DeclarationRow{ArtifactId::cpp, "::{0}::{1}", "{}.size()", "extern \"C\" ",
                    "  *to++ = static_cast<double>({});\n", "::{0}::{1}",
@@ -47,7 +47,7 @@ constexpr std::array declaration_table{
 static_assert(std::ssize(declaration_table) ==
               std::ranges::count(language_table, false, &LanguageRow::is_interpreted));
 
-/// Builds the text, together with the numbers that it must return.
+/// Builds the text, and the list of the numbers that it must write.
 class DeclarationText {
  public:
   explicit DeclarationText(const DriverInput& input)
@@ -92,7 +92,8 @@ class DeclarationText {
     add_count("parameter_count", emitted_parameter_count(model, input_.program));
   }
 
-  /// The values of the parameters, and their positions: members are in order and without padding.
+  /// Adds the value and the position of each parameter, which show that members are in order and
+  /// without padding.
   void add_parameters(ScalarKind scalar) {
     const auto arrays = emitted_parameters(input_.model, input_.program);
     if (arrays.empty()) return;
@@ -125,7 +126,8 @@ class DeclarationText {
                                                   : to_double(value);
   }
 
-  /// C has no arrays of zero elements, so empty arrays are skipped.
+  /// Adds sizes and numbers of all arrays. Skips empty arrays in C, which has no arrays of zero
+  /// elements.
   void add_arrays() {
     const auto expression = [this](const std::string& name) {
       return fmt::format(fmt::runtime(row_.array), name_space(input_.scene), name);
@@ -140,8 +142,8 @@ class DeclarationText {
     }
   }
 
-  /// The constants with which packs reduce angles, and the coefficients of their polynomials: an
-  /// error in a last digit would show in few results.
+  /// Adds the constants with which packs reduce angles, and the coefficients of their polynomials.
+  /// In sampled results a wrong last digit would rarely show.
   void add_trigonometry(ScalarKind scalar) {
     const std::string table = fmt::format("Trigonometry<{}>::", name_of(scalar));
     const Numerics& numerics = input_.scene.numerics;

@@ -1,5 +1,5 @@
-// driver: the drivers of a scene's headers, and helpers that all languages share. For a function
-// inverse_dynamics(q, v, a) of two coordinates:
+// driver: the drivers of a scene's headers, and helpers for all languages. Example: the driver
+// function of inverse_dynamics(q, v, a) for two coordinates:
 //
 //     void elgen_driver_cpp_double_0(const double* p, const double* f, const double* q,
 //                                    const double* v, const double* momenta, const double* a,
@@ -19,7 +19,7 @@
 namespace elgen {
 namespace {
 
-/// The names of all elements of the emitted parameters.
+/// The names of all emitted parameters; for arrays, of all elements.
 std::set<std::string> emitted_names(const DriverInput& input) {
   std::set<std::string> names;
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
@@ -30,8 +30,8 @@ std::set<std::string> emitted_names(const DriverInput& input) {
   return names;
 }
 
-/// Most instructions of a program whose headers share a unit: all headers of an arm of seven joints
-/// in one unit take a gigabyte of the compiler's memory.
+/// Largest number of instructions of a program whose headers share a unit. If all headers of an arm
+/// of seven joints are in one unit, the compiler needs a gigabyte of memory.
 constexpr std::size_t max_unit_length = 4096;
 
 std::size_t length_of(const Program& program) {
@@ -44,7 +44,7 @@ bool is_generic(const Scene& scene) {
   return language_row(scene.emission.language).scalars == LanguageScalars::any;
 }
 
-/// Null if the build does not compile the file.
+/// Writes a driver; null in a table if the build does not compile the header.
 using DriverText = std::string (*)(const DriverInput& input);
 
 struct DriverRow {

@@ -1,5 +1,5 @@
-// driver: the C interface to emitted headers: one function per model function and scalar, with flat
-// arrays.
+// driver: a C interface to emitted headers. It has one function per emitted function and scalar,
+// with flat arrays as arguments.
 #pragma once
 
 #include <cstddef>
@@ -26,88 +26,92 @@ struct DriverInput {
 struct Source {
   std::string file = {};
   std::string text = {};
-  std::string needs = {};  ///< "Eigen/Core": a header outside the standard library
+  std::string needs = {};  ///< a header outside the standard library: "Eigen/Core"; "" for none
 };
 
 /// The part of a translation unit that includes one emitted header, in the header's language, and
-/// wraps each function for each scalar. `parameters` are in the order of Program::leaves. Results
-/// are in the order of Function::fields, matrices row by row.
+/// wraps each function for each scalar. Arguments named `parameters` are in the order of
+/// Program::leaves. Results are in the order of Function::fields, matrices row by row.
 struct Driver {
-  std::string types = {};  ///< "Eigen", "batch", "wide"; "" for the types of the language itself
-  std::string name = {};   ///< "eigen": a part of its symbols
+  std::string types = {};  ///< "Eigen", "batch", "wide"; "" for the language's own types
+  std::string name = {};   ///< part of the symbols: "eigen"
   std::string text = {};
-  std::string needs = {};     ///< see Source; the text is omitted if this header is not installed
-  bool in_packs = false;      ///< sines and cosines are polynomials, see Sines
-  bool is_wide = false;       ///< computes in Numerics::inner
-  bool has_functions = true;  ///< false: wraps only sine and cosine in packs
+  std::string needs = {};     ///< as in Source; without this header the text is omitted
+  bool in_packs = false;      ///< sines and cosines are polynomials (see Sines)
+  bool is_wide = false;       ///< computes in the scalar Numerics::inner
+  bool has_functions = true;  ///< false: wraps only the sine and cosine of packs
 };
 
-/// One driver for each emitted header that this build compiles.
+/// One driver for each emitted header that the build compiles.
 [[nodiscard]] std::vector<Driver> drivers(const DriverInput& input, Build build);
 
-/// Drivers that are compiled together.
+/// Drivers that are compiled as one translation unit.
 struct DriverUnit {
   Source source = {};
   Build build = Build::as_written;
   std::vector<Driver> drivers = {};
 };
 
-/// Drivers of a build: in a single unit, or in one unit each if the program is long, because the
-/// compiler's memory grows with a unit. `more` is appended to the first unit.
+/// The drivers of a build in one unit. For long programs each driver with functions begins a new
+/// unit, because the compiler's memory grows with the unit. `more` is appended to the text of the
+/// first unit.
 [[nodiscard]] std::vector<DriverUnit> units_of(const DriverInput& input, Build build,
                                                const std::string& more);
 
-/// The scalars for which a driver wraps functions. Generic code has double, and float if all its
-/// numbers fit float; other code has the scalars of the scene.
+/// The scalars of generic code: double, and also float if all numbers of the code fit float. For
+/// other code, the scalars of the scene.
 [[nodiscard]] std::vector<ScalarKind> driver_scalars(const DriverInput& input);
 
-/// The scalars of this driver: a batch header or a header in a wider scalar has the scalars of the
-/// scene.
+/// The scalars for which this driver wraps functions: for a batch header or a header in a wider
+/// scalar, the scalars of the scene; otherwise driver_scalars().
 [[nodiscard]] std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& input);
 
-/// True if the driver wraps the function. In packs and in a wider scalar, functions of more than
-/// 4096 entries are omitted.
+/// True if the driver wraps the function. Drivers of packs and of a wider scalar omit functions
+/// with more than 4096 entries.
 [[nodiscard]] bool is_wrapped(const Driver& driver, const Function& function);
 
-/// "elgen_driver_eigen_double_3": the symbol of Program::functions[function] in the driver of this
-/// name. For the index after the last function it is the symbol of sine_and_cosine.
+/// The symbol that wraps Program::functions[function] in the driver of this name:
+/// "elgen_driver_eigen_double_3". The index after the last function gives the symbol of
+/// sine_and_cosine.
 [[nodiscard]] std::string driver_symbol(std::string_view driver, std::string_view scalar,
                                         std::size_t function);
 
-/// The text of a function that returns the declared numbers, and the values that they must have.
+/// The text of a function that writes all declared numbers, and the values that these must have.
 struct Declarations {
   std::string text = {};
   std::vector<DeclaredNumber> numbers = {};
 };
 [[nodiscard]] Declarations declarations(const DriverInput& input);
 
-/// The numbers of a declared array, or its bounds: "input_limits[0].low".
+/// The numbers or bounds in a declared array, with names such as "input_limits[0].low".
 [[nodiscard]] std::vector<DeclaredNumber> declared_numbers_of(const DeclaredArray& array);
 
-/// void (*)(double* to), in the text of declarations: writes all declared numbers.
+/// The function in Declarations::text, of type void (*)(double* to).
 inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 
-// Helpers of the drivers of all languages.
+// Helpers for the drivers of all languages.
 
-/// "  result.l[1] = values[3];" for every run-time parameter, in the order of the program's leaves.
+/// One line for each emitted parameter, in the order of the program's leaves: "  result.l[1] =
+/// values[3];".
 [[nodiscard]] std::string parameter_assignments(const DriverInput& input);
 
-/// The index of entry (i, j) in a result of the header. The driver returns matrices row by row.
+/// The index of entry (i, j) in a matrix that the header returns, as an expression. Drivers return
+/// matrices row by row.
 [[nodiscard]] std::string_view stored_position(const Scene& scene);
 
-/// "  append(to, result.gravity.data(), 2, 1);" for each field. `data` is the call that returns the
-/// address of an array.
+/// One line for each field: "  append(to, result.gravity.data(), 2, 1);". `data`: the call that
+/// returns the address of an array, ".data()" or "".
 [[nodiscard]] std::string append_statements(const DriverInput& input, const Function& function,
                                             std::string_view to, std::string_view data);
 
-/// "const double* parameters, const double* q, …, double t, ": the parameters of a driver function
-/// before its result, each after `attribute`.
+/// The parameters of a driver function before its result: "const double* parameters, const double*
+/// q, …, double t, ". `attribute` precedes each of them.
 [[nodiscard]] std::string declared_leaves(std::string_view scalar, std::string_view attribute = "");
 
-/// `append` and `parameters_from`, which the C++17 drivers share.
+/// The text of `append` and `parameters_from`, which all C++17 drivers contain.
 [[nodiscard]] std::string cpp_helpers(const DriverInput& input);
 
-/// The drivers in C++17 and in C99. `sine_driver` has only the sines and cosines of packs.
+/// The texts of the drivers. sine_driver() wraps only the sine and cosine of packs.
 [[nodiscard]] std::string cpp_driver(const DriverInput& input);
 [[nodiscard]] std::string eigen_driver(const DriverInput& input);
 [[nodiscard]] std::string batch_driver(const DriverInput& input);
@@ -115,10 +119,11 @@ inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 [[nodiscard]] std::string sine_driver(const DriverInput& input);
 [[nodiscard]] std::string c99_driver(const DriverInput& input);
 
-// Drivers for timing: an emitted function on arrays of states, one state at a time or in packs; and
+// Drivers for timing: loops that call an emitted function for arrays of states, one state at a time
+// or in packs; and loops that call an emitted step.
 // an emitted step in loops.
 
-/// Number k of state i is at [k * count + i] in every array.
+/// In every array, number k of state i has the index k * count + i.
 template <class Scalar>
 using TimingDriverFunction = void (*)(std::size_t count,
 #define ELGEN_LEAVES(kind, member, ...) const Scalar *member,
@@ -126,16 +131,16 @@ using TimingDriverFunction = void (*)(std::size_t count,
 #undef ELGEN_LEAVES
                                       Scalar* result);
 
-/// Times the first function of the program, for a scene in C++; with its batch header if a variant
-/// is in packs.
+/// A driver that times the program's first function, for a scene in C++. Includes the batch header
+/// if a variant needs packs.
 [[nodiscard]] Source timing_driver(const DriverInput& input,
                                    const std::vector<TimedVariant>& variants);
 
-/// "elgen_timed_3" for variants[3].
+/// The symbol of variants[variant]: "elgen_timed_3".
 [[nodiscard]] std::string timed_symbol(std::size_t variant);
 
-/// For a scene in C++ with a batch header: a StepLoop of one state and a StepLoop in packs, under
-/// the names below. The program must contain a `step`.
+/// Two functions of type StepLoop, with the names below: one for a single state, one in packs. The
+/// scene must be in C++ with a batch header; the program must contain a `step`.
 [[nodiscard]] Source step_driver(const DriverInput& input);
 inline constexpr const char* step_loop_of_one = "elgen_step_loop";
 inline constexpr const char* step_loop_in_packs = "elgen_step_loop_in_packs";

@@ -1,7 +1,8 @@
-// foreign_code: calls of a user's library or command. A library writes to memory that both
-// processes share, so that results computed before a crash are kept. Each result has spare room
-// before and after it, which shows how many numbers were written, and where. The library may write
-// anywhere, so everything that is read is checked.
+// foreign_code: calls functions in a user's library or command. A library is called in a forked
+// process, whose results are in memory that both processes share, so that results before a crash
+// are kept. Each result has spare numbers before and after it, which show how many numbers were
+// written, and at which place. The library may write anywhere in this memory, so everything that is
+// read from it is checked.
 #include "elgen/foreign_code.hpp"
 
 #include <fmt/format.h>
@@ -38,15 +39,15 @@ struct ForeignCalls {
   const Model& model;
   const std::vector<Arguments<double>>& states;
   std::vector<Opcode> arguments;
-  std::size_t entries;  ///< most entries of an answer
+  std::size_t entries;  ///< largest number of entries of an answer
 };
 
-/// A NaN that no computation produces.
+/// A NaN that no computation produces; it marks numbers that were not written.
 constexpr std::uint64_t untouched = 0x7ff8'dead'0bad'c0deU;
-/// Numbers before and after a result: a function of another shape writes there instead of over
-/// other results.
+/// Numbers before and after each result. A function with a result of another size writes there and
+/// not into other results.
 constexpr std::size_t spare_numbers = 64;
-constexpr std::size_t most_arguments = 10;  ///< kinds of leaves
+constexpr std::size_t most_arguments = 10;  ///< the number of kinds of leaves
 
 std::string how_it_ended(const ForeignCalls& calls, Ending ending, int status) {
   const bool is_late = status == 128 + SIGXCPU;
@@ -71,7 +72,8 @@ void call_with(AnyFunction function, const Pointers& arguments, double* result,
   reinterpret_cast<void (*)(Pointer<i>..., double*)>(function)(arguments[i]..., result);
 }
 
-/// Finds the overload by the number of arguments, at least two: parameters and q.
+/// Calls the function with as many pointers as it has arguments; the fewest are two, parameters and
+/// q.
 template <std::size_t count = 2>
 void call_any(AnyFunction function, const Pointers& arguments, double* result) {
   if constexpr (count <= most_arguments) {
@@ -82,28 +84,28 @@ void call_any(AnyFunction function, const Pointers& arguments, double* result) {
 
 bool is_touched(double x) { return std::bit_cast<std::uint64_t>(x) != untouched; }
 
-/// The numbers up to the last number that was written.
+/// The numbers from `first` up to the last one that was written.
 std::vector<double> written_numbers(const double* first, std::size_t count) {
   std::vector<double> numbers(first, first + count);
   numbers.erase(std::find_if(numbers.rbegin(), numbers.rend(), is_touched).base(), numbers.end());
   return numbers;
 }
 
-/// The process that may crash writes its results here, each in a slot with spare room around it.
-/// `refusal` is a text that ends with 0: the reason why nothing is called.
+/// Memory into which the child process writes. Each result has a slot with spare numbers around it.
+/// `refusal`: why nothing was called, a text that ends with 0.
 struct LibraryMemory {
   SharedArray<double> results;
   SharedArray<std::atomic<std::size_t>> answered;
   SharedArray<char> refusal;
-  Stream words;  ///< output of the library
+  Stream words;  ///< what the library prints
 
   void refuse(const std::string& text) {
     std::copy_n(text.data(), std::min(text.size(), refusal.size() - 1), &refusal[0]);
   }
 };
 
-/// Runs in the child process. Redirects the output of the library, which must not mix with elgen's.
-/// The library may ignore signals, so the parent ends the process.
+/// Runs in the child process. Redirects the output of the library, because it must not mix with
+/// elgen's. The parent enforces the time limit, because the library may ignore signals.
 void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& memory) {
   const auto& [code, name, seconds] = calls.function;
   for (const int output : {STDOUT_FILENO, STDERR_FILENO}) {
@@ -125,8 +127,8 @@ void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& me
   }
 }
 
-/// The results of the calls that returned. A slot with numbers before its result is a failure; the
-/// call that did not return may have written such numbers too.
+/// The results of the calls that returned. Numbers before a result are a failure, even if the call
+/// that did not return has written them.
 ForeignAnswers results_of(const LibraryMemory& memory, std::size_t slot, std::size_t answered) {
   ForeignAnswers answers;
   for (std::size_t first = 0; first < memory.results.size(); first += slot) {
@@ -166,8 +168,8 @@ Result<ForeignAnswers> run_library(const ForeignCalls& calls) {
   return answers;
 }
 
-/// {"function": "forward_dynamics", "p": {"M": 1.0}, "q": [0.1], "v": [0.2]}, with 17 digits, from
-/// which doubles are read back exactly.
+/// {"function": "forward_dynamics", "p": {"M": 1.0}, "q": [0.1], "v": [0.2]} and a line end. With
+/// 17 digits every double is read exactly.
 std::string request_line(const ForeignCalls& calls, const Arguments<double>& state) {
   constexpr int digits_of_double = 17;
   const auto exact = map_leaves([](double x) { return cln::cl_R(exact_value(x)); }, state);
@@ -175,7 +177,7 @@ std::string request_line(const ForeignCalls& calls, const Arguments<double>& sta
                      state_json(calls.model, exact, calls.arguments, digits_of_double));
 }
 
-/// Reads whole lines only: a process that was ended may have written part of a line.
+/// Reads the answers, but no incomplete last line of a process that was killed.
 ForeignAnswers read_answers(const ForeignCalls& calls, const ProcessResult& process) {
   ForeignAnswers answers{{}, {}, quoted_lines(process.errors)};
   std::string_view rest = process.output;

@@ -1,7 +1,7 @@
-// forked: waits for children by id, because this process may have other children.
+// forked: waits for children by their ids, because this process may have other children.
 //
-// run_forked forks without exec, so that children have everything that was loaded and computed.
-// They end with this process, however it ends.
+// run_forked() forks without exec, so children have everything that this process has loaded and
+// computed. If this process ends, for whatever reason, its children are killed.
 #include "toolchain/forked.hpp"
 
 #include <poll.h>
@@ -24,8 +24,8 @@ namespace {
 constexpr int milliseconds_between_looks = 200;
 constexpr int status_of_exception = 70;
 
-/// Restores the default handlers in a child, so that a signal ends it; the parent reports the
-/// signal.
+/// Restores the default handlers in a child, so that a signal ends the child; the parent reports
+/// it.
 void reset_handlers() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM, SIGCHLD, SIGSEGV, SIGABRT,
                            SIGBUS, SIGFPE, SIGILL}) {
@@ -50,8 +50,8 @@ void reset_handlers() {
   ::_exit(0);
 }
 
-/// The ending of the first child that failed, if any; sets `running` to the number of running
-/// children.
+/// The ending of the first child that failed, if any. Without a failure, sets `running` to the
+/// number of running children.
 std::optional<ForkedEnding> failure(std::list<Child>& children, std::size_t& running) {
   running = 0;
   for (Child& child : children) {
@@ -96,7 +96,8 @@ void Child::end_group() {
 bool Child::has_ended() {
   if (has_ended_) return true;
   siginfo_t end{};
-  // WNOWAIT keeps the id reserved until the group is ended, so that no other group can get it.
+  // WNOWAIT keeps the id reserved until the group has been killed; otherwise a new group could get
+  // the id.
   const auto id = static_cast<id_t>(id_);
   if (::waitid(P_PID, id, &end, WEXITED | WNOHANG | WNOWAIT) == 0 && end.si_pid == id_) end_group();
   return has_ended_;
@@ -136,7 +137,7 @@ ForkedEnding run_forked(std::size_t count, const std::function<void(std::size_t)
     const pid_t id = ::fork();
     if (id == 0) run_child(parent, i, work);
     if (id < 0) return {Ending::not_started, -1};
-    (void)::setpgid(id, id);  // in the parent too, because either process may run first
+    (void)::setpgid(id, id);  // in both processes, because either may run first
     children.emplace_back(id);
   }
   pollfd event{signals.number(), POLLIN, 0};

@@ -1,5 +1,5 @@
-// forked: child processes, whose end is a signal; one poll waits for it and for interrupts.
-// run_forked spreads work over processes, so that all cores compute, with memory that they share.
+// forked: child processes. One poll() waits for the end of a child and for interrupts. run_forked()
+// distributes work over forked processes, which use all cores and share memory.
 #pragma once
 
 #include <sys/mman.h>
@@ -16,7 +16,7 @@
 
 namespace elgen {
 
-/// While this object exists, SIGCHLD is blocked, so that signalfd can report the end of a child.
+/// While it exists, SIGCHLD is blocked, so that a signalfd can report the end of a child.
 class ChildSignal {
  public:
   ChildSignal();
@@ -29,8 +29,8 @@ class ChildSignal {
   sigset_t mask_{};
 };
 
-/// A running child that leads a process group. The whole group is ended with the child, and by the
-/// destructor.
+/// A child that leads a process group. When the child ends, and in the destructor, the remaining
+/// processes of the group are killed.
 class Child {
  public:
   explicit Child(pid_t id) : id_(id) {}
@@ -40,11 +40,11 @@ class Child {
 
   [[nodiscard]] bool has_ended();
   [[nodiscard]] Ending ending() const;
-  /// Exit status; 128 + signal if a signal ended the child; -1 while it runs.
+  /// The exit status; 128 + signal if a signal ended the child; -1 while the child runs.
   [[nodiscard]] int status() const;
 
  private:
-  /// Ends the remaining processes of the group, and waits for the child.
+  /// Kills the processes of the group, and waits for the child.
   void end_group();
 
   pid_t id_;
@@ -52,15 +52,16 @@ class Child {
   bool has_ended_ = false;
 };
 
-/// Readable when a child ends or an interrupt arrives; both signals must be blocked.
+/// A descriptor that becomes readable when a child ends or an interrupt arrives. Both signals must
+/// be blocked.
 [[nodiscard]] Descriptor signals_to_wait_for();
 
-/// Reads one signal. An interrupt is raised again, to be delivered once signals are unblocked. True
-/// for an interrupt.
+/// Reads one signal. An interrupt is raised again, so that it is delivered when signals are
+/// unblocked. True if the signal is an interrupt.
 [[nodiscard]] bool read_interrupt(const Descriptor& signals);
 
-/// `size` zeros in memory that forked processes write and this process reads after they end. T is
-/// plain data, or a lock-free atomic of plain data.
+/// An array of `size` zeros, which forked processes write, and which this process reads when they
+/// have ended. T must be plain data, or a lock-free atomic of plain data.
 template <class T>
 class SharedArray {
  public:
@@ -86,7 +87,8 @@ class SharedArray {
   std::size_t size_;
 };
 
-/// The common ending of all processes: exit code 0, or the ending of the first process that failed.
+/// How the forks ended: exit code 0 if all succeeded, otherwise the ending of the first fork that
+/// failed.
 struct ForkedEnding {
   Ending ending = Ending::exited;
   int status = 0;  ///< as in ProcessResult
@@ -95,10 +97,10 @@ struct ForkedEnding {
 };
 
 /// Calls work(0) ... work(count - 1), each in a fork of this process, and waits for all forks. If a
-/// fork fails or an interrupt arrives, the other forks are ended. Forks return results in a
-/// SharedArray, or in a file that is open before the call. `on_wait` is called about five times a
-/// second. The ending is out_of_time after `seconds` of wall-clock time, or if a fork exhausts its
-/// processor time. A fork that throws exits with 70.
+/// fork fails or an interrupt arrives, the other forks are killed. Forks return results in a
+/// SharedArray, or in a file that was opened before the call. `on_wait` is called about five times
+/// a second. The ending is out_of_time after `seconds` of wall-clock time, or if a fork exceeds its
+/// limit of processor time. A fork that throws exits with 70.
 [[nodiscard]] ForkedEnding run_forked(std::size_t count,
                                       const std::function<void(std::size_t)>& work,
                                       const std::function<void()>& on_wait,

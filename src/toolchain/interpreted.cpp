@@ -1,10 +1,10 @@
-// interpreted: a driver script imports the module, prints its declared numbers, and answers each
-// line of numbers with a line of numbers. Seventeen digits distinguish all doubles:
+// interpreted: runs a driver script, which imports the module, prints its declared numbers, and
+// answers each line of numbers with a line of numbers. Seventeen digits distinguish all doubles:
 //
 //     0 1 1 2 0.75 …           ->      elgen: = 3.1415926535897931 …
 //                                      elgen: ! ZeroDivisionError: …
 //
-// Lines without this prefix are output of other code and are ignored.
+// Other code may print, too; lines without the prefix "elgen: " are ignored.
 #include "toolchain/interpreted.hpp"
 
 #include <fmt/ranges.h>
@@ -31,14 +31,15 @@ using Numbers = std::vector<double>;
 constexpr std::string_view start_of_line = "elgen: ";
 constexpr std::size_t most_output = std::size_t{1} << 30U;
 
-/// The command: from the environment variable of the language, or its default.
+/// The command in the language's environment variable ($PYTHON, for example), or the default
+/// command.
 Texts interpreter_of(const SourceSpelling& spelling) {
   const char* const chosen = std::getenv(std::string(spelling.variable).c_str());
   return words_of_command(chosen != nullptr && *chosen != '\0' ? chosen
                                                                : std::string(spelling.command));
 }
 
-/// The parameters that the program reads, with their numbers among all parameters of the driver.
+/// The emitted parameters, with their indices among all parameters that the driver receives.
 TemplateData parameters_data(const DriverInput& input) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   std::set<std::string> emitted;
@@ -124,7 +125,7 @@ std::string driver_text(const DriverInput& input) {
                                    {"defaults", defaults_data(input)}});
 }
 
-/// A line of the driver: its mark and the text after it.
+/// A line of the driver: its mark ("=", "!", …), and the text after the mark.
 struct Answer {
   std::string_view mark = {};
   std::string_view text = {};
@@ -144,8 +145,8 @@ std::vector<Answer> answers_in(std::string_view output) {
   return answers;
 }
 
-/// "3 2 1 0.10000000000000001 …": the function, then for each kind of leaf, in table order, the
-/// count and the values.
+/// A line of input, "3 2 1 0.10000000000000001 …": the index of the function; then for each kind of
+/// leaf, in table order, the number of values and the values.
 std::string question(std::size_t function, const Arguments<double>& arguments) {
   std::string line = std::to_string(function);
   for (const LeafRow& leaf : leaf_table()) {
@@ -166,11 +167,11 @@ class InterpretedModel final : public CompiledModel {
     for (const Function& function : input.program.functions) names_.push_back(function.name);
   }
 
-  /// Runs the driver with these questions.
+  /// Runs the driver once, with these lines as input.
   [[nodiscard]] ProcessResult run_driver(const std::string& questions) const {
     return run_with_input(command_, seconds_, most_output, questions);
   }
-  /// The command without the driver, whose folder has a random name.
+  /// The command in messages, without the path of the driver, which has a random name.
   [[nodiscard]] std::string command() const {
     return fmt::format("`{}`", fmt::join(command_.begin(), command_.end() - 1, " "));
   }
@@ -229,8 +230,9 @@ class InterpretedModel final : public CompiledModel {
   Texts names_ = {};
 };
 
-/// The reason why no code can be called; "" if it can. An interpreter that runs prints that it is
-/// ready before it imports the module. Sets the declared numbers.
+/// Why the code cannot be called; "" if it can. E705 if the module is refused. Sets the declared
+/// numbers. The driver prints a line before it imports the module, so that a missing interpreter
+/// differs from a refused module.
 Result<std::string> first_answer(const InterpretedModel& model, std::vector<DeclaredNumber>& all) {
   const ProcessResult process = model.run_driver("");
   if (process.ending == Ending::not_started) return model.command() + " could not be run";

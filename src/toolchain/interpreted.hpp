@@ -1,4 +1,4 @@
-// interpreted: modules in interpreted languages, with the interface of compiled headers.
+// interpreted: calls modules in interpreted languages through the interface of compiled headers.
 #pragma once
 
 #include "elgen/limits.hpp"
@@ -7,10 +7,10 @@
 
 namespace elgen {
 
-/// The module, run by the interpreter of the language ($PYTHON or python3, for instance), which
-/// each CompiledModel::call_all starts once. If no interpreter is found or it is too old, `lacking`
-/// has the reason and the header no functions. E705 if the interpreter refuses the module, E706
-/// without room for files.
+/// The module, run by the interpreter of its language ($PYTHON or python3, for example). Each
+/// CompiledModel::call_all starts the interpreter once. If the interpreter is missing or too old,
+/// the header has no functions, and `failure_reason` says why. E705 if the interpreter refuses the
+/// module; E706 if files cannot be written.
 [[nodiscard]] Result<CompiledHeaders> interpret(const EmittedFiles& files, const DriverInput& input,
                                                 const Limits& limits);
 

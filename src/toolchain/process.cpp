@@ -1,6 +1,6 @@
-// process: posix_spawnp starts a new process group, so that the whole group can be ended. One poll
-// waits for output, the end of the child and interrupts. Output beyond the limit is read and
-// dropped, so that the child never blocks.
+// process: posix_spawnp starts a new process group, so that the whole group can be killed. One
+// poll() waits for output, for the end of the child and for interrupts. Output beyond the limit is
+// read and dropped, because a full pipe would block the child.
 #include "toolchain/process.hpp"
 
 #include <fcntl.h>
@@ -30,7 +30,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Pointers for exec, with a null at the end.
+/// The pointers that exec needs, with null as last element.
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
   result.reserve(texts.size() + 1);
@@ -39,7 +39,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-/// The environment of this process with another $TMPDIR.
+/// The environment of this process; $TMPDIR is replaced by `temporary` unless it is empty.
 std::vector<std::string> variables_with(const std::string& temporary) {
   constexpr std::string_view name = "TMPDIR=";
   std::vector<std::string> variables;
@@ -51,7 +51,7 @@ std::vector<std::string> variables_with(const std::string& temporary) {
   return variables;
 }
 
-/// A file without a name, positioned at its beginning; not open if it cannot be written.
+/// An unnamed file with this content, positioned at its beginning; not open if writing failed.
 Descriptor file_with(std::string_view text) {
   Descriptor file(::memfd_create("input", MFD_CLOEXEC));
   while (file.is_open() && !text.empty()) {
@@ -64,7 +64,8 @@ Descriptor file_with(std::string_view text) {
   return file;
 }
 
-/// stdin from a file or /dev/null, stdout and stderr into pipes; no signal is blocked.
+/// Sets up a child: stdin from a file or /dev/null, stdout and stderr into pipes, no signal
+/// blocked.
 class SpawnSetup {
  public:
   SpawnSetup(const Descriptor& input, int output, int errors) {
@@ -111,7 +112,7 @@ int milliseconds_until(Clock::time_point deadline) {
   return static_cast<int>(std::clamp<std::int64_t>(left.count(), 0, 1'000'000));
 }
 
-/// Returns when the child ends, the deadline passes, or an interrupt arrives.
+/// Reads the streams until the child ends, the deadline passes, or an interrupt arrives.
 Ending wait_for(Child& child, std::vector<Stream>& streams, const Descriptor& signals,
                 Clock::time_point deadline) {
   std::vector<pollfd> events;
@@ -130,7 +131,8 @@ Ending wait_for(Child& child, std::vector<Stream>& streams, const Descriptor& si
   return child.ending();
 }
 
-/// stdout goes to the first stream, stderr to the last; with a single stream both go there.
+/// Runs a command. The first stream gets stdout, the last stream stderr; with a single stream it
+/// gets both.
 ProcessResult run_with(std::vector<Stream> streams, const std::vector<std::string>& command,
                        std::uint64_t seconds, const std::string& temporary,
                        std::string_view input = {}) {
@@ -156,9 +158,9 @@ constexpr std::size_t max_plain_bytes = 4000;
 constexpr char escape = '\x1b';
 constexpr char bell = '\a';
 
-// Escape sequences of ECMA-48: ESC [ parameters letter, ESC ] text BEL, and ESC with one character.
+// Escape sequences of ECMA-48: ESC [ parameters letter; ESC ] text BEL; ESC and one character.
 
-/// The first position after the sequence that begins at `position`.
+/// The position after the escape sequence that begins at `position`.
 std::size_t after_escape_sequence(std::string_view text, std::size_t position) {
   const char kind = position + 1 < text.size() ? text[position + 1] : '\0';
   if (kind != '[' && kind != ']') return position + 2;
@@ -166,7 +168,7 @@ std::size_t after_escape_sequence(std::string_view text, std::size_t position) {
     const bool ends = kind == '[' ? text[i] >= '@' && text[i] <= '~' : text[i] == bell;
     if (ends) return i + 1;
     if (text[i] == '\n') return i;
-    if (kind == ']' && text[i] == escape) return i + 2;  // ESC \ ends it too
+    if (kind == ']' && text[i] == escape) return i + 2;  // ESC \\ also ends the text
   }
   return text.size();
 }
@@ -199,13 +201,14 @@ std::string ending_text(Ending ending, int status, std::uint64_t seconds) {
   if (ending == Ending::not_started) return "could not be run";
   if (ending == Ending::out_of_time) return fmt::format("has not ended within {} s", seconds);
   if (ending != Ending::signalled) return fmt::format("exits {}", status);
-  // The locale is always "C". strsignal is used because only glibc has sigabbrev_np.
+  // Its text is English, because the locale is always "C". glibc's sigabbrev_np does not exist
+  // elsewhere.
   return fmt::format("was ended by signal {} ({})", status - 128, ::strsignal(status - 128));
 }
 
 std::optional<std::vector<double>> numbers_in(std::string_view line) {
   constexpr std::string_view between = "[], \t\r";
-  const std::string text(line);  // a null ends the text for strtod
+  const std::string text(line);  // ends with a null, as strtod needs
   std::vector<double> numbers;
   const char* const end = text.data() + text.size();
   for (const char* at = text.data(); at != end;) {
@@ -213,7 +216,8 @@ std::optional<std::vector<double>> numbers_in(std::string_view line) {
       ++at;
       continue;
     }
-    // strtod, because libc++ before 20 has no from_chars of double; the locale is always "C".
+    // libc++ before 20 lacks from_chars for double. strtod reads "." because the locale is always
+    // "C".
     char* stop = nullptr;
     numbers.push_back(std::strtod(at, &stop));
     const bool ends = stop == end || between.find(*stop) != std::string_view::npos;

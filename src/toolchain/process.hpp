@@ -1,4 +1,4 @@
-// process: runs another program without a shell, so that spaces and quotes in paths have no
+// process: runs another program without a shell, so that spaces and quotes in paths have no special
 // meaning.
 #pragma once
 
@@ -11,35 +11,35 @@
 namespace elgen {
 
 enum class Ending : unsigned char {
-  not_started,  ///< the program does not exist, or is not executable
+  not_started,  ///< the program does not exist or is not executable
   exited,
   signalled,    ///< by a crash, or by a signal from another process
-  out_of_time,  ///< elgen ended it and all processes of its group
-  interrupted,  ///< elgen ended it too, because a signal that ends elgen is pending
+  out_of_time,  ///< elgen killed the program and all processes of its group
+  interrupted,  ///< elgen killed the program, because an interrupt of elgen is pending
 };
 
-/// Seconds that mean no limit: 34 years.
+/// In seconds: 34 years, that is, no limit.
 inline constexpr std::uint64_t max_run_seconds = 1U << 30U;
-/// Bytes of another program's messages that are kept.
+/// How many bytes of another program's messages are kept.
 inline constexpr std::size_t max_message_bytes = 1U << 14U;
 
 struct ProcessResult {
   Ending ending = Ending::not_started;
-  int status = -1;          ///< exit status; 128 + signal if a signal ended it
-  std::string output = {};  ///< the first part of stdout
-  std::string errors = {};  ///< the first 16 KiB of stderr; empty if it is merged with stdout
+  int status = -1;          ///< exit status; 128 + signal if a signal ended the program
+  std::string output = {};  ///< the first bytes of stdout, up to the limit
+  std::string errors = {};  ///< the first 16 KiB of stderr; empty if stderr goes to `output`
 
   [[nodiscard]] bool succeeded() const { return ending == Ending::exited && status == 0; }
 };
 
-/// Runs `command` (looked up in $PATH) without input, for at most `seconds`. `output` has the first
-/// 16 KiB of stdout and stderr, in order. `temporary` is its $TMPDIR, which contains its files if
-/// it is ended; empty: the $TMPDIR of elgen.
+/// Runs `command`, looked up in $PATH, without input, for at most `seconds`. `output` has the first
+/// 16 KiB of stdout and stderr, in order. `temporary` is the program's $TMPDIR, so that its files
+/// are in a known folder if it is killed; if empty, the program has elgen's $TMPDIR.
 [[nodiscard]] ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
                                 const std::string& temporary = {});
 
-/// The same with separate stdout and stderr, and the first `most_output` bytes of stdout. `input`
-/// is the whole content of stdin.
+/// Like run(), but stdout and stderr are separate, and `output` has the first `most_output` bytes
+/// of stdout. `input` is the content of stdin.
 [[nodiscard]] ProcessResult run_with_input(const std::vector<std::string>& command,
                                            std::uint64_t seconds, std::size_t most_output,
                                            std::string_view input = {});
@@ -48,20 +48,19 @@ struct ProcessResult {
 [[nodiscard]] std::vector<std::string> words_of_command(const std::string& text);
 
 /// "could not be run", "was ended by signal 11 (Segmentation fault)", "exits 1", "has not ended
-/// within 60 s"
+/// within 60 s".
 [[nodiscard]] std::string ending_text(Ending ending, int status, std::uint64_t seconds = 0);
 
-/// All numbers of a line, including NaN and infinities, separated by blanks, commas and brackets;
+/// The numbers of a line, including NaN and infinities, separated by blanks, commas and brackets;
 /// none if the line contains other text.
 [[nodiscard]] std::optional<std::vector<double>> numbers_in(std::string_view line);
 
-/// Output of another program for use in a message: without escape sequences, and without control
-/// characters other than line ends. It is cut after 4000 bytes, or at the first byte that is not
-/// UTF-8.
+/// The output of another program, safe for use in a message: without escape sequences and control
+/// characters except line ends; cut after 4000 bytes, and at the first byte that is not UTF-8.
 [[nodiscard]] std::string plain_text(std::string_view text);
 
-/// plain_text() after a colon, with each line indented, so that none looks like a message of elgen:
-/// ":\n    Traceback". "" for a text without lines.
+/// plain_text() after a colon, with each line indented, so that no line looks like a message of
+/// elgen: ":\n    Traceback". "" for an empty text.
 [[nodiscard]] std::string quoted_lines(std::string_view text);
 
 }  // namespace elgen

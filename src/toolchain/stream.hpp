@@ -1,4 +1,4 @@
-// Stream: a pipe to which a child writes, and the first part of its text.
+// Stream: a pipe to which a child writes; keeps the first bytes of the text.
 #pragma once
 
 #include <fcntl.h>
@@ -27,13 +27,13 @@ class Stream {
   [[nodiscard]] bool is_open() const { return read_end_.is_open(); }
   [[nodiscard]] const Descriptor& read_end() const { return read_end_; }
   [[nodiscard]] const Descriptor& write_end() const { return write_end_; }
-  /// Closes this process's end; reading then ends when the child closes its ends.
+  /// Closes this process's write end, so that reading ends when the child closes its ends.
   void close_write_end() { (void)write_end_.close(); }
 
-  /// Reads at most the content of one full pipe, so that a child that never stops writing cannot
+  /// Reads at most as much as a full pipe holds, because a child that never stops writing must not
   /// block elgen.
   void drain() {
-    constexpr std::size_t largest_pipe = 1U << 20U;  // on Linux, without privileges
+    constexpr std::size_t largest_pipe = 1U << 20U;  // largest size on Linux without privileges
     std::array<char, 4096> part{};
     for (std::size_t reads = 0; reads <= largest_pipe / part.size(); ++reads) {
       const ssize_t count = ::read(read_end_.number(), part.data(), part.size());

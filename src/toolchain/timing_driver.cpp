@@ -1,4 +1,4 @@
-// timing_driver: the text of the driver. For inverse_dynamics(q, v, a), one state at a time:
+// timing_driver: writes the timing driver. For inverse_dynamics(q, v, a), one state at a time:
 //
 //     template <class Scalar>
 //     void one_by_one(std::size_t count, ..., const Scalar* q, ..., Scalar* result) {
@@ -10,7 +10,7 @@
 //       }
 //     }
 //
-// A header in a wider scalar is called as emitted::wide::inverse_dynamics.
+// In a header in a wider scalar, the function is emitted::wide::inverse_dynamics.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -77,7 +77,8 @@ void in_packs(std::size_t count, {leaves}Scalar* result) {{
 
 )";
 
-/// One state per call; its numbers are gathered and scattered as in `one_by_one`.
+/// Calls the batch function with one state at a time; gathers and scatters numbers like
+/// `one_by_one`.
 constexpr std::string_view one_per_call = R"(template <class Scalar>
 void one_per_call(std::size_t count, {leaves}Scalar* result) {{
   const auto& p = model_parameters<Scalar>();
@@ -141,17 +142,18 @@ extern "C" void {in_packs}(std::size_t count, std::size_t steps, double start, d
 }}
 )";
 
-/// Sets the times, for models that depend on time.
+/// Sets the times of all states, if the model depends on time.
 constexpr std::string_view step_clock =
     "    for (double& time : times) time = start + static_cast<double>({}) * length;\n";
 
-/// Follows a step whose result is in `to`; writes the projected state to `from` and swaps them.
+/// Projects the result of a step from `to` into `from`, then swaps both.
 constexpr std::string_view projection_in_packs =
     R"({clock}    emitted::batch::{function}<double>({arguments}, from);
     std::swap(from, to);
 )";
 
-/// "const double* parameters, const double* q, …, const double* t, "
+/// The parameters of a timed function before its result: "const double* parameters, const double*
+/// q, …, const double* t, ".
 std::string declared(std::string_view scalar, std::string_view attribute = "") {
   std::string text;
   for (const LeafRow& leaf : leaf_table()) {
@@ -223,7 +225,7 @@ std::string pack_by_state(const DriverInput& input, const Function& function) {
                      fmt::arg("arguments", fmt::join(arguments, ",\n        ")));
 }
 
-/// `first`, then the arguments of the function. `state` has the expressions for q, v and t.
+/// `first`, then the arguments of the function. `state`: the expressions for q, v and t.
 std::string loop_arguments(const Model& model, const Function& function, const std::string& first,
                            const std::array<std::string_view, 3>& state) {
   std::string text = first;
@@ -237,7 +239,7 @@ std::string loop_arguments(const Model& model, const Function& function, const s
   return text;
 }
 
-/// The template that iterates over the states.
+/// The name of the template that iterates over the states.
 const char* call_of(const TimedVariant& variant) {
   if (!variant.in_packs) return "one_by_one";
   return variant.one_per_call ? "one_per_call" : "in_packs";

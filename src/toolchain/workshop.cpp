@@ -1,7 +1,7 @@
-// workshop: temporary directories by mkdtemp under $TMPDIR or /tmp, which the destructor removes
-// recursively. A failure to remove is not reported, because nothing depends on it. If memory is
-// short, which may be why the owner is destroyed, removal is tried twice. Files have the same
-// relative paths as in the output folder.
+// workshop: makes temporary directories by mkdtemp under $TMPDIR or /tmp. The destructor removes
+// them recursively. If removal fails, this is not reported, because nothing depends on it. If
+// memory is exhausted during removal, it is tried again. Files have the same relative paths as in
+// the output folder.
 #include "toolchain/workshop.hpp"
 
 #include <fmt/ranges.h>

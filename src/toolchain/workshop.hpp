@@ -1,5 +1,5 @@
 // Workshop: a temporary directory with emitted headers and sources, and the user's compiler for C++
-// and C, which turns a source into a shared object.
+// and C, which turns each source into a shared object.
 #pragma once
 
 #include <dlfcn.h>
@@ -18,44 +18,45 @@
 
 namespace elgen {
 
-/// The words of the user's compiler command ("g++", or "ccache", "g++").
+/// The words of the compiler command: {"g++"}, or {"ccache", "g++"}.
 using CompilerCommand = std::vector<std::string>;
 
 struct Compiler {
   CompilerCommand command = {};
-  std::uint64_t seconds = 0;  ///< time limit for one source
-  std::string version = {};   ///< the first line of the answer to `--version`
+  std::uint64_t seconds = 0;  ///< time limit for each source
+  std::string version = {};   ///< first line of the answer to `--version`
 };
 
-/// The commands to try, in order: $CXX as one path and split at spaces; if it is not set, c++, g++,
-/// clang++.
+/// The commands to try, in this order: if $CXX is set, $CXX as one path, then $CXX split at spaces;
+/// otherwise c++, g++, clang++.
 [[nodiscard]] std::vector<CompilerCommand> compiler_candidates();
 
-/// The first candidate that answers `--version`. E704 if none does.
+/// The first candidate that answers `--version`. E704 if none answers.
 [[nodiscard]] Result<Compiler> find_compiler(std::uint64_t seconds);
 
 /// Compiles `source` as C++17, or a `.c` file as C99. Build::as_written turns the warnings that
-/// emitted code must not cause into errors, and disables contraction, so that bits can be compared.
+/// emitted code must not cause into errors, and disables contraction, so that results can be
+/// compared bit by bit.
 [[nodiscard]] ProcessResult compile_shared(const Compiler& compiler, Build build,
                                            const std::filesystem::path& source,
                                            const std::filesystem::path& object);
 
-/// True if the compiler accepts the flags with a function of one line, and with the library that
-/// the source needs if it is installed.
+/// True if the compiler accepts the flags of the build for a function of one line, together with
+/// the library that the source needs, if this is installed.
 [[nodiscard]] bool takes_probe(const Compiler& compiler, Build build,
                                const std::filesystem::path& directory, const Source& source);
 
-/// The error of a failed compilation: E909 out of time; E705 if the compiler refuses the source but
-/// accepts the probe; else E709. The last two contain the compiler's output.
+/// The error of a failed compilation: E909 if it exceeded its time; E705 if the compiler refuses
+/// the source but accepts the probe; otherwise E709. E705 and E709 contain the compiler's output.
 [[nodiscard]] Diagnostic compile_error(const Compiler& compiler, const ProcessResult& compiled,
                                        const std::filesystem::path& directory,
                                        const Source& source);
 
-/// A new directory, removed with its content by the destructor.
+/// A new directory; the destructor removes it with its content.
 class TemporaryDirectory {
  public:
-  /// A new directory under $TMPDIR or /tmp that only this user can read; none if the parent is not
-  /// writable.
+  /// Makes a directory under $TMPDIR or /tmp that only this user can read; none if the parent is
+  /// not writable.
   [[nodiscard]] static std::optional<TemporaryDirectory> create();
 
   TemporaryDirectory(TemporaryDirectory&& other) noexcept;
@@ -71,11 +72,11 @@ class TemporaryDirectory {
   std::filesystem::path path_;
 };
 
-/// A temporary directory with these files. E706 if they cannot be written.
+/// A temporary directory that contains these files. E706 if they cannot be written.
 [[nodiscard]] Result<TemporaryDirectory> directory_with(const EmittedFiles& files,
                                                         const std::vector<Source>& sources);
 
-/// A shared object that is loaded while its owner exists.
+/// A loaded shared object; the destructor unloads it.
 class Library {
  public:
   explicit Library(const std::filesystem::path& object)
@@ -90,7 +91,7 @@ class Library {
 
   [[nodiscard]] bool loaded() const { return handle_ != nullptr; }
 
-  /// Null if the symbol does not exist. Function: the type of a pointer to it.
+  /// The symbol's address; null if the symbol does not exist. Function: a pointer type.
   template <class Function>
   [[nodiscard]] Function find(const std::string& symbol) const {
     return reinterpret_cast<Function>(dlsym(handle_, symbol.c_str()));
@@ -100,19 +101,20 @@ class Library {
   void* handle_;
 };
 
-/// Its directory is removed with it; loaded objects remain valid. The owner must hold NoInterrupts.
+/// The destructor removes the directory; loaded objects remain valid. The owner must hold a
+/// NoInterrupts.
 class Workshop {
  public:
-  /// E704 without a compiler, E706 if files cannot be written, E909 if the compiler does not
-  /// answer.
+  /// E704 without a compiler; E706 if files cannot be written; E909 if the compiler does not answer
+  /// in time.
   [[nodiscard]] static Result<Workshop> open(const EmittedFiles& files,
                                              const std::vector<Source>& sources,
                                              const Limits& limits);
 
-  /// Compiles and loads one of the sources. E705, E709 and E909 as in `compile`.
+  /// Compiles and loads one of the sources. E705, E709 and E909 as in compile_error().
   [[nodiscard]] Result<Library> build(const Source& source, Build build) const;
 
-  /// True if the compiler accepts the flags of this build for a probe of one line.
+  /// takes_probe() in this directory: true if the compiler accepts the flags of the build.
   [[nodiscard]] bool takes(Build build, const Source& source) const;
 
  private:
@@ -123,7 +125,7 @@ class Workshop {
   Compiler compiler_;
 };
 
-/// E705: a symbol of a driver is missing in the loaded object.
+/// E705: the loaded object lacks a symbol of a driver.
 [[nodiscard]] Diagnostic missing_function();
 
 }  // namespace elgen
