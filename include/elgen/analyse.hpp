@@ -39,11 +39,11 @@ struct AnalysisInput {
 /// The range in which equilibria are searched along a coordinate.
 enum class SearchKind : std::uint8_t {
   none,   ///< no range: at these parameters no equation at rest contains the coordinate
-  turn,   ///< the coordinate occurs only in e^(i k q), k integer: one turn, or a narrower declared
-          ///< range
+  turn,   ///< one turn, or the declared range if it is narrower; the coordinate occurs only in
+          ///< e^(i k q), k integer
   range,  ///< the range that the model declares
-  start,  ///< no range, only the start: for rotations and coordinates that share an equation with
-          ///< one
+  start,  ///< no range, only the start: for rotations, and for coordinates that share an equation
+          ///< with a rotation
 };
 
 struct CosineAndSine {
@@ -51,24 +51,24 @@ struct CosineAndSine {
   Fraction sine = {};
 };
 
-/// The value of a coordinate at an equilibrium, in 64 digits. Its closed form is present if it
-/// holds for all values of the parameters at which it is defined. If `is_any` is set, no equation
-/// at rest contains the coordinate, and `value` is its start.
+/// The value of a coordinate at an equilibrium, in 64 digits. `form` is present if it is valid for
+/// all parameters at which it is defined. If `is_any` is set, no equation at rest contains the
+/// coordinate, and `value` is its start.
 struct CoordinateAtRest {
   bool is_any = false;
   cln::cl_R value = 0;
   std::optional<Fraction> form = {};
-  /// If `form` is an acos or asin: its argument, which has to be in [-1, 1], and the cosine and
-  /// sine.
+  /// If `form` is an acos or asin: its argument, which has to be in [-1, 1].
   std::optional<Fraction> sinusoid = {};
+  /// If `form` is an acos or asin: the cosine and sine of the coordinate.
   std::optional<CosineAndSine> sinusoids = {};
 };
 
 enum class Stability : std::uint8_t {
-  minimum,  ///< stable: W has a strict minimum, L is free of t, the only forces are constant ones
-            ///< and D >= 0
-  degenerate_minimum,  ///< stable: the same, and K is 0 along one coordinate
-  decaying,            ///< all poles have negative real parts: stable
+  minimum,  ///< stable: W has a strict minimum, L does not contain t, all forces are constant, and
+            ///< D >= 0
+  degenerate_minimum,  ///< stable: as `minimum`, but K is 0 along one coordinate
+  decaying,            ///< stable: all poles have negative real parts
   unstable,            ///< unstable: a pole has a positive real part
   open,                ///< the linear part does not decide
 };
@@ -91,8 +91,8 @@ struct StabilityVerdict {
   std::optional<LeadingTerm> leading = {};
 };
 
-/// A point of rest with its linear equations M x'' + (G + D) x' + K x = B du. With n velocities M,
-/// G + D and K are n x n and B is n x inputs, all row-major in 64 digits.
+/// A point of rest with its linear equations M x'' + (G + D) x' + K x = B du. For n velocities, M,
+/// G + D and K are n x n, and B is n x inputs. All are row-major, in 64 digits.
 struct RestPoint {
   State state = {};  ///< v = 0, a = 0, u as in Equilibria::inputs
   std::vector<CoordinateAtRest> coordinates = {};
@@ -110,8 +110,7 @@ struct ChartBreak {
   CoordinateAtRest at = {};
 };
 
-/// Intervals of coordinates that share equations. An equilibrium inside may be missing from the
-/// list.
+/// Intervals of coordinates that share equations. The list may lack an equilibrium inside them.
 using UndecidedBox = std::map<std::uint32_t, Interval>;
 
 /// Whether a list of equilibria is complete at the values of the parameters.
@@ -126,7 +125,7 @@ struct Equilibria {
   std::vector<SearchKind> kinds = {};    ///< by coordinate
   bool has_rest_kinetic_energy = false;  ///< T0 is not 0
   std::vector<RestPoint> points = {};
-  std::vector<ChartBreak> breaks = {};  ///< inside and outside of ranges
+  std::vector<ChartBreak> breaks = {};  ///< inside and outside the ranges
   Completeness completeness = Completeness::proved;
   std::vector<UndecidedBox> undecided = {};
   std::uint64_t boxes = 0;   ///< boxes that the search examined
@@ -151,7 +150,7 @@ struct Equilibria {
 /// instead.
 struct NormalMode {
   cln::cl_R omega_squared = 0;  ///< 1/s^2
-  /// By velocity; the largest component is 1; of several largest ones the first.
+  /// By velocity. Scaled so that the largest component is 1 (the first, if several are largest).
   std::vector<double> shape = {};
   std::size_t multiplicity = 1;  ///< number of modes with this w^2; their shapes span a space
 };
@@ -159,12 +158,12 @@ struct NormalMode {
 /// The linear motions about a point of rest: d(dx)/dt = A dx + B du, x = (q, v).
 struct LinearMotions {
   RestPoint point = {};
-  /// W^2 ascending; empty if G + D is not 0 or K is not symmetric.
+  /// In ascending order of w^2; empty if G + D is not 0 or K is not symmetric.
   std::vector<NormalMode> modes = {};
   std::vector<std::complex<double>> poles = {};  ///< 1/s, the fastest first
   std::vector<double> a = {};                    ///< 2n x 2n, row-major
   std::vector<double> b = {};                    ///< 2n x inputs
-  /// Least rank of [A - pole 1, B] over the poles; 2n: u reaches every state.
+  /// The least rank of [A - pole 1, B] over the poles. If it is 2n, the system is controllable.
   std::size_t controllable = 0;
 };
 
@@ -179,31 +178,35 @@ struct Modes {
 /// equilibrium is known to be stable. E533: M has no inverse.
 [[nodiscard]] Result<Modes> find_modes(const CheckedModel& checked, const Equilibria& equilibria);
 
-/// The kind of a symmetry, by the non-zero parts of its generator.
+/// The kind of a symmetry (see Symmetry), by the parts of its generator that are not 0.
 enum class SymmetryKind : std::uint8_t {
-  coordinate,   ///< b is one unit vector: one coordinate shifts
-  translation,  ///< b alone: several coordinates shift by constants
-  boost,        ///< c alone: coordinates shift by constants times t
-  rotation,     ///< A alone, skew
-  turn,         ///< s and b of rotations alone
+  coordinate,   ///< only b, a unit vector: one coordinate shifts
+  translation,  ///< only b: several coordinates shift by constants
+  boost,        ///< only c: coordinates shift by constants times t
+  rotation,     ///< only A, which is skew
+  turn,         ///< only s and b of rotations
   other,        ///< any other combination
-  time,         ///< dt alone
+  time,         ///< only dt
 };
 
-/// A change dq = A q + b + c t with a constant dt and dL = dF/dt. A rotation turns by R^T s + b in
-/// its axes. Noether: I = dL/dv.dq - E dt - F has dI/dt = (dq - v dt).(B u + Q - dD/dv). For the
-/// kind `time` the sign is reversed: I = E + F.
+/// A change dq = A q + b + c t of the coordinates, with a constant dt, for which dL = dF/dt. A
+/// rotation of the model turns by R^T s + b in its axes. By Noether's theorem,
+///
+///     I = dL/dv.dq - E dt - F,   dI/dt = (dq - v dt).(B u + Q - dD/dv)
+///
+/// For the kind `time` the sign of I is reversed, I = E + F, and so are the signs of `by_names`,
+/// `closed`, `total`, `loss` and `rate`.
 struct Symmetry {
   SymmetryKind kind = SymmetryKind::other;
   std::vector<Fraction> generator = {};     ///< A by rows, c, b, s and b of each rotation, dt
   std::vector<Fraction> displacement = {};  ///< dq of every velocity
-  Fraction by_names = {};                   ///< I + F in terms of the leaves momentum and energy
-  std::optional<Fraction> closed = {};      ///< I + F in closed form
+  Fraction by_names = {};                   ///< I + F, over the leaves p and E instead of v
+  std::optional<Fraction> closed = {};      ///< I + F in closed form; none if it has none
   std::optional<Fraction> total = {};       ///< F (for `time` -F); none if it has no closed form
   std::optional<Fraction> loss = {};        ///< dI/dt at u = 0; none if it has no closed form
   std::optional<Fraction> rate = {};        ///< dI/dt; none if it has no closed form
   bool is_rounded = false;  ///< some entry of the generator is rounded to six digits
-  bool is_special = false;  ///< a symmetry only at these values of the parameters
+  bool is_special = false;  ///< a symmetry only at the parameter values of the scene
   bool is_proved = false;   ///< closed forms prove dL = dF/dt
 };
 
@@ -213,30 +216,31 @@ struct Symmetries {
   bool is_exact = false;     ///< found by closed forms, for generic parameters
   /// Exact, and every relation between functions is known: the list is complete.
   bool is_complete = false;
-  std::size_t states = 0;  ///< at which R was sampled
+  std::size_t states = 0;  ///< states at which Lagrange's equations were sampled
   /// Number of symmetries found by samples at the parameter values of the scene.
   std::size_t sampled = 0;
-  /// The least number at random parameter values; none if the list is complete.
+  /// The least number of symmetries found by samples at one of several random sets of parameters.
+  /// None if the list is complete.
   std::optional<std::size_t> sampled_elsewhere = {};
-  bool loses_energy = false;  ///< E is conserved and T + V is not
+  bool loses_energy = false;  ///< E is conserved, but T + V is not
   std::vector<Symmetry> all = {};
 };
 
 /// The requests of the functions that find_symmetries() needs.
 [[nodiscard]] std::vector<OutputRequest> outputs_of_symmetries(const Model& model);
 
-/// A basis of the symmetries of L alone: forces, dissipation and inputs are subtracted first.
-/// `recursive` has the functions of outputs_of_symmetries(). E910: a generator has more than 500
-/// entries. Cost: 3 n + 1 derivatives of R; closed forms within budgets of 4e6 term products;
-/// samples at up to four sets of parameters.
+/// A basis of the symmetries of L; forces, dissipation and inputs are ignored. `recursive` has the
+/// functions of outputs_of_symmetries(). E910: a generator has more than 500 entries. Cost: 3 n + 1
+/// derivatives of the residual of Lagrange's equations; closed forms within budgets of 4e6 term
+/// products; samples at up to four sets of parameters.
 [[nodiscard]] Result<Symmetries> find_symmetries(const AnalysisInput& input);
 
 /// The evidence for a claim.
 enum class ClaimStatus : std::uint8_t {
   proved,   ///< by closed forms, for all values of the parameters
-  sampled,  ///< holds at random values of the parameters
+  sampled,  ///< true at random values of the parameters
   wrong,
-  open,  ///< undecided: no values of the parameters were found at which it can be evaluated
+  open,  ///< undecided: the claim has no value at any parameters that were tried
 };
 
 /// The verdict on an [[equilibrium]]: bias(q, 0) = B u at the point, and det(x M - K)/det M is the

@@ -17,7 +17,7 @@ namespace elgen {
 /// One equation for each base parameter, and its value.
 [[nodiscard]] Page base_parameters_page(const CheckedModel& checked, const BaseParameters& found);
 
-/// In JSON a number has all digits that distinguish doubles.
+/// The analyses as JSON. Each number has enough digits to read back the same double.
 [[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
                                           const Equilibria& equilibria);
 [[nodiscard]] std::string modes_json(const CheckedModel& checked, const Modes& modes);
@@ -27,7 +27,8 @@ namespace elgen {
 [[nodiscard]] std::string base_parameters_json(const CheckedModel& checked,
                                                const BaseParameters& found);
 
-/// The shortest form in the symbols of a model; none if `form` is none or too long to read.
+/// The shortest form of `form` in the symbols of a model; none if `form` is none or too long to
+/// read.
 [[nodiscard]] std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
                                                const std::optional<Fraction>& form);
 

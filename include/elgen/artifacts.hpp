@@ -1,4 +1,4 @@
-// Artifacts: the kinds of files that elgen writes (artifacts.def), and which of them a scene wants.
+// Artifacts: the kinds of files that elgen writes (artifacts.def), and the artifacts of a scene.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ enum class ArtifactId : std::uint8_t {
 #include "elgen/artifacts.def"
 };
 
-/// One Row per kind, as the member of its name.
+/// One Row per kind of file, in a member with the name of the kind.
 template <class Row>
 struct PerArtifact {
 #define ELGEN_ARTIFACT(kind) Row kind;
@@ -31,7 +31,7 @@ struct PerArtifact {
 };
 
 struct ArtifactRow {
-  std::string_view ending;  ///< of the path; empty: the ending of the language
+  std::string_view ending;  ///< end of the path; empty: the file extension of the language
   bool (*is_wanted)(const Scene& scene);
 };
 
@@ -50,7 +50,7 @@ struct Artifact {
   std::string path = {};  ///< "cart_pole/cart_pole.hpp", relative to the output folder
 };
 
-/// The artifacts of the scene, in the order of the table. This needs no derivation.
+/// The artifacts that the scene requests, in the order of the table. Needs no derivation.
 [[nodiscard]] std::vector<Artifact> artifacts_of(const Scene& scene);
 
 [[nodiscard]] std::string path_of(const Scene& scene, ArtifactId id);

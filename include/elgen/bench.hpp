@@ -1,5 +1,5 @@
-// Benches of a trade-off: derive, compile and time the designs of one output, or runs by every
-// emitted integration step, and compare the results with exact values.
+// Benches of a trade-off. A bench derives, compiles and times the designs of one output, or runs
+// with each method of `step`. It compares the results with exact values.
 #pragma once
 
 #include <functional>
@@ -15,14 +15,14 @@ namespace elgen {
 /// Limits and callbacks of the process that runs a bench.
 struct BenchProcess {
   Limits limits = {};
-  /// Is called with the name of each stage when it starts.
+  /// Called at the start of each stage, with its name.
   std::function<void(const std::string&)> on_stage = {};
-  std::function<void()> renew_time_limit = {};  ///< is called before each long piece of work
+  std::function<void()> renew_time_limit = {};  ///< called before each long piece of work
 };
 
 /// A model, and its scene if any, reduced to one output.
 struct OutputBase {
-  CheckedModel checked = {};               ///< with the output alone
+  CheckedModel checked = {};               ///< its scene requests only the output
   std::optional<FileSyntax> scene = {};    ///< none: no scene file
   std::vector<SourcePointer> ranges = {};  ///< in addition to the ranges of the scene
 
@@ -36,7 +36,8 @@ struct OutputBase {
                                                   const std::vector<SourcePointer>& ranges,
                                                   const Limits& limits);
 
-/// Removes all other outputs from the scene and the program. A lock may have added its reaction.
+/// Removes all outputs except `outputs` from the scene and the program, for example the output
+/// `reaction` that a lock added.
 void keep_outputs(const std::vector<std::string>& outputs, Products& products);
 
 struct DesignRequest {
@@ -48,11 +49,11 @@ struct DesignRequest {
 
 struct MeasuredTable {
   TradeoffTable table = {};       ///< without ranks and Pareto front: see judged()
-  Diagnostics not_compiled = {};  ///< errors of the compiler, of designs that fail in the table
+  Diagnostics not_compiled = {};  ///< compiler errors of designs that the table lists as failed
 };
 
-/// Warnings of the model are among the diagnostics. Errors: E601, E603, E630, E631, E633, E644,
-/// E645, E704, and the errors of the pipeline.
+/// Costs and errors of the designs of one output. Warnings of the model are among the diagnostics.
+/// Errors: E601, E603, E630, E631, E633, E644, E645, E704, and the errors of the pipeline.
 [[nodiscard]] Result<MeasuredTable> measure_designs(const DesignRequest& request,
                                                     const BenchProcess& process);
 
@@ -62,10 +63,11 @@ struct RunRequest {
   std::vector<double> lengths = {};  ///< step lengths in s; empty: a few defaults
 };
 
-/// Runs from the start of the model, projected onto the constraints after every step. Warnings of
-/// the model are among the diagnostics. A sentence of the table names the methods that do not fit
-/// the system. Errors: E621, E623, E624 of the reference run, and the errors of the pipeline. Cost:
-/// one derivation and one compilation for each method and order.
+/// Costs and errors of runs from the start of the model. A run is projected onto the constraints
+/// after every step. Warnings of the model are among the diagnostics. A sentence below the table
+/// names the methods that do not apply to the system. Errors: E621, E623, E624 of the reference
+/// run, and the errors of the pipeline. Cost: one derivation and one compilation for each method
+/// and order.
 [[nodiscard]] Result<MeasuredTable> measure_runs(const RunRequest& request,
                                                  const BenchProcess& process);
 

@@ -4,19 +4,19 @@
 //               4 = subtract 2 3   5 = velocity q   6 = multiply 4 5   7 = add 6 0     result = 7
 //     after     0 = parameter m                                                        result = 0
 //
-// A value that cancels on paper but not in the definitions of a recursion is computed as noise:
-// 1e-14 instead of 0. Candidates are found numerically: in 60 digits, at a random point, the value
-// is below 1e-40 of its error bound. A candidate is replaced if its closed form is the empty sum.
-// It is also replaced if it is analytic (program/network/analytic.hpp) and vanishes at 64 points;
-// Function::sampled_zeros lists the entries that depend on such a zero.
+// In a recursive form, terms that cancel symbolically may stay in separate definitions; code then
+// computes 1e-14 instead of 0. A value is a candidate if, at a random point in 60 digits, it is
+// below 1e-40 of its error bound. A candidate is replaced if its closed form is the empty sum. It
+// is also replaced if it is analytic (program/network/analytic.hpp) and vanishes at 64 points; in
+// this case Function::sampled_zeros lists the entries that depend on it.
 #pragma once
 
 #include "elgen/program.hpp"
 
 namespace elgen {
 
-/// Cost: one evaluation of every function in 60 digits, 63 more for candidates without a proof, and
-/// a second lowering of the functions that change.
+/// Cost: one evaluation of every function in 60 digits, 63 more if it has candidates without a
+/// proof, and a second lowering of the functions that change.
 [[nodiscard]] Program cancel(Program program);
 
 }  // namespace elgen

@@ -1,15 +1,20 @@
 // choose: selects the form in which each function is emitted, and how its entries are written for
 // readers.
 //
-// The recursive form keeps the definitions of the derivation: its cost is linear along a chain. The
-// closed form is the cancelled, collected equation. For small models it is cheaper and more
-// accurate, because cancelling terms are gone. Both forms are lowered and their operations counted
-// after sharing. The cheaper form wins, the closed form on a tie, unless the scene demands a form.
-// A closed form that loses digits which the recursive form keeps is never chosen. If sums cancel
-// many digits (any digits in a scene for float alone), entries are rewritten and the other form is
-// reconsidered (choose/text_errors.hpp). It is chosen if it costs little more. If the scene prefers
-// speed, nothing is rewritten. Guards against states that algebra ignores, and the order of
-// evaluation, come last (choose/finish.hpp).
+// The recursive form keeps the definitions of the derivation; its cost is linear in the length of a
+// chain. The closed form is the cancelled, collected equation. For small models it is cheaper and
+// more accurate, because terms that cancel are absent. The costs of both forms are counted after
+// common subexpressions are shared. The rules are, in this order:
+//
+//     the scene demands a form      this form
+//     the scene prefers speed       the cheaper form; nothing is rewritten
+//     otherwise                     the cheaper form, on a tie the closed form; but never a closed
+//                                   form that loses digits which the recursive form keeps
+//
+// If sums in the chosen form cancel many digits (for float only: any digits), its entries are
+// rewritten, and the other form is reconsidered: it is chosen if it loses fewer digits and costs
+// little more (choose/text_errors.hpp). The last pass adds guards against states that algebra
+// ignores, and sets the order of evaluation (choose/finish.hpp).
 #pragma once
 
 #include <optional>
@@ -29,11 +34,12 @@ struct FormCosts {
   OperationCounts recursive = {};
   /// None: over budget, or far more expensive than recursive.
   std::optional<OperationCounts> closed = {};
-  /// The largest relative error of a form at points at which sums cancel (choose/text_errors.hpp).
-  /// It is relative to |x| or, if larger, to the least error of all known rewritings. x is the
+  /// The largest error of the recursive form at points at which sums cancel, in u, divided by |x|
+  /// or, if larger, by the least error of all known rewritings (choose/text_errors.hpp). x is the
   /// largest entry of the field; for V and its derivatives x is the entry. None if it was not
   /// computed.
   std::optional<double> recursive_loss = {};
+  /// The same of the closed form.
   std::optional<double> closed_loss = {};
   /// The number of the first entry that every closed form computes inaccurately although the
   /// recursive form keeps its digits (choose/text_errors.hpp).
@@ -47,12 +53,13 @@ struct Choice {
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
 };
 
-/// States, as lists of coordinates, at which typed sums are 0.
+/// Coordinates of states at which typed sums (typed_sums()) are 0.
 using SumZeros = std::vector<std::vector<double>>;
 
-/// `recursive` is the program of the closed forms. A loss of a quarter of the digits outweighs a
-/// quarter of the cost. If `zeros` is given, forms are also compared near these states, and any
-/// loss outweighs four times the cost. E608: the demanded closed form is over budget.
+/// Chooses the form of every function of `recursive`; `forms` are its closed forms. A form that
+/// keeps a quarter of the digits more may cost a quarter more. If `zeros` is given, forms are also
+/// compared near these states, and a form that keeps more digits may cost four times as much. E608:
+/// the demanded closed form is over budget.
 [[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
                                     const Domain& domain, const Scene& scene,
                                     const SumZeros* zeros = nullptr);
@@ -60,36 +67,37 @@ using SumZeros = std::vector<std::vector<double>>;
 /// The reader for whom a closed form is written.
 enum class Reader : std::uint8_t {
   code,    ///< one function for all entries, the cheapest form
-  people,  ///< every entry alone, the shortest form
+  people,  ///< each entry separately, in its shortest form
 };
 
-/// Replaces functions by their closed forms if these are short enough: for code in `functions`, for
-/// people in `readable`. Unlike choose() it ignores costs and lost digits of the recursive form.
+/// Replaces functions by their closed forms if the closed forms are short enough: for code in
+/// `functions`, for people in `readable`. Unlike choose(), it does not compare costs and lost
+/// digits with the recursive form.
 [[nodiscard]] Program with_closed_forms(Program program, Reader reader,
                                         const PresentBudget& budget = {});
 
-/// V and its derivatives (PotentialEquations), each in one form.
+/// V and its derivatives (PotentialEquations) as rewritten for accuracy.
 struct RewrittenPotential {
   Program program = {};
-  bool has_slopes = true;  ///< a derivative, not only V, differs from its text and its closed form
+  bool has_slopes = true;  ///< derivatives of V are rewritten, not only V
 };
 
-/// Rewrites V for all functions that contain it. Typed sums stay intact if this keeps digits near
-/// the zeros of sums or costs less. None if V and its derivatives equal their text or their closed
-/// form, or if the scene prefers speed. Cost: choose() up to eighteen times if typed sums lose
-/// digits.
+/// Rewrites V once for all functions that contain it. Typed sums are not expanded if this keeps
+/// digits near the zeros of sums or costs less. None if no rewriting differs from the recursive and
+/// the closed form, if the scene prefers speed, or if V is too long. Cost: choose() up to eighteen
+/// times if typed sums lose digits.
 [[nodiscard]] std::optional<RewrittenPotential> rewrite_potential(const Program& potential,
                                                                   const Domain& domain,
                                                                   const Scene& scene);
 
-/// The domain of functions that read V and its derivatives as open values after the model's own
-/// ones.
+/// The domain of functions in which V and its derivatives are open values (with_open_potential() of
+/// equations_of_motion.hpp). Their values follow the open values of the model.
 [[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
 
-/// Replaces the open values of V in `open` by V and its derivatives. Functions of `open` that read
-/// such a value then replace their counterparts in `choice`; readable forms stay. Nothing changes
-/// if a function would lose digits that it keeps now, for example if V cancels the weight of
-/// bodies.
+/// Replaces the open values of V in the functions of `open` by V and its derivatives. The resulting
+/// functions replace the functions of the same names in `choice`, except their readable forms.
+/// `choice` does not change if one of them would lose digits that it keeps now, for example if V
+/// cancels the weight of bodies.
 void insert_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
                       Choice& choice);
 

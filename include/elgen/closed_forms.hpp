@@ -4,10 +4,10 @@
 //     numerator / product of denominator factors, each a sum of   (x + i y) * atoms^exponents
 //
 // Atoms are the leaves, roots (atom^2 = radicand), opaque calls, and e^(i angle) for every angle of
-// a sine or cosine: cos(x) = (e^ix + e^-ix)/2, sin(x) = (e^ix - e^-ix)/(2i). In these exponentials
-// sums of angles, products of sines and sin^2 + cos^2 = 1 need no extra rule. Two forms of one
-// function of leaves, sines and cosines are therefore the same sum. A form over budget is dropped,
-// never approximated.
+// a sine or cosine: cos(x) = (e^ix + e^-ix)/2, sin(x) = (e^ix - e^-ix)/(2i). Written with these
+// exponentials, sums of angles, products of sines and sin^2 + cos^2 = 1 need no extra rule. Two
+// equal expressions of leaves, sines and cosines therefore have the same canonical sum. A form over
+// budget is dropped, never approximated.
 #pragma once
 
 #include <cln/rational.h>
@@ -57,19 +57,21 @@ struct Atom {
 struct Algebra {
   std::vector<Atom> atoms = {};
   std::unordered_multimap<std::size_t, AtomId> known = {};  ///< atoms by their hash
-  /// `shown` as first found; `normal` without common monomial, with leading coefficient 1.
+  /// `shown`: the factor as first found. `normal`: the same without its common monomial, scaled to
+  /// the leading coefficient 1.
   struct Factor {
     Polynomial shown = {};
     Polynomial normal = {};
   };
   std::vector<Factor> factors = {};
-  /// The typed sums that are not expanded, each a function of one entry, in their typed form: the
-  /// canonical form hides a^2 sin^2 + b^2 cos^2. Null if there are none.
+  /// The typed sums that are not expanded, each a function of one entry, as typed, because the
+  /// canonical form of a^2 sin^2 + b^2 cos^2 is unreadable. Null if no sum stays unexpanded.
   std::shared_ptr<const Program> sums = {};
-  /// stumpff(x, k) with k > 0 is written as its quotient over powers of x, which has no value at x
-  /// = 0.
+  /// True: stumpff(x, k) with k > 0 is written as its quotient over powers of x, which has no value
+  /// at x = 0.
   bool has_quotients = false;
-  /// exp, sinh, cosh and tanh are written by atoms exp(u/12), u a monomial over a denominator.
+  /// True: exp, sinh, cosh and tanh are written by atoms exp(u/12), u a monomial over a
+  /// denominator.
   bool has_exponentials = false;
 };
 
@@ -88,7 +90,7 @@ struct ClosedForms {
   std::vector<ClosedFunction> functions = {};
 };
 
-/// Products of one term with another that may be computed before a form is dropped.
+/// Limits beyond which a form is dropped. `products`: products of two terms.
 struct PresentBudget {
   std::size_t products_per_function = 30'000;
   std::size_t products = 150'000;
@@ -99,19 +101,19 @@ struct PresentBudget {
 /// product.
 [[nodiscard]] ClosedForms present(const Program& program, const PresentBudget& budget = {});
 
-/// Closed forms that write stumpff(x, k), k > 0, as its quotient, valid for x != 0: sin(x)/x, (1 -
-/// cos(x))/x^2, and so on. They reveal its relations to sines and cosines.
+/// Closed forms in which stumpff(x, k), k > 0, is written as a quotient, valid for x != 0:
+/// sin(x)/x, (1 - cos(x))/x^2, and so on. The quotients reveal its relations to sines and cosines.
 [[nodiscard]] ClosedForms present_quotients(const Program& program,
                                             const PresentBudget& budget = {});
 
-/// Closed forms for proofs only. They have these quotients, and write exp, sinh, cosh and tanh by
-/// powers of few exponentials. This reveals the relations
+/// Closed forms for proofs only: present_quotients() with exp, sinh, cosh and tanh written as
+/// powers of a few exponentials. These reveal the relations
 ///
 ///     exp(a + b) = exp(a) exp(b),  1/exp(-a) = exp(a),  tanh(a) = (exp(2 a) - 1)/(exp(2 a) + 1)
 [[nodiscard]] ClosedForms present_for_proofs(const Program& program,
                                              const PresentBudget& budget = {});
 
-/// True if present_for_proofs() rewrites a function that is an opaque atom for present().
+/// True if the function is an opaque atom in present() but not in present_for_proofs().
 [[nodiscard]] bool is_rewritten_for_proofs(FunctionId function);
 
 /// The sums of a program that may stay unexpanded, each a function of one entry, without
@@ -122,78 +124,78 @@ struct PresentBudget {
 ///     after     (x - 1)^2 + (y - 3/10)^2,   x - 1,   y - 3/10
 [[nodiscard]] Program typed_sums(const Program& program);
 
-/// Closed forms in which these sums are not expanded wherever they occur. A combination of several
-/// sums is expanded if that is shorter: (x + r) + (x - r) becomes 2 x.
+/// Closed forms in which `whole_sums`, the functions of a typed_sums() program, stay unexpanded. A
+/// combination of several of them is expanded if that is shorter: (x + r) + (x - r) becomes 2 x.
 [[nodiscard]] ClosedForms present(const Program& program, Program whole_sums,
                                   const PresentBudget& budget = {});
 
-/// True if x = y is proved: x - y is the empty sum. False proves nothing if roots or calls occur.
+/// True if x - y is the empty sum, which proves x = y. False proves x != y only if neither contains
+/// roots or calls.
 [[nodiscard]] bool is_proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
 
-/// True if no algebraic relation joins atoms of this kind: leaves, pi, and e^(i m/12) of their
-/// monomials m. Closed forms do not know the relations of e^(i m/24), roots, and e^(ix) of
-/// fractions x.
+/// True for atoms without algebraic relations between them: leaves, pi, and e^(i m/12) for
+/// monomials m of leaves and pi. False for e^(i m/24), roots, e^(ix) for fractions x, and all other
+/// atoms: closed forms do not use their relations.
 [[nodiscard]] bool is_independent(const Algebra& algebra, AtomId id);
 
-/// The verdict of a proof that an entry is 0.
+/// The result of an attempt to prove that an entry is 0.
 enum class ZeroProof : std::uint8_t {
-  open,
-  zero,      ///< the empty sum
-  not_zero,  ///< another sum of leaves, numbers, pi, sines and cosines, whose form is unique
+  open,      ///< undecided
+  zero,      ///< the canonical form is the empty sum
+  not_zero,  ///< the form is not empty, and unique: it has only leaves, numbers, pi, sin and cos
 };
 
-/// Proves entries to be 0 by their closed forms, or else by their forms for proofs, in the order of
-/// the fields. A form over budget proves nothing. Cost: one closed form per entry, at most two,
-/// within `budget`.
+/// One result per entry of `function`, field by field. Entries that are open after present() are
+/// tried again with present_for_proofs(). A form over budget proves nothing. Cost: one or two
+/// closed forms per entry, within `budget`.
 [[nodiscard]] std::vector<ZeroProof> prove_zeros(const Program& program, Function function,
                                                  const PresentBudget& budget = {});
 
-/// dq/dt of every coordinate; empty if the model has no rotation, since dq/dt = v then.
+/// dq/dt = N(q) v of every coordinate; empty if the model has no rotation, because dq/dt is v.
 [[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);
 
-/// One term of the rate of an open value: its derivative by an argument times the rate of the
-/// argument.
+/// The term f_i dx_i/dt of the rate of an open value f: f_i is its derivative by argument x_i.
 struct OpenTerm {
-  std::uint32_t derivative = 0;  ///< number of the leaf
-  Fraction argument = {};
+  std::uint32_t derivative = 0;  ///< f_i, as the number of its leaf
+  Fraction argument = {};        ///< x_i
 };
 
-/// df/dt = sum_i f_i dx_i/dt for every open value of a model. Empty if the rate is unknown, for
-/// example for second derivatives.
+/// For every open value f of a model, the terms of df/dt = sum_i f_i dx_i/dt. No terms if the rate
+/// is unknown, for example for second derivatives.
 using OpenTerms = std::vector<std::vector<OpenTerm>>;
 [[nodiscard]] OpenTerms open_terms(ClosedForms& forms, const Model& model,
                                    const FixedParameters& fixed);
 
-/// The rates of the leaves of a form. Parameters have rate 0. The rate of inputs, and of leaves
-/// beyond the end of a list, is unknown.
+/// The rates of leaves along a curve. Parameters have rate 0. The rates of inputs, and of leaves
+/// that the lists do not contain, are unknown.
 struct LeafRates {
-  std::vector<Fraction> coordinates = {};  ///< empty: they change at their velocities
+  std::vector<Fraction> coordinates = {};  ///< empty: dq_i = v_i
   std::vector<Fraction> velocities = {};
   std::vector<Fraction> accelerations = {};
   OpenTerms open_values = {};
   Fraction time = {};
 };
 
-/// dx/ds if the leaves change at these rates: sum dx/dleaf dleaf/ds. None if it is over budget or x
-/// contains a function with kinks.
+/// dx/ds = sum dx/dleaf dleaf/ds, with `rates` = dleaf/ds. None if it is over budget, a rate is
+/// unknown, or x contains a function with kinks.
 [[nodiscard]] std::optional<Fraction> rate_along(ClosedForms& forms, const Fraction& x,
                                                  const LeafRates& rates);
 
-/// dx/dq_k, k = `coordinate` of `coordinates`, for an x without velocities.
+/// dx/dq_k with k = `coordinate`; `coordinates` is their number, and x contains no velocities. None
+/// as for rate_along().
 [[nodiscard]] std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
                                                          std::uint32_t coordinate,
                                                          std::size_t coordinates);
 
-/// dx/dt along the motion at u = 0. `accelerations` are the forward dynamics, one per velocity. The
-/// empty sum proves that x is conserved. None if it is over budget or x contains a function with
-/// kinks.
+/// dx/dt along the motion at u = 0, for the forward dynamics `accelerations`, one per velocity. The
+/// empty sum proves that x is conserved. None as for rate_along().
 [[nodiscard]] std::optional<Fraction> free_rate(ClosedForms& forms, const Fraction& x,
                                                 const std::vector<Fraction>& accelerations,
                                                 const std::vector<Fraction>& coordinate_rates = {},
                                                 const OpenTerms& open_values = {});
 
-/// One expression of the model over the same atoms. `fixed` parameters are numbers. None if it is
-/// over budget.
+/// An expression of the model over the atoms of `forms`, with the `fixed` parameters as numbers.
+/// None if it is over budget.
 [[nodiscard]] std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
                                                   const FixedParameters& fixed,
                                                   ExpressionId expression);

@@ -5,8 +5,11 @@
 //     da/dx = -M^-1 dr/dx at that a,   da/du = M^-1 B
 //
 // M is factorised once. Each column of the right-hand sides needs one forward and one backward
-// substitution, which skip the zeros of L. These are the repetitions of the function
-// (elgen/program.hpp), which code runs as a loop over columns.
+// substitution, which skip the zeros of L. The substitutions are the repetitions of the function
+// (Repetition in elgen/program.hpp); emitted code runs them as a loop over the columns.
+//
+// The stage derive replaces an output by a "function of parts", whose fields are the matrices of
+// the right-hand sides above; compose_outputs() turns it into the output.
 #pragma once
 
 #include "elgen/program.hpp"
@@ -14,7 +17,8 @@
 namespace elgen {
 
 /// Fields of a function of parts, in this order: M; B u - bias; -dr/dq; -dr/dv; B if the model has
-/// inputs; the upper rows of A for `linearization`. Rows are velocities; `a` is an argument.
+/// inputs; for `linearization`, the rows of A for dq/dt. The other fields have one row per
+/// velocity. The function takes `a` as an argument.
 inline constexpr std::string_view mass_part = "mass";
 inline constexpr std::string_view force_part = "force";
 inline constexpr std::string_view position_part = "by_position";
@@ -22,11 +26,11 @@ inline constexpr std::string_view velocity_part = "by_velocity";
 inline constexpr std::string_view input_part = "by_input";
 inline constexpr std::string_view rate_part = "rates";
 
-/// From this number of velocities on, these outputs are composed. With fewer velocities they are
-/// written out and have closed forms.
+/// Models with at least this number of velocities compose these outputs. For smaller models the
+/// outputs are expanded, and have closed forms.
 inline constexpr std::size_t min_composed_velocities = 10;
 
-/// The same program; every function of parts is replaced by its output.
+/// The program with every function of parts replaced by its output.
 [[nodiscard]] Program compose_outputs(Program program);
 
 }  // namespace elgen

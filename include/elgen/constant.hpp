@@ -2,7 +2,7 @@
 //
 //     form   1 - cos(3/10)      value   0.0446635108743939…
 //
-// Two constants are equal if their forms are, never because their values or texts are close.
+// Two constants are equal if and only if their forms are equal; values are never compared.
 #pragma once
 
 #include <cln/real.h>
@@ -23,15 +23,16 @@ enum class ConstantKind : std::uint8_t { rational, pi, sum, product, square_root
 
 struct ConstantPart;
 
-/// A tree of numbers: terms with signs, factors with exponents, arguments with signs.
+/// A tree of constants: a sum of signed terms, a product of powers, or a function of signed
+/// arguments.
 struct ConstantForm {
   ConstantKind kind = ConstantKind::rational;
-  cln::cl_RA number = 0;                  ///< of a rational
-  FunctionId function = FunctionId::sin;  ///< of a call
+  cln::cl_RA number = 0;                  ///< the value, if `kind` is rational
+  FunctionId function = FunctionId::sin;  ///< the function, if `kind` is call
   std::vector<ConstantPart> parts;        ///< no initializer: ConstantPart is incomplete here
 };
 
-/// weight: the exponent in a product (not 0), otherwise the sign (1 or -1).
+/// An operand. weight: its exponent (not 0) if it is a factor, otherwise its sign (1 or -1).
 struct ConstantPart {
   ConstantForm form = {};
   std::int32_t weight = 1;
@@ -42,12 +43,13 @@ struct ConstantPart {
 
 [[nodiscard]] ConstantForm rational_form(const cln::cl_RA& number);
 
-/// -x. The sign moves into a number, a sum or an odd factor.
+/// -x. If possible, the sign is absorbed: by a number, the terms of a sum, or an odd function among
+/// the factors.
 [[nodiscard]] ConstantForm negated(ConstantForm x);
 
-/// The value and a bound of its error. Unless exact it is a float of at least 220 digits with
-/// |error| <= 1e-200 |value|, or |error| <= 1e-200 if 1760 digits cancel. None if the form has no
-/// real value, or if 1760 digits do not decide this.
+/// The value and a bound of its error. The value is exact, or a float of at least 220 digits with
+/// |error| <= 1e-200 |value| (|error| <= 1e-200 if even 1760 digits cancel). None if the form has
+/// no real value, or if 1760 digits do not decide whether it has one.
 [[nodiscard]] std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form);
 
 /// The form as a Formula:

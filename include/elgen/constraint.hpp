@@ -1,5 +1,5 @@
 // Constraint: an equation that the motion of a Model satisfies. Held: a variable that a scene
-// removes from a model, locked or cyclic.
+// removes from the model, because it is locked (Lock) or cyclic (Cyclic).
 #pragma once
 
 #include <cln/real.h>
@@ -21,10 +21,10 @@ namespace elgen {
 struct Model;
 
 /// One equation of a [[constraint]]: f(q, t) = 0 for positions, or phi(q, v, t) = 0, affine in the
-/// rates, for velocities. `value` is left side minus right side.
+/// rates, for velocities. `value` is the left side minus the right side of the equation.
 ///
-/// Let r = df/dt or phi, A = dr/dv, and gamma = dr/dt at a = 0. The motion satisfies A a + gamma =
-/// -2 zeta omega r - omega^2 f. The multiplier acts as A^T lambda on the side of the inputs.
+///     r = df/dt or phi,   A = dr/dv,   gamma = dr/dt at a = 0
+///     A a + gamma = -2 zeta omega r - omega^2 f,   M a + bias = B u + A^T lambda
 struct Constraint {
   std::string name;        ///< "rod"; with several equations "loop_x", "loop_1", "link_2[3]"
   std::string identifier;  ///< "link_2_3"
@@ -39,10 +39,11 @@ struct Constraint {
   std::string equality = {};  ///< "z(P[i]) = z(Q)" for coincident points
 };
 
-/// The hint to write `equation` instead of `coincide` if the rows in `without` constrain nothing.
-/// Empty for a row of `equation`, and if no row remains.
+/// For a `row` of `coincide`: the hint to write `equation` instead, with the rows of the same entry
+/// that are not marked in `without` as constraining nothing. Empty if `row` is a row of `equation`,
+/// or if all rows are marked.
 ///
-///     coincide = ["P", "Q"], y   ->   "`equation = ["x(P) = x(Q)", "z(P) = z(Q)"]` is enough"
+///     coincide = ["P", "Q"], y marked  ->  "`equation = ["x(P) = x(Q)", "z(P) = z(Q)"]` is enough"
 [[nodiscard]] std::string equation_hint(const std::vector<Constraint>& rows,
                                         const std::vector<bool>& without, const Constraint& row);
 
@@ -51,8 +52,8 @@ inline constexpr std::uint32_t axis_count = 3;
 
 /// A coordinate or rotation whose motion a scene prescribes or eliminates.
 struct Held {
-  std::uint32_t coordinate = 0;  ///< the first of a rotation
-  std::uint32_t velocity = 0;    ///< the first of a rotation
+  std::uint32_t coordinate = 0;  ///< index; for a rotation, of its first coordinate
+  std::uint32_t velocity = 0;    ///< index; for a rotation, of its first velocity
   bool is_rotation = false;
   bool reaction = false;  ///< the force that holds it is an output
   Span span = {};
@@ -69,31 +70,32 @@ struct Held {
 
 /// A variable that a scene prescribes as a function of time.
 struct Lock : Held {
-  std::vector<ExpressionId> values = {};  ///< s(t); of a rotation its unit quaternion
+  std::vector<ExpressionId> values = {};  ///< s(t); for a rotation a unit quaternion
 };
 
 /// A cyclic coordinate that `[routh]` eliminates. Its constant momentum becomes a parameter.
 struct Cyclic : Held {
   std::uint32_t parameter = 0;
-  /// The momentum by numbers and parameters; none: the momentum at the start.
+  /// The declared momentum, which contains only numbers and parameters; none: the momentum at the
+  /// start.
   std::optional<ExpressionId> form = {};
-  /// The value of the parameter. The scene or an option fixes it, or find_momenta() computes it.
+  /// The value of this parameter, from the scene, an option or find_momenta().
   std::optional<cln::cl_R> momentum = {};
 };
 
-/// The held variables of a scene, and the whole model, in which they move. They are eliminated
-/// twice, independently: check removes them from the Model that the oracle reads, specialise from
-/// the Lagrangian that is derived. Each result checks the other.
+/// The held variables of a scene, and the whole model, which still contains them. They are
+/// eliminated twice, independently: the stage check removes them from the Model, which the oracle
+/// evaluates, and specialise removes them from the Lagrangian. Verification compares the results.
 struct Variant {
   std::vector<Lock> locks = {};             ///< in the order of v of the whole model
-  std::vector<Cyclic> cyclic = {};          ///< in the same order
-  std::shared_ptr<const Model> whole = {};  ///< null: no variable is held
+  std::vector<Cyclic> cyclic = {};          ///< in the order of v of the whole model
+  std::shared_ptr<const Model> whole = {};  ///< null if no variable is held
 };
 
 /// The new positions of the entries of a list after some entries are removed.
 class RemainingPositions {
  public:
-  /// Nothing is removed yet.
+  /// For a list of `size` entries; none is removed yet.
   explicit RemainingPositions(std::size_t size) : places_(size, 0) { remove(0, 0); }
 
   void remove(std::uint32_t first, std::uint32_t count) {
@@ -119,7 +121,7 @@ class RemainingPositions {
     list = std::move(left);
   }
 
-  /// The list at its old size, with 0 for each removed entry.
+  /// The list `left` of remaining entries at its old size, with 0 for each removed entry.
   template <class List>
   [[nodiscard]] List with_zeros(const List& left) const {
     List list(places_.size());
@@ -145,7 +147,7 @@ struct RemainingVariables {
   }
 };
 
-/// The velocities of the variables with `reaction`, in order.
+/// The indices of the velocities of the variables with `reaction`, in the order of `variables`.
 template <class Variables>
 [[nodiscard]] std::vector<std::uint32_t> velocities_with_reaction(const Variables& variables) {
   std::vector<std::uint32_t> velocities;

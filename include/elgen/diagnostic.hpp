@@ -20,7 +20,7 @@ enum class ExitCode : int {
   success = 0,       ///< done; nothing differs and every check holds
   differs = 1,       ///< stale output, or a check fails
   invalid = 2,       ///< bad command line or an error with a position in an input
-  limit = 3,         ///< a derived limit is reached, or the self-check fails
+  limit = 3,         ///< a limit (elgen/limits.hpp) is exceeded, or the self-check fails
   inaccessible = 4,  ///< cannot read or write, file without our marker, no compiler
   internal = 70,
   interrupted = 130,
@@ -72,12 +72,11 @@ void sort_by_position(Diagnostics& diagnostics);
 
 enum class DiagnosticFormat : unsigned char {
   text,    ///< for people
-  json,    ///< for programs: one object per line and no other text; every diagnostic, without
-           ///< `maximum`
+  json,    ///< for programs: one object per line and no other text; `maximum` does not apply
   github,  ///< for GitHub Actions: workflow commands that annotate lines
 };
 
-/// A format of all messages of a process.
+/// One argument of --format. It applies to all messages of the process.
 struct DiagnosticFormatRow {
   DiagnosticFormat format;
   std::string_view word;  ///< the argument of --format
@@ -103,8 +102,8 @@ struct DiagnosticStyle {
 /// The exit code of the worst diagnostic; `success` without errors.
 [[nodiscard]] ExitCode exit_code(const Diagnostics& diagnostics);
 
-/// The candidate with the least edit distance to `word` (a transposition counts 1); empty if none
-/// is close.
+/// The candidate with the least edit distance to `word` (a transposition counts 1); empty if no
+/// candidate is close.
 [[nodiscard]] std::string nearest(std::string_view word,
                                   const std::vector<std::string>& candidates);
 

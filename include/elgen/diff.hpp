@@ -5,10 +5,10 @@
 //     the interface          names, types and order that callers of the code rely on
 //
 // Entries of both versions are written over the union of their leaves, matched by name. Entries
-// with the same instructions are identical. Otherwise the closed form of the difference proves
-// equality, or 64 random points show it, or the entries differ. Entries with roots or kinks that
-// agree at all points, inside the ranges and beyond, remain undecided, since they may differ
-// elsewhere.
+// with the same instructions are identical. Otherwise, equality is proved by the closed form of the
+// difference, or shown by 64 random points; if neither succeeds, the entries differ. Entries with
+// roots or kinks that agree at all points, inside the ranges and beyond, are undecided: they may
+// differ elsewhere.
 #pragma once
 
 #include <map>
@@ -47,10 +47,10 @@ using Renames = std::map<std::string, std::string>;
 /// Numbers that replace parameters, by name.
 using ParameterValues = std::map<std::string, Constant>;
 
-/// One step of a path to a value: a key, or an item of a list.
+/// One component of a path to a value: a key, or an item of a list.
 struct KeyStep {
   std::string key = {};
-  std::size_t item = 0;  ///< counted from 1; 0: a key
+  std::size_t item = 0;  ///< number of the item, from 1; 0: the component is a key
   friend bool operator==(const KeyStep&, const KeyStep&) = default;
 };
 
@@ -67,30 +67,30 @@ struct KeyChange {
   std::string after = {};          ///< "" if the key is gone
   Span old_at = {};
   Span new_at = {};
-  Impact impact = Impact::equal;  ///< the worst effect that this key may have on its system;
-                                  ///< effects are known only together
+  Impact impact = Impact::equal;  ///< the worst effect that this key alone could have; the actual
+                                  ///< effect is determined for all changed keys together
 };
 
-/// Entries are matched by `name`, else `on`, `at` or `frame`, else by number; keys by name; items
-/// of lists by number. A new or missing entry is one change. Changes are in the order of `after`,
-/// with missing keys last. Cost: quadratic in the entries of a file and in the keys of an entry.
+/// The changed keys, in the order of `after`, with missing keys last. Entries are matched by
+/// `name`, else by `on`, `at` or `frame`, else by number; keys by name; items of lists by number. A
+/// new or missing entry is one change. Cost: quadratic in the entries of a file and in the keys of
+/// an entry.
 [[nodiscard]] std::vector<KeyChange> changed_keys(const FileSyntax& before, const FileSyntax& after,
                                                   const Renames& renames = {});
 
 enum class EntryVerdict : std::uint8_t {
   identical,  ///< the same instructions
   equal,      ///< different instructions, equal values
-  undecided,  ///< undecided: equal at all points, but with roots or kinks, so that points
-              ///< prove nothing
+  undecided,  ///< equal at all points, but with roots or kinks: points are not conclusive
   different,
   added,
   removed,
 };
 
-/// A state at which the versions differ, rounded to three digits.
+/// A state at which an entry differs.
 struct Witness {
-  std::string at = {};  ///< "theta = 0.3, dot(x) = -1.2": the leaves on which the entry depends
-  double before = 0;
+  std::string at = {};  ///< "theta = 0.3, dot(x) = -1.2": the leaves of the entry, in three digits
+  double before = 0;    ///< the values of the entry
   double after = 0;
 };
 
@@ -99,36 +99,36 @@ struct EntryChange {
   std::string unit = {};   ///< of the entry; "" if unknown
   EntryVerdict verdict = EntryVerdict::identical;
   bool is_proved = false;       ///< `equal` is proved by the closed form of the difference
-  bool is_certain = true;       ///< false if the entry is undecided only because a proof is missing
-  std::string before = {};      ///< closed form; "" if there is none
-  std::string after = {};       ///< that is short enough to read
+  bool is_certain = true;       ///< false if sampled points agree but prove nothing
+  std::string before = {};      ///< closed form; "" if none is short enough to read
+  std::string after = {};       ///< closed form; "" if none is short enough to read
   std::string difference = {};  ///< after - before
-  double share = 0;  ///< largest change / largest magnitude of the entry, over the samples
+  double share = 0;  ///< largest |change| / largest magnitude of the entry, over the sampled states
   std::optional<Witness> witness = {};
 };
 
 /// One output of either version.
 struct OutputChange {
   std::string name = {};
-  std::size_t entry_count = 0;            ///< of the version with more entries
-  std::vector<EntryChange> entries = {};  ///< without identical ones
+  std::size_t entry_count = 0;            ///< number of entries in the version with more entries
+  std::vector<EntryChange> entries = {};  ///< all entries that are not identical
 };
 
 struct InterfaceChange {
   Impact impact = Impact::equal;
   std::string text = {};   ///< "there is no function `bias` any more"
-  bool is_silent = false;  ///< callers still compile, with the changed meaning that `text` states
+  bool is_silent = false;  ///< callers still compile, but the meaning changes as `text` says
 };
 
 /// Executed operations of emitted functions, by the name of the function.
 using OperationsByName = std::map<std::string, OperationCounts>;
 
-/// One side of a comparison. All of it outlives the comparison.
+/// One side of a comparison. The objects that it refers to must outlive the comparison.
 struct Version {
   const FileSyntax& model;
   const FileSyntax* scene = nullptr;  ///< null: the built-in scene `full`
   const CheckedModel& checked;
-  const Program& program;       ///< with chosen forms if files are emitted, else before the choice
+  const Program& program;       ///< in chosen forms if files are emitted, else in recursive form
   const Diagnostics& warnings;  ///< of the model
   const OperationsByName* operations = nullptr;  ///< of the emitted functions; null: unknown
 };
@@ -165,8 +165,8 @@ struct SystemChange {
   std::vector<OutputChange> outputs = {};
   std::vector<InterfaceChange> interface = {};
   std::optional<std::vector<OperationsChange>> operations = {};  ///< none: unknown
-  bool is_certain = true;  ///< false if some entries are equal only at points
-  /// If `extended`: values of the new parameters at which all entries equal the old ones.
+  bool is_certain = true;  ///< false if some entries are undecided
+  /// If `impact` is `extended`: "at mt = 0 all entries equal the old entries (proved)".
   std::string extension = {};
   /// Entries of [[expect]] that held before and fail now: "gravity[2,1]".
   std::vector<std::string> broken_expectations = {};
@@ -201,20 +201,20 @@ struct DiffReport {
 /// was removed.
 [[nodiscard]] Impact impact_of(const DiffReport& report);
 
-/// A dozen lines for people; changes shared by several systems are listed once with their names.
-/// `lists_all` adds every key and every entry.
+/// About a dozen lines for people. A change that several systems share is listed once, with the
+/// names of the systems. `lists_all`: also every key and every entry.
 [[nodiscard]] std::string to_text(const DiffReport& report, bool lists_all);
 
 /// A comment for a pull request: the same lines, then every entry in a collapsed block.
 [[nodiscard]] std::string to_markdown(const DiffReport& report);
 
 /// Workflow commands of GitHub. First an error, with its reason, for every system that breaks, is
-/// removed or is unreadable; then the causes, each with its effect. GitHub shows ten per step, so
-/// the last command counts the rest.
+/// removed or is unreadable; then the changed keys, each with its effect. GitHub shows ten commands
+/// per step of a job, so the tenth counts the rest.
 [[nodiscard]] std::string to_annotations(const DiffReport& report);
 
-/// JSON for programs. Every change has a stable id: the position of the key in the file, or of the
-/// entry in the output.
+/// JSON for programs. Every change has a stable id: the path of the key in the file, or the place
+/// of the entry in the output.
 [[nodiscard]] std::string to_json(const DiffReport& report);
 
 }  // namespace elgen

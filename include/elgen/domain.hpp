@@ -1,5 +1,5 @@
-// Domain: the arguments with which the functions of a program are called: parameters at their
-// values, states inside the declared ranges of the model and the scene.
+// Domain: the ranges and typical states of the arguments of a program. Parameters have their
+// values; states are inside the declared ranges of the model and the scene.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace elgen {
 
-/// The source of random states: the ranges of a model, the parameter values of a scene, and the
-/// leaves that functions take.
+/// The data that random states are drawn from: the ranges of a model, the parameter values of a
+/// scene, and the leaves that functions take.
 struct StateSpace {
   const Model& model;
   const Scene& scene;

@@ -12,7 +12,7 @@
 namespace elgen {
 
 struct FieldEquations {
-  std::string name = {};  ///< "" for outputs of one field
+  std::string name = {};  ///< "" if the output has only one field
   std::uint32_t rows = 1;
   std::uint32_t columns = 1;
   std::vector<GiNaC::ex> entries = {};  ///< row-major
@@ -32,8 +32,8 @@ struct EquationsOfMotion {
   LeafNames leaves = {};
   Definitions definitions = {};
   std::vector<OutputEquations> outputs = {};  ///< in the order of the scene; without `dynamics`
-  /// Forward dynamics by articulated bodies, over its own definitions, if that may be shorter. If
-  /// it is shorter for every M, `outputs` does not contain forward dynamics.
+  /// Forward dynamics by the articulated-body algorithm, with separate definitions, if its code may
+  /// be shorter. If it is certainly shorter, `outputs` does not contain forward dynamics.
   std::vector<EquationsOfMotion> alternatives = {};
 };
 
@@ -42,22 +42,22 @@ struct EquationsOfMotion {
                                                const std::vector<OutputRequest>& outputs,
                                                const Limits& limits);
 
-/// V of [energy] at zero rates and its derivatives by its variables x (coordinates, and t): V,
-/// dV/dx_i, d2V/dx_i dx_j (i <= j). Each is one output.
+/// V of [energy] at zero rates, and its derivatives by its variables x (coordinates and t). There
+/// are three outputs: V, all dV/dx_i, all d2V/dx_i dx_j with i <= j.
 struct PotentialEquations {
   std::vector<GiNaC::ex> variables = {};  ///< x
   std::vector<OutputRequest> requests = {};
   EquationsOfMotion equations = {};
 };
 
-/// `has_second`: with second derivatives. None if V depends on no coordinate or on rates, or if a
-/// scene expands it.
+/// Derives V and its first derivatives, and with `has_second` its second derivatives. None if V
+/// depends on no coordinate, if it depends on rates, or if the scene expands it.
 [[nodiscard]] std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian,
                                                                  bool has_second);
 
-/// The same Lagrangian with V of [energy] as one leaf. Its derivatives are leaves too: open values
-/// after those of the model, in the order of PotentialEquations. Third derivatives are 0; no output
-/// may use them.
+/// The same Lagrangian with V of [energy] replaced by an open value. V and its derivatives are
+/// numbered after the open values of the model, in the order of PotentialEquations. Third
+/// derivatives are 0, so no output may use them.
 [[nodiscard]] Lagrangian with_open_potential(Lagrangian lagrangian,
                                              const std::vector<GiNaC::ex>& variables);
 

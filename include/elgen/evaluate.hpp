@@ -1,10 +1,9 @@
 // The interpreter: evaluates the instructions of a Function in order, in any scalar type.
 //
-// Cost: one operation of Scalar per instruction. Scalar needs + - * /, unary minus,
-// ScalarTraits<Scalar>::from_real, and sqrt and the functions of functions.def by
-// argument-dependent lookup. For a new scalar type, specialise ScalarTraits and declare these
-// functions in its namespace. The functions abs, sign, min and max need operator< only if a program
-// calls them.
+// Cost: one operation of Scalar per instruction. Scalar needs + - * /, unary minus, a
+// specialisation of ScalarTraits, and, declared in its namespace, sqrt and the functions of
+// functions.def. They are found by argument-dependent lookup. Programs that call abs, sign, min or
+// max also need operator<.
 #pragma once
 
 #include <cmath>
@@ -64,8 +63,8 @@ struct NumberRules {
 
 }  // namespace interpreter
 
-/// The values of all instructions, in order. `arguments` must contain every leaf that the function
-/// reads.
+/// The values of all instructions, in order. `arguments` must contain every leaf that the
+/// instructions load.
 template <class Scalar>
 [[nodiscard]] std::vector<Scalar> evaluate_instructions(const Program& program,
                                                         const Function& function,

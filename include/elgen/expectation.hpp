@@ -1,4 +1,4 @@
-// Expectation: the claim of an [[expect]] about an output or the motion.
+// Expectation: the claim of an [[expect]] entry about an output or the motion.
 #pragma once
 
 #include <cln/real.h>
@@ -22,20 +22,20 @@ struct StatedLeaf {
   cln::cl_R value = 0;
 };
 
-/// A state with known outputs: the start of the model with these leaves replaced. Momenta that are
-/// not listed follow from the rates.
+/// A state at which an [[expect]] gives the values of an output: the start of the model, with
+/// `leaves` replaced. Momenta that `leaves` does not contain are computed from the rates.
 struct StatedState {
   std::vector<StatedLeaf> leaves = {};
   cln::cl_R tolerance = 0;  ///< tolerance of an entry, relative to the largest entry
 };
 
-/// One [[expect]] line: the closed form of every entry of an output's field, row-major. Repetitions
-/// are expanded.
+/// One equation of an [[expect]] after repetitions are expanded: the expected expressions of all
+/// entries of one field of an output, row-major.
 struct Expectation {
-  /// "mass_matrix", "forward_dynamics", a user output; or "conserved"; or "equations", whose
-  /// entries are left side - right side of equations of motion.
+  /// "mass_matrix", "forward_dynamics" or another output; "conserved"; or "equations", with the
+  /// left sides minus the right sides of equations of motion as entries.
   std::string output;
-  std::string field = {};  ///< the field that the file names, as "multipliers"; "": the first
+  std::string field = {};  ///< name of the field, for example "multipliers"; "": the first field
   /// The number of the first entry of the field among all entries of the output.
   std::uint32_t first = 0;
   std::uint32_t rows = 0;

@@ -1,5 +1,5 @@
-// Expression: one node of the arena of a Model. Operands are indices of earlier nodes, so common
-// subexpressions are shared.
+// Expression: one node of the expression arena of a Model. Operands are indices of earlier nodes,
+// so that common subexpressions are shared.
 #pragma once
 
 #include <cln/rational.h>
@@ -16,7 +16,7 @@ namespace elgen {
 using ExpressionId = std::uint32_t;
 
 enum class ExpressionKind : std::uint8_t {
-  number,  ///< number
+  number,  ///< the value of member `number`
   pi,
   leaf,    ///< leaf `index` of its kind; forces may contain inputs, [[expect]] also a, p and E; the
            ///< operands of an open value are the arguments of its function
@@ -39,7 +39,7 @@ enum class NamedKind : std::uint8_t {
   frame,       ///< a number of frames[index], see FrameComponent
 };
 
-/// The numbers of a frame by which expressions refer to it: the first of each group.
+/// `component` of an expression that refers to a frame: the first number of each vector or matrix.
 enum FrameComponent : std::uint32_t {
   frame_rotation = 0,  ///< Frame::rotation, row-major
   frame_origin = 9,

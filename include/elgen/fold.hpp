@@ -1,5 +1,5 @@
-// fold: interprets the instructions of a Function in any domain: numbers, bounds, closed forms,
-// graphs, text. The rules of the domain map every operation on values of operands to a value:
+// fold: evaluates the instructions of a Function in any domain: numbers, error bounds, closed
+// forms, graphs, text. `Rules` is a class that defines each operation on values of the domain:
 //
 //     constant(const Constant&)   leaf(Opcode, number)   negate(x)   add(x, y)   subtract(x, y)
 //     multiply(x, y)   divide(x, y)   square_root(x)   call(FunctionId, x, y)
@@ -13,7 +13,7 @@
 
 namespace elgen {
 
-/// The value of one instruction from the `values` of its operands, by index.
+/// The value of one instruction; values[k] is the value of instruction k.
 template <class Rules, class Values>
 [[nodiscard]] auto fold_instruction(Rules&& rules, const Program& program, const Instruction& i,
                                     const Values& values) {

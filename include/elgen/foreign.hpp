@@ -14,7 +14,7 @@ namespace elgen {
 /// A function of the foreign code, and the output that it claims to compute.
 struct ForeignClaim {
   std::string output = {};
-  /// The only field that it computes; "": the number of its results decides.
+  /// The only field that the function computes; "": the fields follow from the number of results.
   std::string field = {};
   std::string name = {};
 };
@@ -28,15 +28,19 @@ struct ForeignOptions {
   std::uint64_t seconds = 60;  ///< wall-clock limit for one function, in s
 };
 
-/// Returns one row for each claim. Values are compared with 60 digits at states in the declared
-/// ranges: at rest, with inputs alone, moving, both, and with other parameters. With constraints
-/// the states are moved onto them; states for which Newton's method fails count as skipped. The
-/// number of results selects the fields: the first, all without pivots and remainders, all, or
-/// another single field. For a wrong function the row reports the situations with wrong values, the
-/// convention under which all values would be right, and the ignored parameters. A diagnostic E717
-/// repeats this. The scene must contain the outputs. E601: a name is not one output or field. E603:
-/// `dynamics`, which only repeats other outputs. E716: the function cannot be called. Cost: the
-/// oracle at each state; for wrong results, once more for each of up to 300 conventions.
+/// Returns one row for each claim. Values are compared with the oracle's at states in the declared
+/// ranges: at rest; at rest with inputs and accelerations; moving; moving with inputs and
+/// accelerations; and with other parameters.
+/// With constraints, the states are moved onto them; a state for which Newton's method fails is
+/// skipped. The number of results selects the fields. The first choice that fits is used: the first
+/// field; all fields without pivots and remainders; all fields; another single field.
+///
+/// For a wrong function, the row and a diagnostic E717 report the kinds of states with wrong
+/// values, the convention (such as the sign of a coordinate) under which all values would be right,
+/// and the ignored parameters. The scene must contain the outputs. E601: a name is not one output
+/// or field. E603: `dynamics`, which only repeats other outputs. E716: the function cannot be
+/// called. Cost: the oracle at each state; for wrong results, once more for each of up to 300
+/// conventions.
 [[nodiscard]] Result<Verification> compare_foreign_code(const CheckedModel& checked,
                                                         const ForeignOptions& options);
 

@@ -19,18 +19,19 @@ struct ForeignFunction {
 };
 
 struct ForeignAnswers {
-  std::vector<std::vector<double>> values = {};  ///< by state; short after a failure
-  /// Why further states are missing, or how the code fails after the last one; empty: none missing.
+  std::vector<std::vector<double>> values = {};  ///< by state; after a failure, states are missing
+  /// Why states are missing, or how the code fails after the last state; empty: no failure.
   std::string failure = {};
-  /// Its output on stderr (of a library also on stdout), as lines of a message: ":\n    Traceback".
+  /// The output of the code on stderr (of a library also on stdout), as lines of a message:
+  /// ":\n    Traceback".
   std::string error_output = {};
 };
 
-/// The results of the function at each state, which should be fields of `output` in order. It takes
-/// the arguments of emitted code, but all parameters of the model. A library function is called in
-/// a separate process with a pointer to doubles for each argument and one for the result. A command
-/// receives one line of JSON for each state and answers with one line of numbers in brackets. E716:
-/// the function cannot be called.
+/// Calls the function at each state. Its results should be the entries of fields of `output`, in
+/// order. Its arguments are the arguments of emitted code, but with all parameters of the model. A
+/// library function is called in a separate process, with a pointer to doubles for each argument
+/// and for the result. A command receives one line of JSON for each state and answers with one line
+/// of numbers in brackets. E716: the function cannot be called.
 [[nodiscard]] Result<ForeignAnswers> call_foreign(const ForeignFunction& function,
                                                   const Model& model, const OutputRequest& output,
                                                   const std::vector<Arguments<double>>& states);

@@ -2,8 +2,9 @@
 //
 //     sum(product(m, power(l, 2)), negative(u))     m*l^2 - u      m l^{2} - u
 //
-// The tree keeps the order of terms and factors. Printers add brackets, write fractions on one line
-// or two, and put functions behind the other factors if products have no sign.
+// The tree keeps the order of terms and factors. Printers add brackets and write fractions on one
+// line or two. In notations without a multiplication sign, they move functions behind the other
+// factors.
 #pragma once
 
 #include <cln/rational.h>
@@ -27,8 +28,8 @@ enum class Alphabet : std::uint8_t {
 };
 
 enum class FormulaKind : std::uint8_t {
-  number,    ///< number, or the decimal digits of text if number is 0
-  symbol,    ///< symbol
+  number,    ///< the member `number`, or the decimal digits in `text` if `number` is 0
+  symbol,    ///< the member `symbol`
   negative,  ///< -x; as a term of a sum it is subtracted
   either,    ///< +-x
   sum,       ///< x + y
@@ -39,10 +40,10 @@ enum class FormulaKind : std::uint8_t {
   call,      ///< function(x, y)
   bars,      ///< |x|
   group,     ///< (x) of a sum or product x: brackets that the author typed
-  relation,  ///< x = y; text is the sign
+  relation,  ///< x = y; `text` is the relation sign
   list,      ///< x, y
   tuple,     ///< (x, y)
-  prose,     ///< text: words
+  prose,     ///< the words in `text`
   row,       ///< formulas and prose, separated by blanks
 };
 
@@ -71,14 +72,15 @@ using Formulas = std::vector<Formula>;
 [[nodiscard]] Formula name_formula(std::string name);
 /// A symbol with its name. `is_long`: it needs brackets in powers, for example V'(r).
 [[nodiscard]] Formula symbol_formula(std::string name, Glyphs glyphs, bool is_long = false);
-/// A formula in LaTeX, as in tables. Its text is an ASCII drawing on one line.
+/// Parses a formula in LaTeX, as the tables of elgen contain it. text_of() prints it in ASCII on
+/// one line.
 [[nodiscard]] Formula latex_formula(std::string_view latex);
 
 [[nodiscard]] Formula pi_formula();
 
 [[nodiscard]] Formula negative(Formula x);
-/// Parts of kind `negative` are subtracted, and so are negative numbers after the first term. A
-/// single term is returned unchanged.
+/// The sum of the terms. Terms of kind `negative`, and negative numbers after the first term, are
+/// printed as subtractions. A single term is returned unchanged.
 [[nodiscard]] Formula sum_of(Formulas terms);
 [[nodiscard]] Formula with_term(Formula sum, Formula term);
 [[nodiscard]] Formula product_of(Formulas factors);

@@ -21,7 +21,7 @@ enum class FunctionUse : std::uint8_t { anywhere, forces };
 
 enum class Parity : std::uint8_t { none, even, odd };
 
-/// src/base/functions.cpp explains this enumeration and the others.
+/// src/base/functions.cpp explains these enumerations and the columns of FunctionRow.
 enum class Smoothness : std::uint8_t { everywhere, positive, poles, real, half_plane, branches };
 
 enum class FunctionDomain : std::uint8_t { all, up_to_one, above_zero, above_minus_one };
@@ -40,8 +40,8 @@ struct FunctionRow {
   Smoothness smoothness;
   FunctionDomain domain;
   FunctionUnits units;
-  std::uint32_t roundings;    ///< error of a value, in u
-  std::string_view own_name;  ///< "sign_of": its name in emitted code that defines it
+  std::uint32_t roundings;    ///< error bound of the library's value, in u
+  std::string_view own_name;  ///< "sign_of": its name if emitted code defines it; "" if never
   std::string_view latex;     ///< "\\sin"
   int exact_at;
   int exact_value;
@@ -62,7 +62,7 @@ struct FunctionRow {
   return function_row(id).use == FunctionUse::forces;
 }
 
-/// True for sin and cos: they and all derivatives are bounded, and they are computed as a pair.
+/// True for sin and cos, which are bounded with all derivatives and are computed as a pair.
 [[nodiscard]] constexpr bool is_circular(FunctionId id) {
   return id == FunctionId::sin || id == FunctionId::cos;
 }
@@ -78,7 +78,7 @@ struct FunctionRow {
   return id == FunctionId::stumpff && has_negative_order ? FunctionId::cosh : id;
 }
 
-/// The special name of stumpff(x, k); "" if k has none.
+/// The special name of stumpff(x, k); "" if it has no special name.
 [[nodiscard]] inline std::string_view stumpff_name(const cln::cl_RA& k) {
   return k == 1 ? "sinc" : k == 2 ? "cosc" : "";
 }

@@ -1,4 +1,4 @@
-// Inertia tensors: whether a rigid body can have them.
+// Inertia tensors: the test whether a rigid body can have a tensor.
 #pragma once
 
 #include <cln/real.h>
@@ -10,10 +10,13 @@ namespace elgen {
 /// xx yy zz xy xz yz, about the centre of mass
 using InertiaTensor = std::array<cln::cl_R, 6>;
 
-/// True if a rigid body has this inertia I: its second moments S = 1/2 tr(I) 1 - I = integral of x
-/// x^T dm are positive semidefinite. Each principal inertia is then non-negative and at most the
-/// sum of the other two. The diagonal of S is first raised by 1/1000 of the trace, because inertias
-/// rounded to three digits may violate the condition for thin plates.
+/// True if a rigid body can have this inertia I, that is, if its second moments
+///
+///     S = 1/2 tr(I) 1 - I = integral of x x^T dm
+///
+/// are positive semidefinite. Each principal inertia is then non-negative and at most the sum of
+/// the other two. The diagonal of S is first raised by 1/1000 of the trace, because the inertia of
+/// a thin plate, rounded to three digits, may violate the condition.
 [[nodiscard]] bool is_physical_inertia(const InertiaTensor& inertia);
 
 }  // namespace elgen

@@ -1,9 +1,10 @@
 // Inspection: mechanical plausibility of a Model, by sampling the oracle at exact random points.
 //
-// Finds faults that the text does not show. Examples: a mass matrix that is singular everywhere,
-// with its null vector; a planar spin that is no rate of an angle; charts with det M = 0; a
-// potential that pushes a mass up; inertias that no body has; unused names. Also lists the outputs
-// that the built-in scene `full` omits.
+// Finds faults of a model that the parser and the checks of names and units cannot find. Examples:
+// a mass matrix that is singular everywhere, with its null vector; a planar spin that is not the
+// rate of an angle; configurations with det M = 0; a potential that pushes a mass upwards; an
+// inertia that no body has; unused names. Also lists the outputs that the built-in scene `full`
+// omits.
 #pragma once
 
 #include <cstdint>
@@ -20,26 +21,28 @@ namespace elgen {
 /// Errors, warnings and notes of E501 to E522, E613, E614 and E619. The model is not changed.
 [[nodiscard]] Diagnostics inspect(const Model& model, const Scene& scene);
 
-/// The exact states of rest at which inspect() checks an [[equilibrium]]. Up to four parameter sets
-/// that meet its condition are tried, first the values of the model. Empty if no drawn set meets
-/// the condition, or if bias and B have no value there.
+/// The exact states of rest at which inspect() checks an [[equilibrium]]: at up to four parameter
+/// sets that meet its condition, the first with the values of the model. Empty if no drawn set
+/// meets the condition, or if bias or B has no value at the states.
 [[nodiscard]] std::vector<State> sample_equilibrium(const CheckedModel& checked,
                                                     const Equilibrium& equilibrium);
 
-/// Computes the momenta of `[routh]`: the declared value, or the value at the start. E635: L
+/// Sets the momenta of `[routh]`: the declared value, or the value at the start. E635: L
 /// depends on the coordinate at one of 8 sampled states, the momenta do not determine the rates, or
 /// a momentum has no value. Cost: a few evaluations of L for each momentum.
 [[nodiscard]] Diagnostics find_momenta(CheckedModel& checked);
 
-/// True if `[routh]` can eliminate the coordinate (see E635): L does not depend on it, and no
-/// input, force or D acts on it or contains it. Cost: as find_momenta().
+/// True if `[routh]` can eliminate the coordinate (see E635): L does not depend on it, no force of
+/// an input, of an entry [[force]] or of D acts on it, and no such force contains it. Cost: as
+/// find_momenta().
 [[nodiscard]] bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate);
 
-/// "`sin(c)/c` is 0/0 there; …", a hint that names `sinc` and `cosc`; "" if no quotient of sines or
-/// cosines is 0/0 at the state. Cost: the oracle for each quotient.
+/// A hint that recommends `sinc` and `cosc`: "`sin(c)/c` is 0/0 there; …". Empty if no quotient of
+/// sines or cosines is 0/0 at the state. Cost: the oracle for each quotient.
 [[nodiscard]] std::string quotient_hint(const Model& model, const State& state);
 
-/// The residuals of an assembly: "0.5 m of `loop_x`, 0.1 m of `loop_y"; f, or r if has_pose.
+/// The residuals after an assembly: f if no pose was found, else r (see Constraint). "0.5 m of
+/// `loop_x`, 0.1 m of `loop_y`".
 [[nodiscard]] std::string residual_text(const Model& model, const Assembly& at);
 
 }  // namespace elgen

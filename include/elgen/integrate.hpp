@@ -1,5 +1,5 @@
-// integrate: the output `step`, one step of a method, as straight-line code. Each call of an output
-// is a copy of its chosen form.
+// integrate: the output `step`, one step of an integration method, as straight-line code. The
+// instructions of each output that it calls are copied, in the chosen form of the output.
 //
 //     x' = f(x, u, t), x = (q, v)     ->     x(t + h), u held
 //
@@ -9,11 +9,11 @@
 //     midpoint  M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2), iterated from w = v,
 //               q += h w,   p += h dp/dt;   p = dL/dv = M v + b,   dp/dt = dL/dq + F
 //
-// With `projected`, a call of that output at t + h follows: one Newton step back to the
-// constraints. Quaternions are normalised whenever they change, so f is evaluated only at
-// rotations. This keeps the order of the method, since f is tangent to the unit sphere. Hairer,
-// Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., sec. II.1; Hairer, Lubich,
-// Wanner, Geometric Numerical Integration, 2nd ed., sec. I.1.4 and VIII.6.
+// If the step projects (StepSpec), it ends with the output `projected` at t + h: one Newton step
+// back to the constraints. Quaternions are normalised whenever they change, so f is evaluated only
+// at unit quaternions. Normalising keeps the order of the method, because f is tangent to the unit
+// sphere. Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., sec. II.1;
+// Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. I.1.4 and VIII.6.
 #pragma once
 
 #include <string>
@@ -25,19 +25,19 @@
 
 namespace elgen {
 
-/// The outputs that a step calls, and the outputs that decide whether the method applies (M, p and
-/// bias if the system must be separable). midpoint calls fields of one `dynamics`, which shares
-/// their common subexpressions.
+/// The outputs that a step calls, and the outputs from which elgen decides whether the method
+/// applies (M, p and bias if the system must be separable). midpoint calls the fields of
+/// `dynamics`, because they share common subexpressions.
 [[nodiscard]] std::vector<OutputRequest> outputs_for_step(const Model& model,
                                                           const OutputRequest& step);
 
-/// The reason why kick, drift, kick is not symplectic or not explicit; "" if it is both. The model
-/// has no rotations (E622 of the scene). `program` must contain mass_matrix, momentum and bias.
-/// Which leaves their instructions load decides.
+/// The reason why verlet is not symplectic or not explicit for this system; "" if it is both. The
+/// decision depends on the leaves that the instructions of mass_matrix, momentum and bias load;
+/// `program` must contain these outputs. The model must not have rotations (E622).
 [[nodiscard]] std::string nonseparable_reason(const CheckedModel& checked, const Program& program);
 
-/// Appends the function of the request to `program`. `calls` has the outputs of outputs_for_step()
-/// in chosen forms. E622: the method does not apply to the system.
+/// Appends the function of the request `step` to `program`. `calls` contains the outputs of
+/// outputs_for_step() in chosen forms. E622: the method does not apply to the system.
 [[nodiscard]] Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step,
                                    const Program& calls, Program& program);
 

@@ -1,8 +1,8 @@
 // Lagrangian: T, V, D and Q over a list of definitions; it owns all symbols.
 //
 // A definition is a *small* GiNaC expression over leaves (q, v, a, u, t, parameters) and earlier
-// definitions. Definitions are never substituted into one big expression. The chain rule
-// differentiates the list, so derivatives cost a constant factor of the energy.
+// definitions. Definitions are never substituted into one big expression. The chain rule is applied
+// to the list, so that derivatives cost a constant multiple of the energy.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -40,11 +40,12 @@ struct Symbols : LeafValues<GiNaC::ex> {
 struct Definition {
   GiNaC::ex symbol;
   GiNaC::ex value;
-  std::string name;                 ///< C++ identifier for readers ("bob_x"), or empty
+  std::string name;                 ///< a readable C++ identifier ("bob_x"), or empty
   Entity origin;                    ///< the entry of the model that contains the expression
   std::vector<std::uint32_t> uses;  ///< indices of the definitions in `value`, ascending
-  LeafSet depends = {};             ///< on leaves, directly or through `uses`
-  /// dvalue/dleaf by leaf, if `value` is an opaque leaf such as V; else empty.
+  LeafSet depends = {};             ///< kinds of leaves in `value`, directly or through `uses`
+  /// If `value` is an opaque leaf, such as V: its derivatives by leaves, as (leaf, derivative).
+  /// Otherwise empty.
   std::vector<std::pair<GiNaC::ex, GiNaC::ex>> slopes = {};
 };
 
@@ -60,7 +61,7 @@ using ExpressionMap = std::unordered_map<GiNaC::ex, Value, ExpressionHash, Expre
 /// The position of a symbol in elgen's order: leaves as declared, then definitions.
 struct SymbolPlace {
   bool is_definition = false;
-  std::uint32_t index = 0;  ///< of the definition, or rank of the leaf
+  std::uint32_t index = 0;  ///< index of the definition, or rank of the leaf
   LeafSet depends = {};     ///< Definition::depends, or the kind of the leaf
 };
 
@@ -72,18 +73,19 @@ struct ValueMeaning {
   std::string axis = {};
 };
 
-/// Names of definitions by their meaning when an output first used them: "moment_link5_y", then
+/// Names of definitions, from the meaning at their first use in an output: "moment_link5_y", and
 /// "moment_link5_y_2", … for further definitions with the same meaning.
 struct ValueNames {
   ExpressionMap<std::string> names = {};   ///< by symbol
-  std::map<std::string, int> counts = {};  ///< definitions with the same words
+  std::map<std::string, int> counts = {};  ///< number of definitions for each name without suffix
 };
 
 /// An ordered list of definitions, each over earlier definitions only. Append with define().
 struct Definitions {
   std::vector<Definition> list = {};
-  ExpressionMap<SymbolPlace> places = {};      ///< of leaves and definitions
-  ExpressionMap<GiNaC::ex> known_values = {};  ///< value -> symbol: each value is defined once
+  ExpressionMap<SymbolPlace> places = {};  ///< of leaves and definitions
+  ExpressionMap<GiNaC::ex> known_values =
+      {};  ///< value -> symbol, so that no value is defined twice
   ValueMeaning meaning = {};
   ValueNames value_names = {};  ///< for the output that is being derived
 };
@@ -101,16 +103,16 @@ GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label =
 /// Registers a leaf.
 void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind);
 
-/// The leaves that `value` depends on.
+/// The kinds of leaves that `value` depends on, directly or through definitions.
 [[nodiscard]] LeafSet dependence(const Definitions& definitions, const GiNaC::ex& value);
 
 /// The symbols of `value`, each once, in elgen's order.
 [[nodiscard]] std::vector<GiNaC::ex> symbols_of(const Definitions& definitions,
                                                 const GiNaC::ex& value);
 
-/// A GiNaC expression as text. Terms, factors and signs are sorted, so that all runs print the same
-/// although GiNaC orders by address. Leaves print by name, definitions as d0, d1, … in the order of
-/// the list.
+/// A GiNaC expression as text. Terms, factors and signs are sorted, because GiNaC orders by
+/// address, which differs between runs. Leaves are printed by name, definitions as d0, d1, … in the
+/// order of the list.
 [[nodiscard]] std::string expression_text(const Definitions& definitions, const GiNaC::ex& value);
 
 /// One line per definition: `d3 = l*sin(theta)    ; bob_x`.
@@ -123,15 +125,15 @@ struct PointMass {
   Entity origin;
 };
 
-/// The moments of inertia of a body outside frames, about the axes of its angular velocity w: adds
-/// 1/2 w.I w to T.
+/// The rotational part of a body outside frames: adds 1/2 w.I w to T. The inertia I is in the axes
+/// of the angular velocity w.
 struct RotatingBody {
   std::vector<GiNaC::ex> spin;     ///< w, or w_z
   std::vector<GiNaC::ex> inertia;  ///< xx yy zz xy xz yz, or zz
   Entity origin;
 };
 
-/// A force F at p, both in world axes: generalised force (dp/dq)^T F.
+/// A force F at the position p, both in world axes. Its generalised force is (dp/dq)^T F.
 struct PointForce {
   std::array<GiNaC::ex, 3> position;
   std::array<GiNaC::ex, 3> force;
@@ -145,29 +147,33 @@ struct TreeTransform {
   TransformKind kind = TransformKind::translation;
   ExVector3 vector;  ///< p in the axes of the parent, or the unit axis of the turn
   GiNaC::ex angle = 0;
-  /// Of any length; for a rotation of the model a unit quaternion.
+  /// A quaternion of any length except 0; for a rotation of the model a unit quaternion.
   std::array<GiNaC::ex, 4> quaternion;
   std::optional<std::uint32_t> rotation = {};  ///< for a rotation of the model: its first velocity
   std::string name = {};                       ///< the frame's identifier
   Entity origin = {};
 };
 
-/// A rigid body in the axes after a transform: mass, com c, and inertia (xx yy zz xy xz yz, empty
-/// for a point) about the origin or about the com. About the com T = 1/2 m v_c^2 + 1/2 w.I w. About
-/// the origin T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w with h = m c.
+/// A rigid body in the frame that results from a transform: mass m, centre of mass c, and inertia I
+/// (xx yy zz xy xz yz; empty for a point). v is the velocity of the origin of the frame, w the
+/// angular velocity, v_c the velocity of c. Its kinetic energy is
+///
+///     I about the centre of mass   T = 1/2 m v_c^2 + 1/2 w.I w
+///     I about the origin           T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w,   h = m c
 struct RigidBody {
   std::optional<std::uint32_t> transform = {};  ///< none: fixed to the world
   GiNaC::ex mass = 0;
   ExVector3 com;
   std::vector<GiNaC::ex> inertia = {};
   bool about_origin = false;
-  /// h of an inertia about the origin, if regrouping (derive/tree/regroup.cpp) changed it from m c.
+  /// h, if I is about the origin and regrouping (derive/tree/regroup.cpp) made h differ from m c.
   std::optional<ExVector3> moment = {};
   Entity origin = {};
 };
 
-/// A force through the point `at` (axes after `transform`) and a moment, acting on the frame after
-/// `transform`. Force and moment are in the axes after `axes` (none: the world).
+/// A force and a moment on the frame that results from `transform`. The force acts at the point
+/// `at`, given in this frame. Force and moment are in the axes of the frame that results from the
+/// transform `axes` (none: world axes).
 struct Wrench {
   std::optional<std::uint32_t> transform = {};
   std::optional<std::uint32_t> axes = {};
@@ -183,17 +189,18 @@ struct FrameTree {
   std::vector<Wrench> wrenches = {};
 };
 
-/// The twist of the frame after a transform: its angular velocity, and the velocity of its origin.
+/// The twist of the frame that results from a transform: its angular velocity, and the velocity of
+/// its origin.
 struct TwistOutput {
   std::optional<std::uint32_t> transform = {};  ///< none: the world, at rest
-  bool in_world = true;  ///< in world axes, else in the axes after the transform
+  bool in_world = true;  ///< true: in world axes; false: in the axes of the frame
 };
 
 struct NamedOutput {
   std::string name;
   std::vector<GiNaC::ex> values;
   std::optional<TwistOutput> twist = {};
-  bool motion = false;  ///< a and multipliers in `values` follow from the equations of motion
+  bool motion = false;  ///< true: a and multipliers in `values` solve the equations of motion
 };
 
 /// f(q, t) = 0, or phi(q, v, t) = 0 affine in v. Along the motion dr/dt = -damping r - stiffness f,
@@ -206,16 +213,17 @@ struct ConstraintEquation {
   Entity origin = {};
 };
 
-/// A held variable. A locked one follows s(t) or a unit quaternion; a cyclic one has its momentum,
-/// a parameter.
+/// A held variable. A locked variable has the value s(t), or a unit quaternion of t; a cyclic
+/// variable has a constant momentum, which is a parameter.
 struct HeldVariable : Held {
   std::vector<GiNaC::ex> values = {};
 };
 
 struct Lagrangian;
 
-/// The source of the forces that hold locked coordinates: the Lagrangian in which these still move,
-/// and their motion. Both Lagrangians share one list of definitions.
+/// The data from which the forces that hold locked coordinates are derived: the Lagrangian in which
+/// these coordinates still move, and their motion. It shares its list of definitions with the
+/// Lagrangian without them.
 struct ReactionSource {
   std::shared_ptr<const Lagrangian> whole = {};
   ExpressionMap<GiNaC::ex> values = {};        ///< q, v, a -> functions of time
@@ -228,8 +236,9 @@ struct SmallLeaf {
   GiNaC::ex value;
 };
 
-/// The expansion by specialise: energies to order + 1 jointly in all deviations, forces to `order`.
-/// Forces on coordinates that are not small are expanded to order + 1.
+/// The expansion that specialise() makes in the deviations of all small leaves. Energies are
+/// expanded to the joint order `order` + 1, forces to `order`; forces on coordinates that are not
+/// small to `order` + 1.
 struct Expansion {
   std::uint32_t order = 1;
   std::vector<SmallLeaf> small = {};
@@ -258,21 +267,22 @@ struct Lagrangian {
   Definitions definitions = {};
   std::vector<PointMass> masses = {};
   std::optional<std::array<GiNaC::ex, 3>> gravity = {};
-  EnergyTerms kinetic = {};      ///< further terms of T
-  EnergyTerms potential = {};    ///< further terms of V
+  EnergyTerms kinetic = {};      ///< terms of T that `masses` and `tree` do not contain
+  EnergyTerms potential = {};    ///< terms of V that `masses` and `tree` do not contain
   EnergyTerms dissipation = {};  ///< terms of D
   EnergyTerms lagrangian = {};  ///< terms of L instead of T and V, if the file or `[routh]` gives L
   std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
   std::vector<PointForce> point_forces = {};
-  /// Data of these terms for the regressor: J by velocity, 0 without an armature.
+  /// For the regressor: the data of terms that `kinetic` already contains. Armatures: J by
+  /// velocity, 0 without an armature.
   std::vector<RotatingBody> rotating_bodies = {};
   std::vector<GiNaC::ex> armatures = {};
   std::vector<InertialParameter> inertial = {};  ///< of the model after held variables are removed
-  FrameTree tree = {};  ///< for an expansion or R only its outputs are used
+  FrameTree tree = {};  ///< with an expansion or Routh's function, used for twist outputs only
   std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};
   std::vector<GiNaC::ex> cyclic_rates = {};  ///< rates of the eliminated cyclic coordinates
-  std::optional<ReactionSource> reaction_source = {};  ///< if a reaction is an output
+  std::optional<ReactionSource> reaction_source = {};  ///< for the output `reaction`; none without
   std::optional<Expansion> expansion = {};
   bool quadratic = true;
   bool eliminates_last_first = false;  ///< elimination order of M, see model/elimination.hpp
@@ -285,23 +295,23 @@ struct WholeLagrangian : Lagrangian {
   std::vector<HeldVariable> cyclic = {};
 };
 
-/// Names a definition that has no name yet.
+/// Sets the name of the definition of `symbol`, unless it has a name.
 void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
 /// Builds the Lagrangian of a checked model. E502: dot() of something that contains rates.
 [[nodiscard]] Result<WholeLagrangian> formulate(const Model& model);
 
-/// A value of an open function in GiNaC. Arguments: the number of its undifferentiated value among
-/// the leaves; the number of its arguments; the digits of the derivative (0, 1, 12); four
-/// arguments, 0 for missing ones. Differentiation inserts a digit, in ascending order.
+/// A value of an open function f or of its derivative, as a GiNaC function. Operands: the leaf
+/// number of f; the number of arguments of f; the derivative as digits in ascending order (0: f,
+/// 1: df/dx_1, 12: d2f/dx_1 dx_2); the arguments of f, padded with 0 to four.
 // NOLINTNEXTLINE(readability-function-size): GiNaC takes every operand by itself.
 DECLARE_FUNCTION_7P(elgen_open)
 
 /// The number of the leaf that an elgen_open represents; none beyond second derivatives.
 [[nodiscard]] std::optional<std::uint32_t> open_leaf(const GiNaC::ex& value);
 
-/// elgen_log1p, …: the functions that GiNaC lacks (its abs is complex), with the derivatives of the
-/// table. Functions with kinks have no derivatives.
+/// elgen_log1p, …: the functions that GiNaC lacks (its abs is complex), with their derivatives from
+/// function_derivatives.def. Functions with kinks have no derivatives.
 #define ELGEN_FUNCTION(name, arity)
 #define ELGEN_STANDARD_FUNCTION(name, arity) DECLARE_FUNCTION_##arity##P(elgen_##name)
 #define ELGEN_OWN_FUNCTION(name, arity) DECLARE_FUNCTION_##arity##P(elgen_##name)

@@ -11,7 +11,8 @@
 
 namespace elgen {
 
-/// Per leaf: f(kind, entry) with its entry of the model, or single(kind) for t, h and E.
+/// For each leaf the result of f(kind, entry), with the entry of the model that owns it; for t, h
+/// and E the result of single(kind).
 template <class T, class F, class Single>
 [[nodiscard]] LeafValues<T> leaves_of(const Model& model, const F& f, const Single& single) {
   LeafValues<T> leaves;
@@ -24,9 +25,9 @@ template <class T, class F, class Single>
   return leaves;
 }
 
-/// "m", "l[2]", "theta", "q[1]"; velocities and accelerations have the name inside dot(). Momenta
-/// have the names of their velocities. Momenta, references and h are named only in programs with
-/// functions that take them; E has no name.
+/// The names of leaves: "m", "l[2]", "theta", "q[1]". Velocities and accelerations have the name
+/// inside dot(), momenta the names of their velocities. Momenta, reference velocities and h have
+/// names only in programs with functions that take them; E has no name.
 struct LeafNames : LeafValues<std::string> {
   bool uses_time = false;
   std::vector<Assumption> assumptions = {};  ///< of the parameters; empty: no assumptions
@@ -36,8 +37,8 @@ struct LeafNames : LeafValues<std::string> {
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
 
-/// Names the leaves of the kinds in `takes` with Passed::if_used: a list like the velocities, a
-/// single leaf by its symbol.
+/// Names the leaves of those kinds in `takes` that have Passed::if_used. The leaves of a list get
+/// the names of the velocities; a single leaf gets its symbol.
 void name_optional_leaves(LeafSet takes, LeafNames& leaves);
 
 /// True if a coordinate, parameter, input, function, prescribed motion or definition has the name.
@@ -57,15 +58,15 @@ void name_optional_leaves(LeafSet takes, LeafNames& leaves);
 /// The number of leaves of a kind.
 [[nodiscard]] std::size_t leaf_count(const Model& model, Opcode kind);
 
-/// The declared unit of the entry of a leaf; none if it has none.
+/// The unit that the entry of a leaf declares; none if it declares no unit.
 [[nodiscard]] std::optional<Unit> declared_unit(const Model& model, Opcode kind,
                                                 std::uint32_t number);
 
-/// The declared range of a leaf; none if it has none.
+/// The declared range of a leaf; none if no range is declared.
 [[nodiscard]] std::optional<Interval> declared_range(const Model& model, Opcode kind,
                                                      std::uint32_t number);
 
-/// draw() for every leaf with a name, in order, including t.
+/// The result of draw() for every leaf that has a name, in order; 0 for other leaves.
 template <class Draw>
 [[nodiscard]] auto draw_leaves(const LeafNames& leaves, const Draw& draw) {
   return map_leaves(

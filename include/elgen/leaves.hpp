@@ -8,7 +8,7 @@
 
 namespace elgen {
 
-/// T for a single leaf kind, List for a repeated one.
+/// One member for each kind of leaf: a List, or a One if a system has exactly one leaf of the kind.
 template <class List, class One>
 struct PerLeaf {
 #define ELGEN_LEAVES(kind, member, ...) List member = {};
@@ -22,8 +22,8 @@ struct PerLeaf {
 template <class T>
 using LeafValues = PerLeaf<std::vector<T>, T>;
 
-/// f(leaf, ...) of every leaf of one or more lists with equal sizes. The order is fixed, so that an
-/// f that draws random numbers gives the same result on every machine.
+/// The result of f(leaf, ...) for every leaf of one or more LeafValues of equal sizes. f is called
+/// in a fixed order, so that random draws in f are the same on every machine.
 template <class F, class First, class... Others>
 [[nodiscard]] auto map_leaves(const F& f, const LeafValues<First>& first,
                               const LeafValues<Others>&... others) {
@@ -40,7 +40,7 @@ template <class F, class First, class... Others>
   return result;
 }
 
-/// Calls f(kind, number, leaf, ...) for every leaf of one or more lists with equal sizes.
+/// Calls f(kind, number, leaf, ...) for every leaf of one or more LeafValues of equal sizes.
 template <class F, class First, class... Others>
 void for_each_leaf(const F& f, First&& first, Others&&... others) {
 #define ELGEN_LEAVES(kind, member, ...)                       \
@@ -54,7 +54,7 @@ void for_each_leaf(const F& f, First&& first, Others&&... others) {
 #undef ELGEN_LEAF
 }
 
-/// Calls f(row, list) for every repeated kind.
+/// Calls f(row, list) for every kind that has a list of leaves.
 template <class F, class Leaves>
 void for_each_list(const F& f, Leaves&& leaves) {
 #define ELGEN_LEAVES(kind, member, ...) f(leaf_row(Opcode::kind), leaves.member);
@@ -64,7 +64,7 @@ void for_each_list(const F& f, Leaves&& leaves) {
 #undef ELGEN_LEAF
 }
 
-/// The list of a repeated kind; null for a single one.
+/// The list of leaves of a kind; null if the kind has a single leaf.
 template <class List, class One>
 [[nodiscard]] const List* list_of(const PerLeaf<List, One>& leaves, Opcode kind) {
   switch (leaf_kind(kind)) {
@@ -105,9 +105,9 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
-/// True if emitted functions may take the kind. A list of the kinds if_any and if_used is passed
-/// if it is not empty. h, the only single leaf among these, is always passed; check its name
-/// instead.
+/// True if emitted functions may take leaves of this kind (see Passed). For the kinds if_any and
+/// if_used: true if the list is not empty. True for h, which has no list; functions take h only if
+/// it has a name.
 template <class T>
 [[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
   const Passed passed = leaf_row(kind).passed;

@@ -1,5 +1,5 @@
-// Limits: upper bounds on the size of a problem. `--limit NAME=VALUE` changes one, `--limits` lists
-// all.
+// Limits: upper bounds on the size of a problem. `--limit NAME=VALUE` changes a limit; `--limits`
+// lists all limits.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace elgen {
 
-/// Interval operations that a search may do per second of the time limit. This is a quarter of the
-/// measured rate (4e8 took 15 s), for slower machines and other stages.
+/// Interval operations that a search may do per second of the time limit. It is a quarter of the
+/// measured rate (4e8 in 15 s), to allow for slower machines and for other stages.
 inline constexpr std::uint64_t enclosures_per_second = 7'000'000;
 
 struct Limits {
@@ -26,9 +26,9 @@ struct Limits {
   std::uint64_t boxes = 200'000;
   std::uint64_t enclosures =
       enclosures_per_second *
-      seconds;  ///< operations; a count, so that results do not depend on the clock
+      seconds;  ///< interval operations; not a time, so that results do not depend on the machine
   std::uint64_t memory_mib = 1024;
-  std::uint64_t page_bytes = 1U << 20U;  ///< of a page with an animation
+  std::uint64_t page_bytes = 1U << 20U;  ///< size of a page with an animation
 };
 
 struct LimitRow {

@@ -1,10 +1,10 @@
 // lower: EquationsOfMotion -> Program. Only this stage decides the order of evaluation and which
 // values are shared.
 //
-// Definitions are imported into a hash-consed graph of n-ary sums and products. elgen's own keys
-// order it (declaration order of the leaves, then structure), and common signs are factored out.
-// The result is therefore independent of GiNaC's order by address. Common sub-sums and sub-products
-// are shared over all outputs of a function.
+// Definitions are imported into a hash-consed graph of n-ary sums and products. Terms and factors
+// are sorted (by declaration order of the leaves, then by structure), and common signs are factored
+// out. The result is therefore independent of GiNaC's order by address. Common sub-sums and
+// sub-products are shared by all fields of a function.
 #pragma once
 
 #include <vector>
@@ -17,9 +17,9 @@ namespace elgen {
 
 struct EquationsOfMotion;
 
-/// One Function per requested output except `step`, or the function of its parts
-/// (elgen/compose.hpp). A requested `dynamics` has one field per output that takes neither a nor u.
-/// E908: more than limits.derived_nodes nodes.
+/// One Function per requested output except `step`; for composed outputs their function of parts
+/// (elgen/compose.hpp). A requested `dynamics` has one field per requested output that takes
+/// neither a nor u. E908: more than limits.derived_nodes nodes.
 [[nodiscard]] Result<Program> lower(const EquationsOfMotion& equations,
                                     const std::vector<OutputRequest>& outputs,
                                     const Limits& limits);

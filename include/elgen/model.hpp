@@ -40,17 +40,18 @@ struct Interval {
 struct Coordinate {
   std::string name;
   std::string identifier;
-  std::optional<Unit> unit = {};  ///< none: not checked
+  std::optional<Unit> unit = {};  ///< none: units are not checked
   std::string unit_text = {};     ///< as in the file
   std::optional<Interval> range = {};
   cln::cl_R start_value = 0;
   bool wrap = false;  ///< an angle that may make full turns; it is compared modulo 2 pi
-  /// Index of its rate in Model::velocities; for a rotation the first one.
+  /// Index of its rate in Model::velocities; for a component of a rotation, of the first velocity
+  /// of the rotation.
   std::uint32_t velocity = 0;
   /// For a component of a rotation: index in Model::rotations.
   std::optional<std::uint32_t> rotation = {};
   std::optional<ExpressionId> armature = {};  ///< adds 1/2 J v^2 to T
-  std::optional<ExpressionId> singular = {};  ///< the chart is singular if this is 0
+  std::optional<ExpressionId> singular = {};  ///< M may lose rank if this expression is 0
   std::string latex = {};
   std::string doc = {};
   Span span = {};
@@ -61,10 +62,10 @@ struct Coordinate {
 struct Velocity {
   std::string name;
   std::string identifier;
-  std::uint32_t coordinate = 0;  ///< the coordinate whose rate it is; the first of a rotation
+  std::uint32_t coordinate = 0;  ///< q_i if v_i = dq_i/dt; for a rotation its first coordinate
   /// For an angular velocity: index in Model::rotations.
   std::optional<std::uint32_t> rotation = {};
-  std::optional<Unit> unit = {};  ///< of the velocity; none: not checked
+  std::optional<Unit> unit = {};  ///< unit of the velocity; none: units are not checked
   std::optional<Interval> rate_range = {};
   cln::cl_R start_rate = 0;
   Span span = {};
@@ -122,12 +123,13 @@ struct NamedExpression {
 using Vector3 = std::array<ExpressionId, 3>;
 
 enum class TransformKind : std::uint8_t {
-  translation,  ///< by `vector`, in the axes after the previous transform
+  translation,  ///< by `vector`
   turn,         ///< by `angle` about the unit axis `vector`
-  quaternion,   ///< by `quaternion`, of any length except 0
+  quaternion,   ///< rotation by `quaternion`, of any length except 0
 };
 
-/// One elementary transform. Each transform of a frame is in the axes after the previous one.
+/// One elementary transform of a frame, expressed in the axes that result from the previous
+/// transform.
 struct ElementaryTransform {
   TransformKind kind = TransformKind::translation;
   Vector3 vector{};
@@ -137,8 +139,8 @@ struct ElementaryTransform {
   std::optional<std::uint32_t> rotation = {};
 };
 
-/// A coordinate system with x_world = rotation x_frame + origin. Rotation and origin are
-/// expressions over the parent frame, so each has few nodes.
+/// A coordinate system with x_world = rotation x_frame + origin. Rotation and origin refer to the
+/// rotation and origin of the parent frame by name, so that each expression is small.
 struct Frame {
   std::string name;
   std::string identifier;
@@ -147,7 +149,7 @@ struct Frame {
   std::array<ExpressionId, 9> rotation{};            ///< R, row-major
   Vector3 origin{};                                  ///< in the world
   Vector3 spin{};              ///< angular velocity in frame axes: [spin]x = R^T dR/dt
-  Vector3 turning{};           ///< the same vector, computed from the parent and the transforms
+  Vector3 turning{};           ///< the vector `spin`, computed from the parent and the transforms
   Vector3 angular_velocity{};  ///< in world axes: R turning
   std::string doc = {};
   Span span = {};
@@ -159,8 +161,8 @@ struct PlaceInFrame {
   Vector3 at{};
 };
 
-/// The other end of a line that a page draws: a point, the origin of a frame, or (neither) of the
-/// world.
+/// The other end of a line that a page draws: a point, or the origin of a frame; if neither is set,
+/// the origin of the world.
 struct JoinedPlace {
   std::optional<std::uint32_t> point = {};
   std::optional<std::uint32_t> frame = {};
@@ -181,16 +183,17 @@ struct Point {
   Span span = {};
 };
 
-/// A body as declared in a frame. `about_origin`: the inertia is about the frame's origin.
+/// A body as declared in a frame. `about_origin`: the inertia is about the origin of the frame, not
+/// about the centre of mass.
 struct BodyInFrame {
   PlaceInFrame com = {};
   std::vector<ExpressionId> inertia = {};
   bool about_origin = false;
 };
 
-/// A body in world coordinates: centre of mass, angular velocity `spin` in the axes of the inertia,
-/// and inertia about the com. T = 1/2 m v_com^2 + 1/2 spin.I spin. Only a body without mass may
-/// lack a com. For a body in a frame, com, spin and inertia are computed from the frame.
+/// A body: its centre of mass in world coordinates, its inertia I about the centre of mass, and its
+/// angular velocity `spin` in the axes of I. T = 1/2 m v_com^2 + 1/2 spin.I spin. A body without
+/// mass may have no com. For a body in a frame, com, spin and inertia are computed from the frame.
 struct Body {
   std::string name;
   std::string identifier;
@@ -207,7 +210,7 @@ struct Body {
 struct Input {
   std::string name;
   std::string identifier;
-  std::optional<std::uint32_t> on = {};  ///< velocity on which it acts as a generalised force
+  std::optional<std::uint32_t> on = {};  ///< the velocity, if it is a generalised force
   bool is_external = false;  ///< a component of an external force or torque, not a motor
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
@@ -216,29 +219,29 @@ struct Input {
   Span span = {};
 };
 
-/// A generalised force on a velocity, a force in N at a point, or a torque in N m on a frame. The
-/// opposite force acts at the point `from`, the opposite torque on `from_frame`. Forces are affine
-/// in the inputs.
+/// A generalised force on the velocity `on`, a force in N at the point `at`, or a torque in N m on
+/// a frame. If `from` (or `from_frame`) is set, the opposite force (or torque) acts on that point
+/// (or frame). Forces are affine in the inputs.
 struct Force {
   std::string name;
-  /// One number for a generalised force. Otherwise three components (padded with 0): of a force in
-  /// world axes, of a torque in the axes of its frame.
+  /// One number for a generalised force. Otherwise three components, padded with 0: a force in
+  /// world axes, or a torque in the axes of its frame.
   std::vector<ExpressionId> value = {};
-  std::optional<std::uint32_t> on = {};  ///< velocity on which it acts
+  std::optional<std::uint32_t> on = {};  ///< the velocity on which a generalised force acts
   std::optional<std::uint32_t> at = {};
   std::optional<std::uint32_t> from = {};
   std::optional<std::uint32_t> frame = {};
   std::optional<std::uint32_t> from_frame = {};
-  std::vector<ExpressionId> reaction = {};  ///< components of the torque in the axes of from_frame
+  std::vector<ExpressionId> reaction = {};  ///< the torque `value` in the axes of from_frame
   /// The components as declared, and their frame (none: the world).
   std::vector<ExpressionId> written = {};
   std::optional<std::uint32_t> axes = {};
   Span span = {};
 };
 
-/// An [[output]]: its value y, and with `jacobian` also dy/dq and the bias of its second rate. The
-/// value of a frame is its pose [R p], 3 x 4. Its Jacobian is d twist/dv with twist = (angular
-/// velocity, velocity of the origin), its bias d twist/dt at a = 0.
+/// An [[output]]: its value y; with `jacobian` also J = dy/dq and the bias, d2y/dt2 at a = 0. The
+/// value of a frame is its pose [R p], 3 x 4. The Jacobian of a frame is d twist/dv with twist =
+/// (angular velocity, velocity of the origin); its bias is d twist/dt at a = 0.
 struct UserOutput {
   std::string name;
   std::vector<ExpressionId> values = {};  ///< row-major
@@ -246,9 +249,10 @@ struct UserOutput {
   bool in_world = true;                  ///< the twist is in world axes; false: in frame axes
   std::vector<ExpressionId> twist = {};  ///< six entries, linear in v
   bool jacobian = false;
-  bool motion = false;    ///< a and multipliers in `values` follow from the equations of motion
-  bool is_wanted = true;  ///< the scene wants it: locks then keep the inputs that it contains
-  LeafSet takes = {};     ///< rates, accelerations, inputs and t in the values
+  bool motion = false;    ///< true: a and multipliers solve the equations of motion; false: a is an
+                          ///< argument
+  bool is_wanted = true;  ///< the scene requests it: locks then keep the inputs that it contains
+  LeafSet takes = {};     ///< kinds of leaves in the values, of v, a, u and t
   std::string doc = {};
   Span span = {};
 };
@@ -268,15 +272,16 @@ struct Condition {
   std::string text = {};  ///< as in the file: "R*Omega^2 > g"
 };
 
-/// A point of rest for all parameters that meet `condition`. Its values contain only parameters.
+/// A stated point of rest, for all parameters that meet `condition`. The coordinates and inputs are
+/// expressions of parameters.
 struct StatedPoint {
   std::vector<std::optional<ExpressionId>> coordinates = {};  ///< none: any value
   std::vector<std::optional<ExpressionId>> inputs = {};       ///< none: 0
   std::optional<Condition> condition = {};                    ///< none: all parameter values
 };
 
-/// An [[equilibrium]]: its point, and w^2 of the small motions about it: det(x M - K)/det M is the
-/// product of x - w^2.
+/// An [[equilibrium]]: its point, and the squares w_i^2 of the frequencies of small motions about
+/// it, with det(x M - K)/det M = product of (x - w_i^2).
 struct Equilibrium : StatedPoint {
   std::string name = {};
   std::vector<ExpressionId> frequencies_squared = {};  ///< one per velocity, or empty
@@ -284,28 +289,30 @@ struct Equilibrium : StatedPoint {
   Span span = {};
 };
 
-/// The expansion point of a scene and the small coordinates. Their deviations, rates and
-/// accelerations count jointly, with the deviations of inputs if all coordinates are small.
-/// Energies become polynomials of degree order + 1 in them, forces of degree `order`.
+/// `[approximate]` of a scene: the expansion point and the small coordinates. The expansion
+/// variables are the deviations, rates and accelerations of the small coordinates, and with
+/// small_inputs the deviations of the inputs. Energies become polynomials of joint degree order + 1
+/// in these variables, forces of degree `order`.
 struct Approximation : StatedPoint {
   std::uint32_t order = 1;
   std::vector<bool> small = {};  ///< by coordinate
   bool small_inputs = false;     ///< every coordinate that is not locked is small
-  Span span = {};                ///< of `about`
+  Span span = {};                ///< of the key `about`
 };
 
 inline constexpr std::uint32_t max_expansion_order = 5;
 
 struct Model {
   SourcePointer source = {};
-  std::string canonical = {};  ///< canonical text of the file, which stamps hash
+  std::string canonical = {};  ///< canonical text of the file; stamps contain its hash
   std::string name;
   Span name_span = {};
   std::string title = {};
   std::string description = {};
   std::string reference = {};
   std::vector<Expression> expressions = {};
-  /// Expressions that check rewrote, as typed, for pages: sin(q)/q for stumpff(q, 1).
+  /// For pages, the typed form of each expression that the stage check rewrote: sin(q)/q if
+  /// `expressions` contains stumpff(q, 1).
   std::map<ExpressionId, Expression> typed = {};
   std::vector<Coordinate> coordinates = {};  ///< q
   std::vector<Velocity> velocities = {};     ///< v
@@ -313,7 +320,7 @@ struct Model {
   std::vector<Parameter> parameters = {};
   std::vector<ParameterArray> parameter_arrays = {};
   std::vector<OpenFunction> functions = {};
-  /// All values of each function, in the order of the argument `f`
+  /// The values of all open functions, in the order of the argument `f` of emitted code.
   std::vector<OpenValue> open_values = {};
   std::vector<NamedExpression> prescribed = {};
   std::vector<NamedExpression> definitions = {};  ///< in file order; acyclic
@@ -328,24 +335,24 @@ struct Model {
   std::vector<UserOutput> outputs = {};
   std::vector<Equilibrium> equilibria = {};
   std::vector<Expectation> expectations = {};
-  std::optional<Approximation> approximation = {};  ///< by the scene; [[output]] stays exact
+  std::optional<Approximation> approximation = {};  ///< of the scene; [[output]] stays exact
 
-  /// The held variables of the scene. Every stage works on a Model without them: functions of time
-  /// replace locked variables, and 0 replaces cyclic ones. With `[routh]` the Lagrangian is R of
-  /// the whole model.
+  /// The held variables of the scene. The other members describe a Model without them: locked
+  /// variables are replaced by functions of time, cyclic coordinates by 0. With `[routh]`, the
+  /// Lagrangian is Routh's function R of the whole model.
   Variant variant = {};
   std::vector<std::uint32_t> affine_parameters =
       {};  ///< parameters in which the forces are jointly affine
 
   bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
   bool without_pivots = false;  ///< default of forward_dynamics; a scene may override it
-  /// T occurs in an energy, a point, a force or an output, so that functions take t.
+  /// True if t occurs in an energy, a point, a force or an output, so that functions take t.
   bool uses_time = false;
-  /// False: `drift` is 0, since T has no term of degree 1 or 0 in the rates and V none of degree 1.
+  /// False if `drift` is 0: T has only terms of degree 2 in the rates, and V none of degree 1.
   bool may_drift = false;
 };
 
-/// rad is the unit 1, so only the declared text distinguishes an angle from a number.
+/// True for a coordinate in rad. The unit rad equals 1, so its declared text decides.
 [[nodiscard]] inline bool is_angle(const Coordinate& coordinate) {
   return coordinate.unit_text == "rad";
 }
@@ -357,20 +364,20 @@ std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
 /// NAME[2], NAME[3]. Returns its index.
 std::uint32_t append_rotation(Model& model, Rotation rotation);
 
-/// The model before held variables are removed.
+/// The model with the held variables; `model` itself if no variable is held.
 [[nodiscard]] inline const Model& whole_model(const Model& model) {
   return model.variant.whole ? *model.variant.whole : model;
 }
 
-/// The velocities of the whole model for which `reaction` has a row, in the order of v.
+/// The velocities of the whole model for which the output `reaction` has a row, in the order of v.
 [[nodiscard]] inline std::vector<std::uint32_t> held_velocities(const Model& model) {
   return model.variant.whole ? velocities_with_reaction(model.variant.locks)
                              : std::vector<std::uint32_t>{};
 }
 
-/// The new positions of the variables of the whole model after held ones are removed. Inputs that
-/// act only on locked variables are removed with their wrench, unless a wanted output contains
-/// them.
+/// The new positions of the variables of the whole model after the held variables are removed.
+/// Inputs that act only on locked variables are removed too, with the inputs of the same wrench
+/// that do no work, unless a requested output contains them.
 [[nodiscard]] RemainingVariables remaining_variables(const Model& whole);
 
 /// True if the Lagrangian is Routh's function R: cyclic coordinates are eliminated.

@@ -57,7 +57,7 @@ inline constexpr std::array leaf_kinds{
 };
 inline constexpr std::size_t leaf_kind_count = leaf_kinds.size();
 
-/// The kind of a leaf; no enumerator if the opcode is no leaf.
+/// The kind of a leaf. The opcode must be a leaf.
 [[nodiscard]] constexpr LeafKind leaf_kind(Opcode opcode) {
   return static_cast<LeafKind>(static_cast<int>(opcode) - static_cast<int>(Opcode::constant) - 1);
 }
@@ -71,18 +71,18 @@ inline constexpr std::size_t leaf_kind_count = leaf_kinds.size();
 enum class Passed : std::uint8_t {
   always,   ///< even an empty list
   if_any,   ///< if the system has leaves of the kind
-  if_used,  ///< if a function of the program takes the kind; only then do its leaves have names
+  if_used,  ///< if a function of the program takes the kind; otherwise its leaves have no names
   never     ///< not in emitted functions: E occurs in `conserved`, multipliers in derivations
 };
 
-/// The unit of a leaf: fixed, derived from the declared unit of its entry, or from expressions.
+/// The unit of a leaf. [v] is the declared unit of the entry that owns the leaf.
 enum class LeafUnit : std::uint8_t {
   second,
   joule,
-  of_entry,          ///< the declared unit, in brackets below
+  of_entry,          ///< [v]
   entry_per_second,  ///< [v]/s
   joule_per_entry,   ///< J/[v]
-  of_open_value,     ///< [f]/([x_i] [x_j])
+  of_open_value,     ///< [f]/([x_i] [x_j]), from the function f and its arguments x
   of_multiplier,     ///< W / unit of the rate of its constraint
 };
 
@@ -102,11 +102,11 @@ enum class FactorGroup : std::uint8_t {
 struct LeafText {
   std::string_view symbol;      ///< "q"
   std::string_view type;        ///< type of the argument: "Coordinates<Scalar>"
-  int rank;                     ///< order among the factors of a product; unique
-  std::string_view text;        ///< in models, by the name of the owner: "dot({})"
+  int rank;                     ///< position among the factors of a product; unique
+  std::string_view text;        ///< in models: "dot({})"; {} is the name of the owning entry
   std::string_view identifier;  ///< in code and dumps: "{}_dot"
-  std::string_view latex;       ///< "\\dot{s}"; s is the symbol of the owner
-  std::string_view own_latex;   ///< the same if the velocity has its own symbol, as in rotations
+  std::string_view latex;       ///< "\\dot{s}"; s is the symbol of the owning entry
+  std::string_view own_latex;   ///< as `latex`, if s is a symbol of the velocity (in rotations)
 };
 
 /// The use of a kind of leaf in products, functions and states.
@@ -114,8 +114,8 @@ struct LeafUse {
   FactorGroup group;
   LeafUnit unit;
   Passed passed;
-  bool moves;      ///< a rate or a cause of motion: 0 at rest
-  bool is_stated;  ///< `--state` sets it in addition to the start
+  bool moves;      ///< true for rates and causes of motion, which are 0 at rest
+  bool is_stated;  ///< true if `--state` can set it, although it is not part of a start
 };
 
 struct LeafRow : LeafText, LeafUse {
@@ -130,7 +130,7 @@ struct LeafRow : LeafText, LeafUse {
 /// True if a system has exactly one leaf of the kind.
 [[nodiscard]] inline bool is_single(Opcode leaf) { return leaf_row(leaf).of == LeafOwner::system; }
 
-/// True if states contain the kind: functions take it, and it is no parameter.
+/// True if a state contains the kind: functions take it, and it is not `parameter`.
 [[nodiscard]] inline bool is_in_state(Opcode leaf) {
   return leaf != Opcode::parameter && leaf_row(leaf).passed != Passed::never;
 }

@@ -3,8 +3,8 @@
 //
 //     f,  df/dx_i,  d2f/dx_i dx_j  (i <= j)      for two arguments V, V_1, V_2, V_11, V_12, V_22
 //
-// at the current arguments are leaves, which the caller of emitted code computes. The argument `f`
-// of emitted code has them in this order, function after function.
+// at the current arguments, called open values, are leaves. The caller of emitted code computes
+// them and passes them as the argument `f`, in this order, function after function.
 #pragma once
 
 #include <cstdint>
@@ -29,14 +29,14 @@ struct OpenFunction {
   Span span = {};
 };
 
-inline constexpr std::size_t most_arguments = 4;  ///< of an open function
+inline constexpr std::size_t most_arguments = 4;  ///< largest number of arguments
 
 /// A value of an open function: the function, or one of its derivatives.
 struct OpenValue {
   std::string name;  ///< "V", "V_1", "V_12"
   std::string identifier;
   std::uint32_t function = 0;  ///< in Model::functions
-  /// Arguments of the derivative, ascending; empty: the function.
+  /// Numbers of the arguments by which f is differentiated, ascending; empty: f itself.
   std::vector<std::uint32_t> by = {};
   std::optional<Unit> unit = {};  ///< none: unknown
   std::string unit_text = {};

@@ -1,7 +1,8 @@
 // The table of outputs (outputs.def): arguments, shape, units, type, availability and equation.
 //
-// Every stage reads the differences between outputs from the columns of this table. Only the
-// derivation of an output and its definition in the oracle are elsewhere, as functions of its name.
+// All differences between outputs are columns of this table, which every stage uses. Only the
+// derivation of an output and its definition in the oracle are elsewhere, as functions that have
+// its name.
 #pragma once
 
 #include <array>
@@ -41,13 +42,13 @@ enum class Extent : std::uint8_t {
   inertial,      ///< entries of pi (inertial_parameters.hpp)
   pivots,        ///< velocities, then constraints
   user,          ///< the rows of an [[output]]
-  user_columns,  ///< four for a pose, else one
-  task,          ///< rates of an [[output]]; for a frame its twist
-  accelerations  ///< velocities if an [[output]] contains their rates, else none
+  user_columns,  ///< the columns of an [[output]]: four for a pose, else one
+  task,          ///< the rates of the values of an [[output]]; for a frame its twist
+  accelerations  ///< one per velocity if an [[output]] contains accelerations, else none
 };
 
-/// The unit of an entry, by the units of its row and column, which are coordinates, velocities or
-/// inputs. Force times velocity is a power; momentum times velocity is an energy.
+/// The unit of an entry, from the units of its row and column, which are coordinates, velocities or
+/// inputs. A force times a velocity is a power; a momentum times a velocity is an energy.
 enum class UnitRule : std::uint8_t {
   none,
   number,
@@ -84,18 +85,17 @@ enum class Need : std::uint8_t {
   smooth_values,     ///< an [[output]] without kinks
 };
 
-/// The diagnosis if the matrix (other than M) that an output solves with is singular at every
-/// state. The default is unused for outputs that only solve with M. Messages:
-/// src/inspect/singular_mass.hpp.
+/// The fault to report if a matrix other than M, with which an output solves, is singular at every
+/// state. Outputs that solve only with M ignore it. src/inspect/singular_mass.hpp has the messages.
 enum class WhenSingular : std::uint8_t {
   redundant_constraint,  ///< A M^-1 A^T: a constraint follows from the others
-  redundant_inputs,      ///< B^T G B: an input acts only in directions of other inputs
-  undetermined_rest,     ///< A_d: the independent velocities do not determine the others
+  redundant_inputs,      ///< B^T G B: the force of an input depends linearly on other inputs
+  undetermined_rest,     ///< A_d: the independent velocities do not determine the other velocities
   dependent_task,        ///< J M^-1 J^T: a row of J follows from the others
 };
 
-/// A key of `NAME = { … }` in `[outputs]` that only some outputs accept; all accept `form` and
-/// `rename`.
+/// A key of `NAME = { … }` in `[outputs]` that only some outputs accept. All outputs accept `form`
+/// and `rename`.
 enum class OutputOption : std::uint8_t {
   method,
   order,
@@ -108,7 +108,7 @@ enum class OutputOption : std::uint8_t {
 struct OptionRow {
   OutputOption id;
   std::string_view key;
-  std::string_view pronoun;  ///< "`step` has one" in the message for outputs without the option
+  std::string_view pronoun;  ///< for the message to other outputs: "one" in "`step` has one"
 };
 
 inline constexpr std::array option_table{OptionRow{OutputOption::method, "method", "one"},
@@ -143,25 +143,26 @@ class SetOf {
   std::uint32_t bits_ = 0;
 };
 
-/// A symbol or equation as text and in LaTeX. In LaTeX `<q>` is a vector. `<v>` and `<a>` are
-/// velocities and accelerations, dq/dt and d^2q/dt^2 without rotations. `<N>` is the factor of
-/// dq/dt = N v unless it is 1.
+/// A symbol or equation as text and in LaTeX. In LaTeX, `<q>` is a vector. `<v>` and `<a>` are the
+/// velocities and accelerations; models without rotations show them as dq/dt and d^2q/dt^2. `<N>`
+/// is N of dq/dt = N v; it is omitted if N = 1.
 struct Notation {
   std::string_view text = {};   ///< "M"; "g = dV0/dq"
   std::string_view latex = {};  ///< may be empty
 };
 
-/// One field of an output; an output with one field has no name for it.
+/// One field of an output. If the output has only one field, the field has no name.
 struct FieldRow {
   std::string_view name = {};
   Extent rows = Extent::one;
   Extent columns = Extent::one;
   UnitRule unit = UnitRule::none;
-  /// Its C++ type: `{0}` is the number of rows, `{1}` of entries. A single number is a Scalar.
+  /// Its C++ type: `{0}` is the number of rows, `{1}` the number of entries. The type of a single
+  /// number is Scalar.
   std::string_view type = "Scalar";
-  std::string_view latex = {};  ///< symbol of a field with a name
-  /// The residual of an iteration: its terms cancel down to their rounding. Only iterative methods
-  /// have it.
+  std::string_view latex = {};  ///< symbol of the field, if it has a name
+  /// True for the residual of an iteration, whose terms cancel down to rounding error. Only
+  /// implicit methods have this field.
   bool is_remainder = false;
 };
 
@@ -171,7 +172,8 @@ struct FieldRow {
   return field.columns != Extent::one && field.columns != Extent::user_columns;
 }
 
-/// True if a single entry is a number, not a list of one: its row has no name.
+/// True if the field may be a plain number. It is one if it has a single row without a name;
+/// otherwise a single entry is a list of length 1.
 [[nodiscard]] constexpr bool may_be_scalar(const FieldRow& field) {
   const bool is_of_user = field.rows == Extent::user || field.rows == Extent::task;
   return (is_of_user || field.rows == Extent::one) && !has_columns(field);
@@ -183,34 +185,34 @@ struct OutputRow {
   Notation symbol = {};
   LeafSet takes = {};  ///< arguments in addition to parameters, q and (if it occurs) t
   bool takes_parameters_alone = false;
-  bool is_of_mass = false;         ///< also takes v if L is not quadratic in v
-  bool takes_unprojected = false;  ///< states need not satisfy the constraints
+  bool is_of_mass = false;         ///< also takes v if M depends on v (L is not quadratic in v)
+  bool takes_unprojected = false;  ///< may be called at states that violate the constraints
   std::span<const FieldRow> fields = {};
   Notation equation = {};
   Notation rotation_equation = {};             ///< with rotations; empty: `equation`
   Notation constrained_equation = {};          ///< with constraints; empty: `equation`
   std::string_view definition = {};            ///< by other outputs, in LaTeX, for pages
-  std::string_view driftless_definition = {};  ///< the same if `drift` is 0
+  std::string_view driftless_definition = {};  ///< `definition` for models with drift = 0
   std::string_view doc = {};                   ///< one sentence
   std::string_view constrained_doc = {};       ///< with constraints; empty: `doc`
   std::string_view doc_without_pivots = {};
   std::string_view constrained_doc_without_pivots = {};
   SetOf<Need> needs = {};
-  SetOf<OutputOption> options = {};  ///< which its entry in `[outputs]` accepts
+  SetOf<OutputOption> options = {};  ///< options that its entry in `[outputs]` accepts
   WhenSingular when_singular = WhenSingular::redundant_constraint;
   bool is_energy = false;        ///< an energy of (q, v), in which V occurs without derivatives
   bool solves = false;           ///< solves M x = b
   bool differentiates = false;   ///< contains derivatives of the equations of motion
   bool gives_pivots = false;     ///< also returns the relative pivots of M = L D L^T
-  bool is_constrained = false;   ///< with constraints: solves with A M^-1 A^T
-  bool by_name = false;          ///< only given if a scene names it
-  bool of_user = false;          ///< exists for every [[output]] of a model
+  bool is_constrained = false;   ///< if the model has constraints, solves with A M^-1 A^T
+  bool by_name = false;          ///< `full` omits it; a scene must name it
+  bool of_user = false;          ///< a function of every [[output]] of a model
   std::string_view suffix = {};  ///< appended to the name of the [[output]]
-  bool is_summary = false;       ///< a struct of all chosen outputs that take neither a nor u
+  bool is_summary = false;       ///< a struct of all requested outputs that take neither a nor u
   bool steps = false;            ///< composed by the method of the scene, not derived
 };
 
-/// True if it has equations to read and is not composed from other outputs.
+/// True if the output has equations of its own, that is, it is not composed from other outputs.
 [[nodiscard]] constexpr bool has_equations(const OutputRow& output) {
   return !output.is_summary && !output.steps;
 }
@@ -220,13 +222,13 @@ struct OutputRow {
   return output.of_user && output.suffix.empty();
 }
 
-/// True if only scenes that name it get it: steps need a method, and functions of momenta replace
-/// functions of velocities.
+/// True if `full` omits the output and a scene must name it: a step needs a method, and functions
+/// of momenta are an alternative to functions of velocities.
 [[nodiscard]] constexpr bool is_only_by_name(const OutputRow& output) {
   return output.steps || output.by_name || output.takes.has_any(Opcode::momentum);
 }
 
-/// True if it divides by the pivots of M = L D L^T.
+/// True if the output divides by the pivots of M = L D L^T.
 [[nodiscard]] constexpr bool divides_by_mass(const OutputRow& output) {
   return output.solves || output.steps || output.takes.has_any(Opcode::momentum);
 }
@@ -241,11 +243,12 @@ struct EquationSetting {
 [[nodiscard]] std::span<const OutputRow> output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);
 
-/// True if a repeating output such as `dynamics` contains an output with these arguments: they are
-/// only parameters, q, v and t, and it has one field.
+/// True if `dynamics` contains the output: its arguments are only parameters, q, v and t, and it
+/// has one field.
 [[nodiscard]] bool is_repeated(OutputKind kind, LeafSet takes);
 
-/// The field of this name; else the first field; else a single number.
+/// The field of this name; if there is none, the first field; for an output without fields, the row
+/// of a single number.
 [[nodiscard]] const FieldRow& field_row(OutputKind kind, std::string_view name);
 
 /// Null if no built-in output has the name.

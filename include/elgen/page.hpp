@@ -1,7 +1,5 @@
-// Page: the readable content of a model, a derivation or an analysis. It is printed as text, on
-// screens, as Markdown, LaTeX and HTML.
-//
-// Formulas are trees, words are text. Every format is printed from the same page.
+// Page: the readable content of a model, a derivation or an analysis: formulas as trees, words as
+// text. A page can be printed as text, on a screen, and as Markdown, LaTeX and HTML.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +19,7 @@ namespace elgen {
 /// A named value of a function, for readers.
 struct NamedFormula {
   Formula name = {};   ///< "sin_theta", "t_4f2a"
-  Formula value = {};  ///< over leaves and earlier names
+  Formula value = {};  ///< over leaves and the names of earlier values
 };
 
 struct FunctionEquations {
@@ -29,32 +27,32 @@ struct FunctionEquations {
   std::vector<Formulas> entries = {};          ///< one list per field, row-major
 };
 
-/// A function as named definitions and entries. Instructions with a name or several uses become
-/// definitions; others are substituted. Entries of at most 12 operations are written over the
-/// leaves; only definitions that other entries need are listed. `names`: a name of the model
-/// language for each instruction, or "" to substitute it.
+/// A function as named definitions and entries. `names`: for each instruction a name in the model
+/// language, or "" to substitute the instruction. Entries of at most 12 operations are written over
+/// the leaves. Definitions that no entry needs are omitted.
 [[nodiscard]] FunctionEquations equations(const Program& program, const Function& function,
                                           const std::vector<std::string>& names);
 
-/// functions[index]: its closed form, each entry over the leaves, if it has a readable one; else
-/// the function with the names of the code.
+/// The function functions[index] of a program: its readable closed form, each entry over the
+/// leaves; without a readable form, the function with the names of the emitted code.
 [[nodiscard]] FunctionEquations equations(const Program& program, std::size_t index);
 
-/// The same in the symbols of the model, for pages. Definitions of at most three operations are
-/// substituted; definitions without a name are called xi_1, xi_2, ….
+/// As above, but in the symbols of the model, for pages. Definitions of at most three operations
+/// are substituted; definitions without a name are called xi_1, xi_2, ….
 [[nodiscard]] FunctionEquations equations(const Model& model, const Program& program,
                                           std::size_t index);
 
 /// The first entry of readable[0] over the leaves, in the symbols of the model.
 [[nodiscard]] Formula first_entry(const Model& model, const Program& program);
 
-/// "M(q) a + C(q,v) v + g(q) = B(q) u"; with constraints "+ A(q)^T lambda" on the right. A term is
-/// omitted if the model cannot have it or its function is zero. If no function depends on motion,
-/// the equation is "g(q) = B(q) u".
+/// The matrix equation "M(q) a + C(q,v) v + g(q) = B(q) u", with constraints "+ A(q)^T lambda" on
+/// the right. A term is omitted if the model cannot have it or if its function is zero. If no
+/// function depends on v or a, the equation is "g(q) = B(q) u".
 [[nodiscard]] Formula equation_of_motion(const Model& model, const Program& program);
 
-/// One line each: "q = (x [m], theta [rad])"; "v = dq/dt, a = dv/dt" or "at rest"; "u = (F [N])";
-/// "lambda = (lambda_rod [N])" and the equation of the accelerations.
+/// The lines that explain the symbols of equation_of_motion(): "q = (x [m], theta [rad])"; "v =
+/// dq/dt, a = dv/dt" or "at rest"; "u = (F [N])"; "lambda = (lambda_rod [N])"; and with constraints
+/// the equation that the accelerations satisfy.
 [[nodiscard]] std::vector<std::string> variable_lines(const Model& model, const Program& program);
 
 /// A conserved quantity, its name "p(phi)" and its definition.
@@ -77,16 +75,16 @@ struct PageVariable {
   std::string doc = {};
 };
 
-/// left = a number, or a matrix with `rows` x `columns` entries.
+/// The equation left = a number, or left = a matrix of `rows` x `columns` entries.
 struct PageEquation {
   Formula left = {};
   std::uint32_t rows = 1;
   std::uint32_t columns = 1;
   Formulas entries = {};       ///< row-major
-  bool is_definition = false;  ///< defines a name of the preceding equations
+  bool is_definition = false;  ///< it defines a name that preceding equations contain
 };
 
-/// A table row by row, with column heads that may all be empty.
+/// A table as a list of rows. All column heads may be empty.
 struct PageTable {
   Formulas heads = {};
   Formulas cells = {};
@@ -102,7 +100,7 @@ struct PageSection {
   Formulas lines = {};      ///< formulas and sentences before the equations
   std::vector<PageEquation> equations = {};
   PageTable table = {};
-  bool is_row = false;  ///< equations are side by side on a screen that is wide enough
+  bool is_row = false;  ///< equations are printed side by side if the screen is wide enough
   /// Equations, also those in `lines`, are aligned at their relation signs.
   bool is_aligned = false;
 };
@@ -124,7 +122,7 @@ struct Page {
 struct ReadableSteps {
   Program program = {};                    ///< the functions of elgen/steps.hpp
   std::vector<std::string> masses = {};    ///< the names of the fields of "positions"
-  std::vector<std::string> left_out = {};  ///< points and bodies with mass that `masses` omits
+  std::vector<std::string> left_out = {};  ///< points and bodies with a mass, not in `masses`
 };
 
 /// The programs from which pages are printed.
@@ -135,9 +133,9 @@ struct Book {
 
 /// Options of a page. `dynamics` repeats other outputs and is never shown.
 struct PageOptions {
-  bool zeros = false;              ///< also shows functions whose entries are all 0
-  std::size_t most_entries = 200;  ///< larger outputs are shown by their definition
-  /// Equations of motion that the page shows first; may be null.
+  bool zeros = false;              ///< true: also shows functions whose entries are all 0
+  std::size_t most_entries = 200;  ///< a larger output is shown by its definition only
+  /// The steps whose equations of motion the page shows first; may be null.
   const ReadableSteps* opening = nullptr;
 };
 
@@ -148,28 +146,30 @@ struct PageOptions {
 [[nodiscard]] Page model_page(const Model& model, const Scene& scene, const Program& program,
                               const PageOptions& options = {});
 
-/// One section per step: the action; positions; velocities; energies; Lagrange's equation of every
-/// coordinate with its conserved quantities and their conditions; all rows together. With `title`:
-/// only the section of that title.
+/// One section per step: the action; positions; velocities; energies; Lagrange's equation of each
+/// coordinate, with conserved quantities and their conditions; the system of all equations. If
+/// `title` is set: only the section of that title.
 [[nodiscard]] std::vector<PageSection> steps_sections(const Model& model,
                                                       const ReadableSteps& steps,
                                                       std::string_view title = {});
 [[nodiscard]] Page steps_page(const Model& model, const Scene& scene, const ReadableSteps& steps,
                               std::string_view title = {});
 
-/// The titles of the energies, and of all rows with their solution.
+/// The titles of two sections of the steps: the energies, and the system of all equations with its
+/// solution.
 inline constexpr std::string_view energies_title = "Energies";
 inline constexpr std::string_view equations_title = "Equations of motion";
 
 /// A sentence on the expansion of the equations; empty for exact equations.
 [[nodiscard]] std::string expansion_text(const Model& model);
 
-/// The equation of motion, the variables, and all entries of all outputs in the model language.
+/// The page of a scene as text: the equation of motion, the variables, and the entries of all
+/// outputs in the model language.
 [[nodiscard]] std::string text_page(const Model& model, const Scene& scene, const Program& program,
                                     const PageOptions& options = {});
 
-/// For each function: the cost of one call in both forms, the digits that cancelling sums lose (if
-/// computed), and the emitted form.
+/// A table with a row for each function: the cost of one call in both forms, the digits that
+/// cancelling sums lose (if computed), and the form that is emitted.
 [[nodiscard]] std::string cost_page(const std::vector<FormCosts>& costs);
 
 struct Screen {
@@ -181,12 +181,12 @@ struct Screen {
 [[nodiscard]] std::string text_of(const Page& page);
 [[nodiscard]] std::string text_of(const std::vector<PageSection>& sections);
 
-/// A page in two-dimensional notation, not wider than the screen. In a matrix that is too wide,
-/// names replace the entries and are defined below it.
+/// A page in two-dimensional notation, not wider than the screen. The entries of a matrix that is
+/// too wide are replaced by names, which are defined below the matrix.
 [[nodiscard]] std::string screen_page(const Page& page, const Screen& screen);
 
-/// The terms of the equation of motion on one screen. Long formulas are cut: "…312" replaces 312
-/// characters.
+/// The terms of the equation of motion, on one screen. The end of a long formula is replaced by
+/// "…312" if 312 characters are cut.
 [[nodiscard]] std::string overview(const Page& page, const Screen& screen);
 
 /// GitHub Markdown with $$ blocks.

@@ -1,5 +1,5 @@
-// The pipeline: runs one model and an optional scene through the stages, to a checked Program and
-// its files.
+// The pipeline: runs the stages on one model and an optional scene. The result is a checked Program
+// and its files.
 #pragma once
 
 #include <algorithm>
@@ -50,14 +50,14 @@ inline constexpr std::array goal_names{
 /// A row of analyses.def, for stages and commands.
 struct AnalysisRow {
   Goal goal;
-  /// The requests that it derives from the Lagrangian. Null: it reads the result of another
-  /// analysis.
+  /// The outputs that the analysis needs. Null: it uses the result of another analysis.
   std::vector<OutputRequest> (*outputs)(const Model& model) = nullptr;
-  /// It solves no equation of motion, so `inspect` checks these outputs instead of the scene's.
+  /// True: `inspect` checks these outputs, not the outputs of the scene, because the analysis does
+  /// not solve for accelerations.
   bool inspects_outputs = false;
-  /// The hint of E539 for an analysis that refuses constraints; empty: it accepts them.
+  /// The hint of E539 if the analysis rejects models with constraints; empty: it accepts them.
   std::string_view instead_of_constraints = {};
-  /// It needs one potential, so `sample` replaces each open function.
+  /// True: each open function is replaced by its `sample`, because the analysis needs a potential.
   bool closes_functions = false;
 };
 inline constexpr std::array analysis_table{
@@ -75,15 +75,14 @@ inline constexpr std::array analysis_table{
 struct PipelineOptions {
   SceneOptions scene = {};
   Limits limits = {};
-  /// A stage whose equations or program are dumped as text into Products::dump.
+  /// The stage whose result is written as text to Products::dump; none: no dump.
   std::optional<Goal> dump = {};
-  /// The stages whose products are wanted. The stages that they need run too.
+  /// The stages to run. The stages that they need run too.
   std::vector<Goal> goals = {Goal::self_check};
-  /// The equilibrium of the analyses: the name of an [[equilibrium]] of the model, or "" for the
-  /// start of the model, which must be an equilibrium. None: all equilibria; modes are about the
-  /// stable ones.
+  /// The equilibrium to analyse: the name of an [[equilibrium]], or "" for the start of the model,
+  /// which must be an equilibrium. None: all equilibria; modes only about stable equilibria.
   std::optional<std::string> about = {};
-  /// Is called with the name of each stage when it starts.
+  /// Called at the start of each stage, with its name.
   std::function<void(const std::string&)> on_stage = {};
 };
 
@@ -92,7 +91,7 @@ struct StageTime {
   double seconds = 0.0;
 };
 
-/// The products of the stages. The product of a stage that did not run is empty.
+/// The results of the stages. The result of a stage that did not run is empty.
 struct Products {
   std::optional<CheckedModel> checked = {};
   std::optional<Program> lowered = {};  ///< before cancellation and the choice of forms
@@ -112,12 +111,12 @@ struct Products {
   std::vector<StageTime> times = {};
 };
 
-/// Runs the stages that the goals need, until one reports an error. Errors: the errors of the
-/// stages; E911: the self-check failed; E521: an output has no value at any state.
+/// Runs the goals and the stages that they need, until a stage reports an error. Errors: the errors
+/// of the stages; E911: the self-check failed; E521: an output has no value at any state.
 [[nodiscard]] Products run_pipeline(const Inputs& inputs, const PipelineOptions& options);
 
-/// The times of the stages from `formulate` to `choose` for one output, by its position in the
-/// scene.
+/// Runs the stages from `formulate` to `choose` for one output, given by its position in the scene,
+/// and returns their times.
 [[nodiscard]] std::vector<StageTime> stage_times_of_output(const CheckedModel& checked,
                                                            std::size_t output,
                                                            const Limits& limits);

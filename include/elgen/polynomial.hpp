@@ -1,6 +1,6 @@
 // Polynomial: a sum of   (x + i y) * atoms^exponents   with positive or negative exponents, as one
-// sorted array of terms. A term stores up to six factors inline. A sum of a thousand terms is thus
-// one block of memory, and addition and multiplication merge such blocks.
+// sorted array of terms. A term stores up to six factors inline, so that most sums are one block of
+// memory. Addition and multiplication merge sorted blocks.
 #pragma once
 
 #include <cln/rational.h>
@@ -66,7 +66,7 @@ class Monomial {
     }
     x = std::move(kept);
   }
-  /// Compares the factors in order. Terms of a Polynomial are ordered by MonomialLess.
+  /// Compares the factors in order; not the order of terms in a Polynomial (MonomialLess).
   friend std::strong_ordering operator<=>(const Monomial& x, const Monomial& y) {
     return std::lexicographical_compare_three_way(x.begin(), x.end(), y.begin(), y.end());
   }
@@ -74,10 +74,11 @@ class Monomial {
  private:
   std::array<AtomPower, 6> few_ = {};
   std::size_t count_ = 0;
-  std::vector<AtomPower> many_ = {};  ///< all factors, if they exceed few_
+  std::vector<AtomPower> many_ = {};  ///< all factors, if they do not fit into few_
 };
 
-/// Lexicographic in the exponents. The order of x m and y m is the order of x and y.
+/// The lexicographic order of the exponents. Multiplying x and y by the same monomial preserves
+/// their order.
 [[nodiscard]] inline std::strong_ordering order_of(const Monomial& x, const Monomial& y) {
   const auto [i, j] = std::mismatch(x.begin(), x.end(), y.begin(), y.end());
   const bool x_decides = i != x.end() && (j == y.end() || i->atom <= j->atom);
@@ -91,7 +92,7 @@ struct MonomialLess {
   }
 };
 
-/// x + i y.
+/// The coefficient x + i y.
 struct Gaussian {
   cln::cl_RA real = 0;
   cln::cl_RA imaginary = 0;

@@ -11,7 +11,7 @@
 //       3 = multiply 0 2            ; inertia
 //       result 1 1 = 3              ; rows columns = entries, row-major;
 //                                   ; of a struct: "result acceleration 2 1 = …"
-//       repeated 2 16               ; the last 32 are 16 repetitions of 2: a loop in code
+//       repeated 2 16               ; the last 32 instructions are 16 repetitions of 2 (Repetition)
 #pragma once
 
 #include <array>
@@ -37,12 +37,13 @@ struct Instruction {
   FunctionId function = FunctionId::sin;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  /// Part of an acceleration in a `step`, for which Numerics::inner may hold alone.
+  /// True for an operation of an acceleration that a `step` calls. InnerScalar::single_precision
+  /// applies to no other operation.
   bool is_inner = false;
   friend bool operator==(const Instruction&, const Instruction&) = default;
 };
 
-/// For value numbering: equal instructions have the same value.
+/// A hash for value numbering, in which equal instructions have the same value.
 struct InstructionHash {
   [[nodiscard]] std::size_t operator()(const Instruction& i) const;
 };
@@ -58,25 +59,28 @@ struct InstructionHash {
 [[nodiscard]] Instruction renumber_operands(Instruction instruction,
                                             const std::vector<std::uint32_t>& places);
 
-/// The prefix of names that only temporaries may have, from the derivation: "~moment_link5_y".
+/// The prefix of names that the derivation gives to intermediate values: "~moment_link5_y". They
+/// only become names of temporaries.
 inline constexpr char intermediate_mark = '~';
 
-/// Names a value that has no name. A name with intermediate_mark gives way to one without it.
+/// Sets `known` to `name` if `known` is empty, or if `known` has intermediate_mark and `name` does
+/// not. An empty `name` changes nothing.
 void merge_name(std::string& known, const std::string& name);
 
 struct Field {
-  std::string name = {};  ///< "" for outputs of one field
+  std::string name = {};  ///< "" if the output has only one field
   std::uint32_t rows = 1;
   std::uint32_t columns = 1;
   std::vector<std::uint32_t> entries = {};  ///< instruction of each entry, row-major
 };
 
-/// The last `length * count` instructions are `count` repetitions of `length` instructions. An
-/// operand is in the same repetition or precedes all of them. In the latter case it is the same
-/// value for all repetitions, or one value for each.
+/// The last `length * count` instructions are `count` repetitions of the same `length` instructions
+/// with other operands; emitted code has a loop. An operand is in the same repetition, or precedes
+/// all repetitions. In the second case it is the same instruction in all repetitions, or a
+/// different one in each.
 ///
 ///     5 = multiply 0 1     6 = subtract 2 5     7 = multiply 0 3     8 = subtract 4 7
-///     length 2, count 2, with the values 1, 2 and then 3, 4
+///     length 2, count 2; operands 1 and 2 in the first repetition, 3 and 4 in the second
 struct Repetition {
   std::uint32_t length = 0;
   std::uint32_t count = 0;
@@ -86,18 +90,18 @@ struct Function {
   OutputKind kind = {};
   std::uint32_t user = 0;                       ///< index in Model::outputs, for the user_* kinds
   std::optional<StepSpec> step = {};            ///< for `step` and its derivatives
-  std::vector<std::uint32_t> independent = {};  ///< as in its OutputRequest
+  std::vector<std::uint32_t> independent = {};  ///< as OutputRequest::independent
   std::string name = {};
   Form form = Form::recursive;
   std::vector<Instruction> instructions = {};
   /// Name of each instruction ("sin_theta", "~moment_link5_y"), or "". Parallel to instructions.
   std::vector<std::string> names = {};
   std::vector<Field> fields = {};
-  /// Entries, numbered over all fields, that contain a zero without proof, found at
-  /// `zero_sample_count` random points.
+  /// Entries, numbered over all fields, that depend on a value replaced by 0 without a proof: it
+  /// vanishes at `zero_sample_count` random points.
   std::vector<std::uint32_t> sampled_zeros = {};
-  /// Entries, numbered over all fields, whose code differs from the readable form, which loses
-  /// digits in cancelling sums.
+  /// Entries, numbered over all fields, whose code differs from their readable form, because the
+  /// readable form loses digits in cancelling sums.
   std::vector<std::uint32_t> rewritten = {};
   Repetition repeated = {};  ///< count 0: no repetitions
   /// For a function of parts (elgen/compose.hpp): the velocities in the order in which M is
@@ -105,7 +109,7 @@ struct Function {
   std::vector<std::uint32_t> elimination = {};
 };
 
-/// A copy without instructions and fields; it answers the same request.
+/// A copy without instructions and fields, for the same request.
 [[nodiscard]] inline Function without_body(const Function& function) {
   return {.kind = function.kind,
           .user = function.user,
@@ -128,15 +132,15 @@ inline constexpr std::size_t zero_sample_count = 64;
 [[nodiscard]] std::size_t first_entry_of(const Function& function, std::string_view field);
 /// True if the function has the field `relative_pivots`.
 [[nodiscard]] bool has_pivots(const Function& function);
-/// The index of an entry on pages: "[1,2]", "[2]", or "" for a single entry.
+/// The index of an entry as pages print it: "[1,2]", "[2]", or "" for a single entry.
 [[nodiscard]] std::string index_text(const Field& field, std::size_t entry);
 
 struct Program {
   LeafNames leaves = {};
   std::vector<Constant> constants = {};
   std::vector<Function> functions = {};  ///< in the order of the output table
-  /// The closed form of every entry as written for readers, without shared values. Parallel to
-  /// functions, or empty. A function without closed form has no fields here.
+  /// The closed form of every entry as pages show it, without shared values. Parallel to functions,
+  /// or empty. A function without a closed form has no fields in this list.
   std::vector<Function> readable = {};
 };
 
@@ -148,15 +152,16 @@ struct Program {
 /// True if every entry loads the number 0.
 [[nodiscard]] bool is_zero(const Program& program, const Function& function);
 
-/// The constants that `functions` load, in order; constants of `readable` alone are omitted.
+/// The constants that instructions of `functions` load, in order. Constants that only `readable`
+/// loads are omitted.
 [[nodiscard]] std::vector<Constant> executed_constants(const Program& program);
 
-/// The operations of each instruction if it is expanded over the leaves, at most `most` + 1. The
-/// size may double with every level.
+/// For each instruction the number of operations if it is expanded over the leaves. Counting stops
+/// at `most` + 1, because the number may double with every instruction.
 [[nodiscard]] std::vector<std::size_t> expanded_sizes(const Function& function, std::size_t most);
 
-/// The operations that one call executes. Subtractions count as add, different angles of sines and
-/// cosines as sincos, negations as nothing.
+/// The operations that one call executes. `add` includes subtractions; `sincos` counts the distinct
+/// angles of sines and cosines; negations are not counted.
 struct OperationCounts {
   std::size_t add = 0;
   std::size_t mul = 0;
@@ -167,7 +172,7 @@ struct OperationCounts {
   friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
-/// One of these counts, and its name.
+/// A member of OperationCounts, and its name in listings.
 struct OperationColumn {
   std::string_view name;
   std::size_t OperationCounts::*count;
@@ -183,13 +188,20 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 
 [[nodiscard]] OperationCounts count_operations(const Function& function);
 
-/// k of the call stumpff(x, k): `at` is the operand k, a constant or its negative.
+/// k of a call stumpff(x, k). `at` is the instruction of the operand k: a constant or the negative
+/// of a constant.
 [[nodiscard]] int stumpff_order(const Program& program, const Function& function, std::uint32_t at);
 
-/// In multiplications: mul and add 1, division 4, square root 8, sine and cosine of an angle 20
-/// (also if only one is used), any other function 16. Measured by tests/bench/operation_costs (g++
-/// 12, glibc 2.36, one run): dependent operations 4.4, 7.9, 22.6 (24.9 by the library), 11.8 for
-/// exp; independent operations 1.9, 5.9, 17.7 (24.6), 11.8.
+/// The cost in multiplications:
+///
+///                                     cost   measured, dependent   measured, independent
+///     addition, multiplication           1
+///     division                           4          4.4                   1.9
+///     square root                        8          7.9                   5.9
+///     sine, cosine or both of an angle  20         22.6 (library 24.9)   17.7 (library 24.6)
+///     any other function                16         11.8 (exp)            11.8 (exp)
+///
+/// Measured by tests/bench/operation_costs (g++ 12, glibc 2.36, one run).
 [[nodiscard]] std::size_t cost(const OperationCounts& counts);
 
 /// For each instruction: true if it is one of `wanted` or an operand of one, directly or
@@ -197,14 +209,15 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 [[nodiscard]] std::vector<bool> needed_instructions(const Function& function,
                                                     const std::vector<std::uint32_t>& wanted);
 
-/// The numbers of these instructions, ascending. If there are more than `most`, only the `most` + 1
-/// highest. Cost: linear in the result.
+/// The numbers of the instructions that needed_instructions() marks, ascending. If there are more
+/// than `most`, only the `most` + 1 highest. Cost: linear in the result.
 [[nodiscard]] std::vector<std::uint32_t> cone_of(
     const Function& function, std::vector<std::uint32_t> wanted,
     std::size_t most = std::numeric_limits<std::size_t>::max());
 
-/// The function with only the instructions in `order` (old numbers). Operands must precede their
-/// users, and every entry must be present. Repetitions are kept if all of them remain at the end.
+/// The function with only the instructions `order` (old numbers), in this order. Operands must
+/// precede their users, and every entry must be present. `repeated` is kept if all repeated
+/// instructions remain at the end, in their old order.
 [[nodiscard]] Function reordered(const Function& function, const std::vector<std::uint32_t>& order);
 
 /// Removes the instructions that no entry needs.
@@ -213,7 +226,8 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 ///     after     0 = parameter m   1 = multiply 0 0                     result = 1
 [[nodiscard]] Function pruned(const Function& function);
 
-/// The instructions `entries` as the only field, with their operands.
+/// A function whose only field has the instructions `entries` as entries. All other instructions
+/// that they do not need are removed.
 [[nodiscard]] Function with_entries(Function function, const std::vector<std::uint32_t>& entries);
 
 /// Empty if all invariants hold; else the first violation with function and instruction.
@@ -229,15 +243,15 @@ void require_invariants(const Program& program);
 /// ("part_2").
 enum class FallbackName : std::uint8_t { hash, number };
 
-/// The names of instructions in equations and emitted code; "" if the instruction is expanded.
-/// Every name is a C++ identifier and unique in the function. With FallbackName::hash no name
+/// The names of instructions in equations and emitted code; "" if the instruction has no temporary.
+/// Every name is a C++ identifier and unique in the function. With FallbackName::hash, no name
 /// depends on code elsewhere in the function.
 [[nodiscard]] std::vector<std::string> temporary_names(const Program& program,
                                                        const Function& function,
                                                        FallbackName last = FallbackName::hash);
 
-/// Only the names that stay true if the leaves have other values. Names composed from leaves, names
-/// of values in frames and hashes are replaced by "".
+/// The names of the instructions that remain meaningful if the function is called with other
+/// arguments. "" replaces names composed from leaves, names of values in frames, and hashes.
 [[nodiscard]] std::vector<std::string> context_free_names(const Program& program,
                                                           const Function& function);
 

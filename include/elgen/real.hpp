@@ -1,5 +1,5 @@
 // Real: floats of at least 64 digits. ScalarTraits: conversion of exact numbers to a scalar type.
-// Also the functions of functions.def that the standard library lacks for built-in floats.
+// interpreter: the functions of functions.def for built-in floats that the standard library lacks.
 #pragma once
 
 #include <cln/float.h>
@@ -20,7 +20,7 @@ namespace elgen {
 template <class Scalar>
 struct ScalarTraits;
 
-/// Correctly rounded to nearest.
+/// Rounds to the nearest float.
 template <>
 struct ScalarTraits<float> {
   [[nodiscard]] static float from_real(const cln::cl_R& value);
@@ -39,8 +39,8 @@ struct ScalarTraits<long double> {
   return ScalarTraits<double>::from_real(value);
 }
 
-/// A float of 64 decimal digits (or more: numbers/more_digits.hpp). Like NaN, the value "undefined"
-/// (1/0, sqrt(-1)) propagates.
+/// A float of 64 decimal digits (or more: numbers/more_digits.hpp). The value "undefined" (1/0,
+/// sqrt(-1)) propagates like NaN.
 class Real {
  public:
   Real() : Real(cln::cl_R(0)) {}
@@ -70,7 +70,8 @@ class Real {
 [[nodiscard]] inline bool operator>(const Real& x, const Real& y) { return y < x; }
 [[nodiscard]] bool is_zero(const Real& x);
 
-/// x - y| < 10^-digits. 40 of 64 digits are enough to suspect that two closed forms are equal.
+/// True if |x - y| < 10^-digits. 40 of 64 digits are enough to suspect that two closed forms are
+/// equal.
 [[nodiscard]] bool is_near(const Real& x, const Real& y, long digits = 40);
 
 #define ELGEN_REAL_1(name) [[nodiscard]] Real name(const Real& x);
@@ -108,9 +109,12 @@ template <class Scalar>
 requires std::is_floating_point_v<Scalar>
 [[nodiscard]] Scalar max(Scalar x, Scalar y) { return x < y ? y : x; }
 
-/// c_k(x) with the operations of the emitted code. For x^2 < max(1, k (k - 1)) the series, cut to
-/// the degree that suffices at the end of this range. Otherwise c_1 = sin(x)/x, c_2 = 2
-/// (sin(x/2)/x)^2 and c_(n+2) = (1/n! - c_n)/x^2. For k < 0 the same with i x: sinh, and -x^2.
+/// stumpff(x, k) = c_k(x), with the operations of the emitted code. If x^2 < max(1, k (k - 1)), the
+/// series is summed to the degree that suffices at the end of this range. Otherwise
+///
+///     c_1 = sin(x)/x,   c_2 = 2 (sin(x/2)/x)^2,   c_(n+2) = (1/n! - c_n)/x^2
+///
+/// For k < 0, x is replaced by i x: sin becomes sinh, and x^2 becomes -x^2.
 template <class Scalar>
 requires std::is_floating_point_v<Scalar>
 [[nodiscard]] Scalar stumpff(Scalar x, Scalar order) {

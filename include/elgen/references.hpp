@@ -1,4 +1,5 @@
-// References: the expressions, entries and leaves to which expressions of a Model refer.
+// References: the expressions, entries and leaves to which an expression of a Model refers, by its
+// operands and by names.
 #pragma once
 
 #include <optional>
@@ -8,12 +9,13 @@
 
 namespace elgen {
 
-/// The expression that a name refers to: a prescribed function, a definition, or a component of a
-/// point, a body or a frame. None if the expression is no such name.
+/// For an expression of kind `named`: the expression that the name stands for, that is, a
+/// prescribed function, a definition, or a component of a point, a body or a frame. None for other
+/// expressions.
 [[nodiscard]] std::optional<ExpressionId> value_of_name(const Model& model,
                                                         const Expression& expression);
 
-/// The operands of an expression, or the expression that its name refers to.
+/// The operands of an expression; for a name, the expression that it stands for.
 [[nodiscard]] std::vector<ExpressionId> references(const Model& model, ExpressionId expression);
 
 enum class EntityKind : std::uint8_t {
@@ -55,17 +57,17 @@ enum class RootRole : std::uint8_t {
   twist
 };
 
-/// An expression in an entry of the model.
+/// An expression that an entry of the model contains, with its role there.
 struct Root {
   ExpressionId expression = 0;
   Entity entity = {};
   RootRole role = RootRole::value;
 };
 
-/// The expressions of all entries, by entry: first of the equations, then of outputs, then of
-/// definitions and prescribed functions. References are not followed. Omitted are duplicates (steps
-/// of frames, places in frame axes, forces as declared) and claims about the model (stated points,
-/// closed forms, laws of inputs).
+/// The expressions that entries contain, entry by entry: first the equations of motion, then
+/// outputs, then definitions and prescribed functions. References are not followed. Omitted are
+/// duplicates (transforms of frames, positions in frame axes, forces as declared), claims about the
+/// model (stated points, expected closed forms) and laws of inputs.
 [[nodiscard]] std::vector<Root> roots_of(const Model& model);
 
 /// The expressions of the roots for which `is_wanted` is true, in the order of roots_of().
@@ -88,43 +90,42 @@ template <class Condition>
 /// The roots of the equations of motion and of every [[output]].
 [[nodiscard]] std::vector<ExpressionId> all_roots(const Model& model);
 
-/// True for the value of a force.
+/// True if the root is the value of a force.
 [[nodiscard]] inline bool is_force(const Root& root) {
   return root.entity.kind == EntityKind::force && root.role == RootRole::value;
 }
 
-/// True for D.
+/// True if the root is the dissipation D.
 [[nodiscard]] inline bool is_dissipation(const Root& root) {
   return root.role == RootRole::dissipation;
 }
 
-/// The root of D, if the model has D.
+/// The dissipation D as a root; empty if the model has none.
 [[nodiscard]] inline std::vector<ExpressionId> dissipation_roots(const Model& model) {
   return roots_if(model, is_dissipation);
 }
 
-/// The expressions along which a force does work: the positions of its points and the spins of its
-/// frames.
+/// The expressions that determine the work of a force: the positions of its points and the angular
+/// velocities of its frames.
 [[nodiscard]] std::vector<ExpressionId> work_expressions(const Model& model, const Force& force);
 
-/// The roots and all expressions that they refer to, each once, operands before their users. The
-/// model must be free of cycles. Cost: one visit per expression.
+/// The roots and all expressions that they refer to, directly or indirectly, each once, operands
+/// before their users. The model must be free of cycles. Cost: linear in the number of expressions.
 [[nodiscard]] std::vector<ExpressionId> reachable_from(const Model& model,
                                                        const std::vector<ExpressionId>& roots);
 
-/// True if the expression contains a leaf of these kinds, directly or by reference.
+/// True if the expression contains a leaf of these kinds, also through names.
 [[nodiscard]] bool contains_leaf(const Model& model, ExpressionId expression, LeafSet kinds);
 
-/// True if the roots contain the coordinate, its rate or its acceleration, directly or by
-/// reference.
+/// True if the roots contain the coordinate, its rate or its acceleration, also through names.
 [[nodiscard]] bool contains_variable(const Model& model, const std::vector<ExpressionId>& roots,
                                      const Held& variable);
 
-/// Every expression of a model without cycles, after the expressions that it refers to.
+/// All expressions of a model without cycles, each after the expressions that it refers to.
 [[nodiscard]] std::vector<ExpressionId> topological_order(const Model& model);
 
-/// A cycle: each expression refers to the next, the last one to the first. A component of a point
-/// or frame counts as a reference to all its components. Empty if there is no cycle.
+/// A cycle of references: each expression refers to the next, the last to the first. A component of
+/// a point or frame counts as a reference to all its components. Empty if the model has no cycle.
 [[nodiscard]] std::vector<ExpressionId> find_cycle(const Model& model);
 
 }  // namespace elgen

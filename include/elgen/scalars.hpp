@@ -16,7 +16,7 @@ enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_
 struct ScalarRow {
   ScalarKind kind;
   std::string_view name;  ///< in C++, C and scenes
-  int digits;             ///< decimal digits, rounded: the most that a value can lose
+  int digits;             ///< decimal digits, rounded; a value cannot lose more
 };
 
 inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision, "float", 7},
@@ -31,8 +31,8 @@ inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision,
   return scalar_table[static_cast<std::size_t>(kind)].digits;
 }
 
-/// The scalar of computations inside functions, with double arguments and results. single_precision
-/// applies only to the accelerations that a `step` calls.
+/// The scalar of computations inside functions whose arguments and results are double.
+/// single_precision applies only to the accelerations that a `step` calls.
 enum class InnerScalar : std::uint8_t { same, long_double, double_double, single_precision };
 
 struct InnerRow {
@@ -52,7 +52,7 @@ inline constexpr std::array inner_table{
   return inner_table[static_cast<std::size_t>(kind)];
 }
 
-/// The decimal digits that a loss in u amounts to, at most all digits of the scalar.
+/// Converts a loss in u to decimal digits, at most all digits of the scalar.
 [[nodiscard]] inline double digits_lost(double loss, ScalarKind kind) {
   return loss > 1 ? std::min<double>(std::log10(loss), decimal_digits(kind)) : 0;
 }

@@ -1,4 +1,5 @@
-// Scene: the request to elgen for a model, in parts named after the stages that read them.
+// Scene: the choices for the code of a model: outputs, fixed parameters, arithmetic, target. Each
+// part of a scene is for one or more stages.
 #pragma once
 
 #include <cln/real.h>
@@ -62,7 +63,7 @@ struct FixedValue {
 /// By index of the parameter.
 using FixedParameters = std::map<std::uint32_t, FixedValue>;
 
-/// For specialise: parameters that become exact numbers.
+/// For the stage specialise: the fixed parameters, which become exact numbers.
 struct Specialisation {
   FixedParameters fixed = {};
 };
@@ -73,20 +74,20 @@ struct OutputRequest {
   std::uint32_t user = 0;  ///< index in Model::outputs, for the user_* kinds
   std::string name = {};   ///< of the emitted function
   LeafSet takes = {};      ///< arguments in addition to parameters, q and (if it occurs) t
-  std::uint32_t rows = 1;  ///< of the first field
+  std::uint32_t rows = 1;  ///< shape of the first field
   std::uint32_t columns = 1;
   Span span = {};                     ///< of the request in the scene or an option
-  std::optional<Form> form = {};      ///< demanded; none: choose() decides
+  std::optional<Form> form = {};      ///< the form that the scene demands; none: choose() decides
   std::optional<StepSpec> step = {};  ///< for `step` and its derivatives
   bool without_pivots = false;        ///< for outputs that return relative pivots by default
   /// For `completed`: the velocities that determine the other velocities, ascending.
   std::vector<std::uint32_t> independent = {};
 };
 
-/// The criterion for the choice between rewritings.
+/// The criterion for the choice between forms of a function.
 enum class Preference : std::uint8_t {
-  balanced,  ///< the cheapest, unless a slightly more expensive one keeps many more digits
-  speed,     ///< the cheapest
+  balanced,  ///< the cheapest form, unless a slightly more expensive form keeps many more digits
+  speed,     ///< the cheapest form
 };
 
 /// The range of a coordinate, rate, input or other leaf.
@@ -96,23 +97,23 @@ struct NamedRange {
   double high = 0;
 };
 
-/// For choose, emit and toolchain: the arithmetic for which code is written and compiled.
+/// For the stages choose and emit, and for the toolchain: the arithmetic of the code.
 struct Numerics {
   Preference prefer = Preference::balanced;
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
-  /// Other than `same`: requests a header that computes in this scalar.
+  /// Unless `same`: a further header is emitted that computes in this scalar.
   InnerScalar inner = InnerScalar::same;
   /// Largest error of sines and cosines in batches.
   std::optional<cln::cl_RA> trigonometry_error = {};
-  /// Scalar functions call the library's sines instead of polynomials.
+  /// True: functions of one state call sin and cos of the library instead of polynomials.
   bool has_library_sines = false;
   /// The largest permitted error of any output, as `tradeoff` measures it. `verify` checks it.
   std::optional<double> max_error = {};
-  /// Ranges for this promise, in addition to the ranges of the model.
+  /// The ranges in which max_error must hold, in addition to the ranges of the model.
   std::vector<NamedRange> ranges = {};
 };
 
-/// The error that the scene permits, but at least the error of the scalar: 2^-52, 2^-23 for float.
+/// Numerics::trigonometry_error; if it is not set, 2^-52, or 2^-23 for float.
 [[nodiscard]] cln::cl_RA trigonometry_error(const Numerics& numerics, ScalarKind scalar);
 
 /// The order of the entries of a matrix in an array.
@@ -120,11 +121,11 @@ enum class Storage : std::uint8_t { row_major, column_major };
 
 [[nodiscard]] std::string_view name_of(Storage storage);
 
-/// For emit: the target.
+/// For the stage emit: the target language and the files.
 struct Emission {
   LanguageId language = default_language;
   std::string name_space = {};  ///< in C++; in C the prefix of every name; default: base_name
-  Span name_space_span = {};    ///< of the entry that sets it
+  Span name_space_span = {};    ///< span of the value that sets the namespace
   Storage storage = Storage::row_major;
   bool eigen = false;     ///< C++: a second header with the same functions on Eigen types
   bool batch = false;     ///< C++: a second header with the same functions on arrays of states
@@ -132,13 +133,13 @@ struct Emission {
   bool page = true;
 };
 
-/// Larger outputs are only given if a scene names them.
+/// The built-in scene `full` omits outputs with more entries; a scene must name them.
 inline constexpr std::uint64_t entries_in_full = 4096;
 
 /// Why the built-in scene `full` omits an output.
 enum class OmissionReason : std::uint8_t {
   too_many_entries,  ///< more than entries_in_full
-  kinked_force,      ///< its derivatives would jump; no scene gets them
+  kinked_force,      ///< needs derivatives of a force with kinks, which jump; no scene can have it
 };
 
 [[nodiscard]] std::string_view name_of(OmissionReason reason);
@@ -150,7 +151,8 @@ struct OmittedOutputs {
   Span span = {};                         ///< the kink in the force, or the name of the model
 };
 
-/// Source paths as stamped into the files: relative to the output folder, or bare file names.
+/// The source paths in the stamps of emitted files: relative to the output folder, or bare file
+/// names.
 struct SourcePaths {
   std::string model = {};
   std::string scene = {};  ///< "": the built-in scene
@@ -159,16 +161,16 @@ struct SourcePaths {
 /// The values of an [[output]] that a page with an animation adds (Purpose::shows_motion).
 enum class ShownValues : std::uint8_t { places, masses, laws, integrals };
 
-/// The leaves that `--state` sets. Values of q and v are stored as the start of the model.
+/// The leaves that `--state` sets. The values of q and v replace the start of the model.
 struct StatedStart {
   std::set<std::string> coordinates = {};  ///< names of the coordinates; all four of a rotation
   std::set<std::string> velocities = {};   ///< names of the velocities; all three of a rotation
-  /// Accelerations, momenta, t and h, by their text: "dot(dot(theta))".
+  /// The values of accelerations, momenta, t and h, by their text: "dot(dot(theta))".
   std::map<std::string, cln::cl_R> others = {};
 };
 
 struct Scene {
-  SourcePointer source = {};  ///< its file; null: the built-in scene `full`
+  SourcePointer source = {};  ///< the scene file; null: the built-in scene `full`
   SourcePaths paths = {};
   std::string name = {};       ///< "" for the built-in scene `full`
   std::string base_name = {};  ///< <model> or <model>_<scene>: folder, file stem, namespace
@@ -183,17 +185,18 @@ struct Scene {
   std::map<std::string, ExpressionId> laws = {};
   /// The outputs that a page adds, by their index in Model::outputs.
   std::map<std::uint32_t, ShownValues> shown = {};
-  bool has_options = false;    ///< changed by --outputs, --fix or --size
-  std::string canonical = {};  ///< text of the file and options, which stamps hash; "" for `full`
+  bool has_options = false;  ///< changed by --outputs, --fix or --size
+  std::string canonical =
+      {};  ///< text of the file and options; stamps contain its hash; "": `full`
   /// The texts of options, into which spans of the model and the scene point.
   std::vector<SourcePointer> option_sources = {};
 };
 
-/// The request for a function or a field of `dynamics`; null if the scene has no output of that
-/// name.
+/// The request of this name, which is also the name of a function and of a field of `dynamics`;
+/// null if the scene has no such output.
 [[nodiscard]] const OutputRequest* find_request(const Scene& scene, std::string_view name);
 
-/// The law of an input; null if it has none.
+/// The law of an input; null if the scene has no law for it.
 [[nodiscard]] inline const ExpressionId* find_law(const Scene& scene, const Input& input) {
   const auto found = scene.laws.find(input.name);
   return found == scene.laws.end() ? nullptr : &found->second;
@@ -204,44 +207,45 @@ struct CheckedModel {
   Scene scene;
 };
 
-/// The requirements of a command on the checked model, in addition to its scene.
+/// What a command requires of check(), in addition to the scene. True means:
 struct Purpose {
-  /// `starts` may also name accelerations, momenta, t and h (StatedStart::others).
+  /// SceneOptions::starts may also name accelerations, momenta, t and h (StatedStart::others).
   bool states_all = false;
   /// Open functions without an expression in the scene are replaced by their `sample`.
   bool closes_functions = false;
-  /// Forward dynamics returns relative pivots, even if the model says otherwise: a run monitors
-  /// them.
+  /// Forward dynamics returns relative pivots, even if the model disables them, because a run
+  /// monitors them.
   bool keeps_pivots = false;
-  /// Adds the outputs that a page shows of a run: all places, laws of inputs, conserved quantities.
+  /// Outputs are added that the page of a run shows: all places, laws of inputs, conserved
+  /// quantities.
   bool shows_motion = false;
-  /// Ignores `[approximate]` of the scene.
+  /// `[approximate]` of the scene is ignored.
   bool is_exact = false;
-  /// Keeps closed forms of more than 4096 nodes too. Otherwise they are read up to this size, to
-  /// report mistakes, and then dropped.
+  /// Closed forms of more than 4096 nodes are kept. False: they are read up to this size, to report
+  /// mistakes, and then dropped.
   bool keeps_large_forms = false;
 };
 
 /// The purpose of each command.
 namespace purpose {
 
-inline constexpr Purpose generate{};                      ///< also of diff, show and vectors
+inline constexpr Purpose generate{};                      ///< also for diff, show and vectors
 inline constexpr Purpose rest{.closes_functions = true};  ///< equilibria and modes
 inline constexpr Purpose evaluate{.states_all = true, .closes_functions = true};
 inline constexpr Purpose simulate{
     .closes_functions = true, .keeps_pivots = true, .keeps_large_forms = true};
-/// Its table has no conserved quantities, so large closed forms are dropped.
+/// The table of a time run has no conserved quantities, so large closed forms are dropped.
 inline constexpr Purpose time_run{.closes_functions = true, .keeps_pivots = true};
 inline constexpr Purpose show_motion{
     .closes_functions = true, .keeps_pivots = true, .shows_motion = true};
 inline constexpr Purpose verify{.keeps_large_forms = true};
-/// The exact model with which `max_error` compares an expansion.
+/// For the exact model, with which the check of `max_error` compares an expansion.
 inline constexpr Purpose verify_expansion{.is_exact = true};
 
 }  // namespace purpose
 
-/// --outputs, --fix, --size and other options. Each option is a source, so that errors point into
-/// it.
+/// The options --outputs, --fix, --size and others. The text of each option is a source, so that
+/// errors have a position in it.
 struct SceneOptions {
   SourcePaths paths = {};                   ///< empty: bare file names
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
@@ -253,7 +257,7 @@ struct SceneOptions {
   std::vector<SourcePointer> starts = {};   ///< "theta=1,dot(theta)=0,attitude=[1,0,0,0]"
   std::vector<SourcePointer> laws = {};     ///< "u=-3*theta"
   std::vector<SourcePointer> ranges = {};   ///< "theta=-0.1..0.1"
-  Purpose purpose = purpose::generate;      ///< of the command
+  Purpose purpose = purpose::generate;      ///< purpose of the command
 
   /// True if the options change the emitted files.
   [[nodiscard]] bool changes_files() const {

@@ -1,8 +1,7 @@
 // Source text and spans: the positions of declarations, values and errors.
 //
 // A SourceText is one input: a model file, a scene file, or the text of a command-line option. A
-// Span is a half-open byte range of it and does not own it. Owners of spans must keep the
-// SourceText alive.
+// Span is a half-open byte range of a SourceText, which must outlive the Span.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +33,7 @@ struct Span {
 };
 
 [[nodiscard]] SourcePointer make_source(std::string path, std::string text);
-/// A source that lives until the process ends, because diagnostics point into sources without
-/// owning them.
+/// A source that lives until the process ends. Diagnostics refer to sources without owning them.
 [[nodiscard]] SourcePointer make_permanent_source(std::string path, std::string text);
 
 [[nodiscard]] LineColumn line_column(const SourceText& source, std::uint32_t offset);
@@ -43,7 +41,7 @@ struct Span {
 /// The text of 1-based `line`, without its line end.
 [[nodiscard]] std::string_view line_text(const SourceText& source, std::uint32_t line);
 
-/// The last component of its path.
+/// The last component of the path of a source.
 [[nodiscard]] std::string file_name(const SourceText& source);
 
 /// The bytes that a span covers.

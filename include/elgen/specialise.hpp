@@ -8,9 +8,9 @@
 
 namespace elgen {
 
-/// `lagrangian` must be formulated from `checked`. E312, E313, E314, each with the span of the
-/// declaration: a fixed parameter, a lock or `[routh]` leads to a division by zero, an undefined or
-/// a complex value at every state.
+/// `lagrangian` must be formulated from `checked`. E312, E313, E314: because of a fixed parameter,
+/// a lock or `[routh]`, an expression is divided by zero, undefined or complex at every state. The
+/// error has the span of the declaration.
 [[nodiscard]] Result<Lagrangian> specialise(WholeLagrangian lagrangian,
                                             const CheckedModel& checked);
 

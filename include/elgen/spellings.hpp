@@ -21,7 +21,7 @@ struct ListSpelling {
   std::string_view empty;         ///< an empty list; {0}: the number of columns
 };
 
-/// Placeholders {0}, {1} of patterns are explained in spellings.def.
+/// A row of spellings.def, which also explains the placeholders {0} and {1} of patterns.
 struct SourceSpelling {
   LanguageId language;
   std::string_view element;
@@ -29,52 +29,53 @@ struct SourceSpelling {
   std::string_view definition;
   std::size_t indent;        ///< indentation of statements
   std::string_view local;    ///< before the name in a definition of a local variable
-  std::string_view library;  ///< a function of the library; {0}: its name
-  /// Names of scalar functions in C that the library has, between spaces.
+  std::string_view library;  ///< a call of a library function; {0}: its name
+  /// The functions that the library has under their C names, between spaces.
   std::string_view functions;
-  std::string_view result;  ///< before the value that a function returns
+  std::string_view result;  ///< text before the value that a function returns
   /// Several results {1} in a struct {0}; "": one statement for each result.
   std::string_view results;
-  std::string_view field;    ///< before one result; {0}: its name
-  std::string_view opening;  ///< brackets around a value of several lines
+  std::string_view field;    ///< text before one result; {0}: its name
+  std::string_view opening;  ///< opening bracket of a value that takes several lines
   std::string_view closing;
-  std::string_view end;          ///< of a statement
-  std::string_view end_of_line;  ///< at the end of a line that continues
+  std::string_view end;          ///< end of a statement
+  std::string_view end_of_line;  ///< end of a line whose statement continues on the next line
   ListSpelling vector;
   ListSpelling row;     ///< row of a matrix
   ListSpelling matrix;  ///< list of rows
-  ListSpelling texts;   ///< list of texts at the head of the module, as the next two
+  ListSpelling texts;   ///< list of texts; this and the next two are at the head of the module
   ListSpelling numbers;
   ListSpelling intervals;
   std::string_view interval;        ///< one interval; {0}, {1}: its bounds
   std::string_view number_value;    ///< value of a scalar parameter; {0}: its name
   std::string_view array_value;     ///< value of an array parameter
-  std::string_view end_of_value;    ///< after the value of a parameter
+  std::string_view end_of_value;    ///< text after the value of a parameter
   std::string_view number_member;   ///< a number in the documentation of a struct of results
-  std::string_view array_member;    ///< an array in that documentation
-  std::string_view comment;         ///< before a comment after a parameter
-  std::string_view member_comment;  ///< before the description of a member
+  std::string_view array_member;    ///< an array in the documentation of a struct of results
+  std::string_view comment;         ///< start of a comment behind a parameter
+  std::string_view member_comment;  ///< text before the description of a member
   char quote;                       ///< quotation mark
-  char escape;                      ///< before a quotation mark and before itself
+  char escape;                      ///< escapes a quotation mark, and itself
   /// Characters written as \u003c, because they would be markup on a page.
   std::string_view coded_in_texts;
   std::string_view escaped_in_docs;  ///< characters that need a backslash in documentation
-  std::string_view end_of_docs;      ///< a blank separates its characters in documentation
-  std::string_view own_function;     ///< a function of the module that the library lacks
-  /// Name of a named constant; {0}: its number; "": constants have no names.
+  std::string_view end_of_docs;   ///< ends documentation; inside, a blank separates its characters
+  std::string_view own_function;  ///< a call of a function that the module defines
+  /// The name of a constant; {0}: its number; "": constants are written as literals.
   std::string_view named_number;
-  bool has_reflection;          ///< its template has the placeholders of emit/source/reflection.hpp
+  bool has_reflection;          ///< the template has the placeholders of emit/source/reflection.hpp
   std::string_view unbounded;   ///< an infinite number
   std::size_t max_empty_lines;  ///< most consecutive empty lines
-  std::size_t deepest;          ///< deepest nesting of brackets that it parses
+  std::size_t deepest;          ///< deepest nesting of brackets that the language parses; 0: any
   std::size_t max_name_length;  ///< in characters; 0: no limit
   std::string_view reserved;    ///< reserved words, between spaces; `_` is appended to such a name
   std::string_view used_names;  ///< names that the module uses
   std::string_view forbidden_names;  ///< names that a module cannot have
-  std::string_view command;          ///< starts its interpreter
-  std::string_view variable;         ///< environment variable with another command
-  /// Functions that the interpreter implements itself, and the tolerance of a field that calls one,
-  /// in u of its largest entry. `roundings`: the tolerance of other fields; 0: bit-identical.
+  std::string_view command;          ///< command that starts the interpreter
+  std::string_view variable;         ///< environment variable that replaces `command`
+  /// Functions that the interpreter implements itself, between spaces. A field that calls such a
+  /// function has a tolerance, in u of its largest entry. `roundings`: the tolerance of all other
+  /// fields; 0: bit-identical.
   std::string_view own_implementations;
   int roundings;
 };

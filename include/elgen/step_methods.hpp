@@ -3,7 +3,8 @@
 //
 //     Phi_h of order 2, Phi_{-h} its inverse   ->   Phi_{g_s h} ... Phi_{g_1 h},   g_i = g_{s+1-i}
 //
-// This has order 4 if sum g_i = 1 and sum g_i^3 = 0, and order 8 under six further conditions.
+// The composition has order 4 if sum g_i = 1 and sum g_i^3 = 0, and order 8 under six further
+// conditions.
 // Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. V.3.2.
 #pragma once
 
@@ -25,7 +26,8 @@ enum class StepMethod : std::uint8_t {
 
 enum class StepDomain : std::uint8_t { any, separable, quadratic };
 
-/// An iteration that has not converged after 20 steps needs a shorter h, not more iterations.
+/// An implicit step that has not converged after 20 iterations needs a shorter h, not more
+/// iterations.
 inline constexpr std::uint32_t max_step_iterations = 20;
 
 struct StepMethodRow {
@@ -54,7 +56,7 @@ struct StepSpec {
   StepMethod method = {};
   std::uint32_t composed_order = 0;  ///< 0: not composed
   std::uint32_t iterations = 0;      ///< 0: explicit
-  bool projects = false;             ///< then one Newton step onto the constraints
+  bool projects = false;             ///< ends with one Newton step onto the constraints
   friend auto operator<=>(const StepSpec&, const StepSpec&) = default;
 };
 
@@ -68,11 +70,12 @@ struct StepSpec {
   return step.composed_order > 0 ? step.composed_order : step_row(step.method).order;
 }
 
-/// The available orders of a method of order `own`: 2 -> 2, 4, 8.
+/// The available orders, with composition, of a method of order `own`: 2, 4, 8 for `own` = 2.
 [[nodiscard]] std::vector<std::uint32_t> step_orders(std::uint32_t own);
 
-/// Coefficients g_1 ... g_s of a composition: order 4 by Suzuki (errors 1/9 of Yoshida's at equal
-/// cost), order 8 by Kahan and Li; {1} for order 0. The middle coefficient is the largest.
+/// The coefficients g_1 ... g_s of a composition: order 4 by Suzuki (1/9 of the error of Yoshida's
+/// composition at equal cost), order 8 by Kahan and Li; {1} if not composed (0). The middle
+/// coefficient is the largest.
 [[nodiscard]] std::vector<cln::cl_RA> composition_coefficients(std::uint32_t composed_order);
 
 }  // namespace elgen

@@ -1,8 +1,8 @@
 // FileSyntax: the parse tree of a model or a scene. Every node has a span; names are not resolved.
 //
-// parse() checks everything that does not depend on other entries: TOML, keys, types of values, the
-// grammar of expressions, limits. The key table (key_table()) controls it and the messages about
-// keys.
+// parse_model() checks everything that does not depend on other entries: TOML, keys, types of
+// values, the grammar of expressions, limits. The key table (key_table()) says which keys and types
+// are permitted.
 #pragma once
 
 #include <cln/rational.h>
@@ -19,7 +19,7 @@
 namespace elgen {
 
 enum class SyntaxKind : std::uint8_t {
-  number,    ///< value
+  number,    ///< the number `value`
   name,      ///< text; operands = {index} if the name has an index
   call,      ///< text = name of the function, operands = arguments
   negate,    ///< operands = {e}
@@ -29,9 +29,10 @@ enum class SyntaxKind : std::uint8_t {
   power,     ///< operands = {base, exponent}
 };
 
-/// An expression as typed. `span` covers it with its brackets, `token` only its operator or name.
-/// The height of the tree is at most a few times limits.expression_depth: brackets, calls, indices,
-/// signs, powers and quotients count one level each, the terms of one sum or product none.
+/// An expression as typed. `span` covers the expression with its brackets, `token` only its
+/// operator or name. limits.expression_depth limits the nesting: brackets, calls, indices, signs,
+/// powers and quotients count one level each, but not the terms of a sum or product. The height of
+/// the tree is at most a few times this limit.
 struct ExpressionSyntax {
   SyntaxKind kind = SyntaxKind::number;
   std::string text = {};
@@ -45,18 +46,18 @@ enum class ValueKind : std::uint8_t { expression, text, boolean, list, table };
 
 struct KeySyntax;
 
-/// A TOML value, read according to the key table (see KeyType). Bare TOML numbers become number
-/// expressions. They are read from the source again, so that they are exact, with their sign.
+/// A TOML value, read according to the key table (see KeyType). A bare TOML number becomes a number
+/// expression; its digits are read from the source text, so that it is exact.
 struct ValueSyntax {
   ValueKind kind = ValueKind::text;
   Span span = {};         ///< of the value; of a string without its quotes
-  std::string text = {};  ///< text, and the source text of an expression
+  std::string text = {};  ///< the text of a string, or the source text of an expression
   bool boolean = false;
   ExpressionSyntax expression = {};
   std::vector<ValueSyntax> items = {};  ///< list
   std::vector<KeySyntax> entries;       ///< table, in file order
 
-  /// Null if it has no such key.
+  /// The entry with this key; null if the table lacks the key.
   [[nodiscard]] const KeySyntax* find(std::string_view key) const;
 };
 
@@ -82,19 +83,19 @@ struct FileSyntax {
   std::vector<EntrySyntax> entries = {};  ///< in file order
 };
 
-/// A non-repeated entry, a key of it, and all its keys; null or empty if missing. `file` may be
-/// null.
+/// An entry that is not an array of tables, one of its keys, and all its keys; null or empty if
+/// missing. `file` may be null.
 [[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
 [[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,
                                         std::string_view key);
 [[nodiscard]] const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry);
 
-/// The type of a key's value, which decides the ValueSyntax that it becomes.
-/// Comments name the form in TOML, then the resulting value.
+/// The type of the value of a key. Each comment names the form in TOML, then the resulting
+/// ValueSyntax.
 enum class KeyType : std::uint8_t {
   expression,           ///< bare number or string: ValueKind::expression
   expression_list,      ///< list of expressions
-  expression_or_list,   ///< either
+  expression_or_list,   ///< an expression, or a list of expressions
   expression_or_table,  ///< a parameter: an expression, or a table (rows `<entry>.<key>`)
   closed_form,          ///< expression, list, matrix, or a table {for, value}
   name,         ///< string: a name, perhaps with an index: an expression of SyntaxKind::name
@@ -128,7 +129,7 @@ struct KeyRow {
   bool required = false;
   bool supported = true;  ///< false: E108 "not yet supported"
   std::string_view doc = {};
-  bool is_drawn = false;               ///< only drawings depend on it: stamps and `diff` ignore it
+  bool is_drawn = false;               ///< only drawings use the key: stamps and `diff` ignore it
   std::string_view default_text = {};  ///< a TOML value, or words; "" if required or "*"
   std::string_view details = {};       ///< up to three sentences: signs, units, exclusions
 };
@@ -140,7 +141,7 @@ struct ChoiceRow {
   std::string_view word;
 };
 
-/// One row per entry: whether it is an array of tables, required, and supported.
+/// The properties of an entry of the file.
 struct EntryRow {
   std::string_view entry;
   bool repeated = false;  ///< [[…]]
@@ -168,13 +169,13 @@ struct EntryRow {
 /// The word that replaces a former word; empty for any other word.
 [[nodiscard]] std::string_view replacement_of_choice(const KeyRow& row, std::string_view word);
 
-/// The key table as JSON Schema, for editors, which check TOML files like JSON with the same keys.
-/// Every file that the parser accepts satisfies it. The schema omits the grammar of expressions,
-/// keys that exclude each other and references of names; elgen checks these.
+/// The key table as a JSON Schema, with which editors check TOML files. Every file that the parser
+/// accepts satisfies the schema. It does not describe the grammar of expressions, keys that exclude
+/// each other, or references by name; only elgen checks these.
 [[nodiscard]] std::string file_schema(FileKind kind);
 
-/// The `model = "…"` key of a scene. None if the text is no TOML or has no such key; in a model
-/// file `model` is a table.
+/// The value of the key `model = "…"` of a scene. None if the text is not TOML or has no such key;
+/// in a model file, `model` is a table.
 [[nodiscard]] std::optional<Span> model_key(const SourceText& source);
 
 /// True if the text is TOML with a table [model].
@@ -202,9 +203,9 @@ struct EntryRow {
 
 /// Every key with its value, in file order, without blanks and comments.
 [[nodiscard]] std::string dump(const FileSyntax& syntax);
-/// The same without keys on which only drawings depend. Stamps are hashes of this text.
+/// dump() without keys that only drawings use. Stamps contain the hash of this text.
 [[nodiscard]] std::string stamped_text(const FileSyntax& model);
-/// With all brackets: `(a + (b * c))`.
+/// The expression with all brackets: `(a + (b * c))`.
 [[nodiscard]] std::string dump(const ExpressionSyntax& expression);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Templates as strings of the binary; cmake/EmbedTemplates.cmake writes the definitions.
+// Templates as strings in the binary; cmake/EmbedTemplates.cmake generates their definitions.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace elgen {
 
-/// The template at `path` below templates/, "cpp/header.hpp.mustache"; empty if there is none.
+/// The template at `path` below templates/, for example "cpp/header.hpp.mustache"; empty if it does
+/// not exist.
 [[nodiscard]] std::string_view embedded_template(std::string_view path);
 
-/// The same, but throws std::logic_error if there is none, so that the first test that uses it
-/// fails.
+/// The template at `path`. Throws std::logic_error if it does not exist.
 [[nodiscard]] std::string_view template_at(std::string_view path);
 
 /// The path of the partial `{{> name}}` in the template at `path`: the same folder and language.

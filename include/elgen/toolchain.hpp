@@ -16,8 +16,8 @@
 
 namespace elgen {
 
-/// The signature of every compiled function: all leaves, then the result. It ignores arguments that
-/// the function does not take.
+/// The signature of every compiled function: all leaves, then the result. Leaves that the function
+/// does not take are ignored.
 template <class Scalar>
 using DriverFunction = void (*)(
 #define ELGEN_LEAVES(kind, member, ...) const Scalar *member,
@@ -27,7 +27,8 @@ using DriverFunction = void (*)(
 #undef ELGEN_LEAF
     Scalar* result);
 
-/// The arguments of a compiled function: a pointer to each list, and the single numbers.
+/// The arguments of a compiled function: a pointer to each list of leaves, and t, h and E as
+/// numbers.
 template <class Scalar>
 using ArgumentPointers = PerLeaf<const Scalar*, Scalar>;
 
@@ -42,7 +43,7 @@ template <class Scalar>
   return result;
 }
 
-/// Calls a compiled function. It writes the entries of all fields to `result`.
+/// Calls a compiled function, which writes the entries of all fields to `result`.
 template <class Scalar>
 void call_code(DriverFunction<Scalar> function, const ArgumentPointers<Scalar>& arguments,
                Scalar* result) {
@@ -53,8 +54,8 @@ void call_code(DriverFunction<Scalar> function, const ArgumentPointers<Scalar>& 
       result);
 }
 
-/// values[function][state]: the entries of all fields. Empty if the function raised an exception,
-/// as interpreters do instead of returning infinity or NaN.
+/// values[function][state] has the entries of all fields. It is empty if the function raised an
+/// exception, which interpreters do instead of returning infinity or NaN.
 template <class Scalar>
 using ValuesOfFunctions = std::vector<std::vector<std::vector<Scalar>>>;
 
@@ -62,16 +63,15 @@ using ValuesOfFunctions = std::vector<std::vector<std::vector<Scalar>>>;
 class CompiledModel {
  public:
   virtual ~CompiledModel() = default;
-  /// The function itself, valid while the CompiledModel lives; null if it is not compiled for
-  /// double. It writes the entries of all fields, in the order of Function::fields.
+  /// A pointer to the function, valid while the CompiledModel lives; null if it is not compiled for
+  /// double. The function writes the entries of all fields, in the order of Function::fields.
   [[nodiscard]] virtual DriverFunction<double> find(std::string_view function) const = 0;
   /// The entries of all fields of an output, in the order of Function::fields.
   [[nodiscard]] virtual std::vector<double> call(std::string_view function,
                                                  const Arguments<double>& arguments) const = 0;
   [[nodiscard]] virtual std::vector<float> call(std::string_view function,
                                                 const Arguments<float>& arguments) const = 0;
-  /// The values of each function at each state. E709: the process that runs the functions ends
-  /// early.
+  /// Calls each function at each state, in a separate process. E709: the process ends early.
   [[nodiscard]] virtual Result<ValuesOfFunctions<double>> call_all(
       const std::vector<std::string_view>& functions,
       const std::vector<Arguments<double>>& states) const;
@@ -86,33 +86,35 @@ class CompiledModel {
 enum class Build : std::uint8_t {
   as_written,  ///< strict flags, no contraction: bit-identical to the written arithmetic
   native,      ///< -O3 -march=native, no contraction: also bit-identical
-  user_flags,  ///< -O3 -march=native, contraction on; not for Eigen headers; of batches only sines
-               ///< and cosines
+  user_flags,  ///< -O3 -march=native, contraction on; not for Eigen headers; for batch headers only
+               ///< their sine and cosine functions
   to_time,     ///< -O2 -march=native, contraction on
 };
 
 /// A number that a header declares in addition to its functions.
 struct DeclaredNumber {
   std::string name = {};  ///< "l[1] (double)", "the place of l[1] (double)", "input_limits[0].low"
-  double declared = 0;    ///< as compiled
-  double of_model = 0;    ///< rounded to the scalar
+  double declared = 0;    ///< the number in the compiled header
+  double of_model = 0;    ///< the number in the model, rounded to the scalar
 };
 
 /// The name of the function in a batch header that returns sine and cosine of t.
 inline constexpr std::string_view sine_and_cosine = "sine and cosine";
 
-/// One emitted header. Further headers exist for Eigen types, arrays of states and a wider scalar.
+/// One emitted header in one build: the header in the types of the language, or a further header
+/// for Eigen types, arrays of states or a wider scalar.
 struct CompiledHeader {
   std::string types = {};  ///< "Eigen", "batch", "wide"; "" for the types of the language
-  /// Sines and cosines are polynomials; a call computes one state of a pack.
+  /// True for a batch header: sines and cosines are polynomials, and a call computes one state of a
+  /// pack.
   bool in_packs = false;
   std::unique_ptr<CompiledModel> functions = {};
   Build build = Build::as_written;
   std::string failure_reason = {};            ///< why `functions` is null; else empty
-  std::vector<DeclaredNumber> declared = {};  ///< of all headers; only in the first
+  std::vector<DeclaredNumber> declared = {};  ///< numbers of all headers; only in the first header
   bool is_wide = false;  ///< computes in Numerics::inner: not bit-identical to the program
-  /// Functions that the interpreter implements itself, between spaces, and the tolerance of other
-  /// functions in u of a field's largest entry. 0: bit-identical to the program.
+  /// Functions that the interpreter implements itself, between spaces. roundings: the tolerance of
+  /// all other functions, in u of the largest entry of a field; 0: bit-identical to the program.
   std::string_view own_implementations = {};
   int roundings = 0;
 };
@@ -121,18 +123,19 @@ using CompiledHeaders = std::vector<CompiledHeader>;
 struct CompileOptions {
   Limits limits = {};
   std::vector<Build> builds = {Build::as_written};
-  /// Also read back declared constants: the counts of coordinates, rates, inputs, open values and
-  /// parameters, and the values and positions of parameters. In C++ also ranges and limits, and for
-  /// batches the polynomial coefficients of sines and cosines.
+  /// True: also return the numbers that headers declare (CompiledHeader::declared): the counts of
+  /// coordinates, rates, inputs, open values and parameters, and the values and positions of
+  /// parameters; in C++ also ranges and limits, and for batches the polynomial coefficients of
+  /// sines and cosines.
   bool declarations = false;
 };
 
-/// All headers in each build, first the header in types of the language. The compiler runs once per
-/// build, or once per header of a long program. It is $CXX, or else the first of c++, g++, clang++
-/// that is installed. Headers have no functions if the compiler rejects the flags of the build, or
-/// if Eigen is not installed. E704: no compiler. E705: it rejects the emitted code. E706: no space
-/// for files. E709: it cannot work. E909: it exceeds limits.seconds of wall-clock time. E705 and
-/// E709 quote the compiler.
+/// Compiles all headers in each build. The result starts with the header in the types of the
+/// language. The compiler is $CXX, else the first of c++, g++, clang++ that is installed. It runs
+/// once per build, or once per header of a long program. CompiledHeader::functions is null if the
+/// compiler rejects the flags of the build, or if Eigen is not installed. E704: no compiler. E705:
+/// the compiler rejects the emitted code. E706: no space for files. E709: the compiler fails. E909:
+/// it exceeds limits.seconds of wall-clock time. E705 and E709 quote the compiler.
 [[nodiscard]] Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model,
                                               const Scene& scene, const Program& program,
                                               const CompileOptions& options);
@@ -144,25 +147,23 @@ struct Machine {
   std::string c_library = {};  ///< "glibc 2.36"
 };
 
-/// The machine of this process. E704 and E909 as of compile().
+/// The machine on which this process runs. E704 and E909: as compile().
 [[nodiscard]] Result<Machine> this_machine(const Limits& limits);
 
-/// How a timed function processes the states: an emitted function on arrays of states, or an
-/// emitted step in a loop, with the compiler flags of users.
+/// The way in which a timed function processes its states. It is compiled with Build::to_time.
 struct TimedVariant {
   ScalarKind scalar = ScalarKind::double_precision;  ///< or float
-  bool in_packs = false;      ///< several states per call, by the batch header; else one by one
+  bool in_packs = false;      ///< true: several states per call, by the batch header; false: one
   bool one_per_call = false;  ///< with in_packs: one call per state, which fills one lane of a pack
 };
 
-/// An emitted function with its states. Number k of state i is at [k * count + i], rounded to the
-/// scalar.
+/// An emitted function with states to time it. The states are rounded to the scalar.
 class TimedFunction {
  public:
   virtual ~TimedFunction() = default;
   /// Computes all states once.
   virtual void run() = 0;
-  /// The entries of all fields at other states: entry k of state i at [k * states.size() + i].
+  /// The entries of all fields at the given states: entry k of state i at [k * states.size() + i].
   /// `states` is not empty.
   [[nodiscard]] virtual std::vector<double> at(
       const std::vector<Arguments<double>>& states) const = 0;
@@ -177,16 +178,16 @@ struct TimingOptions {
   Limits limits = {};
 };
 
-/// The first function of the program in each variant, in one library. Parameters are arguments,
-/// with their values in the model. Errors as of compile(). Cost: 1 s of the compiler, more for long
-/// programs.
+/// Compiles the first function of the program in each variant, in one library. Parameters are
+/// arguments, with their values in the model. Errors: as compile(). Cost: 1 s of the compiler, more
+/// for long programs.
 [[nodiscard]] Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
                                                    const Scene& scene, const Program& program,
                                                    const TimingOptions& options);
 
-/// Takes `steps` steps of length h from time t with constant inputs. `state` has q and v of `count`
-/// states: number k of state i at [k * count + i], like `inputs`. `spare` is overwritten; it and
-/// `state` have the length of the step's results for all states.
+/// Advances `count` states by `steps` steps of length h from time t, with constant inputs. `state`
+/// has q and v, with number k of state i at [k * count + i]; `inputs` has the same layout. `state`
+/// and `spare`, which is overwritten, have room for StepLoops::entries numbers per state.
 using StepLoop = void (*)(std::size_t count, std::size_t steps, double t, double h,
                           const double* inputs, double* state, double* spare);
 
@@ -198,9 +199,9 @@ struct StepLoops {
   std::size_t entries = 0;                ///< entries of the result of the step
 };
 
-/// Loops over the `step` of a program, in double with a batch header, followed by `projected` if
-/// the program has it. Parameters are arguments, with their values in the model. Errors and cost as
-/// of compile_timed().
+/// Compiles loops over the `step` of a program, followed by `projected` if the program has it. The
+/// scene must emit double and a batch header. Parameters are arguments, with their values in the
+/// model. Errors and cost: as compile_timed().
 [[nodiscard]] Result<StepLoops> compile_steps(const EmittedFiles& files, const Model& model,
                                               const Scene& scene, const Program& program,
                                               const Limits& limits);

@@ -1,15 +1,15 @@
 // TradeoffTable: costs and errors of the designs of one output, or of runs.
 //
-// A design is a scene. plan() lists designs, and the pipeline and the compiler process each.
-// find_costs() and find_errors() measure the results, and rank_rows() ranks them. check_max_error()
-// checks `max_error` of a scene.
+// A design is a scene. plan() lists designs; the pipeline and the compiler then run for each
+// design. find_costs() and find_errors() measure the results, and rank_rows() ranks them.
+// check_max_error() checks `max_error` of a scene.
 //
 // Costs and errors have noise. Two costs are equal if their ratio is at most equality_factor or
 // their quartiles overlap. The error of a design is measured in three samples of states, with three
-// seeds; its noise is the interval from the least to the worst of the three. The error of a run is
-// known up to the distance of two reference runs. An error is smaller than another if
-// equality_factor times its worst is less than the least of the other. A row is on the Pareto front
-// if its error is smaller than the error of every cheaper row of the front.
+// seeds; its noise is the interval [least, worst] of the three errors. The error of a run is known
+// up to the distance between two reference runs. Error x is smaller than error y if
+// equality_factor * x.worst < y.least. A row is on the Pareto front if its error is smaller than
+// the error of every cheaper row of the front.
 #pragma once
 
 #include <functional>
@@ -28,9 +28,9 @@ namespace elgen {
 
 /// The model and scene from which designs are made.
 struct DesignBase {
-  const CheckedModel& checked;        ///< the output is its first one
+  const CheckedModel& checked;        ///< the first output of its scene is the output to design
   const FileSyntax* scene = nullptr;  ///< null: no scene file
-  /// The `max_error` of a written scene, valid in the ranges of `scene` and in `ranges`
+  /// The `max_error` that scene_text() writes. It applies in the ranges of `scene` and in `ranges`
   /// ("theta=-1..1").
   std::optional<double> max_error = {};
   std::vector<SourcePointer> ranges = {};
@@ -39,17 +39,17 @@ struct DesignBase {
 /// The value of `trigonometry` for functions of one state that call sin and cos of the library.
 inline constexpr std::string_view library_sines = "library";
 
-/// One value per dimension; empty: as in the scene.
+/// One value per dimension of the trade-off. Members that are empty: as in the scene.
 struct Design {
   ScalarKind scalar = ScalarKind::double_precision;  ///< or float
   bool in_packs = false;
-  /// max_error of the polynomials; "": the accuracy of the scalar; or library_sines.
+  /// The max_error of the sine polynomials, or library_sines; "": the accuracy of the scalar.
   std::string trigonometry = {};
   bool is_fixed = false;                  ///< all parameters are numbers
   InnerScalar inner = InnerScalar::same;  ///< only for one state in double
-  std::string order = {};                 ///< of an expansion, or "exact": no approximation
+  std::string order = {};                 ///< order of an expansion, or "exact": no expansion
   std::optional<StepSpec> step = {};      ///< replaces the output
-  std::string doc = {};                   ///< of the scene
+  std::string doc = {};                   ///< description of the scene
   friend bool operator==(const Design&, const Design&) = default;
 };
 
@@ -59,24 +59,25 @@ inline const Design exact_design{.order = "exact"};
 /// A dimension of designs with its possible values.
 struct DesignDimension {
   std::string name = {};  ///< "scalar"
-  std::string doc = {};   ///< of the option that pins it
+  std::string doc = {};   ///< description of the option that pins the dimension
   std::vector<std::string> values = {};
 };
 
 [[nodiscard]] std::vector<DesignDimension> design_dimensions();
 
-/// Only designs with this value are tried. Both words are from design_dimensions().
+/// A restriction to designs with this value of a dimension. Both words are from
+/// design_dimensions().
 struct PinnedDimension {
   std::string name = {};
   std::string value = {};
 };
 
 struct DesignChoices {
-  std::vector<std::string> more = {};  ///< dimensions to try in addition to the default ones
+  std::vector<std::string> more = {};  ///< dimensions to vary in addition to the default dimensions
   std::vector<PinnedDimension> pinned = {};
 };
 
-/// E644 at a key of the scene that contradicts a pinned dimension.
+/// E644 for each key of the scene that contradicts a pinned dimension.
 [[nodiscard]] Diagnostics scene_conflicts(const DesignBase& base,
                                           const std::vector<PinnedDimension>& pinned);
 
@@ -86,7 +87,7 @@ struct PlannedDesign {
 };
 
 struct TradeoffPlan {
-  /// Dimensions with at least two values, and pinned ones.
+  /// The dimensions with at least two values, and the pinned dimensions.
   std::vector<std::string> dimensions = {};
   std::vector<PlannedDesign> designs = {};
 };
@@ -101,10 +102,11 @@ struct TradeoffPlan {
 [[nodiscard]] std::string scene_text(const DesignBase& base, const Design& design,
                                      const std::string& model_path);
 
-/// The design without scalar, packs and sines, on which the derivation does not depend.
+/// The design with default scalar, packs and sines. Designs with equal keys have the same
+/// derivation.
 [[nodiscard]] Design derivation_key(const Design& design);
 
-/// high + low: a number to 32 digits.
+/// The number high + low, to 32 digits.
 struct ExactNumber {
   double high = 0;
   double low = 0;
@@ -112,7 +114,7 @@ struct ExactNumber {
 
 /// The states of a measurement, with the exact value of every entry at each state.
 struct TradeoffStates {
-  /// For float they are rounded, which counts as error.
+  /// A design in float rounds the states; this rounding is part of its error.
   std::vector<Arguments<double>> states = {};
   std::vector<std::size_t> field_sizes = {};
   std::vector<std::vector<ExactNumber>> exact = {};  ///< by state and entry
@@ -127,54 +129,55 @@ struct TradeoffSampling {
   std::uint64_t seed = 1;
 };
 
-/// States inside the ranges of the model, narrowed by the scene, and the values of the program's
-/// first function there: in 60 digits with exact parameters. E521: it has no value. Cost: one
-/// operation of Real per instruction and state.
+/// States inside the ranges of the model, narrowed by the scene, and the values of the first
+/// function of the program at these states, in 60 digits with exact parameters. E521: the function
+/// has no value. Cost: one operation of Real per instruction and state.
 [[nodiscard]] Result<TradeoffStates> tradeoff_states(const CheckedModel& exact,
                                                      const Program& program,
                                                      const TradeoffSampling& sampling);
 
-/// For each state the largest |x - x*| in a field / the largest |x*| of that field at any state.
-/// Infinite if x is NaN. `results` are laid out as in DesignValues.
+/// For each state the error: the largest |x - x*| of an entry x with exact value x*, divided by the
+/// largest |x*| of the entries of the same field at all states. Infinite if an x is NaN. `results`
+/// has the layout of DesignValues.
 [[nodiscard]] std::vector<double> state_errors(const std::vector<double>& results,
                                                const TradeoffStates& states);
 
-/// The values of a design: entry k of state i at [k * states.size() + i]. The list of states is
-/// never empty.
+/// A function that computes the entries of a design at states: entry k of state i at
+/// [k * states.size() + i]. It is never called with an empty list of states.
 using DesignValues = std::function<std::vector<double>(const std::vector<Arguments<double>>&)>;
 
 struct FoundErrors {
-  double worst = 0;              ///< over the states and the search
-  double median = 0;             ///< over the states
+  double worst = 0;              ///< largest error at the states and in the search
+  double median = 0;             ///< median of the errors at the states
   Arguments<double> where = {};  ///< the worst state
 };
 
-/// Errors at the states and of a pattern search inside the ranges. The search starts at the worst
-/// states, one start per 100 states, and visits about 20 other states per state. Each number that
-/// the function reads is moved up and down by a step, and all improvements are combined; the step
-/// doubles after a success and is halved otherwise. During the search the program in long double
-/// gives the exact values; the final states are confirmed in 60 digits. Errors are relative to the
-/// largest |x*| of the field at the states or, if that is larger, at the visited state. The result
-/// does not depend on time.
+/// The errors at `states`, and in a pattern search for worse states inside the ranges. The search
+/// starts at the worst states, one per 100 states, and evaluates about 20 times as many states as
+/// `states` has. Each argument that the function loads is moved up and down by a step, and all
+/// improvements are combined; the step doubles after a success and is halved otherwise. In the
+/// search, the program in long double gives the exact values x*; the final states are confirmed in
+/// 60 digits. Errors are relative to the largest |x*| of the field at `states` or, if that is
+/// larger, at the evaluated state. The result is deterministic.
 [[nodiscard]] FoundErrors find_errors(const CheckedModel& exact, const Program& program,
                                       const TradeoffStates& states, const DesignValues& design);
 
 /// A table shows the worst error found, times this factor.
 inline constexpr double search_margin = 1.5;
 
-/// Costs or errors within this factor are equal: a table shows two digits of an error, and times of
-/// the same code differ by this much from run to run.
+/// Costs or errors within this factor count as equal: a table shows two digits of an error, and
+/// times of the same code differ by about this factor from run to run.
 inline constexpr double equality_factor = 1.1;
 
-/// Checks `[numeric] max_error` of the scene for `compiled` and options.as_users: one row for each
-/// output, header and scalar, which fails if a larger error is found. `exact` and `program` belong
-/// to the scene without its expansion. Empty without `max_error`.
+/// Checks `[numeric] max_error` of the scene for compiled code. There is one row for each output,
+/// header and scalar; a row fails if a larger error is found. `exact` and `program` belong to the
+/// scene without its expansion. Empty if the scene has no `max_error`.
 [[nodiscard]] std::vector<CertificateRow> check_max_error(const CheckedModel& exact,
                                                           const Program& program,
                                                           const CompiledHeaders& compiled,
                                                           const VerifyOptions& options);
 
-/// Median and quartiles.
+/// The median and the quartiles of a sample.
 struct Quartiles {
   double median = 0;
   double low = 0;
@@ -185,22 +188,24 @@ struct Quartiles {
 struct DesignErrors {
   double worst = 0;
   double median = 0;
-  double least = 0;  ///< lower end of the noise of `worst`
+  double least = 0;  ///< lower end of the noise interval, whose upper end is `worst`
 };
 
-/// worst and least: search_margin times the largest and the smallest worst error of a sample.
-/// median: the median of the medians. `samples` is not empty.
+/// The errors of a design from several samples. worst, least: search_margin times the largest and
+/// the smallest FoundErrors::worst. median: the median of the medians. `samples` must not be empty.
 [[nodiscard]] DesignErrors errors_of(std::vector<FoundErrors> samples);
 
-/// Work in equal parts. `cost` receives the cost of one part in ns of processor time.
+/// A piece of work that consists of equal parts. find_costs() sets `cost` to the cost of one part,
+/// in ns of processor time.
 struct TimedWork {
   std::function<void()> run = {};
   std::size_t parts = 1;
   Quartiles* cost = nullptr;
 };
 
-/// Measures the costs in turns, so that all works see the same state of the machine. The number of
-/// rounds follows from `seconds`, between 9 and 1001.
+/// Measures the costs of all works in alternating rounds, so that changes of the machine affect all
+/// of them. The number of rounds is chosen so that the measurement takes about `seconds`, but
+/// between 9 and 1001.
 void find_costs(const std::vector<TimedWork>& works, double seconds = 1.5);
 
 /// A run by an emitted step of fixed length.
@@ -210,25 +215,25 @@ struct PlannedRun {
   std::size_t steps = 0;
 };
 
-/// Runs by all methods and orders, one state or packs. Step lengths are integer fractions of `time`
-/// near `lengths`, or a few defaults if it is empty.
+/// The runs to measure: all methods and orders, each for one state and in packs. Step lengths are
+/// integer fractions of `time` near `lengths`, or a few defaults if `lengths` is empty.
 [[nodiscard]] std::vector<PlannedRun> plan_runs(double time,
                                                 const std::vector<double>& lengths = {});
 
-/// q and v at the end of a run from the start of the model. Inputs are constant during each step,
-/// with their value at its start. `program` has the equations for simulate().
+/// q and v at the end of a run from the start of the model. During each step, inputs have their
+/// value at the start of the step. `program` has the equations for simulate().
 [[nodiscard]] std::vector<double> end_of_run(const CheckedModel& checked, const Program& program,
                                              const StepLoops& loops, const PlannedRun& run,
                                              double time);
 
-/// Some steps of a length from the start of the model: one state, or 256 states in packs. Each step
-/// of each state is a part of the work.
+/// A piece of work for find_costs(): some steps of this length from the start of the model, for one
+/// state, or for 256 states in packs. Its parts are the steps of each state.
 [[nodiscard]] TimedWork timed_steps(const CheckedModel& checked, const Program& program,
                                     const StepLoops& loops, bool in_packs, double length);
 
-/// Errors of coordinates and rates at the end: distance from the reference / largest magnitude of
-/// that number in the reference; `worst` and `median` over the numbers. Angles that wrap are
-/// compared modulo 2 pi.
+/// The worst and the median error of the coordinates and rates at the end of a run. The error of a
+/// number is its distance from the reference, divided by ReferenceRun::largest. Angles that wrap
+/// are compared modulo 2 pi.
 [[nodiscard]] DesignErrors errors_of(const std::vector<double>& last, const ReferenceRun& reference,
                                      const Model& model);
 
@@ -236,27 +241,27 @@ struct TradeoffRow {
   std::vector<std::string> values = {};  ///< by dimension
   Design design = {};
   Quartiles cost = {};
-  Quartiles call_cost = {};  ///< of a call with one state; with packs it fills one lane
+  Quartiles call_cost = {};  ///< cost of a call with one state, which fills one lane of a pack
   DesignErrors error = {};
   std::string failure = {};  ///< why cost and error are missing; "": they are present
-  /// The error is the error of the reference run, which cannot resolve a smaller one.
+  /// True: the error is smaller than the error of the reference run, which is given instead.
   bool is_below_reference = false;
-  /// Counted from 1. A rank is the cheapest row without a rank and all rows with equal cost. 0:
-  /// failed.
+  /// The rank by cost, from 1; 0 if the row failed. All rows whose cost equals the cheapest cost of
+  /// the remaining rows get the next rank.
   std::size_t rank = 0;
-  /// The worst error is at most 1. Beyond noise, it is smaller than the error of every earlier row
-  /// that is on the front or below the reference.
+  /// True if the worst error is at most 1 and, beyond noise, smaller than the error of every
+  /// earlier row that is on the front or below the reference.
   bool is_on_pareto_front = false;
 };
 
 struct TradeoffTable {
   std::string model = {};
   std::string subject = {};    ///< "inverse_dynamics"
-  std::string cost = {};       ///< its unit: "ns per state"
+  std::string cost = {};       ///< unit of the cost: "ns per state"
   std::string call_cost = {};  ///< "ns per call"; "" if it equals `cost` or is missing
   std::string error = {};      ///< the meaning of the error
   std::vector<std::string> dimensions = {};
-  /// By rank, then by worst error, then in planned order; failed rows last.
+  /// Sorted by rank, then by worst error, then in planned order; failed rows are last.
   std::vector<TradeoffRow> rows = {};
   std::vector<std::string> sentences = {};  ///< printed below the table
   Machine machine = {};
@@ -269,19 +274,19 @@ struct TradeoffTable {
 /// "float, packs, full, fixed"
 [[nodiscard]] std::string name_of(const TradeoffRow& row);
 
-/// The first row with a worst error of at most max_error: the most accurate row of the cheapest
-/// rank that has one. Null if no row qualifies.
+/// The first row with a worst error of at most max_error, that is, the most accurate row of the
+/// cheapest rank with such a row. Null if no row qualifies.
 [[nodiscard]] const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error);
-/// The row for table.max_error; null if no row qualifies or it is not set.
+/// cheapest_within() for table.max_error; null if no row qualifies or max_error is not set.
 [[nodiscard]] const TradeoffRow* picked_row(const TradeoffTable& table);
-/// The first row with the smallest worst error; null if all failed.
+/// The first row with the smallest worst error; null if all rows failed.
 [[nodiscard]] const TradeoffRow* most_accurate(const TradeoffTable& table);
 
-/// For readers.
+/// The table as text for people.
 [[nodiscard]] std::string to_text(const TradeoffTable& table);
 [[nodiscard]] std::string to_csv(const TradeoffTable& table);
 [[nodiscard]] std::string to_json(const TradeoffTable& table);
-/// Worst errors over costs on logarithmic axes, with the Pareto front as a staircase.
+/// A plot of worst errors over costs on logarithmic axes, with the Pareto front as a staircase.
 [[nodiscard]] std::string to_svg(const TradeoffTable& table);
 
 }  // namespace elgen

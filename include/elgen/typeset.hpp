@@ -2,8 +2,9 @@
 // and the sidecar use the forms of choose(), which do not depend on how an energy is typed.
 //
 //     V = 1/2*k*x1^2 + 1/2*kc*(x2 - x1)^2    each summand of an energy as typed
-//     m*l^2*a + m*g*l*sin(x) = 0             accelerations first, one coefficient each; products of
-//                                            rates, each once; dD/dv; then V, summand by summand
+//     m*l^2*a + m*g*l*sin(x) = 0             order of terms: accelerations, products of rates (each
+//                                            with one coefficient), dD/dv, then the terms of V in
+//                                            the order of its summands
 //
 // Order of factors: number, parameters as typed, sums, coordinates, rates, accelerations,
 // functions.
@@ -19,9 +20,8 @@
 
 namespace elgen {
 
-/// Rewrites the `readable` functions of the program as in books, except entries whose closed form
-/// is missing or too long. Equations that a scene expands, and equations from Routh's function, are
-/// unchanged.
+/// Rewrites the `readable` functions of the program as in books. Unchanged are entries whose closed
+/// form is missing or too long, expanded equations, and equations from Routh's function.
 [[nodiscard]] Program typeset(const CheckedModel& checked, const ClosedForms& forms,
                               Program program);
 
@@ -30,20 +30,22 @@ namespace elgen {
 /// True if some entry has a closed form that is short enough.
 [[nodiscard]] bool has_short_entry(const ClosedFunction& function);
 
-/// The program of elgen/steps.hpp with one entry for each sum of summands: `functions` over the
-/// definitions of the derivation, `readable` as in books. The function of a velocity has the fields
-/// of BookField. The last function has one field per acceleration. The field has no rows if
-/// constraints act, if a closed form is missing, or if the equation contains two other
-/// accelerations. It has none either if the other acceleration's equation contains a third.
+/// The program of elgen/steps.hpp with the summands of each field added to one entry: `functions`
+/// over the definitions of the derivation, `readable` as in books. The function of a velocity has
+/// the fields of BookField.
+///
+/// A last function is added, with one field per acceleration: its equation, solved for it. The
+/// field has no rows if constraints act, if a closed form is missing, if the equation contains two
+/// other accelerations, or if the equation of the other acceleration contains a third one.
 [[nodiscard]] Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms,
                                     Program derived);
 
-/// The fields of the function of a velocity: the fields of elgen/steps.hpp, and left = d/dt dL/dv -
-/// dL/dq + dD/dv.
+/// The fields of the function of a velocity: the fields of elgen/steps.hpp, and `left`, which is
+/// d/dt dL/dv - dL/dq + dD/dv.
 enum class BookField : std::uint8_t { momentum, momentum_rate, partial, dissipation, force, left };
 
-/// A function with one value as its only entry, written over the leaves as in books, or in its
-/// shortest form if that is too long. Without fields if both are too long to read.
+/// A function with the value `form` as its only entry, over the leaves: written as in books, or in
+/// its shortest form if the book form is too long. Without fields if both are too long to read.
 [[nodiscard]] Function typeset_value(const Model& model, const Algebra& algebra,
                                      const Fraction& form, Program& program);
 

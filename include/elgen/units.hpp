@@ -18,7 +18,7 @@ struct Exponent {
   friend bool operator==(const Exponent&, const Exponent&) = default;
 };
 
-/// Powers of m, kg, s, A, K, in this order.
+/// The exponents of m, kg, s, A, K, in this order.
 struct Unit {
   std::array<Exponent, 5> powers{};
   friend bool operator==(const Unit&, const Unit&) = default;
@@ -41,7 +41,7 @@ struct UnitRow {
 /// The shortest known spelling, for messages and documentation: "N*m", "kg*m^2/s", "1".
 [[nodiscard]] std::string to_string(const Unit& unit);
 
-/// The same for a force: J is written N*m, the unit of a generalised force on an angle.
+/// to_string() for a force: J is written N*m, the unit of a generalised force on an angle.
 [[nodiscard]] std::string force_unit_text(const Unit& unit);
 
 }  // namespace elgen

@@ -1,8 +1,8 @@
 // ImportedModel: a robot description (URDF), translated into a model file.
 //
 // Every moving link becomes a frame and a body, every moving joint a coordinate and an input.
-// Numbers keep the digits of the URDF. Shapes, colours and transmissions are omitted silently.
-// Other omissions are noted (E815), or warned of if they are mechanics (E822).
+// Numbers keep the digits of the URDF. Shapes, colours and transmissions are omitted without a
+// message. An omission that changes the mechanics is a warning (E822), any other a note (E815).
 #pragma once
 
 #include <string>
@@ -16,21 +16,21 @@ namespace elgen {
 
 struct ImportedModel {
   std::string text;  ///< TOML, as parse_model() reads it
-  std::string name;  ///< of the model
+  std::string name;  ///< name of the model
 };
 
 /// Options of an import.
 struct ImportOptions {
-  std::string name = {};                   ///< of the model; empty: the name of the robot
+  std::string name = {};                   ///< name of the model; empty: the name of the robot
   std::vector<SourcePointer> joints = {};  ///< "a,b": only these joints move, in this order
   std::vector<SourcePointer> welds = {};   ///< "JOINT", "JOINT=0.5" or "massless"
   bool floating_base = false;              ///< the root link moves freely
-  bool exact_angles = false;               ///< angles near a right angle are not rounded to it
-  std::string file = {};                   ///< file name in the text; empty: the name of the source
+  bool exact_angles = false;  ///< true: angles close to a right angle are not rounded to it
+  std::string file = {};      ///< file name that the text mentions; empty: the name of the source
 };
 
-/// Errors: E8xx, all in one run if the file is XML. Warnings: E508, E814, E817, E822. Notes: E815,
-/// E816, E818 to E820.
+/// Translates a URDF file. Errors: E8xx; if the file is valid XML, all errors are reported at once.
+/// Warnings: E508, E814, E817, E822. Notes: E815, E816, E818 to E820.
 [[nodiscard]] Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& limits,
                                                 const ImportOptions& options = {});
 

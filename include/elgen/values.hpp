@@ -1,5 +1,5 @@
-// Values: outputs at states in decimal digits, for people and for tests of foreign code. The oracle
-// computes them from the equations as defined, independently of the derivation.
+// Values: the values of outputs at states, in decimal digits, for people and for tests of foreign
+// code. The oracle computes them from the defining equations, independently of the derivation.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,8 @@ struct ValueField {
   std::vector<std::string> units = {};    ///< of each entry; "" if unknown
 };
 
-/// An output as a function: the arguments that the model has (inputs always), and its fields.
+/// An output as a function: its arguments, as far as the model has them (inputs always), and its
+/// fields.
 struct ValueFunction {
   OutputRequest output = {};
   std::vector<Opcode> takes = {};
@@ -31,17 +32,18 @@ struct ValueFunction {
 struct ValueRecord {
   std::size_t function = 0;            ///< index in ValueTable::functions
   std::string place = {};              ///< "start", "rest", "moving", "parameters", "state"
-  State state = {};                    ///< with all parameters, also fixed ones
+  State state = {};                    ///< contains all parameters, also fixed parameters
   std::vector<cln::cl_R> values = {};  ///< row-major, field after field
-  /// The digits of each value that the emitted code keeps in double, from a bound of its rounding
-  /// error. A zero has the digits of the largest entry of its field. Only for test vectors.
+  /// For each value, the number of digits that emitted code in double computes correctly, from a
+  /// bound of its rounding error; for a value 0, relative to the largest entry of its field. Only
+  /// for test vectors.
   std::vector<int> digits = {};
 };
 
-/// Records, sorted by function. Refers to the model.
+/// The values of several functions. The records are sorted by function. Refers to the model.
 struct ValueTable {
   const Model& model;
-  std::string name = {};  ///< of the model and its scene
+  std::string name = {};  ///< name of the model and its scene
   int digits = 17;        ///< significant digits, all correct
   std::vector<ValueFunction> functions = {};
   std::vector<ValueRecord> records = {};
@@ -51,14 +53,14 @@ struct ValueTable {
 
 struct StateOptions {
   int digits = 17;       ///< at most most_value_digits
-  bool projects = true;  ///< projects variables that `--state` does not set onto the constraints
+  bool projects = true;  ///< moves variables that `--state` does not set onto the constraints
 };
 inline constexpr int most_value_digits = 60;
 
-/// The outputs of a scene at the start of the model, changed by `--state`. By default accelerations
-/// are 0, momenta follow from the rates, and inputs from their laws. E538. E521 for each output
-/// without a value; the others are returned. Cost: two evaluations by the oracle, up to six if
-/// terms cancel.
+/// The values of the outputs of a scene at the start of the model, changed by `--state`. Unless
+/// `--state` sets them, accelerations are 0, momenta are computed from the rates, and inputs from
+/// their laws. E538: the constraints cannot be satisfied. E521 for each output without a value;
+/// all other outputs are returned. Cost: two evaluations by the oracle, up to six if terms cancel.
 [[nodiscard]] Result<ValueTable> state_values(const CheckedModel& checked,
                                               const StateOptions& options);
 
@@ -67,11 +69,12 @@ struct VectorOptions {
   std::uint64_t seed = 1;
 };
 
-/// Values at states of exact doubles: the start of the model; then in turn at rest without inputs,
-/// in motion inside the ranges, and in motion with other parameters. With constraints, states are
-/// moved onto them, except for outputs that measure the deviation. A function has no record at
-/// states at which its value is undefined or undecided. E521: it has no record at all. E633: it
-/// reads an open function.
+/// The values of each function at several states, whose numbers are doubles: the start of the
+/// model; then in turn states at rest without inputs, in motion inside the ranges, and in motion
+/// with other parameters. With constraints, states are moved onto them, except for outputs that
+/// measure the violation of constraints. A function has no record at a state at which its value is
+/// undefined or not known to enough digits. E521: a function has no record. E633: a function
+/// contains an open function.
 [[nodiscard]] Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& program,
                                               const VectorOptions& options);
 
@@ -80,7 +83,7 @@ struct VectorOptions {
 [[nodiscard]] std::string to_json(const ValueTable& table);
 /// One row per entry of each record.
 [[nodiscard]] std::string to_csv(const ValueTable& table);
-/// For C and C++: an array of structs per function.
+/// A header for C and C++ with an array of structs per function.
 [[nodiscard]] std::string to_header(const ValueTable& table);
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// Wording: quotes of user text, counts, and suggestions of names in messages.
+// Wording of messages: quotations of user text, counts with nouns, and suggestions of names.
 #pragma once
 
 #include <cstddef>
@@ -24,19 +24,20 @@ namespace elgen {
 /// A path in messages: invisible characters and line ends are written as \x0a.
 [[nodiscard]] std::string shown_path(std::string_view path);
 
-/// The text broken at blanks: lines of at most `width` bytes, the later ones behind `indent`.
+/// The text broken at blanks into lines of at most `width` bytes. All lines except the first start
+/// with `indent`.
 [[nodiscard]] std::string break_lines(std::string_view text, std::size_t width,
                                       std::string_view indent);
 
 /// "1 component", "3 components"
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
 
-/// "did you mean `m`?"; `otherwise` if no candidate is near.
+/// "did you mean `m`?" for the nearest candidate; `otherwise` if no candidate is close to `word`.
 [[nodiscard]] std::string suggestion(std::string_view word,
                                      const std::vector<std::string>& candidates,
                                      const std::string& otherwise = {});
 
-/// One column of a table as strings: words_in(step_methods, &StepMethodRow::name).
+/// One column of a table as strings: column_words(entry_table(), &EntryRow::entry).
 template <class Rows, class Word>
 [[nodiscard]] std::vector<std::string> column_words(const Rows& rows, const Word& word) {
   std::vector<std::string> words;
