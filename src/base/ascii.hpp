@@ -12,7 +12,7 @@ namespace elgen {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// True if a name may contain this character after the first.
+/// True if a name may contain the character behind its first character.
 [[nodiscard]] constexpr bool is_word_character(char c) {
   return is_letter(c) || is_digit(c) || c == '_';
 }
@@ -25,7 +25,7 @@ namespace elgen {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
 }
 
-/// Blanks and line ends.
+/// True for a blank or a line end.
 [[nodiscard]] constexpr bool is_space(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }

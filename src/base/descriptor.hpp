@@ -23,7 +23,7 @@ class Descriptor {
   [[nodiscard]] bool is_open() const { return number_ >= 0; }
   [[nodiscard]] int number() const { return number_; }
 
-  /// Closes the file. False if the system reports that written data was lost.
+  /// Closes the file. Returns false if the system reports that written data was lost.
   bool close() {
     const int number = std::exchange(number_, -1);
     return number < 0 || ::close(number) == 0;

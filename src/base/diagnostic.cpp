@@ -1,4 +1,4 @@
-// diagnostic: the table of codes; the order and the exit code of a set of diagnostics.
+// diagnostic: the table of codes; sorting of diagnostics, and their exit code.
 #include "elgen/diagnostic.hpp"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ constexpr Code codes_of_texts[]{
 #undef ELGEN_CODE
 };
 
-/// code_row() uses the number of a code as index, so both lists must have the same order.
+/// True if the table is in the order of the enumeration Code, which code_row() requires because it
+/// uses a code as an index.
 constexpr bool is_in_order() {
   for (std::size_t i = 0; i < std::size(codes_of_texts); ++i) {
     if (static_cast<std::size_t>(codes_of_texts[i]) != i) return false;

@@ -1,6 +1,6 @@
-// diagnostic_words: cuts long names at code point boundaries. In a workflow command, a message must
-// escape line ends, per cent signs and hidden characters; a property must also escape colons and
-// commas.
+// diagnostic_words: shortens long names, and escapes text for GitHub. In the message of a workflow
+// command, line ends, per cent signs and hidden characters must be escaped; in a property, also
+// colons and commas.
 #include "base/diagnostic_words.hpp"
 
 #include <fmt/format.h>

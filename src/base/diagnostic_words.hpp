@@ -1,4 +1,4 @@
-// diagnostic_words: wording that all formats of diagnostics share.
+// diagnostic_words: text functions that several formats of diagnostics share.
 #pragma once
 
 #include <array>
@@ -16,8 +16,9 @@ inline constexpr std::array<std::string_view, 3> severity_words{"note", "warning
   return severity_words.at(static_cast<std::size_t>(severity));
 }
 
-/// Cuts each text in back-ticks to 200 bytes, because a name may be as long as a file. Hidden
-/// characters, such as marks that reverse the direction of text, are replaced by their names.
+/// The text with each part in back-ticks cut to 200 bytes, because a name may be as long as a file.
+/// Hidden characters, such as marks that reverse the direction of text, are replaced by their
+/// names.
 [[nodiscard]] std::string shortened(std::string_view said);
 
 /// The message and its hint, separated by a semicolon.
@@ -29,7 +30,7 @@ inline constexpr std::array<std::string_view, 3> severity_words{"note", "warning
 /// The path as given, without `./`; "elgen" for a span without a source.
 [[nodiscard]] std::string path_of(const Span& span);
 
-/// A command by which a program asks GitHub Actions to show a message at a place in a file.
+/// A line of output with which a program makes GitHub Actions show a message at a line of a file.
 ///
 ///     ::warning file=models/a.toml,line=3,col=7,title=elgen diff::[gravity] vector[2]%3A -g -> g
 struct WorkflowCommand {

@@ -1,5 +1,5 @@
-// fill_template: strict Mustache. kainjow renders an unknown name as empty text; this context
-// throws, so that a misspelt hole fails the first test that renders it.
+// fill_template: strict Mustache. kainjow renders an unknown name as empty text; StrictContext
+// throws std::logic_error instead, so that tests find a misspelt hole.
 #include "base/fill_template.hpp"
 
 #include <stdexcept>
@@ -19,7 +19,7 @@ class StrictContext final : public kainjow::mustache::context<std::string> {
   }
   [[nodiscard]] const TemplateData* get_partial(const std::string& name) const override {
     std::string text(template_at(partial_path(path_, name)));
-    text.pop_back();  // the including template ends the line
+    text.pop_back();  // the line end, which the including template has too
     return &partials_.insert_or_assign(name, TemplateData(text)).first->second;
   }
 

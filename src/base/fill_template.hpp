@@ -1,8 +1,8 @@
-// fill_template: a template and the values of its holes -> text.
+// fill_template: inserts values into the holes of a template.
 //
-// Templates look like the output (Mustache): holes `{{name}}`, sections for parts that repeat or
-// may be absent, partials from the same folder (`{{> kinked}}`), no logic. A hole without a value
-// is a mistake in elgen and throws std::logic_error.
+// Templates are in Mustache: holes `{{name}}`, sections for parts that repeat or may be absent,
+// partials from the same folder (`{{> kinked}}`), no logic. A hole without a value is a mistake in
+// elgen and throws std::logic_error.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-// The header as packages install it, or the single header as it is published.
+// Packages install the header in a folder; its author publishes a single file.
 #if __has_include(<kainjow/mustache.hpp>)
 #include <kainjow/mustache.hpp>
 #else
@@ -23,7 +23,7 @@ using TemplateData = kainjow::mustache::data;
 /// The values of holes, by their names.
 using TemplateRow = kainjow::mustache::object;
 
-/// The list over which a section repeats: `row_of` each element.
+/// The list for a repeated section: row_of(element) has the values of one repetition.
 template <class Elements, class RowOf>
 [[nodiscard]] TemplateData rows_data(const Elements& elements, const RowOf& row_of) {
   TemplateData list(TemplateData::type::list);
@@ -31,10 +31,11 @@ template <class Elements, class RowOf>
   return list;
 }
 
-/// The list of an optional section: one element with the values if `present`, else empty.
+/// The list for an optional section: one element with the values if `present`, else no element.
 [[nodiscard]] TemplateData section_if(bool present, const TemplateData& values = {});
 
-/// A list with one element per line, whose hole is `line`. A comment block repeats over it.
+/// The list for a section that repeats for each line, such as a comment block. The section has the
+/// hole `line`.
 [[nodiscard]] TemplateData lines_data(const std::vector<std::string>& lines);
 
 /// Fills the embedded template at `path` ("cpp/header.hpp.mustache"). Values are inserted

@@ -70,8 +70,8 @@ std::size_t code_points(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_code_point));
 }
 
-/// Text for a terminal: a tab becomes a space, another hidden character becomes `?`, and a byte
-/// that is not UTF-8 becomes `\x9e`.
+/// Text for a terminal. A tab becomes a space, any other hidden character becomes `?`, and a byte
+/// that is not UTF-8 becomes its number, such as `\x9e`.
 std::string printable(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
@@ -99,7 +99,7 @@ struct Excerpt {
 
 constexpr std::size_t widest_line = 160;
 
-/// Cuts a long line around the caret, on code point boundaries.
+/// The source line of a span. A long line is cut around the caret, at code point boundaries.
 Excerpt excerpt(const Span& span) {
   const LineColumn at = line_column(*span.source, span.begin);
   const std::string_view line = line_text(*span.source, at.line);

@@ -7,8 +7,9 @@
 
 namespace elgen {
 
-/// The derivatives of a function by its first and its second argument. `f` is its value at (x, y).
-/// Operand needs + - * /, products with an int, sqrt(x), and called(FunctionId, x, y).
+/// The derivatives of a function by its first and its second argument. `f` is the value of the
+/// function at (x, y). Operand needs + - * /, products with an int, sqrt(x), and
+/// called(FunctionId, x, y), which calls a function.
 template <class Operand>
 [[nodiscard]] std::array<Operand, 2> function_slopes(FunctionId function, const Operand& x,
                                                      const Operand& y, const Operand& f,

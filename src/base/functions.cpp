@@ -1,24 +1,29 @@
 // functions: the properties of each function, in the order of elgen/functions.def. The columns are:
 //
-// use: `anywhere`, or `forces` only, for functions with kinks, which are never differentiated.
-// parity: `even`, f(-x) = f(x), in each argument except the k of stumpff; `odd`, f(-x) = -f(x).
-// smoothness: the real arguments at which the function is analytic. `everywhere`; `positive`:
-// everywhere, with positive values; `poles`: except at poles; `real`: everywhere, with branch
-// points at complex arguments; `half_plane`: if the last argument is positive; `branches`: on no
-// connected domain.
-// domain: the first arguments for which the function has a value; `up_to_one`: |x| <= 1.
-// units: `pure`: argument and value are pure numbers; `kept`: the value has the unit of the
-// argument; `shared`: arguments and value have the same unit; `ratio`: the arguments have the same
-// unit, the value is a pure number; `ignored`: any unit, the value is a pure number.
-// roundings: error bound of the library's value, in units of u. The manual of glibc 2.36 lists 2
-// ulp, or 4 u, for the hyperbolic functions, and 1 ulp for log1p, expm1 and hypot. In its tests the
-// other functions are off by at most 0.6 ulp. Measured for stumpff: 8 u at k = 44, 4 u up to k =
-// 20, 17 u at k = -36, 8 u from k = -7 on.
-// own_name: the function that emitted code defines if the language's library lacks it.
-// latex: the command before the arguments; empty if formulas are written in another way.
-// exact_at, exact_value: for one argument: an argument at which the value is rational, and this
-// value.
-// far_values: for exponential functions: their limits at large negative and positive arguments.
+// use         `anywhere`; `forces`: only in forces, for functions with kinks, which are never
+//             differentiated
+// parity      `even`: f(-x) = f(x), in each argument except the k of stumpff; `odd`: f(-x) = -f(x)
+// smoothness  real arguments at which the function is analytic; see below
+// domain      first arguments for which the function has a value; `up_to_one`: |x| <= 1
+// units       `pure`: arguments and value are pure numbers; `kept`: the value has the unit of the
+//             argument; `shared`: arguments and value have the same unit; `ratio`: the arguments
+//             have the same unit, and the value is a pure number; `ignored`: the argument has any
+//             unit, and the value is a pure number
+// roundings   error bound of the library's value, in u; see below
+// own_name    name in emitted code that defines the function, because the library may lack it
+// latex       command before the arguments; empty if formulas have another notation
+// exact_at    for one argument: an argument at which the value is rational
+// exact_value the value at exact_at
+// limits_at_infinity  for exponential functions: their limits at -infinity and +infinity
+//
+// Smoothness: `everywhere`; `positive`: everywhere, and the values are positive; `poles`: except at
+// poles; `real`: everywhere, but with branch points at complex arguments; `half_plane`: where the
+// last argument is positive; `branches`: on no connected domain.
+//
+// Roundings: the manual of glibc 2.36 lists 2 ulp, or 4 u, for the hyperbolic functions, and 1 ulp
+// for log1p, expm1 and hypot; in the tests of glibc, the errors of all other functions are at most
+// 0.6 ulp. Measured for stumpff: 4 u for 0 < k <= 20, 8 u at k = 44, 8 u for -7 <= k < 0, 17 u at
+// k = -36.
 #include "elgen/functions.hpp"
 
 #include <algorithm>
@@ -40,7 +45,7 @@ using Far = LimitsAtInfinity;
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// use, parity, smoothness, domain, units, roundings, own_name, latex, exact_at, exact_value,
-/// far_values
+/// limits_at_infinity
 constexpr Row sin{anywhere, odd, everywhere, all, pure, 1, "", "\\sin", 0, 0, {}};
 constexpr Row cos{anywhere, even, everywhere, all, pure, 1, "", "\\cos", 0, 1, {}};
 constexpr Row tan{anywhere, odd, poles, all, pure, 1, "", "\\tan", 0, 0, {}};

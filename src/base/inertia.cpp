@@ -1,5 +1,5 @@
-// inertia: the second moments must be positive semidefinite: all principal minors are at least
-// zero. The tolerance is 0.1 % of the trace, for rounded inertias.
+// inertia: the matrix of second moments is positive semidefinite if all its principal minors are at
+// least zero. The tolerance is 0.1 % of the trace, for rounded inertias.
 #include "elgen/inertia.hpp"
 
 #include <cln/rational.h>

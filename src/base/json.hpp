@@ -1,5 +1,5 @@
-// json: values for other programs. nlohmann/json prints them. Only json.cpp includes that library,
-// because it adds two to four seconds to the compilation of a source.
+// json: values for other programs, printed by nlohmann/json. Only json.cpp includes that library,
+// because it adds two to four seconds to the compilation of each source.
 //
 //     Json{{"name", "theta"}, {"range", {0, 1.5}}}.dump()      {"name":"theta","range":[0,1.5]}
 #pragma once
@@ -42,7 +42,7 @@ class Json {
   [[nodiscard]] static Json array(Array elements = {});
   [[nodiscard]] static Json object();
 
-  /// A member of an object, which is added if it does not exist; null becomes an object.
+  /// The member of an object with this key. A missing member is added; null becomes an object.
   Json& operator[](std::string_view key);
   /// Adds an element to an array; null becomes an array.
   Json& push_back(Json element);
@@ -55,15 +55,15 @@ class Json {
   [[nodiscard]] bool is_structured() const {
     return is_object() || std::holds_alternative<Array>(value_);
   }
-  /// True if an array has no elements; the value must be an array.
+  /// True if the array has no elements. The value must be an array.
   [[nodiscard]] bool empty() const { return std::get<Array>(value_).empty(); }
   [[nodiscard]] Json& back() { return std::get<Array>(value_).back(); }
 
   /// The members of an object, or the elements of an array with empty keys.
   [[nodiscard]] std::vector<std::pair<std::string_view, const Json*>> items() const;
 
-  /// The text, on one line or with `indent` blanks per level. Bytes that are not UTF-8 are
-  /// replaced; `is_ascii` escapes characters beyond ASCII.
+  /// The value as JSON text, on one line if `indent` is -1, else with `indent` blanks per level.
+  /// Bytes that are not UTF-8 are replaced; `is_ascii`: characters beyond ASCII are escaped.
   [[nodiscard]] std::string dump(int indent = -1, bool is_ascii = false) const;
 
  private:

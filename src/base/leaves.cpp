@@ -1,8 +1,7 @@
-// leaves: the table of leaves: their texts, and their role in states and functions.
+// leaves: the table of leaves: their notation, and their role in states and functions.
 //
-// Every leaf has a different rank; numbers have rank 0, constants 1, computed values 4. In `text`
-// (of models) and `identifier` (of dumps), {} is the name of the entry; in LaTeX, s is its symbol.
-// opcodes.hpp explains the columns.
+// opcodes.hpp explains the columns. The rank of every leaf is different; ranks 0, 1 and 4 are used
+// for numbers, constants and computed values.
 #include <array>
 
 #include "elgen/opcodes.hpp"

@@ -1,5 +1,5 @@
-// no_interrupts: signals are blocked in this thread only; other threads must block them too, as
-// Progress does.
+// no_interrupts: signals are blocked only in the thread that creates a NoInterrupts. Other threads
+// must block them too, as the thread of Progress does.
 #include "base/no_interrupts.hpp"
 
 #include <array>
@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::array signals{SIGINT, SIGTERM, SIGHUP, SIGXCPU};
 
-/// Blocking keeps a signal pending even if it is ignored, so ignored signals are excluded here.
+/// True if the process ignores the signal. An ignored signal must not be blocked: it would become
+/// pending and look like an interrupt.
 bool is_ignored(int signal) {
   struct sigaction action {};
   sigaction(signal, nullptr, &action);

@@ -5,10 +5,11 @@
 
 namespace elgen {
 
-/// The signals that ask the process to end, except signals that it was started to ignore.
+/// The signals that ask the process to end, except signals that the process ignores.
 [[nodiscard]] sigset_t ending_signals();
 
-/// Blocks ending signals while it exists. Pending signals arrive when it is destroyed.
+/// While an object of this class exists, ending_signals() are blocked. Signals that arrive in this
+/// time are delivered when the object is destroyed.
 class NoInterrupts {
  public:
   NoInterrupts();
@@ -20,7 +21,7 @@ class NoInterrupts {
   sigset_t before_{};
 };
 
-/// True if an ending signal is pending.
+/// True if one of ending_signals() is blocked and has arrived.
 [[nodiscard]] bool has_pending_interrupt();
 
 }  // namespace elgen

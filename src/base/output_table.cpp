@@ -1,4 +1,4 @@
-// output_table: queries of the table of outputs.
+// output_table: functions that look up the table of outputs.
 #include <algorithm>
 
 #include "elgen/outputs.hpp"

@@ -1,9 +1,14 @@
-// outputs: the table of outputs, a row for each, by family.
+// outputs: the table of outputs, with one row for each output.
 //
-// Equations are written in q, v, a, u, t with T = T2 + b_T.v + T0 (T2 = 1/2 v.M v), V = V0 + V1.v
-// and b = b_T - V1. If the model gives L as a whole, T0 = 0 and V0 = -L(q, 0, t). With rotations,
-// dq/dt = N(q) v, and [w]x is the cross product on the velocities of each rotation, 0 elsewhere.
-// The generalised forces equal d/dt dL/dv + [w]x dL/dv - N^T dL/dq.
+// The equations use q, v, a, u, t and the splits
+//
+//     T = T2 + b_T.v + T0,   T2 = 1/2 v.M v,   V = V0 + V1.v,   b = b_T - V1
+//
+// If the model declares L instead of T and V, T0 = 0 and V0 = -L(q, 0, t). With rotations, dq/dt =
+// N(q) v. [w]x is block diagonal: the cross product matrix of the angular velocity for each
+// rotation, and 0 for all other velocities. Lagrange's equations are
+//
+//     d/dt dL/dv + [w]x dL/dv - N^T dL/dq = generalised forces
 #include "elgen/outputs.hpp"
 
 #include <array>
@@ -342,7 +347,7 @@ constexpr OutputRow step_derivatives{
     .differentiates = true,
     .steps = true};
 
-/// Sets kind and name, and adds the needs that other columns imply.
+/// The row with its kind and name set, and with the needs that follow from other columns added.
 constexpr OutputRow named(OutputKind kind, std::string_view name, OutputRow row) {
   row.kind = kind;
   row.name = name;

@@ -1,5 +1,6 @@
-// Reasons: a code with many call sites is named by its reason, so that `elgen explain` can say for
-// each reason what to do. An unexplained reason does not compile.
+// Reasons: call sites of a code with several causes use a reason instead of the code. `elgen
+// explain` says for each reason what to do. A reason without a row in error_reasons.def does not
+// compile.
 #pragma once
 
 #include <string_view>
@@ -9,7 +10,8 @@
 
 namespace elgen {
 
-/// One constant for each row of error_reasons.def: its name is the id, its value the code.
+/// A struct with one constant for each row of error_reasons.def: the id is the name, and the code
+/// is the value.
 struct Reason {
 #define ELGEN_REASON(code, id, text) static constexpr Code id = Code::code;
 #include "base/error_reasons.def"

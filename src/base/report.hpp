@@ -12,16 +12,16 @@ namespace elgen {
 
 class Report {
  public:
-  /// Drops a diagnostic if an earlier one has the same span, code and message up to digits, because
-  /// a repetition finds the same mistake for every index.
+  /// Adds a diagnostic unless an earlier one has the same span, the same code, and the same message
+  /// except for digits. In a repetition, each index would report the same mistake.
   void add(Diagnostic diagnostic);
   void add(Code code, const Span& span, std::string message, std::string hint = {});
 
   [[nodiscard]] std::size_t errors() const { return errors_; }
   [[nodiscard]] bool has(Code code) const;
-  /// False from 100 errors on: a suggestion costs a search, and nobody reads the hundredth.
+  /// False after 100 errors: each suggestion of a name costs a search, and nobody reads so many.
   [[nodiscard]] bool needs_suggestion() const { return errors_ < 100; }
-  /// All diagnostics in order of position.
+  /// All diagnostics, sorted by position.
   [[nodiscard]] Diagnostics sorted() const;
 
  private:

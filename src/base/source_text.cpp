@@ -10,7 +10,7 @@ namespace elgen {
 
 namespace {
 
-/// A byte order mark does not count as a character of the first line.
+/// A byte order mark at the start is not counted in columns of the first line.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 }  // namespace

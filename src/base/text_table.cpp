@@ -1,4 +1,4 @@
-// text_table: computes the widths first, then writes the lines.
+// text_table: computes the widths of all columns, then writes the lines.
 #include "base/text_table.hpp"
 
 #include <fmt/format.h>

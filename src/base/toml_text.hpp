@@ -28,7 +28,7 @@ namespace elgen {
 /// Entries "a = 1" become "{ a = 1, b = 2 }".
 [[nodiscard]] std::string toml_inline_table(const std::vector<std::string>& entries);
 
-/// A comment of one line for any text.
+/// The text as a TOML comment on one line.
 [[nodiscard]] std::string toml_comment(std::string_view text);
 
 /// `[[header]]` and its keys, with aligned equals signs.

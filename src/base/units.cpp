@@ -1,7 +1,8 @@
 // units: arithmetic on rational powers of m, kg, s, A, K; the table of unit names; and the text of
 // a unit.
 //
-// Exponents are in lowest terms. They saturate at `exponent_limit`, which no physical unit reaches.
+// Exponents are fractions in lowest terms. They are clamped to `exponent_limit`, which no physical
+// unit reaches.
 #include "elgen/units.hpp"
 
 #include <fmt/ranges.h>
@@ -44,7 +45,7 @@ Unit integer_unit(std::int32_t m, std::int32_t kg, std::int32_t s, std::int32_t 
   return Unit{{{{m, 1}, {kg, 1}, {s, 1}, {ampere, 1}, {kelvin, 1}}}};
 }
 
-/// A unit written as a product of powers of at most one derived unit and of the base units.
+/// A unit as a product of at most one derived unit (such as N) and of powers of base units.
 struct UnitSpelling {
   std::string text;
   std::int64_t cost = 0;
@@ -60,9 +61,11 @@ std::string spelled_power(std::string_view name, std::int32_t numerator, std::in
   return text;
 }
 
-/// Puts `derived` ("" for none) first in the numerator. kg precedes m, as usual in speech.
+/// The unit derived * rest, with `derived` ("" for none) first in the numerator. kg precedes m, as
+/// is usual.
 UnitSpelling spell(std::string_view derived, const Unit& rest) {
-  // A derived unit must save more base powers than this: m/s^2 remains, kg*m/s^2 becomes N.
+  // A derived unit is used only if it replaces more powers of base units than this number: m/s^2
+  // stays, kg*m/s^2 becomes N.
   constexpr std::int64_t derived_cost = 3;
   constexpr std::array<std::size_t, base_unit_count> order{1, 0, 2, 3, 4};
   std::vector<std::string> above;
@@ -87,13 +90,13 @@ UnitSpelling spell(std::string_view derived, const Unit& rest) {
   return result;
 }
 
-/// Hz and rad are written as 1/s and 1, because a rate in rad/s is not a frequency.
+/// False for Hz and rad, which are written 1/s and 1, because a rate in rad/s is not a frequency.
 bool is_written_by_name(const UnitRow& row) {
   return row.name != "Hz" && row.name != "rad" && row.name != "1";
 }
 
-/// True for at most one factor or divisor besides the derived unit, and no kg, which the derived
-/// unit contains: N/s, J*m.
+/// True if `rest` is at most one factor or divisor, as in N/s or J*m, and does not contain kg,
+/// which is part of the derived unit.
 bool fits_derived_unit(const Unit& rest) {
   constexpr std::size_t kilogram = 1;
   std::int64_t count = 0;

@@ -17,7 +17,7 @@ struct ByteForm {
   unsigned char mask;  ///< bits of the first byte that encode the length
   unsigned char mark;  ///< the value of these bits
   std::size_t bytes;
-  char32_t smallest;  ///< a smaller code point has a shorter form
+  char32_t smallest;  ///< smallest code point that needs this length
 };
 
 constexpr std::array<ByteForm, 4> forms{ByteForm{0x80, 0x00, 1, 0x0}, ByteForm{0xE0, 0xC0, 2, 0x80},
@@ -29,7 +29,8 @@ struct CodePoints {
   char32_t last;
 };
 
-/// Categories Cc, Cf, Zl and Zp of Unicode 15, letters without a visible glyph, and tags.
+/// Ranges of the hidden characters: categories Cc, Cf, Zl and Zp of Unicode 15, letters without a
+/// visible glyph, and tags.
 constexpr std::array hidden{
     CodePoints{0x0000, 0x001F},   CodePoints{0x007F, 0x009F},   CodePoints{0x00AD, 0x00AD},
     CodePoints{0x034F, 0x034F},   CodePoints{0x0600, 0x0605},   CodePoints{0x061C, 0x061C},

@@ -21,7 +21,7 @@ struct CodePoint {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }
 
-/// The position of the first byte that is not UTF-8; none in UTF-8 text.
+/// The position of the first byte that is not UTF-8; none if the whole text is UTF-8.
 [[nodiscard]] std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 
 /// "U+03C0".
@@ -38,7 +38,7 @@ struct CodePoint {
 /// UTF-8 by question marks.
 [[nodiscard]] std::string visible_text(std::string_view text);
 
-/// Replaces hidden characters of a JSON text by JSON escapes; outside strings it has none.
+/// Replaces hidden characters of a JSON text by JSON escapes. They can occur only inside strings.
 [[nodiscard]] std::string visible_json(std::string_view json);
 
 void append_utf8(std::string& text, char32_t value);

@@ -101,9 +101,9 @@ std::string count_text(std::size_t count, std::string_view noun) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
-  constexpr std::size_t longest_word = 64;  // a longer word is no typing error
+  constexpr std::size_t longest_word = 64;  // a longer word gets no suggestion
   if (word.empty() || word.size() > longest_word) return {};
-  // The distance allowed: 1 for a short word, a third of the letters for a long word.
+  // The largest edit distance of a suggestion: a third of the length of the word, but at least 1.
   const std::size_t allowed = std::max<std::size_t>(1, word.size() / 3);
   std::size_t best = allowed + 1;
   std::string result;
