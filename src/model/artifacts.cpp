@@ -1,4 +1,4 @@
-// artifacts: paths of the files of a scene, and the kinds that it wants.
+// artifacts: the kinds of files that a scene requests, and their paths.
 #include "elgen/artifacts.hpp"
 
 #include <fmt/format.h>

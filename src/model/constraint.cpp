@@ -1,4 +1,4 @@
-// Constraint: the hint to replace `coincide` by the equations that constrain something.
+// Constraint: the hint to replace `coincide` by those of its equations that have an effect.
 #include "elgen/constraint.hpp"
 
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 namespace elgen {
 namespace {
 
-/// "[3]" for a repeated entry, else "".
+/// The index "[3]" in the name of a row of a repeated entry; "" if the entry is not repeated.
 std::string index_of(const Constraint& row) {
   return row.name.substr(std::min(row.name.find('['), row.name.size()));
 }

@@ -7,14 +7,16 @@
 
 namespace elgen {
 
-/// With fewer velocities, M = L D L^T needs fewer operations than articulated bodies. For a chain
-/// of turns, both need the same number at about ten velocities.
+/// The least number of velocities for the articulated-body algorithm. With fewer velocities, M = L
+/// D L^T needs fewer operations; for a chain of hinges, the numbers are equal at about ten
+/// velocities.
 inline constexpr std::size_t min_articulated_velocities = 10;
 
-/// True if the last velocity is eliminated first. This is the case if a frame carries at least two
-/// others, so that limbs cause no fill-in between them. It is also the case if a model with frames
-/// has at least min_articulated_velocities velocities, as articulated bodies require. The order
-/// determines the relative pivots of forward dynamics.
+/// True if velocities are eliminated from the last to the first, false if from the first to the
+/// last. The order determines the relative pivots of forward dynamics. It is from the last to the
+/// first if a frame carries at least two other frames, because then branches of the tree cause no
+/// fill-in between them; and if a model with frames has at least min_articulated_velocities
+/// velocities, because the articulated-body algorithm has this order.
 [[nodiscard]] bool eliminates_last_first(const Model& model);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// formula: converts expressions to formulas, one operation at a time, with the names of the model
-// and the fewest brackets that preserve the tree.
+// formula: converts expressions to formulas, node by node, with the names of the model and the
+// fewest brackets that preserve the tree.
 #include <fmt/format.h>
 
 #include "elgen/leaf_names.hpp"
@@ -49,7 +49,7 @@ class FormulaMaker {
     return all;
   }
 
-  /// In a sum, a negative term after the first is subtracted, without brackets.
+  /// A sum. Every negative term except the first is subtracted, without brackets.
   [[nodiscard]] Formula total(const Expression& node) const {
     Formulas terms;
     for (const ExpressionId operand : node.operands) {
@@ -65,7 +65,8 @@ class FormulaMaker {
   const std::function<Formula(ExpressionId)>& name_;
 };
 
-/// "axis(F, 2, 3)", "x(F)", "wx(F)"; "wx(F, F)" for Frame::turning.
+/// The text of component k of a frame `name`: "axis(F, 2, 3)", "x(F)", "wx(F)"; "wx(F, F)" for
+/// Frame::turning.
 std::string name_of_component(const std::string& name, std::uint32_t k) {
   const std::string axis(1, "xyz"[k % 3]);
   if (k >= frame_recursive_spin) return fmt::format("w{}({}, {})", axis, name, name);

@@ -1,4 +1,5 @@
-// inertial_parameters: the entries of pi, and the parameters in which an expression is affine.
+// inertial_parameters: the entries of pi, and the test whether an expression is affine in
+// parameters.
 #include "elgen/inertial_parameters.hpp"
 
 #include <algorithm>
@@ -75,8 +76,8 @@ std::optional<Unit> unit_of_armature(const Model& model, const Coordinate& coord
   return rate ? std::optional(*find_unit("J") / (*rate * *rate)) : std::nullopt;
 }
 
-/// Finds two parameters whose product an expression contains, or one in which it is not affine,
-/// from the operands upwards.
+/// Finds two parameters whose product an expression contains, or a parameter in which it is not
+/// affine. Each node is tested after its operands.
 class AffineSearch {
  public:
   AffineSearch(const Model& model, const std::vector<std::uint32_t>& parameters)
@@ -92,7 +93,7 @@ class AffineSearch {
  private:
   using Found = std::optional<CoupledParameters>;
 
-  /// Some parameter in an operand; null if it contains none.
+  /// Any parameter that the expression contains; null if it contains none.
   [[nodiscard]] const std::uint32_t* parameter_in(ExpressionId id) const {
     const auto found = first_.find(id);
     return found == first_.end() ? nullptr : &found->second;
@@ -122,7 +123,7 @@ class AffineSearch {
   std::map<ExpressionId, std::uint32_t> first_ = {};
 };
 
-/// By parameter: whether the roots contain it, directly or by reference.
+/// For each parameter: true if the roots contain it, also through names.
 std::vector<bool> parameters_below(const Model& model, const std::vector<ExpressionId>& roots) {
   std::vector<bool> found(model.parameters.size());
   for (const ExpressionId id : reachable_from(model, roots)) {

@@ -10,7 +10,8 @@
 namespace elgen {
 namespace {
 
-/// f(list) for the list of entries that own leaves of this kind; none for leaves of the system.
+/// The result of f(list) for the list of entries that own the leaves; none for leaves of the
+/// system.
 template <class F>
 auto apply_to_owner(const Model& model, LeafOwner owner, const F& f)
     -> std::optional<decltype(f(model.parameters))> {
@@ -38,7 +39,7 @@ auto apply_to_owner(const Model& model, LeafOwner owner, const F& f)
 LeafNames leaf_names(const Model& model) {
   const auto name = [](Opcode, const auto& entry) { return entry.name; };
   const auto single = [](Opcode kind) { return kind == Opcode::time ? "t" : ""; };
-  // Outputs of a page may contain t although the equations of the model do not.
+  // The outputs that a page adds may contain t although the equations of the model do not.
   const auto takes_time = [](const UserOutput& o) { return o.takes.has_any(Opcode::time); };
   LeafNames leaves{leaves_of<std::string>(model, name, single),
                    model.uses_time || std::ranges::any_of(model.outputs, takes_time)};

@@ -1,5 +1,5 @@
-// Model: adds coordinates with their velocities, renumbers variables after held ones are removed,
-// and finds open values by linear search, since there are few.
+// Model: adds coordinates with their velocities, renumbers variables after held variables are
+// removed, and finds open values (by linear search, because a model has few).
 #include "elgen/model.hpp"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ bool is_locked(const Model& whole, std::uint32_t velocity) {
                              [&](const Lock& lock) { return lock.has_velocity(velocity); });
 }
 
-/// The velocities on which a force does work: none, only locked ones, or others too.
+/// The velocities on which a force does work: none, only locked velocities, or also others.
 enum class WorkReach : std::uint8_t { nothing, locks, others };
 
 WorkReach reach_of(const Model& whole, const Force& force) {
@@ -102,7 +102,7 @@ RemainingPositions remaining_inputs(const Model& whole) {
   }
   const std::vector<WorkReach> alone = reaches;
   for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {
-    // An input that does no work is removed with the inputs of its wrench that act only on locks.
+    // An input that does no work is removed if its wrench has an input that acts only on locks.
     for (std::uint32_t k = 0; k < whole.inputs.size() && alone[i] == WorkReach::nothing; ++k) {
       const bool is_of_wrench =
           whole.inputs[i].is_external && whole.inputs[k].span.begin == whole.inputs[i].span.begin;

@@ -18,18 +18,21 @@ struct EntryPlace {
   std::size_t column = 0;
 };
 
-/// With u_i = unit of velocity i times s: M_ij in J s^2/(u_i u_j), C_ij in J s/(u_i u_j), forces in
-/// J/u_i, momenta in J s/u_i, B_ij in J/u_i per unit of input j, accelerations in u_i/s^2. None if
-/// a unit is undeclared or unknown, and for user outputs.
+/// The unit of an entry of an output. With u_i = unit of velocity i times s:
+///
+///     M_ij   J s^2/(u_i u_j)     forces   J/u_i       B_ij            J/u_i per unit of input j
+///     C_ij   J s/(u_i u_j)       momenta  J s/u_i     accelerations   u_i/s^2
+///
+/// None if a unit is not declared or unknown, and for user outputs.
 [[nodiscard]] std::optional<Unit> unit_of_entry(const Model& model, const EntryPlace& place);
 
-/// The unit as text, with N*m for torques; "" if it is none.
+/// unit_of_entry() as text, with N*m for torques; "" if the unit is unknown.
 [[nodiscard]] std::string unit_text_of_entry(const Model& model, const EntryPlace& place);
 
-/// The unit of a velocity as text, "rad/s" for an angle; "" if it is none.
+/// The unit of a velocity as text, "rad/s" for an angle; "" if the unit is unknown.
 [[nodiscard]] std::string velocity_unit(const Model& model, const Velocity& velocity);
 
-/// True if some velocity has a unit. Energies are then in J and lengths in m.
+/// True if a velocity has a unit. Energies are then shown in J and lengths in m.
 [[nodiscard]] bool has_units(const Model& model);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// References: the expression behind each kind of name, the list of the roots of all entries, and a
-// depth-first search.
+// References: the expression that a name stands for, the roots of all entries, and a depth-first
+// search through references.
 #include "elgen/references.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 enum class SearchState : std::uint8_t { unseen, open, done };
 
-/// An expression on the current path of the search, with its next reference to visit.
+/// An expression on the current path of the search, and the index of the reference to follow next.
 struct PathNode {
   ExpressionId expression = 0;
   std::vector<ExpressionId> references = {};
@@ -18,11 +18,11 @@ struct PathNode {
 };
 
 struct Found {
-  std::vector<ExpressionId> order = {};  ///< topological: references first
-  std::vector<ExpressionId> cycle = {};  ///< the first cycle found, which ends the search
+  std::vector<ExpressionId> order = {};  ///< each expression after its references
+  std::vector<ExpressionId> cycle = {};  ///< the first cycle, which ends the search; empty: none
 };
 
-/// The path from `first` to its end, whose last expression refers to `first`.
+/// The part of `path` that starts at `first`. The last expression of the path refers to `first`.
 std::vector<ExpressionId> cycle_of(const std::vector<PathNode>& path, ExpressionId first) {
   std::vector<ExpressionId> cycle;
   auto entered = std::ranges::find(path, first, &PathNode::expression);
@@ -30,7 +30,8 @@ std::vector<ExpressionId> cycle_of(const std::vector<PathNode>& path, Expression
   return cycle;
 }
 
-/// Depth-first search without recursion, since chains of names may have thousands of links.
+/// Depth-first search from the roots. It does not recurse, because chains of names may have
+/// thousands of links.
 template <class References>
 Found search(const Model& model, const std::vector<ExpressionId>& roots,
              const References& references) {
@@ -169,7 +170,7 @@ class RootList {
   }
 
   const Model& model_;
-  Entity entity_ = {};  ///< entry whose expressions are being added
+  Entity entity_ = {};  ///< the entry whose expressions are being added
   std::vector<Root> roots_ = {};
 };
 

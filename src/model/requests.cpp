@@ -1,4 +1,4 @@
-// Requests: the outputs of a model, and their shapes.
+// Requests: the outputs of a model, the shapes of their fields, and the names of rows and columns.
 #include "model/requests.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,8 @@
 namespace elgen {
 namespace {
 
-/// All outputs in the order of the table; user outputs of a kind in the order of declaration.
+/// Requests for all outputs in the order of the table; user outputs of the same kind are in the
+/// order of declaration.
 std::vector<OutputRequest> all_requests(const Model& model) {
   std::vector<OutputRequest> result;
   for (const OutputRow& row : output_table()) {
@@ -33,7 +34,7 @@ void set_independent(const std::vector<std::uint32_t>& velocities, OutputRequest
   if (options.has(OutputOption::independent)) request.independent = velocities;
 }
 
-/// Names of all outputs that the model can give, including large ones, for suggestions.
+/// For suggestions, the names of all outputs that the model can provide, including large outputs.
 std::vector<std::string> available_names(const Model& model,
                                          const std::vector<std::uint32_t>& independent) {
   std::vector<std::string> names;
@@ -44,13 +45,13 @@ std::vector<std::string> available_names(const Model& model,
   return names;
 }
 
-/// The rows or columns of a field; `user` is the number of an [[output]].
+/// The extent of the rows or columns of a field. `user` is the index of the [[output]].
 struct LineExtent {
   Extent extent = {};
   std::uint32_t user = 0;
 };
 
-/// Returns a function that makes the line of an entry with leaves of this kind.
+/// Returns a function that makes the Line of an entry whose leaf is of this kind.
 auto line_of_leaf(Opcode leaf, bool is_rate = false) {
   return [leaf, is_rate](const auto& entry, std::uint32_t number) {
     return Line{entry.name, entry.unit, leaf, number, is_rate};
@@ -65,8 +66,8 @@ Line line_of_rate(const Constraint& constraint, std::uint32_t number) {
 
 using Words = std::span<const std::string_view>;
 
-// Rows of a pose [R p] are the axes of the world; columns are the axes and the origin of the frame.
-// A twist is the angular velocity, then the velocity of the origin.
+// Rows of a pose [R p] are the axes of the world. Its columns are the axes and the origin of the
+// frame. The rows of a twist are the angular velocity, then the velocity of the origin.
 constexpr std::array<std::string_view, 3> rows_of_pose{"x", "y", "z"};
 constexpr std::array<std::string_view, 4> columns_of_pose{"x", "y", "z", "p"};
 constexpr std::array<std::string_view, 6> rows_of_twist{"wx", "wy", "wz", "vx", "vy", "vz"};
@@ -76,7 +77,8 @@ Line line_of_word(std::string_view word, std::uint32_t number) {
   return {.name = std::string(word), .number = number, .is_numbered = true};
 }
 
-/// Calls `take` with the values of an [[output]], or with the words `of_frame` if it is a frame.
+/// Calls `take` with the values of an [[output]], or with the names `of_frame` if the output is a
+/// frame.
 template <class Take>
 void visit_values(const UserOutput& output, Words of_frame, const Take& take) {
   if (output.frame) return take(of_frame, line_of_word);
@@ -94,8 +96,8 @@ std::vector<std::uint32_t> positions_of(const Model& model) {
   return positions;
 }
 
-/// Calls take(list, line_of) for each list of entries along an extent. line_of(entry, number) makes
-/// the Line of an entry. A caller that only counts need not call it.
+/// Calls take(list, line_of) for each list of entries along an extent. line_of(entry, number)
+/// returns the Line of an entry; `take` need not call it.
 template <class Take>
 void visit_lists(const Model& model, const LineExtent& along, const Take& take) {
   const auto of_whole = [&model](std::uint32_t velocity, std::uint32_t) {

@@ -1,4 +1,4 @@
-// Requests: the outputs of a model, and their shapes.
+// Requests: the outputs of a model, the shapes of their fields, and the names of rows and columns.
 #pragma once
 
 #include <optional>
@@ -10,18 +10,18 @@
 
 namespace elgen {
 
-/// The request for a name: a built-in output, or NAME, NAME_jacobian, NAME_bias, … of an
-/// [[output]].
+/// The request for a built-in output, or for NAME, NAME_jacobian, NAME_bias, … of an [[output]];
+/// none if no output has the name.
 [[nodiscard]] std::optional<OutputRequest> find_request(const Model& model, std::string_view name);
 
-/// Like find_request(), but reports E601, E603, E505, E534, E539 or E633 if the model lacks the
-/// output. `independent`: the independent velocities of `completed` in the scene.
+/// Like find_request(), but reports E601, E603, E505, E534, E539 or E633 if the model cannot
+/// provide the output. `independent`: the independent velocities of `completed` in the scene.
 [[nodiscard]] std::optional<OutputRequest> require_request(
     const Model& model, std::string_view name, const Span& span, Report& report,
     const std::vector<std::uint32_t>& independent = {});
 
-/// All outputs of the model in table order, except large ones and outputs that are only given by
-/// name.
+/// The outputs of the built-in scene `full`, in table order: all outputs of the model, except large
+/// outputs and outputs that a scene must name.
 [[nodiscard]] std::vector<OutputRequest> full_requests(const Model& model);
 
 /// The outputs that full_requests() omits although a reader may expect them, by reason.
@@ -36,53 +36,54 @@ struct Line {
   /// "theta", "hand.m"; "tip[2]" for an [[output]] of several values; "x", "y", "z" (rows) and "x",
   /// "y", "z", "p" (columns) of a pose; "wx" to "vz" of a twist; "" for a single number.
   std::string name = {};
-  /// The declared unit of the entry; for the rate of a position constraint this unit per second.
-  /// Accelerations, both halves of a state, and pivots have the unit of their entry.
+  /// The declared unit of the coordinate, velocity, input or other entry of the line; for the rate
+  /// of a position constraint, the unit of the constraint per second. Lines of accelerations,
+  /// states and pivots also have the unit of their entry.
   std::optional<Unit> unit = {};
-  std::optional<Opcode> leaf = {};  ///< kind of its leaf; none: no leaf
-  std::uint32_t number = 0;         ///< of the leaf, or of the entry in its list
-  bool is_rate = false;             ///< the rate in a state (q, v)
-  bool is_numbered = false;         ///< of an [[output]]; the number determines the name
+  std::optional<Opcode> leaf = {};  ///< kind of its leaf; none: the line has no leaf
+  std::uint32_t number = 0;         ///< number of the leaf, or index of the entry in its list
+  bool is_rate = false;             ///< true for the lines of v in a state (q, v)
+  bool is_numbered = false;         ///< true for values of an [[output]], named by their number
 
   /// "theta", "dot(theta)"
   [[nodiscard]] std::string text() const { return is_rate ? "dot(" + name + ")" : name; }
 };
 
-/// The rows or columns in order, with distinct texts. `user` is the number of an [[output]].
+/// The lines along an extent, in order, with distinct texts. `user` is the index of an [[output]].
 [[nodiscard]] std::vector<Line> lines_along(const Model& model, Extent extent,
                                             std::uint32_t user = 0);
 
-/// The line with this index; none beyond the last.
+/// The line with index `at`; none if `at` is beyond the last line.
 [[nodiscard]] std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at,
                                           std::uint32_t user = 0);
 
-/// The names of rows or columns without a leaf of the model, which no list of leaves contains: held
-/// and cyclic coordinates, inertial parameters. Values of an [[output]] are excluded.
+/// The names of the lines along an extent that have no leaf: held and cyclic coordinates, inertial
+/// parameters. Values of an [[output]] are excluded.
 [[nodiscard]] std::vector<std::string> names_without_leaf(const Model& model, Extent extent);
 
-/// The number of rows or columns. Cheaper than lines_along(), since no names are built.
+/// The number of lines along an extent. Cheaper than lines_along(), because no names are built.
 [[nodiscard]] std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user = 0);
 
-/// The number of the first entry of a field, counting all earlier fields of the output table. If
-/// `field` is the number of fields: the number of all entries.
+/// The number of the first entry of field number `field`, that is, the number of entries of all
+/// earlier fields. If `field` is the number of fields, the number of all entries.
 [[nodiscard]] std::uint32_t first_entry_of(const Model& model, const OutputRequest& output,
                                            std::size_t field);
 
-/// False for the residual of an explicit step; true for other fields.
+/// False for the residual of an explicit step, which does not exist; true for all other fields.
 [[nodiscard]] bool has_field(const OutputRequest& output, const FieldRow& field);
 
-/// The request for an output of a kind, with the shape of its first field. `user` is the number of
-/// an [[output]].
+/// The request for an output of this kind, with the shape of its first field. `user` is the index
+/// of the [[output]].
 [[nodiscard]] OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user);
 
-/// True if the model can give the output.
+/// True if the model can provide the output.
 [[nodiscard]] bool is_available(const Model& model, const OutputRequest& request);
 
-/// The requests of these kinds that the model can give.
+/// The requests of these kinds that the model can provide.
 [[nodiscard]] std::vector<OutputRequest> available_requests(
     const Model& model, std::initializer_list<OutputKind> kinds);
 
-/// E609 if a user output has the function name of another user output or of a built-in one.
+/// Reports E609 if a function of an [[output]] has the name of another output.
 void check_output_names(const Model& model, Report& report);
 
 }  // namespace elgen

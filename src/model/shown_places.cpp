@@ -1,4 +1,5 @@
-// shown_places: lines to the places that a position contains, directly or through definitions.
+// shown_places: the places that a page draws, and the lines between them. A line leads from a place
+// to the places that its position contains, directly or through definitions.
 #include "model/shown_places.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace elgen {
 namespace {
 
-/// The number of a place in `places`; none if it is missing.
+/// The index of a place in `places`; none if it is missing.
 std::optional<std::uint32_t> number_of(const std::vector<ShownPlace>& places, PlaceKind kind,
                                        std::uint32_t index) {
   const auto found = std::ranges::find_if(
@@ -24,7 +25,7 @@ struct NamedPlace {
   std::uint32_t index = 0;
 };
 
-/// The place that has the node as a component; none if the node is no component.
+/// The place that has the node as a component; none if the node is not a component of a place.
 std::optional<NamedPlace> place_of(const Expression& node) {
   if (node.kind != ExpressionKind::named) return std::nullopt;
   switch (node.named) {
@@ -41,7 +42,8 @@ std::optional<NamedPlace> place_of(const Expression& node) {
   return std::nullopt;
 }
 
-/// The places whose components the roots contain. The positions of these places are not searched.
+/// The places whose components the expressions `open` contain. The positions of these places are
+/// not searched further.
 std::set<std::uint32_t> named_places(const Model& model, const std::vector<ShownPlace>& places,
                                      std::vector<ExpressionId> open) {
   std::set<std::uint32_t> named;
@@ -61,7 +63,7 @@ std::set<std::uint32_t> named_places(const Model& model, const std::vector<Shown
   return named;
 }
 
-/// The frame that carries a place; for a frame its parent.
+/// The frame in which a point or body is declared; for a frame its parent; none: the world.
 std::optional<std::uint32_t> carrier_of(const Model& model, const ShownPlace& place) {
   if (place.kind == PlaceKind::frame) return model.frames[place.index].parent;
   if (place.kind == PlaceKind::body) {
@@ -72,7 +74,8 @@ std::optional<std::uint32_t> carrier_of(const Model& model, const ShownPlace& pl
   return local ? std::optional(local->frame) : std::nullopt;
 }
 
-/// Adds a line unless it leads to its own start or exists. Springs are added first and remain.
+/// Adds a line unless both ends are the same place or the line exists. Springs are added first, so
+/// they are not replaced by rods.
 void add_line(std::vector<ShownLine>& lines, const ShownLine& line) {
   if (line.from == line.to) return;
   const auto same = std::ranges::find_if(lines, [&](const ShownLine& other) {
@@ -81,7 +84,7 @@ void add_line(std::vector<ShownLine>& lines, const ShownLine& line) {
   if (same == lines.end()) lines.push_back(line);
 }
 
-/// Adds the lines of `joined_to` of a point.
+/// If the place `from` is a point, adds the lines of its `joined_to`.
 void add_joints(const Model& model, const std::vector<ShownPlace>& places, std::uint32_t from,
                 std::vector<ShownLine>& lines) {
   if (places[from].kind != PlaceKind::point) return;
@@ -98,7 +101,7 @@ void add_joints(const Model& model, const std::vector<ShownPlace>& places, std::
 
 std::vector<ShownPlace> shown_places(const Model& model) {
   std::vector<ShownPlace> places;
-  // Positions may contain cyclic coordinates, which the model no longer has.
+  // Positions may depend on cyclic coordinates, which the model no longer has.
   if (!model.variant.cyclic.empty()) return places;
   for (std::uint32_t i = 0; i < model.points.size(); ++i) {
     if (!model.points[i].is_named) continue;

@@ -26,25 +26,27 @@ struct ShownPlace {
 /// coordinates.
 [[nodiscard]] std::vector<ShownPlace> shown_places(const Model& model);
 
-/// World coordinates of a place, three numbers per row; for a frame three rows with its axes
-/// follow.
+/// The world coordinates of a place (three expressions); for a frame, the world coordinates of its
+/// three axes follow (nine expressions).
 [[nodiscard]] std::vector<ExpressionId> rows_of(const Model& model, const ShownPlace& place);
 
-/// A line between two places, by number. `to` none: the origin of the world.
+/// A line between two places, given by their indices. If `to` is none, it is the world's origin.
 struct ShownLine {
   std::uint32_t from = 0;
   std::optional<std::uint32_t> to = {};
   bool is_spring = false;
 };
 
-/// The lines from a place to the places that its position contains, from a frame to its parent, and
-/// of `joined_to`.
+/// The lines that `joined_to` declares, a line from each frame to its parent, from each point and
+/// body to the frame in which it is declared, and from all others to the places that occur in their
+/// positions.
 [[nodiscard]] std::vector<ShownLine> shown_lines(const Model& model);
 
 /// "places"
 [[nodiscard]] std::string_view name_of(ShownValues shown);
 
-/// The `conserved` entries without momenta and E. Empty if a scene expands, locks or eliminates.
+/// The `conserved` entries that contain neither momenta nor E. Empty if the scene expands the
+/// equations, or locks or eliminates variables.
 [[nodiscard]] std::vector<ExpressionId> shown_integrals(const Model& model);
 
 }  // namespace elgen

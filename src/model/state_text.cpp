@@ -1,5 +1,5 @@
-// state_text: a state in JSON. Numbers are printed by exact arithmetic; doubles have too few
-// digits.
+// state_text: a state in JSON. Decimal digits are computed in exact arithmetic, because doubles
+// have too few digits.
 #include "model/state_text.hpp"
 
 #include <fmt/ranges.h>

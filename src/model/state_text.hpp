@@ -15,14 +15,14 @@ namespace elgen {
 /// "2.0", "1e-300".
 [[nodiscard]] std::string decimal_text(const cln::cl_R& value, int digits);
 
-/// The same for each value, separated by ", ".
+/// decimal_text() of each value, separated by ", ".
 [[nodiscard]] std::string decimal_texts(const std::vector<cln::cl_R>& values, int digits);
 
 /// The members of a JSON object, one per kind, named like the arguments of functions:
 ///
 ///     "p": {"m": 1.0, "l": [2.0, 3.0]}, "q": [0.1], "t": 0.0
 ///
-/// Contains all parameters of the model, also parameters that a function does not read.
+/// All parameters of the model are included, although a function may not use all of them.
 [[nodiscard]] std::string state_json(const Model& model, const LeafValues<cln::cl_R>& state,
                                      const std::vector<Opcode>& kinds, int digits);
 

@@ -1,6 +1,7 @@
-// Orders and coefficients of composition methods. The middle coefficient is 1 minus the sum of the
-// others, so that the final time is exact. Suzuki (1990): 1/(4 - 4^(1/3)). Kahan, Li (1997), 17
-// stages: Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. V.3.2.
+// Orders and coefficients of composition methods. The middle coefficient is 1 minus the sum of all
+// others, so that the final time is exact. Order 4: Suzuki (1990), outer coefficients
+// 1/(4 - 4^(1/3)). Order 8: Kahan, Li (1997), 17 stages. Hairer, Lubich, Wanner, Geometric
+// Numerical Integration, 2nd ed., sec. V.3.2.
 #include "elgen/step_methods.hpp"
 
 #include <cln/integer.h>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr long decimals = 26;
 
-/// The coefficients before the middle one, in units of 10^-26.
+/// The coefficients before the middle coefficient, in units of 10^-26.
 constexpr std::array parts_of_order_4{"41449077179437573714235406", "41449077179437573714235406"};
 constexpr std::array parts_of_order_8{"13020248308889008087881763",  "56116298177510838456196441",
                                       "-38947496264484728640807860", "15884190655515560089621075",

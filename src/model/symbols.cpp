@@ -1,5 +1,5 @@
-// symbols: the symbol of a name is its letters, with digits and the text after underscores as
-// subscripts.
+// symbols: the symbol of a name consists of its first letters; digits and the text after
+// underscores become subscripts.
 #include "model/symbols.hpp"
 
 #include <fmt/format.h>
@@ -27,13 +27,13 @@ bool is_axes(std::string_view text) {
   return !text.empty() && text.size() <= 2 && text.find_first_not_of("xyz") == std::string::npos;
 }
 
-/// A subscript. Names of axes are italic, as in xx and 3xx.
+/// The text as a subscript. Names of axes are italic, as in xx and 3xx.
 Glyphs script(std::string_view text) {
   const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
   return is_axes(text.substr(digits)) ? read_latex(text) : word(text);
 }
 
-/// Adds a subscript to the last piece of a symbol.
+/// Adds a subscript to the last part of a symbol.
 void add_below(Glyphs& symbol, Glyphs piece) {
   const bool has_scripts = !symbol.parts.empty() && symbol.parts.back().kind == GlyphKind::scripts;
   Glyphs below = has_scripts ? std::move(symbol.parts.back().parts[1]) : Glyphs{};
@@ -59,14 +59,15 @@ Glyphs named_symbol(std::string_view name) {
   return symbol;
 }
 
-/// For a component of a rotation with `latex = "e"`: e_{w}.
+/// The symbol of a coordinate; e_{w} for a component of a rotation with `latex = "e"`.
 Glyphs symbol_of(const Model& model, const Coordinate& c) {
   if (!c.rotation) return symbol_of_name(c.name, c.latex);
   const std::string& key = model.rotations[*c.rotation].latex;
   return symbol_of_name(c.name, key.empty() ? "" : fmt::format("{}_{{{}}}", key, c.name.back()));
 }
 
-/// "\\omega_{2}", with the name of the rotation if there are several.
+/// The symbol \omega_{2} of an angular velocity, with the name of the rotation if the model has
+/// several rotations.
 Glyphs spin_symbol(const Model& model, const Velocity& velocity) {
   const char axis = velocity.name[velocity.name.size() - 2];
   Glyphs symbol = row_with(word("omega"));
@@ -78,7 +79,7 @@ Glyphs spin_symbol(const Model& model, const Velocity& velocity) {
   return symbol;
 }
 
-/// \tau_2 for `tau_elbow` on the coordinate `elbow` with `latex = "q_2"`.
+/// The symbol of an input; \tau_2 for `tau_elbow` on the coordinate `elbow` with `latex = "q_2"`.
 Glyphs input_symbol(const Model& model, const Input& input) {
   Glyphs symbol = symbol_of_name(input.name);
   if (!input.on || model.velocities[*input.on].rotation) return symbol;
@@ -95,7 +96,8 @@ Glyphs input_symbol(const Model& model, const Input& input) {
   return symbol;
 }
 
-/// The visible text of a symbol, since upright and italic letters look the same.
+/// The text by which symbols are compared. It ignores the style of letters, because upright and
+/// italic letters look alike.
 std::string visible_text(const Glyphs& symbol) {
   std::string text = latex(symbol);
   for (std::size_t at = 0; (at = text.find("\\mathrm", at)) != std::string::npos;) {
@@ -126,8 +128,8 @@ Glyphs partial(const Glyphs& of, const char* order) {
   return row;
 }
 
-/// V(r), V'(r) for one argument. For several arguments \frac{\partial V}{\partial x}, or
-/// \partial_{1} V if an argument has no name.
+/// The symbol of an open value. For a function of one argument V(r), V'(r). For several arguments
+/// \frac{\partial V}{\partial x}, or \partial_{1} V if an argument has no symbol.
 Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
                    const std::vector<std::uint32_t>& by) {
   const bool have_names =
@@ -161,7 +163,8 @@ Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
   return fraction_row(partial(function, "^{2}"), std::move(below));
 }
 
-/// Replaces the letter s of a pattern by a symbol. Only its base gets the dots.
+/// Replaces the letter s of a pattern, such as \dot{s}, by a symbol. The dots are put only over the
+/// base of the symbol, not over its subscripts.
 Glyphs fill_pattern(const Glyphs& pattern, const Glyphs& symbol) {
   Glyphs result;
   for (const Glyphs& piece : pattern.parts) {
@@ -186,7 +189,7 @@ Formula leaf_symbol(Opcode kind, std::string name, const Glyphs& symbol, bool ha
   return symbol_formula(std::move(name), fill_pattern(pattern, symbol));
 }
 
-/// True if a key such as `{}` or `\mathrm{}` draws nothing.
+/// True if a symbol, such as `{}` or `\mathrm{}`, has no visible character.
 bool draws_nothing(const Glyphs& symbol) {
   const Block block = drawing(symbol, Alphabet::unicode, Fractions::in_line);
   return std::ranges::all_of(block.lines, [](const std::string& line) {

@@ -1,4 +1,4 @@
-// symbols: names and units of a model -> symbols in formulas, and units on pages.
+// symbols: the symbols in formulas that the names of a model get, and the units on pages.
 //
 //     theta   theta1       l[2]    x_cart              mass            Ixx_arm
 //     \theta  \theta_{1}   l_{2}   x_{\mathrm{cart}}   \mathrm{mass}   I_{xx, \mathrm{arm}}
@@ -17,39 +17,40 @@
 
 namespace elgen {
 
-/// Adds dots to the base of a symbol, below its primes and scripts.
+/// Adds dots over the base of a symbol; primes, subscripts and superscripts are not dotted.
 [[nodiscard]] Glyphs add_dots(Glyphs symbol, std::string_view dots);
 
-/// Converts an expression operand by operand: multiply(1/2, add(a, negate(b))) becomes 1/2*(a - b).
-/// `name` returns the formulas of leaves, pi, definitions, components of points and frames, and
-/// rates.
+/// Converts an expression node by node: multiply(1/2, add(a, negate(b))) becomes 1/2*(a - b).
+/// `name` returns the formula of a node that has a symbol: a leaf, pi, a definition, a component of
+/// a point or frame, a rate.
 [[nodiscard]] Formula formula_of(const Model& model, ExpressionId expression,
                                  const std::function<Formula(ExpressionId)>& name);
 
 /// "mass_matrix" -> "Mass matrix"
 [[nodiscard]] std::string as_title(std::string name);
-/// The title of a model; without one, its name as a title.
+/// The title of a model; if it has no title, its name as a title.
 [[nodiscard]] std::string page_title(const Model& model);
 
-/// The symbols of one model, from its `latex` keys or its names. They are distinct: if `m1` is
-/// m_{1}, `m_1` becomes m_{1}'.
+/// The symbols of a model, from its `latex` keys or else from its names. They are distinct: if `m1`
+/// is m_{1}, `m_1` becomes m_{1}'.
 class ModelSymbols {
  public:
   explicit ModelSymbols(const Model& model) : ModelSymbols(model, leaf_names(model)) {}
-  /// `names`: of a program of the model, which may also name momenta.
+  /// `names`: the leaf names of a program of the model, which may include momenta.
   ModelSymbols(const Model& model, const LeafNames& names);
 
-  /// The symbols of leaves.
+  /// The symbols of all leaves.
   [[nodiscard]] const LeafValues<Formula>& leaves() const { return leaves_; }
-  /// The symbols of parameters as declared; "l_{i}" for an array.
+  /// The symbol of each declared parameter; "l_{i}" for an array.
   [[nodiscard]] const std::vector<Formula>& arrays() const { return arrays_; }
-  /// Makes a symbol distinct from all symbols so far by adding primes.
+  /// The symbol with as many primes as make it distinct from all earlier symbols.
   [[nodiscard]] Glyphs distinct(Glyphs symbol);
 
  private:
   void add_open_values(const Model& model);
 
-  /// Finds the number of primes that makes the symbols distinct, and reserves the results.
+  /// Returns the number of primes that makes all `symbols` distinct from all earlier symbols, and
+  /// reserves the primed symbols.
   std::size_t count_primes(const std::vector<Glyphs>& symbols);
 
   std::set<std::string> taken_ = {};
@@ -57,21 +58,21 @@ class ModelSymbols {
   LeafValues<Formula> leaves_ = {};
 };
 
-/// The symbol of a name; "l[2]" uses the key of `l`. If the key is empty or draws nothing, the
-/// symbol follows from the name.
+/// The symbol of a name, from its `latex` key; the key of "l[2]" is the key of `l`. If the key is
+/// empty or draws nothing, the symbol follows from the name.
 [[nodiscard]] Glyphs symbol_of_name(std::string_view name, const std::string& key = {});
 
-/// A formula of a table in the symbols of a model. In text, v is always v. In LaTeX without
-/// rotations, <v> and <a> become rates of q, and <N> is omitted, since dq/dt = v.
+/// A LaTeX formula of the output table (see Notation) for a model. Without rotations, <v> and <a>
+/// become dq/dt and d^2q/dt^2, and <N> is omitted, because dq/dt = v. As text, v is always v.
 [[nodiscard]] Formula latex_formula(const Model& model, std::string_view latex);
-/// The glyphs of this formula.
+/// The glyphs of latex_formula().
 [[nodiscard]] Glyphs typed_glyphs(const Model& model, std::string_view latex);
 /// The symbol of the derivative of `function` by x: "dL/d(dot(q))".
 [[nodiscard]] Formula partial_derivative(std::string_view function, const Formula& x);
-/// Replaces every vector of this name by glyphs.
+/// Replaces every vector `<name>` in the glyphs by the glyphs `by`.
 [[nodiscard]] Glyphs replaced(Glyphs glyphs, std::string_view vector, const Glyphs& by);
 
-/// A unit as printed on pages: kg*m^2/s^2 becomes kg m²/s². `times` separates factors;
+/// A unit as pages print it: kg*m^2/s^2 becomes kg m²/s². `times` separates factors;
 /// `exponent_text` formats an exponent "2", "-1" or "1/2".
 [[nodiscard]] std::string unit_text(std::string unit, std::string_view times,
                                     std::string (*exponent_text)(const std::string& exponent));

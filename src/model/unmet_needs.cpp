@@ -1,4 +1,4 @@
-// lacks: the first need of an output that a model does not meet, with one message per need.
+// unmet_needs: the first need of an output that a model does not meet, with one message per need.
 #include "model/unmet_needs.hpp"
 
 #include <algorithm>
@@ -133,14 +133,14 @@ MaybeUnmet check_closed_functions(const Model& model) {
                    function.span, "left open here"};
 }
 
-/// True if a force acts on a locked coordinate and therefore occurs in no equation of motion.
+/// True if a generalised force acts on a locked coordinate, so that no equation of motion has it.
 bool is_held(const Model& model, const Force& force) {
   if (model.variant.whole || !force.on) return false;
   return std::ranges::any_of(model.variant.locks,
                              [&](const Lock& lock) { return lock.has_velocity(*force.on); });
 }
 
-/// The first function with a kink in the roots, directly or by reference; null if there is none.
+/// The first function with a kink in the roots, also through names; null if there is none.
 const Expression* kink_in(const Model& model, const std::vector<ExpressionId>& roots) {
   for (const ExpressionId id : reachable_from(model, roots)) {
     const Expression& node = model.expressions[id];
@@ -149,7 +149,7 @@ const Expression* kink_in(const Model& model, const std::vector<ExpressionId>& r
   return nullptr;
 }
 
-/// None if there is no kink.
+/// The message that derivatives do not exist because of `kink`; none if `kink` is null.
 MaybeUnmet check_derivatives(const std::string& noun, const Expression* kink) {
   if (kink == nullptr) return std::nullopt;
   return UnmetNeed{Reason::kink,
@@ -165,7 +165,7 @@ MaybeUnmet check_smooth_values(const Model& model, const UserOutput& output) {
   return check_derivatives("forces", find_kink(model));
 }
 
-/// The unmet need that the entry of the [[output]] causes; none if it meets the need.
+/// The message if the entry of an [[output]] does not meet the need; none if it does.
 MaybeUnmet check_entry_of_output(Need need, const UserOutput& output) {
   const auto lacks = [&](std::string reason) {
     return UnmetNeed{Reason::other_derivatives, std::move(reason), output.span, "declared here"};

@@ -1,4 +1,4 @@
-// Lacks: the reasons why a model cannot give an output.
+// unmet_needs: the reasons why a model cannot provide an output.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@ namespace elgen {
 struct UnmetNeed {
   Code code;
   std::string reason;
-  std::optional<Span> related = {};  ///< the part of the model that prevents the output
+  std::optional<Span> related = {};  ///< the entry or expression that prevents the output
   std::string related_message = {};
 };
 
-/// None if the model can give the output.
+/// The first need of the output that the model does not meet; none if the model can provide it.
 [[nodiscard]] std::optional<UnmetNeed> find_unmet_need(const Model& model,
                                                        const OutputRequest& request);
 
