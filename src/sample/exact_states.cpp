@@ -10,10 +10,11 @@ namespace {
 
 using cln::cl_R;
 
-/// Rational, so that states are exact.
+/// A rational approximation of pi, so that states are exact.
 const cln::cl_RA half_turn = cln::cl_RA(355) / 113;
 
-/// Largest magnitudes of lengths, rates and forces without a range, in turn.
+/// The largest magnitudes of variables without a range. Turn i of draw_motion() uses number i
+/// mod 3.
 const std::array<cln::cl_RA, 3>& scales() {
   static const std::array<cln::cl_RA, 3> all{1, cln::cl_RA(1) / 1000, 1000};
   return all;
@@ -53,7 +54,8 @@ void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& sta
     }
   };
   for_each_leaf(set, state);
-  // A copy, so that these draws do not change the numbers that follow.
+  // The copy draws the optional leaves, so that they do not change the numbers that `draw` returns
+  // later.
   Sampler optional_sampler = draw;
   const auto set_used = [&](const LeafRow& row, std::vector<cl_R>& list) {
     if (row.passed != Passed::if_used) return;
@@ -94,7 +96,7 @@ bool is_compared_on_constraints(const Model& model, OutputKind output) {
 
 State compared_state(const Model& model, OutputKind output, const State& drawn, State kept) {
   const OutputRow& row = output_row(output);
-  // The output determines its rates from the independent ones.
+  // The output computes the dependent rates from the independent rates.
   if (row.options.has(OutputOption::independent)) kept.v = drawn.v;
   if (row.takes.has_any(Opcode::momentum)) {
     OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, kept);

@@ -1,4 +1,5 @@
-// points: see points.hpp. No function of libm is called, because its rounding varies.
+// points: see points.hpp. Functions of libm are not called, because their rounding depends on the
+// machine.
 #include "sample/points.hpp"
 
 #include <cmath>
@@ -8,11 +9,11 @@ namespace {
 
 constexpr double right_angle = 1.5707963267948966;
 
-/// Of three terms with equal distribution, each is the largest at a third of all points. All 12
-/// wide points miss it in one of 130 cases.
+/// A term of three with equal distributions is the largest at a third of all points. The
+/// probability that it is the largest at none of the 12 points with wide magnitudes is 1/130.
 constexpr std::size_t mixed_count = 16;
 
-/// The binary logarithms of magnitudes.
+/// Binary logarithms of the largest magnitudes.
 constexpr int wide = 26;
 constexpr int ordinary = 3;
 

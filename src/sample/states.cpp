@@ -1,5 +1,5 @@
-// Sampled states. Float has milder extremes than double, because its exponents have an eighth of
-// the range.
+// Sampled states. The extremes for float are milder than for double, because the range of its
+// exponents is an eighth.
 #include "sample/states.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,8 @@ namespace {
 
 constexpr double pi = 3.141592653589793;
 
-/// Ranges may exceed every scalar. A quarter of the largest number keeps their widths finite.
+/// The value, clamped to a quarter of the largest double, because a declared bound may be larger
+/// than any double; the width of each range is then finite.
 double within_scalar(const cln::cl_R& value) {
   constexpr double largest = std::numeric_limits<double>::max() / 4;
   return std::clamp(to_double(value), -largest, largest);
@@ -30,10 +31,11 @@ Range range_or(const std::optional<Interval>& interval, double otherwise) {
   return {within_scalar(interval->low), within_scalar(interval->high)};
 }
 
-/// The scale of rates, momenta, accelerations, inputs, open values and time.
+/// The largest magnitude of a rate, momentum, acceleration, input, open value or time without a
+/// range.
 constexpr double default_rate = 10;
 constexpr std::size_t domain_states = 8;
-constexpr Range steps{0, 0.1};  ///< in s: at a rate of 10, the longest step moves by 1
+constexpr Range steps{0, 0.1};  ///< of h in s; at a rate of 10, the longest step moves by 1
 
 using Ranges = LeafValues<Range>;
 
@@ -42,14 +44,14 @@ LeafValues<double> values_of(const StateSpace& space) {
                     nominal_state(space.model, space.scene));
 }
 
-/// Parameters keep their values. A kind of leaf that only some functions take is drawn if one takes
-/// it.
+/// True if leaves of the kind are drawn: not parameters, and a kind that only some functions take
+/// only if a function of the program takes it.
 bool is_drawn(const LeafNames& leaves, Opcode kind) {
   if (kind == Opcode::step) return !leaves.h.empty();
   return kind != Opcode::parameter && is_passed(leaves, kind);
 }
 
-/// `values` with all variables drawn from their ranges; parameters stay.
+/// `values` with all variables drawn from their ranges; parameters are unchanged.
 LeafValues<double> nominal(const LeafNames& leaves, const Ranges& ranges, LeafValues<double> values,
                            Sampler& draw) {
   const auto set = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
@@ -59,7 +61,8 @@ LeafValues<double> nominal(const LeafNames& leaves, const Ranges& ranges, LeafVa
   return values;
 }
 
-/// `values` with every variable of magnitude 2^low … 2^high.
+/// `values` with all variables replaced by numbers of random sign and a magnitude in
+/// [2^low, 2^(high + 1)).
 LeafValues<double> scaled(const LeafNames& leaves, LeafValues<double> values, Sampler& draw,
                           int low, int high) {
   const auto set = [&](Opcode kind, std::uint32_t, double& value) {
@@ -69,12 +72,12 @@ LeafValues<double> scaled(const LeafNames& leaves, LeafValues<double> values, Sa
   return values;
 }
 
-/// The magnitudes of a scalar's extremes.
+/// The magnitudes that the extreme states of a scalar have.
 struct Reach {
   std::vector<double> tiny;
   std::vector<double> angles;
   std::vector<double> rates;
-  std::vector<double> ratios;  ///< of parameters
+  std::vector<double> ratios;  ///< factors of parameters
 };
 
 template <class Scalar>
@@ -90,8 +93,8 @@ Reach reach() {
   }
 }
 
-/// Makes the extremes, each from a fresh nominal state: first one change at a time, then
-/// combinations that lose digits.
+/// Makes the extreme states. Each is a new nominal state with one change; the last states combine
+/// two changes that lose digits.
 class Extremes {
  public:
   Extremes(const StateSpace& space, Sampler& draw)
@@ -150,13 +153,14 @@ class Extremes {
     for_each_list(set, add(std::move(name)));
   }
 
-  /// Multiplies every second parameter by `ratio`.
+  /// A state in which every second parameter is multiplied by `ratio`.
   void ratios(double ratio) {
     LeafValues<double>& values = add(fmt::format("parameter ratios {:g}", ratio));
     for (std::size_t i = 0; i < values.parameters.size(); i += 2) values.parameters[i] *= ratio;
   }
 
-  /// Angles about 1e-15 from singular charts: gimbals, poles, aligned links.
+  /// States with all angles about 1e-15 from 0, pi/2 or pi, where charts are singular: gimbals,
+  /// poles, aligned links.
   void add_singular_charts() {
     for (const double angle : {0.0, pi / 2, pi}) {
       LeafValues<double>& values = add(fmt::format("angles 1e-15 from {:.3g}", angle));
@@ -167,8 +171,9 @@ class Extremes {
     }
   }
 
-  /// One parameter far from its value, and angles at every place: sums of masses or lengths cancel,
-  /// and their small results are divided.
+  /// States with one parameter multiplied or divided by `sizes`, and with angles of every
+  /// AnglePlace. In such states sums of masses or lengths cancel, and their small results are
+  /// divisors.
   void add_combinations(const std::vector<double>& sizes, std::size_t most) {
     const std::size_t places = std::size(angle_places);
     const std::size_t per_parameter = 2 * sizes.size() * places;
@@ -285,7 +290,7 @@ StateSequence<Scalar>::StateSequence(const StateSpace& space, const Sampling& sa
 
 template <class Scalar>
 SampledState<double> StateSequence<Scalar>::random_state(std::size_t number) {
-  // 2^-40 = 1e-12, 2^-10 = 1e-3, 2^27 = 1e8
+  // 2^-40 = 1e-12 and 2^-10 = 1e-3 for small, 2^-27 = 1e-8 and 2^27 = 1e8 for large
   if (number % 4 < 2) {
     return {Region::nominal, {}, nominal(space_.leaves, ranges_, at_value_, draw_)};
   }

@@ -1,5 +1,6 @@
-// states: exact states of a model, and the states at which programs are checked. These are random
-// over the declared ranges, tiny or huge, and a fixed list of extremes. Deterministic for a seed.
+// states: exact states of a model, and the states at which programs are checked: random states in
+// the declared ranges, random tiny and huge states, and a fixed list of extreme states. All are
+// deterministic for a seed.
 #pragma once
 
 #include <optional>
@@ -13,90 +14,98 @@
 
 namespace elgen {
 
-/// Draws everything except parameters and h, inside the declared range. Without a range: angles in
-/// one turn, all others (also momenta) up to 1, 1e-3 or 1e3 in magnitude, in turn. Quaternions have
-/// length 1. Outside of its domain a model has no value; then callers draw again.
+/// Draws all leaves of `state` except parameters and h, as rational numbers in their declared
+/// ranges. Without a range, angles are in one turn, and all others (also momenta) have a magnitude
+/// of up to 1, 1e-3 or 1e3, for `turn` mod 3 = 0, 1, 2. Quaternions have length 1. The state may be
+/// outside the domain of the model; then callers draw again.
 void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& state);
 
-/// A new state, with a motion of draw_motion. Parameters that are not fixed: in turn 0 their own
-/// value. In even turns half to twice their value, clamped to their range; if the value is 0, a
-/// positive number up to 1. In odd turns anywhere in the declared range; without a range as in even
-/// turns.
+/// A new state with leaves from draw_motion(). Parameters that the scene does not fix are
+///
+///     turn 0      their values
+///     even turn   half to twice their value, clamped to their range; for a value 0, in (0, 1]
+///     odd turn    anywhere in the declared range; without a range, as in even turns
 [[nodiscard]] State drawn_state(const Model& model, const Scene& scene, Sampler& draw,
                                 std::size_t turn);
 
-/// Gives every quaternion the length 1, by the oracle.
+/// Scales every quaternion to length 1, to the digits of the oracle.
 void scale_to_length_one(const Model& model, State& state);
 
-/// `state` with these leaves set, and quaternions of length 1. Momenta that are not set follow from
-/// the rates, if they have a value.
+/// `state` with `leaves` set, and quaternions scaled to length 1. Momenta that are not in `leaves`
+/// are computed from the rates if they have a value; reference velocities are the rates.
 [[nodiscard]] State with_leaves(const Model& model, State state,
                                 const std::vector<StatedLeaf>& leaves);
 
-/// The state moved onto the constraints to all digits, with one step of Newton's method more than a
-/// pose needs. Without constraints the state itself; none if the method does not converge.
+/// The state moved onto the constraints by Newton's method. One step is added after convergence, so
+/// that all digits are correct. Without constraints, the state itself; none if the method does not
+/// converge.
 [[nodiscard]] std::optional<State> move_onto_constraints(const Model& model, const State& state);
 
-/// True if an output is compared at states on the constraints. Not for constraint_residual and
-/// projected, which would be 0 and the state itself.
+/// True if an output is compared at states that satisfy the constraints. False without constraints,
+/// and for constraint_residual and projected, which would be 0 and the state itself.
 [[nodiscard]] bool is_compared_on_constraints(const Model& model, OutputKind output);
 
-/// The state at which such an output is compared, from a drawn state and the same state moved onto
-/// the constraints (`kept`). `completed` takes the drawn rates; functions of momenta take the
-/// momenta of the rates.
+/// The state at which an output with is_compared_on_constraints() is compared. `kept` is the state
+/// `drawn` after move_onto_constraints(). For `completed` the result has the rates of `drawn`; for
+/// functions of momenta, it has the momenta that belong to the rates.
 [[nodiscard]] State compared_state(const Model& model, OutputKind output, const State& drawn,
                                    State kept);
 
 enum class Region : std::uint8_t {
-  nominal,    ///< uniform over the ranges; parameters at their value
+  nominal,    ///< uniform in the ranges; parameters have their values
   near_zero,  ///< as nominal, but near a zero of a typed sum (verify/states)
   small,      ///< magnitudes 1e-12 … 1e-3
   large,      ///< magnitudes 1e-8 … 1e8
-  extreme,  ///< ends of ranges, denormals, big angles and rates, parameter ratios, singular charts,
-            ///< and ratios with angles at which sums cancel
+  extreme,  ///< ends of ranges, denormals, large angles and rates, multiplied parameters, singular
+            ///< charts, and multiplied parameters with angles at which sums cancel
 };
 
 template <class Scalar>
 struct SampledState {
   Region region = Region::nominal;
-  std::string name = {};  ///< of an extreme: "rates 1e+60"
+  std::string name = {};  ///< name of an extreme state: "rates 1e+60"; else empty
   LeafValues<Scalar> values = {};
 };
 
-/// A number near 0.618 `count` without a common divisor. Steps of this size reach all regions,
-/// which take turns, and the extremes, which come last. The first state is nominal.
+/// A step s close to 0.618 count, coprime to count. The indices 0, s, 2 s, … modulo count visit
+/// each of `count` states once and are spread evenly. The first states of this sequence thus
+/// include all regions, although the regions alternate and the extremes are last. State 0 is
+/// nominal.
 [[nodiscard]] std::size_t golden_step(std::size_t count);
 
 struct Sampling {
-  /// Random states: half nominal, a quarter small, a quarter large. At most this many extremes
-  /// combine parameters and angles.
+  /// Number of random states: half nominal, a quarter small, a quarter large. Also the largest
+  /// number of extremes that combine a parameter with angles.
   std::size_t count = 256;
   std::uint64_t seed = 1;
   bool extremes = true;
 };
 
-/// The ranges that the model declares. Without one: the value of a parameter, [-pi, pi] for angles,
-/// [-1, 1] for other coordinates, [-10, 10] for all others; [0, 0.1] s for h.
+/// The ranges of all leaves: the declared range, else the value of a parameter, [-pi, pi] for an
+/// angle, [-1, 1] for another coordinate, [0, 0.1] s for h, and [-10, 10] for all other leaves.
 [[nodiscard]] LeafValues<Range> ranges_of(const StateSpace& space);
 
-/// Gives every quaternion the length 1, each component rounded once; (1, 0, 0, 0) if it is 0.
-/// Number: double or Real.
+/// Scales every quaternion to length 1; each component is rounded once. A quaternion 0 becomes
+/// (1, 0, 0, 0). Number: double or Real.
 template <class Number>
 void scale_quaternions(const Model& model, LeafValues<Number>& values);
 
-/// Uniform inside these ranges, with nominal parameters and quaternions of length 1.
+/// A random state, uniform in `ranges`, with the parameters at their values and quaternions of
+/// length 1.
 [[nodiscard]] LeafValues<double> drawn_within(const StateSpace& space,
                                               const LeafValues<Range>& ranges, Sampler& draw);
 
-/// The values rounded; a finite double stays finite in float. Scalar: double or float.
+/// The values rounded to Scalar (double or float). Values beyond the range of Scalar become its
+/// largest finite number.
 template <class Scalar>
 [[nodiscard]] LeafValues<Scalar> nearest_finite(const LeafValues<double>& values);
 
-/// The states of sample_states one by one, for callers that do not know how many they need.
+/// Generates the states of sample_states() one by one, for callers that do not know in advance how
+/// many they need.
 template <class Scalar>
 class StateSequence {
  public:
-  /// The model, the scene and the leaves must outlive this.
+  /// The model, the scene and the leaf names must outlive this object.
   StateSequence(const StateSpace& space, const Sampling& sampling);
 
   /// None after the last state.
@@ -115,8 +124,8 @@ class StateSequence {
   std::optional<std::vector<SampledState<double>>> extremes_ = {};  ///< built on demand
 };
 
-/// All states of `sampling`, inside the ranges of ranges_of. Scalar: double or float; each has its
-/// own list of extremes.
+/// All states of `sampling`; nominal states are in ranges_of(). Scalar is double or float, which
+/// have different lists of extremes.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> sample_states(const StateSpace& space,
                                                               const Sampling& sampling);
