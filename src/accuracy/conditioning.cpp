@@ -1,4 +1,5 @@
-// conditioning: the slopes of every instruction by its operands, then one reverse sweep per value.
+// conditioning: the derivatives of every instruction by its operands, then one reverse sweep per
+// value.
 #include "accuracy/conditioning.hpp"
 
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace elgen {
 namespace {
 
-/// The operands, one of them with tangent 1.
+/// The operands of an instruction as dual numbers; one of them has tangent 1.
 struct OperandsWithTangent {
   const std::vector<Real>& values;
   std::uint32_t moving;
@@ -20,16 +21,18 @@ struct OperandsWithTangent {
   }
 };
 
-/// Rounded to an ulp, which the bound includes; infinite or 0 outside of the range of doubles.
+/// x rounded to a double, within an ulp, which the error bound includes. Infinite or 0 if x is
+/// outside the range of doubles.
 double rounded(const Real& x) {
   return x.is_defined() ? cln::double_approx(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Relative error of K in doubles; K is reported to a tenth of a decimal digit. The bound grows
-/// with the length of a function. If slopes cancel, Real computes K.
+/// The largest error bound of K, relative to K, with which the K computed in double is used. K is
+/// reported to a tenth of a decimal digit. The bound is larger for long functions, and if
+/// derivatives cancel; then K is computed in Real.
 constexpr double tolerated_error = 1e-4;
 
-/// More than a product or factor in double loses by underflow.
+/// An upper bound of the error of a product or factor in double by underflow.
 constexpr double underflow_loss = 1e-300;
 
 /// A derivative, and a bound on its rounding errors in double.
@@ -37,7 +40,7 @@ struct Adjoint {
   double value = 0;
   double error = 0;
 
-  /// Adds x times a factor, which is rounded, too.
+  /// Adds x * factor. The bound includes the rounding errors of the factor and of the product.
   void add(const Adjoint& x, double factor) {
     constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     const double term = x.value * factor;
@@ -66,7 +69,8 @@ Conditioning::Conditioning(const Program& program, const Function& function,
   for (const Real& value : values_) rounded_values_.push_back(rounded(value));
 }
 
-/// A term has slope 1 or -1, and a factor the other factor. Other slopes come from dual numbers.
+/// The derivative of an instruction by an operand: 1 or -1 for a term, the other factor for a
+/// factor, and otherwise the tangent of a dual number.
 Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
   const bool is_first = operand == i.a;
   if (is_sum(i) && i.a != i.b) return Real(is_first || i.opcode == Opcode::add ? 1 : -1);
@@ -96,7 +100,7 @@ std::optional<double> Conditioning::conditioning_in_double(std::uint32_t instruc
     if (operands > 0) adjoints[i.a].add(adjoint, rounded_slopes_[at].by_a);
     if (operands > 1) adjoints[i.b].add(adjoint, rounded_slopes_[at].by_b);
   }
-  // Both are NaN if a factor is NaN.
+  // If a derivative is NaN, the value of the sum is NaN, and K is computed in Real.
   if (std::isfinite(sum.value) && sum.error <= tolerated_error * sum.value) return sum.value;
   return std::nullopt;
 }

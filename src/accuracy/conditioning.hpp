@@ -2,8 +2,9 @@
 //
 //     K = sum |z dx/dz|      over inputs z and parameters z
 //
-// in units of u. A formula with an error far beyond u (|x| + K) loses digits that another keeps.
-// Literals are exact: at large x, pi/2 - atan(x) loses digits, and atan2(1, x) keeps all.
+// in units of u. If the error of a formula is far beyond u (|x| + K), it loses digits that another
+// formula for x can keep. Literals count as exact: at large x, pi/2 - atan(x) loses digits, and
+// atan2(1, x) keeps all of them.
 #pragma once
 
 #include <optional>
@@ -14,32 +15,33 @@
 
 namespace elgen {
 
-/// Rounding and a few operations explain an error of this many u (|x| + K). Beyond, the formula
-/// loses digits.
+/// The largest error in u (|x| + K) that rounding in a few operations explains. If the error is
+/// larger, the formula loses digits.
 inline constexpr double tolerated_loss = 64;
 
-/// Losses within this factor count as equal; then the cheaper rewriting wins.
+/// Losses within this factor count as equal; then the cheaper formula is chosen.
 inline constexpr double similar_losses = 8;
 
-/// Derivatives of a function at one point: one reverse sweep for each value.
+/// K of the values of a function at one point.
 class Conditioning {
  public:
-  /// `values`: of all instructions. `parameters`: marks the program's constants that count as
-  /// parameters; empty if all are literals. Program and function must outlive this. Cost: two
-  /// operations of dual numbers per instruction.
+  /// `values`: the values of all instructions. `parameters`: marks the constants of the program
+  /// that count as parameters; empty if all are literals. Program and function must outlive this
+  /// object. Cost: two operations of dual numbers per instruction.
   Conditioning(const Program& program, const Function& function, std::vector<Real> values,
                std::vector<bool> parameters = {});
 
-  /// K of an instruction; undefined if a derivative is. Doubles give four digits and an error
-  /// bound; if the bound is too large, Real computes K. Cost: ten operations of double, and two of
-  /// Real if needed, for each instruction before it.
+  /// K of an instruction; undefined if a derivative is undefined. K is computed in double, to four
+  /// digits and with an error bound; if the bound is too large, it is computed in Real. Cost: ten
+  /// operations of double, and two of Real if needed, for each earlier instruction.
   [[nodiscard]] Real of(std::uint32_t instruction) const;
 
  private:
   [[nodiscard]] Real slope(const Instruction& i, std::uint32_t operand) const;
   [[nodiscard]] bool counts_as_input(const Instruction& i) const;
 
-  /// Slopes of an instruction by its operands; if both are one, `by_a` is the total.
+  /// The derivatives of an instruction by its operands a and b. If a and b are the same operand,
+  /// `by_a` is the total derivative.
   template <class Number>
   struct Slopes {
     Number by_a = {};

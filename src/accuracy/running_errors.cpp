@@ -1,4 +1,4 @@
-// The rules of running errors.
+// running_errors: the rules of running_errors.hpp.
 #include "accuracy/running_errors.hpp"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ using std::abs;
 using std::max;
 using std::sqrt;
 
-/// Relative error of an operand up to which first-order errors are right within a few parts in
-/// 1000.
+/// The largest relative error of an operand for which the first-order error of a result is correct
+/// within a few parts in 1000.
 constexpr double most_uncertainty = 0x1p-10;
 
 bool is_number(const Real& x) { return x.is_defined(); }
@@ -44,7 +44,8 @@ Rounding<Number> rounding_of() {
           }};
 }
 
-/// A value with its error, computed from x and y.
+/// The result of an operation on x and y, with its value and error before underflow. Adds the error
+/// of underflow, and propagates is_lost and underflows of the operands.
 template <class Number>
 Running<Number> with_rounding(const Number& value, const Number& error, const Running<Number>& x,
                               const Running<Number>& y, const Rounding<Number>& rounding) {
@@ -57,8 +58,8 @@ Running<Number> with_rounding(const Number& value, const Number& error, const Ru
   return result;
 }
 
-/// True if multiplying by x is exact. A rounded value may be a power of two by chance and does not
-/// count.
+/// True if multiplying by x is exact: x is a power of two without an error. A rounded value may be
+/// a power of two by chance.
 template <class Number>
 bool is_exact_factor(const Running<Number>& x) {
   return is_zero(x.error) && is_power_of_two(x.value);
@@ -71,8 +72,8 @@ bool is_accurate(const Running<Number>& x, const Number& scale, const Rounding<N
   return x.error * rounding.roundoff <= scale * share;
 }
 
-/// True if the error of f(x) is of first order. Entire functions need an error of x that is small
-/// compared with max(|x|, 1), others compared with |x|.
+/// True if the first-order error of f(x) is accurate: the error of x is small compared with |x|, or
+/// for entire functions with max(|x|, 1).
 template <class Number>
 bool is_accurate_argument(const FunctionRow& row, const Running<Number>& x,
                           const Rounding<Number>& rounding) {
@@ -87,9 +88,9 @@ bool is_far_out(const FunctionRow& row, const Real& x) {
   return row.limits_at_infinity && far < abs(x);
 }
 
-/// The limit of an exponential function if 64 digits do not distinguish it from the value: the
-/// exponent of exp(1e300) exceeds even CLN's range. Infinite limits become numbers beyond the
-/// overflow threshold.
+/// The limit that replaces the value of an exponential function, see takes_limit(); none if the
+/// value is computed. exp(1e300), for example, exceeds even the exponents of CLN. An infinite limit
+/// becomes a number beyond the overflow threshold of the scalar.
 std::optional<Real> limit_value(const FunctionRow& row, const Real& x,
                                 const Rounding<Real>& rounding) {
   if (!is_far_out(row, x)) return std::nullopt;
@@ -104,7 +105,7 @@ std::optional<double> limit_value(const FunctionRow& /*row*/, double /*x*/,
   return std::nullopt;
 }
 
-/// f and its slope by one argument.
+/// f(x, y) and its derivative by x if `by_first`, else by y.
 template <class Number>
 Dual<Number> with_slope(FunctionId function, const Number& x, const Number& y, bool by_first) {
   const Dual<Number> first{x, Number(by_first ? 1 : 0)};

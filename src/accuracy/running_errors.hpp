@@ -1,5 +1,5 @@
-// Running errors: a bound E on the rounding errors of a value, in u, half the epsilon of a scalar
-// type. Each instruction propagates the errors of its operands and adds one rounding:
+// Running errors: a bound E on the rounding error of a value, in units of u, half the epsilon of a
+// scalar type. Each instruction propagates the errors of its operands and adds one rounding:
 //
 //     leaf        |x|, or 0 if x is a number of the scalar
 //     x +- y      Ex + Ey + |x +- y|
@@ -7,12 +7,13 @@
 //     x / y       (Ex + |x/y| Ey) / |y| + |x/y|
 //     f(x)        |f'| Ex + |f|; for sine and cosine also u/2 Ex^2
 //
-// A result below the normal numbers adds eta/u, eta the smallest denormal. This is the first order
-// of N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., section 3.3. The second
-// order is added if it is all that remains: at a zero of f', and in (x^2 - y^2)^2 at x = y.
+// A result below the normal numbers adds eta/u, with eta the smallest denormal. These are the
+// first-order errors of N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed.,
+// section 3.3. Second-order terms are included where first-order terms vanish: at a zero of f', and
+// in (x^2 - y^2)^2 at x = y.
 //
-// Number is Real, or double for a rough figure. It is right within a factor of two on every
-// machine, as long as a value loses only its last digits.
+// The template argument Number is Real, or double for rough errors. Rough errors are correct within
+// a factor of two on every machine, as long as a value loses only its last digits.
 #pragma once
 
 #include "elgen/evaluate.hpp"
@@ -26,16 +27,16 @@ template <class Number>
 struct Rounding {
   Number roundoff;   ///< u
   Number underflow;  ///< eta/u
-  Number smallest;   ///< the smallest normal number; below it eta counts
-  Number largest;    ///< the largest finite number / 16; above it overflow is near
+  Number smallest;   ///< the smallest normal number; a smaller result has the error eta
+  Number largest;    ///< the largest finite number / 16; a larger value may overflow
   bool (*is_exact)(const cln::cl_R& value);  ///< true if the scalar can represent it
 };
 
-/// Scalar: double or float; rough figures exist for double only.
+/// The constants of Scalar, which is double or float. With Number = double, only of double.
 template <class Scalar, class Number = Real>
 [[nodiscard]] const Rounding<Number>& rounding();
 
-/// Up to sign. Multiplying by a power of two is exact.
+/// True for +-2^n with an integer n. Multiplying by such a number is exact.
 [[nodiscard]] bool is_power_of_two(const Real& x);
 [[nodiscard]] bool is_power_of_two(double x);
 
@@ -43,9 +44,9 @@ template <class Scalar, class Number = Real>
 template <class Number>
 struct Running {
   Number value = {};
-  Number error = {};        ///< E, in u; undefined if the value or a slope is
-  bool is_lost = false;     ///< E is void: a quotient, root, function or sign of an uncertain value
-  bool underflows = false;  ///< it depends on a value below the normal numbers
+  Number error = {};        ///< E, in u; undefined if the value or a derivative is undefined
+  bool is_lost = false;     ///< E is invalid: the divisor or argument of an operation is uncertain
+  bool underflows = false;  ///< the value depends on a number below the normal numbers
 };
 
 template <class Number>
@@ -56,18 +57,18 @@ template <class Number>
   return values;
 }
 
-/// A leaf, rounded once if the scalar cannot represent its value.
+/// The running error of a leaf, which is rounded once if the scalar cannot represent its value.
 template <class Number>
 [[nodiscard]] Running<Number> running_leaf(const cln::cl_R& value,
                                            const Rounding<Number>& rounding);
 
-/// True if the rules replace a value by its limit: exponential functions at |x| > 2^20, because 64
-/// digits do not distinguish them. A limit of 0 must not be a divisor. `y`: x if there is one
-/// argument.
+/// True if the rules replace a value by its limit for x -> +-infinity: for exponential functions at
+/// |x| > 2^20, whose values do not differ from the limit in 64 digits. A limit of 0 must not be
+/// used as a divisor. For a function of one argument, `y` is x.
 [[nodiscard]] bool takes_limit(FunctionId function, const Real& x, const Real& y);
 
-/// Leaves are exact, or each is rounded once. Then cos(q + 1) and cos(q)*cos(1) - sin(q)*sin(1) at
-/// an angle of 1e6 have as few digits as the angle.
+/// Whether leaves are exact or have one rounding error each. With a rounding error of q = 1e6, both
+/// cos(q + 1) and cos(q)*cos(1) - sin(q)*sin(1) lose the digits that the angle q loses.
 enum class Leaves : std::uint8_t { exact, rounded };
 
 template <class Number>
@@ -97,8 +98,8 @@ struct RunningErrorRules {
   [[nodiscard]] Value multiply(const Value& x, const Value& y) const;
   [[nodiscard]] Value divide(const Value& x, const Value& y) const;
   [[nodiscard]] Value square_root(const Value& x) const;
-  /// Kinked functions pass on the larger error of their operands; the sign of an uncertain value is
-  /// lost. Functions of one argument ignore y.
+  /// The result of a function with kinks has the larger error of its operands; `sign` of an
+  /// uncertain value is lost. Functions of one argument ignore y.
   [[nodiscard]] Value call(FunctionId function, const Value& x, const Value& y) const;
 };
 
