@@ -1,12 +1,11 @@
-// E508: an inertia that no rigid body has; a planar inertia must not be negative. E507: in the
-// plane, w = s(q, t).v + s0(q, t) must be the time derivative of an angle(q, t).
+// E508: an inertia that no rigid body has; a planar inertia must not be negative. E507: a planar
+// angular velocity w = s(q, t).v + s0(q, t) that is not the time derivative of a function of q, t.
 //
-// A function linear in the rates is a total time derivative iff its Euler-Lagrange expression
+// w is a total time derivative if and only if its Euler-Lagrange expression
 //
 //     d/dt dw/dv_i - dw/dq_i = sum_j (ds_i/dq_j - ds_j/dq_i) v_j + ds_i/dt - ds0/dq_i
 //
-// vanishes identically: the curl and the time part in one. It is the equation of motion of the
-// Lagrangian L = w, which the oracle evaluates.
+// vanishes identically. The oracle evaluates it as the equation of motion of the Lagrangian L = w.
 #include <fmt/format.h>
 
 #include "elgen/inertia.hpp"
@@ -60,7 +59,7 @@ Model model_of_lagrangian(const Model& model, ExpressionId lagrangian) {
   return bare;
 }
 
-/// Whether x is within the rounding error of cancelling terms of size `scale`.
+/// True if x is only the rounding error of cancelling terms of magnitude `scale`.
 bool vanishes(const cl_R& x, const cl_R& scale) {
   return cln::abs(x) <= (1 + cln::abs(scale)) * power_of_ten(-50);
 }

@@ -1,4 +1,4 @@
-// The checks of the inspection; each maps a subject to its diagnostics.
+// The checks of the inspection. Each function returns the diagnostics of one check.
 #pragma once
 
 #include <string>
@@ -16,14 +16,15 @@ struct Inspected {
   const Scene& scene;
 };
 
-/// Matrices of more coordinates are not sampled: they need n^2 directional derivatives, each as
-/// long as the chain.
+/// Matrices of models with more coordinates are not sampled: n^2 directional derivatives are
+/// needed, each with a cost linear in the length of the chain.
 inline constexpr std::size_t most_coordinates_sampled = 24;
 
-/// Largest number of coordinates for which we search singular configurations.
+/// Models with more coordinates are not searched for singular configurations.
 inline constexpr std::size_t most_coordinates_searched = 3;
 
-/// E312, E313, E314, E910: constants without a value and too large powers that only names reveal.
+/// E312, E313, E314, E910: constants without a value and too large powers that are found only if
+/// names are replaced by their expressions.
 [[nodiscard]] Diagnostics inspect_constants(const Inspected& subject);
 
 /// E501: M x = 0 at every sampled state, or M_ii = 0 if an output solves for accelerations. E524: M
@@ -31,12 +32,12 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 [[nodiscard]] Diagnostics inspect_mass_matrix(const Inspected& subject);
 
 /// E536: an equation with no effect on the motion. E537: an equation that follows from other
-/// equations at every pose. E538: no pose near the start. E603: `completed` or inputs that the
-/// constraints leave undetermined.
+/// equations at every pose. E538: no pose near the start satisfies the constraints. E603: the
+/// result of `completed`, or inputs, that the constraints do not determine.
 [[nodiscard]] Diagnostics inspect_constraints(const Inspected& subject);
 
-/// E603: an [[output]] whose Jacobian never has full rank, if the scene requests its equation of
-/// motion.
+/// E603: an [[output]] whose Jacobian has full rank at no sampled state, although the scene
+/// requests its operational-space equation of motion.
 [[nodiscard]] Diagnostics inspect_tasks(const Inspected& subject);
 
 /// E507: a planar spin that is not the time derivative of an angle(q, t).
@@ -54,16 +55,16 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E523, E525: a negative mass or a negative dissipation.
 [[nodiscard]] Diagnostics inspect_signs(const Inspected& subject);
 
-/// E526: the written potential contains a weight that [gravity] already adds.
+/// E526: `[energy] V` contains a weight that [gravity] already adds.
 [[nodiscard]] Diagnostics inspect_weights(const Inspected& subject);
 
-/// E527: the written kinetic energy contains the energy of a mass, which is already added.
+/// E527: `[energy] T` contains the energy of a point with a mass, which elgen already adds.
 [[nodiscard]] Diagnostics inspect_kinetic_energies(const Inspected& subject);
 
 /// E627: a force with tanh in a linearization that the scene requests by name.
 [[nodiscard]] Diagnostics inspect_smoothed(const Inspected& subject);
 
-/// E522: parameters in no expression, and inputs without effect.
+/// E522: parameters that occur in no expression, and inputs without effect.
 [[nodiscard]] Diagnostics inspect_unused(const Inspected& subject);
 
 /// E619: outputs of the model that the built-in scene `full` omits. E616: inputs on locked
@@ -73,8 +74,8 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// E613: an [[equilibrium]] at which the system does not stay at rest.
 [[nodiscard]] Diagnostics inspect_equilibria(const Inspected& subject);
 
-/// E613: the scene expands about a point at which the system does not stay at rest. E614: energies
-/// and forces have no derivatives there. All other checks use the exact model.
+/// E613: the point about which the scene expands is not an equilibrium. E614: energies or forces
+/// have no derivatives at this point. All other checks use the exact model.
 [[nodiscard]] Diagnostics inspect_equilibrium(const Inspected& subject);
 
 }  // namespace elgen

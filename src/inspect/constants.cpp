@@ -1,11 +1,13 @@
-// E312, E313, E314, E910: constants without a value, and too large powers, that only names reveal:
-// definitions, functions without t, components of points, fixed parameters, locks.
+// E312, E313, E314, E910: constants without a value, and too large powers, that are found only if
+// names are replaced by their expressions. Such names are definitions, prescribed functions without
+// t, components of points, fixed parameters and locks.
 //
-//     c = 2      asin(c)*x        the value of asin(c) is computed at its use
-//     x1 = x*x   x2 = x1*x1 ...   the degree is counted before anything is expanded
+//     c = 2      asin(c)*x        asin(c) has no value
+//     x1 = x*x   x2 = x1*x1 ...   the degree is computed before anything is expanded
 //
-// check has evaluated constants without names. Here names are followed, operands before users, with
-// the same evaluate_constant(). A value with too few known digits proves nothing.
+// The stage check has already evaluated constants without names. This check follows names, operands
+// before users, and uses the same evaluate_constant(). A value with too few known digits is treated
+// as unknown.
 #include "check/names/constants.hpp"
 
 #include <cln/real_ring.h>
@@ -25,21 +27,23 @@ namespace {
 
 using cln::cl_R;
 
-/// Digits of pi and of roots: enough for the sine of numbers up to 10^300.
+/// Number of digits of pi and of roots: enough for the sine of numbers up to 10^300.
 constexpr int most_digits = 400;
-/// With fewer known digits, 0 cannot be distinguished from cancellation.
+/// A value with fewer known digits is treated as unknown, because cancellation may hide a 0.
 constexpr int least_digits = 60;
 
-/// x^10000 leaves the range of every scalar, unless x is 1 to four digits.
+/// The largest degree of a product. In double, x^10000 overflows or underflows unless |x| is
+/// between 0.93 and 1.07.
 constexpr double largest_degree = 10'000;
 
-/// The growth of a product: its degree in the variables, and the digits of its numbers.
+/// The size of an expanded expression: its degree in the variables, and the number of digits of its
+/// numbers.
 struct Growth {
   double degree = 0;
   double digits = 0;
 };
 
-/// A parameter that is fixed at an irrational value has only constant_digits.
+/// The value of a fixed parameter with its error. An irrational value has constant_digits digits.
 EnclosedNumber enclose_fixed_value(const cl_R& fixed) {
   if (is_rational(fixed)) return {fixed, 0};
   return {cln::cl_float(fixed, cln::float_format(most_digits)),
@@ -58,7 +62,7 @@ double digits_of(const cl_R& number) {
   return is_unit ? 0 : static_cast<double>(digit_count(rational));
 }
 
-/// Whether the node has no operands to evaluate; the arguments of an open function do not count.
+/// True if the node has no operands to evaluate. The arguments of an open function do not count.
 bool is_last(const Expression& node) {
   return node.operands.empty() || node.kind == ExpressionKind::leaf;
 }
@@ -75,7 +79,7 @@ class NamedConstants {
         known_(model_.expressions.size()),
         growth_(model_.expressions.size()) {}
 
-  /// Requires that all nodes that `id` refers to were visited.
+  /// Evaluates a node. All nodes that it refers to must have been visited.
   void visit(ExpressionId id) {
     const Expression& node = model_.expressions[id];
     const auto referred = references(model_, id);
@@ -90,7 +94,7 @@ class NamedConstants {
   Diagnostics take() { return std::move(found_); }
 
  private:
-  /// False if the node has no value; this is then reported.
+  /// Evaluates the node if it is constant. Reports an error and returns false if it has no value.
   bool evaluate(ExpressionId id, const Expression& node) {
     if (is_leaf(node, Opcode::parameter)) {
       const auto& fixed = subject_.scene.specialisation.fixed;
@@ -143,7 +147,8 @@ class NamedConstants {
     growth = {};
   }
 
-  /// The growths of factors add, powers multiply, and the largest term of a sum counts.
+  /// The growth of a node from its operands: the sum over factors, a multiple for a power, the
+  /// maximum over the terms of a sum.
   [[nodiscard]] Growth combined_growth(const Expression& node) const {
     const bool adds = node.kind == ExpressionKind::multiply || node.kind == ExpressionKind::divide;
     Growth growth;
@@ -166,13 +171,14 @@ class NamedConstants {
     const bool is_operand = failure.operand && *failure.operand < node.operands.size();
     const Span span =
         is_operand ? model_.expressions[node.operands[*failure.operand]].span : node.span;
-    // check refuses a literal this long, so this number comes from an operation.
+    // The stage check rejects literals of this length (E914), so the number results from
+    // operations.
     const Code code = failure.code == Code::E914 ? Code::E910 : failure.code;
     found_.push_back({code, span, in_backticks(span) + " " + failure.message, values_in(node)});
     return false;
   }
 
-  /// "`c` is 2": the values of the names in a node that has no value.
+  /// The values of the names in a node that has no value: "`c` is 2".
   [[nodiscard]] std::string values_in(const Expression& node) const {
     std::vector<std::string> values;
     std::vector<ExpressionId> stack(node.operands.rbegin(), node.operands.rend());
@@ -216,7 +222,7 @@ class NamedConstants {
 Diagnostics inspect_constants(const Inspected& subject) {
   NamedConstants names(subject);
   const Model& model = subject.model;
-  // Closed forms are checked later, when they are compared.
+  // Closed forms of [[expect]] are not roots; they are checked when they are compared.
   const auto is_any = [](const Root&) { return true; };
   for (const ExpressionId id : reachable_from(model, roots_if(model, is_any))) names.visit(id);
   return names.take();

@@ -1,9 +1,10 @@
-// E536: an equation whose row of A = dr/dv is 0 at every sampled state. E538: Newton's method finds
-// no pose from the start. E537: an equation that follows from other equations.
+// E536: an equation whose row of A = dr/dv is 0 at every sampled state. E538: Newton's method,
+// begun at the start of the model, finds no pose. E537: an equation that follows from other
+// equations.
 //
-// A is evaluated at poses that meet the constraints, at the start and around it: a rod may be
-// redundant only there. A vanishing combination of rows is a null vector of A^T. If every pose has
-// one, the equations are dependent.
+// For E537, A is evaluated at several poses near the start that satisfy the constraints, because
+// equations may be dependent only at such poses. A linear combination of rows that is 0 is a null
+// vector of A^T. The equations are dependent if A^T has a null vector at every pose.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,10 +26,10 @@ using cln::cl_R;
 constexpr std::size_t other_pose_count = 3;
 constexpr unsigned pose_draws = 8;
 
-/// Whether a number is only rounding error, in any unit.
+/// True if a number is only rounding error, whatever its unit is.
 bool is_rounding_error(const cl_R& x) { return cln::abs(x) < power_of_ten(-50); }
 
-/// By equation: whether its row of A is 0 at every sampled state at which A has a value.
+/// For each equation: true if its row of A is 0 at every sampled state at which A has a value.
 std::vector<bool> equations_without_effect(const Inspected& subject) {
   const std::size_t n = subject.model.velocities.size();
   std::vector<bool> marks(subject.model.constraints.size(), true);
@@ -60,8 +61,8 @@ Diagnostics errors_without_effect(const Inspected& subject) {
   return errors;
 }
 
-/// Whether Newton's method converges slowly towards a pose, because A does not have full rank
-/// there.
+/// True if Newton's method has come close to a pose without reaching it. It then converges slowly,
+/// because A does not have full rank at the pose.
 bool converges_slowly(const Model& model, const Assembly& at) {
   const OracleValues values =
       oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);
@@ -71,7 +72,7 @@ bool converges_slowly(const Model& model, const Assembly& at) {
                      [](const cl_R& f) { return cln::abs(f) < power_of_ten(-12); });
 }
 
-/// Coordinates and rates at the start; open functions have random values.
+/// The state at the start of the model, with random values of open functions.
 State full_start(const Inspected& subject) {
   State state = start_state(subject.model, subject.scene);
   state.f = sampled_state(subject, 0).f;
@@ -95,8 +96,9 @@ Diagnostic assembly_error(const Inspected& subject, const std::optional<Assembly
           quotient.empty() ? "give the coordinates a `start` near a pose that exists" : quotient};
 }
 
-/// Poses from random states, which come closer to the start with every second draw. These draws
-/// have the start's parameters, all others random parameters.
+/// Poses found from random states. With every second draw, the distance of the states from the
+/// start is halved. Every second draw has the parameters of the start, the others random
+/// parameters.
 std::vector<State> other_poses(const Inspected& subject, const State& start) {
   constexpr unsigned turns = 3;  // seeds that are multiples of 3 draw lengths up to 1
   std::vector<State> poses;
@@ -119,8 +121,8 @@ std::vector<State> other_poses(const Inspected& subject, const State& start) {
 
 using Combinations = std::vector<Vector>;
 
-/// The vanishing combinations of rows of A. The last equation of each combination is in no other
-/// combination. Empty if A has no value.
+/// A basis of the null space of A^T: the linear combinations of equations that vanish at a pose.
+/// The last equation of each combination is in no other combination. Empty if A has no value.
 Combinations zero_combinations(const Model& model, const State& pose) {
   const OracleValues a = oracle_values(model, {.kind = OutputKind::constraint_jacobian}, pose);
   if (!a) return {};
@@ -147,7 +149,8 @@ std::size_t last_of(const Vector& factors) {
   return last;
 }
 
-/// "2*rod - loop_x": the combination that equals the last equation.
+/// For a vanishing combination: the sum of other equations that equals the last equation, as
+/// "2*rod - loop_x".
 std::string sum_of_others(const Model& model, const Vector& factors) {
   const std::size_t last = last_of(factors);
   std::string text;
@@ -162,7 +165,8 @@ std::string sum_of_others(const Model& model, const Vector& factors) {
   return text.empty() ? "0" : text;
 }
 
-/// Reports the pose with the fewest combinations, because the other poses may be dead centres.
+/// E537 for the vanishing combinations at the pose that has the fewest of them, because the other
+/// poses may be dead centres. No error if a pose has none.
 Diagnostics redundancy_errors(const Model& model, const std::vector<Combinations>& at_poses) {
   const auto fewest =
       std::ranges::min_element(at_poses, {}, [](const Combinations& all) { return all.size(); });
@@ -191,7 +195,7 @@ Diagnostics redundant_equations(const Inspected& subject, const State& start) {
   return redundancy_errors(subject.model, at_poses);
 }
 
-/// The first output of the scene that has no value with this fault; null if there is none.
+/// The first output of the scene whose row has this WhenSingular; null if there is none.
 const OutputRequest* output_with(const Scene& scene, WhenSingular fault) {
   const auto found = std::ranges::find(scene.outputs, fault, [](const OutputRequest& output) {
     return output_row(output.kind).when_singular;
@@ -199,7 +203,8 @@ const OutputRequest* output_with(const Scene& scene, WhenSingular fault) {
   return found == scene.outputs.end() ? nullptr : &*found;
 }
 
-/// E603 if the inputs of an output are determined at no pose.
+/// E603 if the scene requests constrained inverse dynamics, but the inputs are determined at no
+/// pose.
 Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
   const OutputRequest* const wanted = output_with(subject.scene, WhenSingular::redundant_inputs);
   if (wanted == nullptr) return {};
@@ -210,8 +215,8 @@ Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
   return {redundant_inputs(*wanted)};
 }
 
-/// E603 if at every pose the columns of A of the dependent velocities lack full rank: "rank 1 of
-/// 2".
+/// E603 if the scene requests `completed`, but the columns of A of the dependent velocities have
+/// full rank at no pose: "rank 1 of 2".
 Diagnostics undetermined_rest(const Inspected& subject, const State& start) {
   const OutputRequest* const wanted = output_with(subject.scene, WhenSingular::undetermined_rest);
   if (wanted == nullptr) return {};

@@ -1,10 +1,10 @@
 // E613: an [[equilibrium]], or the point about which a scene expands, is no equilibrium. E614:
 // energies or forces have no expansion there.
 //
-// The oracle evaluates the model at rest at the point, at several times and at parameter values
-// that meet the point's condition. The residual bias - B u must vanish: in all rows for an
-// [[equilibrium]], in the rows of small coordinates for a scene. Coordinates without a value are
-// arbitrary.
+// The oracle evaluates the model at rest at the point, at several times and parameter values that
+// meet the condition of the point. The residual bias - B u must be 0: in all rows for an
+// [[equilibrium]], in the rows of small coordinates for a scene. Coordinates for which the point
+// states no value have random values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct ClaimedEquilibrium {
   const StatedPoint& point;
   std::vector<std::uint32_t> rows = {};  ///< velocities whose equations must balance
   Span span = {};
-  std::string_view remedy = {};  ///< hint if it rests at some parameter values only
+  std::string_view remedy = {};  ///< hint if forces balance only at some parameter values
 };
 
 /// The residual bias - B u, row by row, and the magnitude of its terms.
@@ -45,7 +45,8 @@ struct Residual {
   std::vector<cl_R> input_matrix;  ///< row-major
 };
 
-/// Seed 0 has the parameters' own values, including zeros; other seeds vary them.
+/// A sampled state. With seed 0, parameters have their values, including zeros; with other seeds,
+/// random values.
 State varied_state(const Inspected& subject, unsigned seed) {
   Sampler draw(seed);
   return drawn_state(subject.model, subject.scene, draw, seed);
@@ -81,20 +82,21 @@ std::optional<Residual> balance_at(const Model& exact, const State& point, const
   return balance;
 }
 
-/// Whether every coordinate has a value, so that the point is unique.
+/// True if the point states a value for every coordinate.
 bool is_complete(const StatedPoint& point) {
   const auto& values = point.coordinates;
   return std::find(values.begin(), values.end(), std::nullopt) == values.end();
 }
 
-// A numeric input balances the forces only at the file's parameters; hence these hints.
+// Hints for a numeric input, which balances the forces only at the parameter values of the file.
 constexpr std::string_view remedy_of_scene =
     "write values with parameters, such as `m*g`, or fix all parameters: `[parameters] fixed = "
     "\"all\"`";
 constexpr std::string_view remedy_of_entry =
     "write values with parameters, such as `m*g`; `when` limits the parameters";
 
-/// "`u = 4.905` balances it" if exactly one input acts on this row, and acts on no other row.
+/// The hint "`u = 4.905` balances it", if the point states all coordinates, exactly one input acts
+/// on this row, and this input acts on no other row. Otherwise "".
 std::string suggestion(const Inspected& subject, const ClaimedEquilibrium& claim,
                        const Residual& balance, std::size_t row, const State& point) {
   if (!is_complete(claim.point)) return {};
@@ -119,7 +121,8 @@ std::string suggestion(const Inspected& subject, const ClaimedEquilibrium& claim
                    : fmt::format("{} at the values of the parameters; {}", balanced, claim.remedy);
 }
 
-/// `own_values`: the parameters have the model's values, so the residual is worth printing.
+/// Errors for the rows of the claim that are not balanced. `own_values`: the parameters have the
+/// values of the model, so the messages contain the residuals.
 Diagnostics balance_errors(const Inspected& subject, const ClaimedEquilibrium& claim,
                            const Residual& balance, const State& point, bool own_values) {
   // The oracle has 60 digits; 20 may be lost to cancellation.

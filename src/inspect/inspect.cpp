@@ -1,5 +1,5 @@
-// Inspection: runs all checks in order. Most ask the oracle for values at sampled states; unused
-// names, inertias and points in an energy are read from the model.
+// Inspection: runs all checks in order. Most checks evaluate the oracle at sampled states; the
+// checks of unused names, inertias and points in an energy only read the model.
 #include "elgen/inspect.hpp"
 
 #include <utility>
@@ -18,13 +18,13 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   add(inspect_unused(subject));
   add(inspect_left_out(subject));
   add(inspect_constants(subject));
-  // A constant without a value leaves sampled states without values, and a too large constant takes
-  // too long.
+  // With a constant without a value, the model has no values at sampled states; with a too large
+  // power, its evaluation takes too long.
   if (has_errors(all)) return all;
   add(inspect_inertias(subject));
   add(inspect_spins(subject));
   add(inspect_mass_matrix(subject));
-  // If M is singular everywhere, every special configuration would report it again.
+  // If M is singular everywhere, it is singular at every special configuration.
   if (!has_errors(all)) add(inspect_charts(subject));
   if (!has_errors(all)) add(inspect_constraints(subject));
   if (!has_errors(all)) add(inspect_tasks(subject));
@@ -35,7 +35,7 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   add(inspect_smoothed(subject));
   if (!has_errors(all)) add(inspect_equilibria(subject));
   if (!has_errors(all)) add(inspect_equilibrium({model, scene}));
-  // All entries of a repetition have the same mistake, which is reported once.
+  // If all entries of a repetition have the same mistake, it is reported once.
   Report unique;
   for (Diagnostic& diagnostic : all) unique.add(std::move(diagnostic));
   return unique.sorted();

@@ -1,14 +1,14 @@
-// Signs and rank of the mass matrix. E523: a mass is negative at the parameters' values. E524: at a
-// sampled state, M is regular but not positive definite. E525: D is negative at a sampled state.
-// E501: M x = 0 at every sampled state, so x is a motion without kinetic energy.
+// Signs and rank of the mass matrix M.
 //
-// One regular sample is enough to rule out a singular M. For outputs that solve with M, a diagonal
-// entry that is 0 at every sample is an error too. Otherwise the message names the null space: by
-// its vectors if they agree at all samples, by its dimension if they vary with the configuration.
-//
-// E511: configurations at which M loses rank although it is regular elsewhere; the chart breaks
-// there. A coordinate's `singular` factor declares them. Otherwise we try angles at multiples of a
-// right angle and every coordinate at 0, with random values for all other coordinates.
+// E523: a mass is negative at the parameter values of the model.
+// E524: at a sampled state, M is regular but not positive definite.
+// E525: D is negative at a sampled state.
+// E501: M is singular at every sampled state: M x = 0, so x is a motion without kinetic energy. The
+// message has the basis of the null space if it is the same at all samples, else its dimension. For
+// outputs that divide by M, E501 is also reported if a diagonal entry is 0 at every sample.
+// E511: M is regular in general, but loses rank at special configurations. They are declared by the
+// `singular` factor of a coordinate. Without it, we try multiples of a right angle for each angle
+// and 0 for each coordinate, with random values of all other coordinates.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace {
 using cln::cl_R;
 using Basis = std::vector<Vector>;
 
-/// Compares the entries as printed.
+/// True if the vectors are the same, component by component, in the form in which they are printed.
 bool are_same_as_printed(const Basis& x, const Basis& y) {
   return std::ranges::equal(x, y, [](const Vector& a, const Vector& b) {
     return std::ranges::equal(a, b, {}, readable, readable);
@@ -44,7 +44,7 @@ std::vector<std::size_t> moving_indices(const Vector& x) {
   return indices;
 }
 
-/// "x1 : x2 = 1 : -1"
+/// The components of x with the indices `part` as a proportion: "x1 : x2 = 1 : -1".
 std::string proportion(const Model& model, const Vector& x, const std::vector<std::size_t>& part) {
   std::string names;
   std::string shares;
@@ -69,7 +69,8 @@ Diagnostic motion_without_energy(const Model& model, const Vector& x) {
           "too many coordinates, or a mass is missing"};
 }
 
-/// The rank, and one motion without kinetic energy at one configuration.
+/// E501 if the null space varies with the state: the rank of M, and one motion without kinetic
+/// energy at one configuration.
 Diagnostic rank_deficit(const Model& model, const Basis& basis, const State& state) {
   const std::size_t n = model.velocities.size();
   std::string at;
@@ -82,8 +83,8 @@ Diagnostic rank_deficit(const Model& model, const Basis& basis, const State& sta
       "too many coordinates, or a mass is missing"};
 }
 
-/// The `candidates` whose diagonal entry is rounding error relative to its row: M is not positive
-/// definite, and its factorisation fails.
+/// The velocities among `candidates` whose diagonal entry is only rounding error relative to its
+/// row. Then M is not positive definite, and its factorisation fails.
 std::vector<std::size_t> rates_without_energy(const MassSample& sample,
                                               const std::vector<std::size_t>& candidates) {
   const std::size_t n = sample.state.v.size();
@@ -95,8 +96,8 @@ std::vector<std::size_t> rates_without_energy(const MassSample& sample,
   return result;
 }
 
-/// E501 for the first output that divides by M, and so needs a positive definite M. If no scene
-/// requests the output by name, the error is at the energy of the model.
+/// E501 for the first output that divides by M and therefore requires a positive definite M. If the
+/// scene does not name this output, the error is at the energy of the model.
 Diagnostics not_definite_error(const Inspected& subject, const std::vector<std::size_t>& rates) {
   const Model& model = subject.model;
   for (const OutputRequest& output : subject.scene.outputs) {
@@ -136,7 +137,8 @@ void check_mass(const Model& model, const State& state, const std::string& name,
                    fmt::format("the mass of `{}` is {}", name, as_typed(*value)), "sign mistake?"});
 }
 
-/// Each value costs a traversal of the model, so long chains are skipped.
+/// E523 for each negative mass. Each value costs a traversal of the model, so long chains are
+/// skipped.
 Diagnostics negative_masses(const Inspected& subject) {
   const Model& model = subject.model;
   if (model.velocities.size() > most_coordinates_sampled) return {};
@@ -148,7 +150,7 @@ Diagnostics negative_masses(const Inspected& subject) {
 }
 
 /// The first velocity, in the order of elimination, whose pivot of M = L D L^T is negative beyond
-/// rounding error; none if M is singular before it.
+/// rounding error. None if no pivot is negative or an earlier pivot is 0.
 std::optional<std::size_t> negative_pivot(const MassSample& sample) {
   const std::size_t n = sample.state.v.size();
   const Vector scales = row_scales(sample.matrix, n);
@@ -164,7 +166,8 @@ std::optional<std::size_t> negative_pivot(const MassSample& sample) {
   return std::nullopt;
 }
 
-/// E524 if M is neither positive definite nor singular at the sample; none if a mass is negative.
+/// E524 if M is neither positive definite nor singular at the sample. No error if a mass is
+/// negative.
 Diagnostics negative_kinetic_energy(const Inspected& subject, const MassSample& sample) {
   const Model& model = subject.model;
   const auto at = negative_pivot(sample);
@@ -205,12 +208,12 @@ Diagnostic declared_break(const Model& model, const Coordinate& coordinate) {
           fmt::format("the chart of `{}` breaks where `{}` is zero", coordinate.name, factor)};
 }
 
-/// "0, pi": the special values of coordinate i at which M is singular.
+/// The special values of coordinate i at which M is singular, as text: "0, pi".
 std::string breaking_values(const Inspected& subject, const MassSample& regular, std::size_t i) {
   const Vector scales = row_scales(regular.matrix, regular.state.v.size());
   std::string names;
   for (const SpecialValue& special : special_values(subject.model.coordinates[i])) {
-    // The motion may turn an angle out of its declared range, so all its special values are tried.
+    // A motion may leave the declared range of an angle, so all special values of angles are tried.
     const Coordinate& coordinate = subject.model.coordinates[i];
     if (!is_angle(coordinate) && !contains(coordinate.range, special.value)) continue;
     State state = regular.state;

@@ -1,7 +1,10 @@
-// Notes from the model and the scene, without sampled states. E522: unused parameters and inputs,
-// by one pass over the arena of the whole model. E619: outputs that the built-in scene `full`
-// omits, one note per reason. E616: inputs on locked coordinates. E627: a force with tanh, which
-// approximates dry friction, in a linearization that the scene requests by name.
+// Notes that need no sampled states.
+//
+// E522: unused parameters and inputs, found by one pass over all expressions of the whole model.
+// E619: outputs that the built-in scene `full` omits, one note per reason.
+// E616: inputs on locked coordinates.
+// E627: a force with tanh, which approximates dry friction, in a linearization that the scene
+// names.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -14,7 +17,7 @@
 namespace elgen {
 namespace {
 
-/// By index in the Model: whether any expression contains this leaf.
+/// For each leaf of the kind: true if an expression of the model contains it.
 std::vector<bool> used_leaves(const Model& model, Opcode kind) {
   std::vector<bool> marks(leaf_count(model, kind), false);
   for (const Expression& expression : model.expressions) {
@@ -44,7 +47,7 @@ void add_unused_inputs(const Model& model, Diagnostics& found) {
   }
 }
 
-/// "`mass_matrix`, `linearization`"
+/// The names of the outputs: "`mass_matrix`, `linearization`".
 std::string quoted_names(const OmittedOutputs& left_out) {
   return fmt::format("`{}`", fmt::join(left_out.outputs, "`, `"));
 }
@@ -61,7 +64,7 @@ Diagnostic note(const OmittedOutputs& left_out) {
           "use a smooth approximation: `tanh(x/width)` for `sign(x)`"};
 }
 
-/// The first tanh of an expression with rates in a force.
+/// The place of the first tanh in a force whose argument contains rates; none if there is none.
 std::optional<Span> smoothed_friction(const Model& model) {
   for (const ExpressionId id : reachable_from(model, roots_if(model, is_force))) {
     const Expression& node = model.expressions[id];

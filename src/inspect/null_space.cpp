@@ -1,4 +1,4 @@
-// Rows are scaled, then eliminated; columns without a pivot span the null space.
+// Null space: rows are scaled, then eliminated. Each column without a pivot gives a basis vector.
 #include "inspect/null_space.hpp"
 
 #include "numbers/echelon.hpp"
@@ -34,7 +34,7 @@ std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales) {
     if (!cln::zerop(scale)) scaled[k] = matrix[k] / scale;
   }
   using ScaledRows = LargestPivot<cl_R, EchelonForm::reduced>;
-  ScaledRows field(power_of_ten(-50));  // 60 digits are right; 10 may cancel
+  ScaledRows field(power_of_ten(-50));  // 60 digits are correct; 10 of them may be lost
   return Echelon<ScaledRows>(field, scaled, columns, columns).kernel();
 }
 

@@ -1,21 +1,22 @@
-// E512: a mass is pushed upwards. [gravity] with a positive last component pulls upwards in most
-// models, whose last axis is drawn upwards. If the written V uses a point's height, V must not fall
-// steadily as a point with mass rises.
+// E512: gravity or `[energy] V` pushes a mass upwards. This is reported in two cases: [gravity] has
+// a positive last component, because in most models the last axis is vertical; or V contains the
+// height of a point with a mass, and V decreases at a constant rate as the point rises.
 //
-// `up` is opposite to [gravity], or else the last axis of the point. The point gets an extra
-// coordinate that raises it, and dV/d(height) is sampled. If it is negative and the same at all
-// samples, V contains a weight with the wrong sign.
+// For V, the upward direction is opposite to [gravity] or, without [gravity], the last axis of the
+// point. The point gets an additional coordinate, its lift, and dV/d(lift) is sampled. If it is
+// negative and the same at all samples, V contains a weight with the wrong sign.
 //
 // E526: `[energy] V` contains a weight that [gravity] already adds. E527: `[energy] T` contains a
 // kinetic energy that a mass already adds.
 //
-//     W = -sum m gravity.p of the points and bodies       V as it is written
-//     K = sum 1/2 m v^2 of the points                     T as it is written
+//     added by elgen                                      compared with
+//     W = -sum m gravity.p of the points and bodies       V of [energy]
+//     K = sum 1/2 m v^2 of the points                     T of [energy]
 //
-// We compare only the parts that depend on a mass and on gravity: the energy, less its values with
-// the parameters of the mass, and with the parameters of gravity, set to 0. If V and W have the
-// same part up to a constant, the weight is counted twice; the same holds for T and K. Nothing is
-// subtracted for a mass or gravity without parameters.
+// We compare only the part of an energy that depends on the parameters of the mass (and, for V, on
+// the parameters of gravity): the energy minus its value with these parameters set to 0. If V and W
+// have the same part up to a constant, the weight is counted twice; the same holds for T and K. For
+// a mass or gravity without parameters, nothing is subtracted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ using cln::cl_R;
 using Direction = std::array<cl_R, 3>;
 using Parameters = std::set<std::uint32_t>;
 
-/// The points whose components an expression refers to, directly or through names.
+/// The points whose coordinates an expression contains, directly or through names.
 std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
   std::vector<std::uint32_t> points;
   for (const ExpressionId id : reachable_from(model, {root})) {
@@ -47,7 +48,7 @@ std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
   return points;
 }
 
-/// Opposite to gravity, or else along the last axis of the point.
+/// The upward direction: opposite to [gravity] or, without [gravity], the last axis of the point.
 std::optional<Direction> up_direction(const Inspected& subject, const Point& point) {
   Direction up{0, 0, 0};
   if (!subject.model.gravity) {
@@ -92,7 +93,7 @@ Model with_lift_coordinate(const Model& model, std::uint32_t point, const Direct
   return result;
 }
 
-/// dV/d(lift) at a sampled state, with all other rates 0.
+/// dV/d(lift) at a state; none if it has no value.
 std::optional<cl_R> slope(const Model& liftable, ExpressionId potential, State state) {
   state.v.assign(liftable.velocities.size(), cl_R(0));
   state.a = state.v;
@@ -118,19 +119,20 @@ bool falls_steadily(const Inspected& subject, std::uint32_t point, const Directi
     const auto here = slope(lifted, *subject.model.energies.V, sampled_state(subject, seed));
     if (!here || *here >= 0) return false;
     if (!first) first = here;
-    // Equal to 50 digits: true for a weight, but not for a spring.
+    // The slope of a weight is constant to 50 digits; the slope of a spring is not.
     if (cln::abs(*here - *first) > -*first * power_of_ten(-50)) return false;
   }
   return true;
 }
 
-/// 2 or 3; 0 if the model has no points and no bodies.
+/// The dimension of the points and bodies, 2 or 3; 0 if the model has neither.
 std::uint32_t dimension_of(const Model& model) {
   if (!model.points.empty()) return model.points.front().dimension;
   return model.bodies.empty() ? 0 : model.bodies.front().dimension;
 }
 
-/// E512 if gravity pulls along the last axis ("y" or "z"), which most models draw upwards.
+/// E512 if gravity pulls along the positive last axis ("y" or "z"), which points upwards in most
+/// models.
 Diagnostics gravity_along_last_axis(const Inspected& subject) {
   const Model& model = subject.model;
   const std::uint32_t dimension = dimension_of(model);
@@ -155,7 +157,7 @@ Parameters weight_parameters(const Model& model, const std::vector<ExpressionId>
   return found;
 }
 
-/// A mass and its position.
+/// A mass and its position, whose weight is -m gravity.p.
 struct Weight {
   std::string name;
   ExpressionId mass = 0;
@@ -189,7 +191,7 @@ std::optional<cl_R> energy_of(const Model& model, const Weight& weight, const St
 
 using Energy = std::function<std::optional<cl_R>(const State&)>;
 
-/// The part of an energy that vanishes if the parameters of any one set become 0.
+/// The part of an energy that depends on all `sets`: it is 0 if the parameters of any set are 0.
 std::optional<cl_R> dependent_part(const Energy& energy, const std::vector<Parameters>& sets,
                                    std::size_t count, const State& state) {
   if (count == 0) return energy(state);
@@ -200,7 +202,8 @@ std::optional<cl_R> dependent_part(const Energy& energy, const std::vector<Param
   return with_all && with_none ? std::optional(*with_all - *with_none) : std::nullopt;
 }
 
-/// The values at the sampled states less the value at the first, because a constant has no effect.
+/// The dependent part of an energy at the sampled states, minus its value at the first state,
+/// because a constant in an energy has no effect.
 std::vector<cl_R> differences(const Inspected& subject, const Energy& energy,
                               const std::vector<Parameters>& sets) {
   std::vector<cl_R> values;
@@ -228,7 +231,7 @@ bool are_equal(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
   return !is_zero;
 }
 
-/// The sum over all entries; none if `of_entry` has no value for an entry.
+/// The sum of of_entry(entry) over all entries; none if it has no value for some entry.
 template <class Entry, class Of>
 Energy sum_of(const std::vector<Entry>& entries, const Of& of_entry) {
   return [&entries, of_entry](const State& state) -> std::optional<cl_R> {
@@ -248,7 +251,8 @@ Energy energy_of_expression(const Model& model, ExpressionId expression) {
   };
 }
 
-/// Compares the parts of V and W that depend on the parameters of gravity and of this mass.
+/// True if the parts of V and W that depend on the parameters of gravity and of this mass are equal
+/// up to a constant.
 bool is_counted_twice(const Inspected& subject, const std::vector<Weight>& weights,
                       const Weight& weight) {
   const Model& model = subject.model;
@@ -279,7 +283,8 @@ std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, co
   return *mass * square / 2;
 }
 
-/// Compares the parts of T and K that depend on the parameters of this mass.
+/// True if the parts of T and K that depend on the parameters of this mass are equal up to a
+/// constant.
 bool is_counted_twice(const Inspected& subject, const Point& point) {
   const Model& model = subject.model;
   const Parameters mass = weight_parameters(model, {*point.mass});

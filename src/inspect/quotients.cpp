@@ -1,4 +1,5 @@
-// Quotients of sines and cosines that check does not rewrite, and that are 0/0 at a state.
+// Quotients of sines and cosines that are 0/0 at a state and that the stage check has not
+// rewritten.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The simplest fraction near x, in exact arithmetic.
+// readable: finds the simplest fraction near x in exact arithmetic.
 #include "inspect/readable.hpp"
 
 #include <cln/float.h>
@@ -16,10 +16,10 @@ constexpr int largest_denominator = 999;  // fractions with larger denominators 
 }  // namespace
 
 std::string readable(const cl_R& x) {
-  // Rounding error of 60 digits after terms of size 1 have cancelled.
+  // Smaller numbers are rounding errors of 60-digit terms of magnitude 1 that have cancelled.
   if (cln::abs(x) < power_of_ten(-40)) return "0";
-  // Four digits more than are printed. Fractions with these denominators are within 1e-6 of any
-  // number, so a match within 1e-9 is no coincidence.
+  // 1e-9 is four digits more than are printed. Any number has a fraction with such a denominator
+  // within 1e-6, but within 1e-9 hardly by coincidence.
   const auto fraction = simple_fraction(x, largest_denominator, power_of_ten(-9));
   if (fraction) return number_text(*fraction);
   return fmt::format("{:.5g}", cln::double_approx(x));

@@ -11,7 +11,7 @@ namespace elgen {
 /// five significant digits. "0" below 1e-40.
 [[nodiscard]] std::string readable(const cln::cl_R& x);
 
-/// The exact number, "16616.493" or "1/3"; readable() if it has too many characters.
+/// The exact number as text: "16616.493" or "1/3". If the text is too long: readable(x).
 [[nodiscard]] std::string as_typed(const cln::cl_R& x);
 
 }  // namespace elgen

@@ -1,6 +1,6 @@
-// Momenta of `[routh]`, and E635 if the coordinate of a momentum is not cyclic. If dL/dq is not 0
-// at one state, L depends on the coordinate. If it is 0 at all samples, we assume that L does not;
-// the derived functions are compared with the whole model anyway.
+// Momenta of `[routh]`, and E635 if the coordinate of a momentum is not cyclic. L depends on the
+// coordinate if dL/dq is not 0 at a sampled state. If dL/dq is 0 at all samples, we assume that L
+// does not depend on it; verification compares the derived functions with the whole model anyway.
 #include <utility>
 
 #include "base/reason.hpp"
@@ -27,7 +27,7 @@ std::string quoted_name(const Model& model, const Cyclic& cyclic) {
   return in_backticks(model.coordinates[cyclic.coordinate].name);
 }
 
-/// Whether dL/dq exceeds rounding error at a sampled state.
+/// True if dL/dq exceeds rounding error at a sampled state.
 bool changes_lagrangian(const Inspected& subject, const Cyclic& cyclic) {
   const Model& model = subject.model;
   for (unsigned seed = 0; seed < cyclic_samples; ++seed) {
@@ -40,7 +40,8 @@ bool changes_lagrangian(const Inspected& subject, const Cyclic& cyclic) {
   return false;
 }
 
-/// Whether M_cc, the block of the cyclic velocities, is singular at every sample with a value.
+/// True if the block of M for the cyclic velocities is singular at every sample at which it has a
+/// value.
 bool are_dependent(const Inspected& subject, const std::vector<Cyclic>& cyclic) {
   const Model& model = subject.model;
   bool was_singular = false;
@@ -78,7 +79,7 @@ Diagnostics cyclic_errors(const Inspected& subject, const std::vector<Cyclic>& a
   return errors;
 }
 
-/// The exact model before [routh], and the indices of the cyclic coordinates in it.
+/// The exact model that still contains the cyclic coordinates, and their indices in this model.
 struct ModelBeforeRouth {
   Model model;
   std::vector<Cyclic> cyclic;

@@ -1,4 +1,5 @@
-// Sampled states: the parameters of the model, with arbitrary motion.
+// Sampled states: parameters have the values of the model; coordinates, rates and inputs are
+// random.
 #include "inspect/samples.hpp"
 
 #include "numbers/exact_number.hpp"
@@ -8,11 +9,12 @@
 namespace elgen {
 namespace {
 
-/// A model without a value at this many states has practically no domain.
+/// Number of states that are tried. A model without a value at all of them has practically no
+/// domain.
 constexpr unsigned most_attempts = 8;
 
-/// Whether an evaluation with 64 more digits gives the same matrix. At large values an entry that
-/// is exactly 0, such as cosh(x)^2 - sinh(x)^2 - 1, may only be rounding error of its terms.
+/// True if an evaluation with 64 more digits gives the same matrix. With large terms, as in
+/// cosh(x)^2 - sinh(x)^2 - 1, an entry that is exactly 0 may be evaluated as pure rounding error.
 bool has_digits(const Inspected& subject, const State& state,
                 const std::vector<cln::cl_R>& matrix) {
   static const cln::cl_R share = power_of_ten(-20);

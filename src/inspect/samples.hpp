@@ -1,4 +1,4 @@
-// Sampled states: exact random numbers inside the declared ranges, the same in every process.
+// Sampled states: exact random states inside the declared ranges, the same in every process.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,16 @@
 
 namespace elgen {
 
-/// A quantity that is 0 at this many states counts as 0. The states are exact and random, so a
-/// coincidence has a probability of about 1e-9.
+/// The number of states at which a quantity must be 0 to count as identically 0. The states are
+/// exact and random, so the probability of a coincidence is about 1e-9.
 constexpr unsigned zero_samples = 3;
 
-/// A state by draw_motion(). Run-time parameters with the value 0 are drawn too, because 0 is often
-/// a default and no property of the system.
+/// A state with leaves from draw_motion(). Parameters that are not fixed and have the value 0 are
+/// random too, because 0 is often only a default.
 [[nodiscard]] State sampled_state(const Inspected& subject, unsigned seed);
 
-/// A state at which M has a value, and M there (row-major); none if a few attempts found no such
-/// state.
+/// A state and the value of M at this state (row-major). None if a few attempts find no state at
+/// which M has a value.
 struct MassSample {
   State state;
   std::vector<cln::cl_R> matrix;

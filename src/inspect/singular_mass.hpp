@@ -1,5 +1,6 @@
-// Errors of outputs that solve with a singular matrix: M (E501) or another matrix. The samples of
-// inspect, the factorisation of derive and the nodes of lower share them.
+// Errors of outputs that solve with a singular matrix: M (E501) or another matrix. The stage
+// inspect reports them if the matrix is singular at all samples, derive if a pivot is 0, and lower
+// if it finds a division by 0.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 
 namespace elgen {
 
-/// M_ii is 0 for the velocity i of this name: M is singular, or at least not positive definite.
+/// The error if M_ii is 0 for the velocity of this name, so that M is not positive definite.
 [[nodiscard]] inline Diagnostic no_kinetic_energy(const OutputRequest& request,
                                                   const std::string& velocity) {
   return {Code::E501, request.span,
@@ -23,7 +24,7 @@ namespace elgen {
           "give it a mass, remove the coordinate, or do not request this output"};
 }
 
-/// A pivot of M is 0; `velocity` is the velocity of this pivot, if known.
+/// The error if a pivot of M is 0. `velocity` is the velocity of this pivot; "" if unknown.
 [[nodiscard]] inline Diagnostic singular_mass_matrix(const OutputRequest& request,
                                                      const std::string& velocity = {}) {
   const std::string at = velocity.empty() ? "" : fmt::format(" (`{}` has no pivot)", velocity);
@@ -33,7 +34,7 @@ namespace elgen {
           "too many coordinates, or a mass is missing"};
 }
 
-/// A pivot of A M^-1 A^T is 0, in the row of this constraint.
+/// The error if a pivot of A M^-1 A^T is 0, in the row of this constraint.
 [[nodiscard]] inline Diagnostic redundant_constraint(const OutputRequest& request,
                                                      const std::string& constraint) {
   return {Code::E537, request.span,
@@ -43,14 +44,14 @@ namespace elgen {
           "remove it: its multiplier is not determined"};
 }
 
-/// A_d of `completed` is singular.
+/// The error if A_d of `completed` is singular (see WhenSingular).
 [[nodiscard]] inline Diagnostic undetermined_rest(const OutputRequest& request) {
   return {Reason::independent_velocities, request.span,
           fmt::format("`{}` has no value: the independent velocities do not determine the others",
                       request.name)};
 }
 
-/// The pivot of J M^-1 J^T in this row is 0.
+/// The error if the pivot of J M^-1 J^T in this row is 0.
 [[nodiscard]] inline Diagnostic dependent_task(const OutputRequest& request, std::size_t row) {
   return {Reason::dependent_task, request.span,
           fmt::format("`{}` has no value: row {} of the Jacobian follows from earlier rows, "
@@ -58,7 +59,7 @@ namespace elgen {
                       request.name, row + 1)};
 }
 
-/// B^T G B is singular: the constraints leave fewer degrees of freedom than inputs.
+/// The error if B^T G B is singular, because the system has fewer degrees of freedom than inputs.
 [[nodiscard]] inline Diagnostic redundant_inputs(const OutputRequest& request) {
   return {Reason::undetermined_inputs, request.span,
           fmt::format("`{}` has no value: under the constraints some input moves nothing, or "
@@ -66,7 +67,7 @@ namespace elgen {
                       request.name)};
 }
 
-/// A pivot of B^T G B is 0, in the row of this input.
+/// The error if a pivot of B^T G B is 0, in the row of this input.
 [[nodiscard]] inline Diagnostic redundant_input(const OutputRequest& request,
                                                 const std::string& input) {
   return {Reason::undetermined_inputs, request.span,
@@ -75,9 +76,9 @@ namespace elgen {
                       request.name, input)};
 }
 
-/// The error for an output whose singular matrix is not M. derive passes the row of the zero pivot;
-/// then the result always exists. lower passes no row; then no result means that M is the singular
-/// matrix.
+/// The error for an output that solves with a matrix other than M, if this matrix is singular. The
+/// stage derive passes the row of the zero pivot, and always gets an error. The stage lower passes
+/// no row; if it gets none, the singular matrix is M.
 [[nodiscard]] inline std::optional<Diagnostic> singular_besides_mass(
     const OutputRequest& request, const std::optional<std::size_t>& row, const LeafNames& names) {
   switch (output_row(request.kind).when_singular) {
@@ -88,7 +89,7 @@ namespace elgen {
       break;
     case WhenSingular::redundant_inputs:
       if (!row) return redundant_inputs(request);
-      // A row is known only for A M^-1 A^T, which is solved before the inputs.
+      // If a row is known, the matrix is A M^-1 A^T, which is factorised before B^T G B.
       return redundant_constraint(request, names.multipliers[*row]);
     case WhenSingular::redundant_constraint:
       if (row) return redundant_constraint(request, names.multipliers[*row]);

@@ -1,5 +1,5 @@
-// E603: an [[output]] whose Jacobian has dependent rows at every sampled state, if the scene
-// requests the equation of motion along it.
+// E603: the rows of the Jacobian of an [[output]] are linearly dependent at every sampled state,
+// although the scene requests its operational-space equation of motion.
 #include <fmt/format.h>
 
 #include <algorithm>
