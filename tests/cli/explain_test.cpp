@@ -26,9 +26,9 @@ TEST_CASE("explain lists the reasons of a code") {
   const std::string text = run("elgen explain E112").output;
   const auto json = nlohmann::json::parse(run("elgen explain E112 --format json").output);
   REQUIRE(json.at("reasons").size() == reasons_of(Code::E112).size());
-  CHECK(
-      mentions(text, "\n\nReasons:\n- A constraint has exactly one of `equation` and `coincide`,"));
-  CHECK(mentions(text, "\n- The lower bound of a range is below its upper bound"));
+  CHECK(mentions(
+      text, "\n\nReasons:\n- A constraint must have exactly one of `equation` and `coincide`,"));
+  CHECK(mentions(text, "\n- The lower bound of a range must be below its upper bound"));
   CHECK(json.at("reasons").at(0) == reasons_of(Code::E112).front());
   CHECK_FALSE(mentions(run("elgen explain E101").output, "Reasons"));
 }
