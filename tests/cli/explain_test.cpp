@@ -72,13 +72,13 @@ TEST_CASE("an entry is explained with its tables, types of values and choices") 
 
   language       one of                   language of the emitted code ("c++17", "c99", "python", "matlab", "javascript"); default: "c++17"
   namespace      text                     C++ namespace, or prefix of names in C; default: MODEL_NAME
-                 Interpreted languages have none (E611).
+                 Interpreted languages exclude this key (E611).
   eigen          true or false            also emits functions on Eigen types; default: false
-                 Only in C++ (E611).
+                 The key needs C++ (E611).
   batch          true or false            also emits functions on arrays; default: false
-                 Arrays of states. Only in C++ (E611), for float and double (E625).
+                 The arrays hold states. The key needs C++ (E611), and float or double (E625).
   storage        one of                   order of matrix entries in arrays ("row-major", "column-major"); default: "row-major"
-                 Interpreted languages have their own matrices (E611).
+                 Interpreted languages use their own matrices, so they exclude this key (E611).
   files          list of                  files that are written ("header", "equations", "page"); default: all
                  "header" is required (E112). "equations" is NAME.equations.json, "page" is NAME.md.
 )text");
@@ -96,7 +96,7 @@ TEST_CASE("codes and keys are available as JSON") {
   REQUIRE(keys.size() == 6);
   CHECK(keys.at(0).at("key") == "language");
   CHECK(keys.at(0).at("default") == "\"c++17\"");
-  CHECK(keys.at(1).at("details") == "Interpreted languages have none (E611).");
+  CHECK(keys.at(1).at("details") == "Interpreted languages exclude this key (E611).");
   CHECK(keys.at(0).at("words") == nlohmann::json{"c++17", "c99", "python", "matlab", "javascript"});
 }
 

@@ -40,7 +40,8 @@ TEST_CASE("keys with free names have the schema of the row `*`") {
   const Json model = properties_of(FileKind::model);
   const Json& parameter = model.at("parameters").at("additionalProperties");
   CHECK(parameter.at("description") ==
-        "a constant with its value. The code has a member of this name with this value.");
+        "a constant with its value. The struct of parameters in the code has a member of this name "
+        "with this value.");
   CHECK(parameter.at("anyOf").at(0).at("type") == Json{"number", "string"});
   const Json& table = parameter.at("anyOf").at(1);
   CHECK(table.at("required") == Json{"value"});
