@@ -7,6 +7,7 @@
 #include "oracle/model_builder.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -24,9 +25,9 @@ Value operator/(const Value& x, const Value& y) { return rules.divide(x, y); }
 Value sqrt(const Value& x) { return rules.square_root(x); }
 Value call(FunctionId function, const Value& x) { return rules.call(function, x, x); }
 
-Value leaf(const char* text) { return running_leaf(test::exact(text), rounding<double>()); }
+Value leaf(const char* text) { return running_leaf(exact(text), rounding<double>()); }
 Value value_with_error(const char* text, const char* error) {
-  return {Real(test::exact(text)), Real(test::exact(error))};
+  return {Real(exact(text)), Real(exact(error))};
 }
 double number(const Real& x) { return to_double(x.value()); }
 double error(const Value& x) { return number(x.error); }

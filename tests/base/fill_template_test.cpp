@@ -10,11 +10,12 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 TEST_CASE("a template without holes yields its text without the licence comment") {
   const std::string text(embedded_template("cpp/kinked.hpp.mustache"));
   const std::string comment = "{{! SPDX-License-Identifier: 0BSD\n}}";
-  REQUIRE(test::starts_with(text, comment));
+  REQUIRE(starts_with(text, comment));
   CHECK(fill_template("cpp/kinked.hpp.mustache", TemplateData()) == text.substr(comment.size()));
 }
 
@@ -23,7 +24,7 @@ TEST_CASE("every template has a licence, in its output or in its first comment")
        std::filesystem::recursive_directory_iterator(ELGEN_SOURCE_DIR "/templates")) {
     if (entry.path().extension() != ".mustache") continue;
     INFO(entry.path());
-    CHECK(test::mentions(test::read_text(entry.path()), " SPDX-License-Identifier: 0BSD\n"));
+    CHECK(mentions(read_text(entry.path()), " SPDX-License-Identifier: 0BSD\n"));
   }
 }
 

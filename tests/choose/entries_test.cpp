@@ -6,13 +6,12 @@
 #include "program/expression_leaves.hpp"
 
 using namespace elgen;
-using testing::Texts;
-using testing::texts_of;
+using namespace elgen::test;
 
 namespace {
 
 struct Entries {
-  explicit Entries(const Texts& texts) : program(testing::program_of(texts)) {}
+  explicit Entries(const Texts& texts) : program(program_of(texts)) {}
 
   Program program;
   Function shape = program.functions[0];

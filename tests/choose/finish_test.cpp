@@ -9,12 +9,13 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 /// M = diag(m, m r^2, 2): all relative pivots are 1.
 Program polar() {
-  return testing::read_program(
+  return read_program(
       "parameters m\ncoordinates r phi x\nvelocities r phi x\nfunction forward_dynamics\n"
       "  0 = parameter m\n  1 = coordinate r\n  2 = constant 1\n  3 = velocity r\n"
       "  4 = multiply 0 1\n  5 = multiply 4 1\n  6 = constant 2\n  7 = divide 3 1\n"
@@ -45,11 +46,11 @@ Program quaternion() {
       "  10 = add 9 7\n  11 = add 10 8\n  12 = square_root 11\n  13 = divide 1 12\n"
       "  14 = divide 2 12\n  15 = divide 3 12\n  16 = divide 4 12\n"
       "  result 5 1 = 0 13 14 15 16\n";
-  return testing::read_program(text);
+  return read_program(text);
 }
 
 std::string ordered(const std::string& text) {
-  Program program = testing::read_program(text);
+  Program program = read_program(text);
   program.functions[0] = trigonometry_first(program.functions[0]);
   CHECK(check_invariants(program).empty());
   return dump(program);

@@ -12,8 +12,6 @@
 
 using namespace elgen;
 using namespace elgen::test;
-using elgen::testing::expressions_of;
-using elgen::testing::program_of;
 
 namespace {
 
@@ -25,7 +23,7 @@ Arguments<double> at(double a, double b) {
 
 /// True if a rewriting is less accurate than the text at this point.
 bool is_inaccurate(const std::string& rewriting, const std::string& text, double a, double b) {
-  const Program program = program_of(testing::Texts{text});
+  const Program program = program_of(Texts{text});
   const TextErrors errors(program, program.functions[0], {at(a, b)});
   return !errors.accurate_errors(expressions_of({rewriting}), 0);
 }
@@ -112,8 +110,8 @@ TEST_CASE("a rewriting without a value is inaccurate only if the text has a valu
 }
 
 TEST_CASE("inaccuracy is found for each entry of a function") {
-  const Program text = program_of(testing::Texts{"a*b", "(a - b)*(a + b)"});
-  const Program form = program_of(testing::Texts{"b*a", "a^2 - b^2"});
+  const Program text = program_of(Texts{"a*b", "(a - b)*(a + b)"});
+  const Program form = program_of(Texts{"b*a", "a^2 - b^2"});
   const TextErrors errors(text, text.functions[0], {at(1, 3), at(1, 1.0000001)});
   CHECK(errors.inaccurate_entry(form, form.functions[0]) == std::size_t{1});
   CHECK(errors.inaccurate_entry(text, text.functions[0]) == std::nullopt);

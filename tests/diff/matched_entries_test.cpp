@@ -81,10 +81,10 @@ void check_values_meet(const std::string& scene, const std::vector<std::string>&
   }
 }
 
-const Program older = elgen::testing::read_program(
+const Program older = read_program(
     "parameters m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
     "  2 = multiply 0 1\n  result 1 1 = 2\n");
-const Program newer = elgen::testing::read_program(
+const Program newer = read_program(
     "parameters k m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
     "  2 = multiply 0 1\n  3 = parameter k\n  4 = add 2 3\n  result 1 1 = 4\n");
 

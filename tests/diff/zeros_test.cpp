@@ -6,12 +6,13 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 /// The verdict for the only entry; without `positive` both leaves may be negative.
 Zero zero_of(const std::string& code, bool positive = false) {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "parameters m\n" + std::string(positive ? "positive m\n" : "") +
       "coordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n" + code);
   return zeros(program, program.functions[0]).at(0);

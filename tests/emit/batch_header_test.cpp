@@ -4,9 +4,7 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
-using elgen::test::mentions;
-using elgen::testing::cart_pole;
-using elgen::testing::Subject;
+using namespace elgen::test;
 
 namespace {
 
@@ -65,7 +63,7 @@ TEST_CASE("the scalars have polynomials of the requested accuracy") {
 
 TEST_CASE("a function that compares numbers processes one state at a time") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sign 0\n  2 = exp 0\n"
       "  3 = atan2 0 2\n  result 2 1 = 1 3\n");
   const std::string text = batch_text(subject);

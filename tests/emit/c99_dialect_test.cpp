@@ -5,8 +5,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole_in_c;
-using elgen::testing::Subject;
+using namespace elgen::test;
 
 namespace {
 

@@ -5,8 +5,7 @@
 #include "emit/fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::Subject;
+using namespace elgen::test;
 
 namespace {
 
@@ -34,7 +33,7 @@ TEST_CASE("struct names") {
 
 TEST_CASE("unused parameters are not emitted, and one used element emits its whole array") {
   Subject subject = cart_pole();
-  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
+  add_parameter_array(subject.model, "k", {1, 2});
   const auto second = emitted_parameters(subject.model, program_reading(5));
   REQUIRE(second.size() == 1);
   CHECK(second.front().name == "k");
@@ -184,7 +183,7 @@ TEST_CASE("a header declares arrays of names, units and ranges") {
 
 TEST_CASE("the values of a parameter array are the values of its elements") {
   Model model = cart_pole().model;
-  elgen::testing::add_parameter_array(model, "k", {1, 2});
+  add_parameter_array(model, "k", {1, 2});
   CHECK(values_of(model, model.parameter_arrays.back()) == std::vector<cln::cl_R>{1, 2});
 }
 

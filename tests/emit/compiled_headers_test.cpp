@@ -12,7 +12,7 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
-using elgen::test::mentions;
+using namespace elgen::test;
 namespace fs = std::filesystem;
 
 namespace {
@@ -40,10 +40,9 @@ void add_folder(std::vector<Header>& headers, const fs::path& folder, bool is_ex
     const std::string name = path.filename().string();
     const fs::path header = path / (name + ".hpp");
     if (!fs::exists(header)) continue;
-    const std::string text = test::read_text(header);
+    const std::string text = read_text(header);
     headers.push_back({header.string(), namespace_of(text), text,
-                       Json::parse(test::read_text(path / (name + ".equations.json"))),
-                       is_exhaustive});
+                       Json::parse(read_text(path / (name + ".equations.json"))), is_exhaustive});
   }
 }
 
@@ -152,13 +151,13 @@ std::string driver(const std::vector<Header>& headers) {
 }
 
 std::vector<Header> all_headers(const fs::path& folder, bool is_exhaustive) {
-  testing::Subject subject = testing::cart_pole();
+  Subject subject = cart_pole();
   subject.scene.emission.name_space = "own_cart_pole";  // generated/ also has a cart_pole
   const Result<EmittedFiles> files =
       emit(subject.model, subject.scene, subject.program, {subject.program});
   REQUIRE(files);
   for (const auto& [path, text] : files->files) {
-    test::write_text(folder / "own" / path, text);
+    write_text(folder / "own" / path, text);
   }
   std::vector<Header> headers;
   add_folder(headers, folder / "own", true);
@@ -188,14 +187,14 @@ std::vector<std::vector<Header>> header_groups(const std::vector<Header>& header
 /// Uses ccache if installed, so that unchanged headers are not compiled again.
 void compile_and_run(const std::string& compiler, const fs::path& folder,
                      const std::vector<Header>& headers) {
-  test::write_text(folder / "driver.cpp", driver(headers));
+  write_text(folder / "driver.cpp", driver(headers));
   const std::string command = fmt::format(
       "$(command -v ccache) {0} -std=c++17 -O0 -Wall -Wextra -Wpedantic -Wconversion "
       "-Wsign-conversion -Wshadow -Wdouble-promotion -Wfloat-equal -Werror "
       "-isystem /usr/include/eigen3 -I{1}/tests/emit -c driver.cpp -o driver.o && "
       "{0} driver.o -o driver && ./driver",
       compiler, ELGEN_SOURCE_DIR);
-  const test::Outcome outcome = test::shell(command, folder);
+  const Outcome outcome = shell(command, folder);
   INFO("from " << headers.front().path << "\n" << outcome.output << outcome.errors);
   CHECK(outcome.status == 0);
 }
@@ -206,7 +205,7 @@ void check_headers(const std::string& compiler, bool is_exhaustive) {
   const fs::path folder = fs::path(ELGEN_BINARY).parent_path() / "compiled_headers" / compiler;
   fs::remove_all(folder);
   fs::create_directories(folder);
-  REQUIRE(test::shell("command -v " + compiler, folder).status == 0);
+  REQUIRE(shell("command -v " + compiler, folder).status == 0);
   const std::vector<Header> headers = all_headers(folder, is_exhaustive);
   if (is_exhaustive) {
     for (const auto& group : header_groups(headers)) compile_and_run(compiler, folder, group);

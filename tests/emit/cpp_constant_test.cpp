@@ -12,9 +12,9 @@
 #include "support/graph_reader.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 using cln::cl_R;
 using cln::cl_RA;
-using elgen::testing::ten_to;
 
 namespace {
 
@@ -62,7 +62,7 @@ TEST_CASE("names of constants: numbers, multiples of pi and roots are spelled ou
                                         {"pi", "number_pi"},
                                         {"2*pi", "number_2_pi"},
                                         {"1/2*sqrt(3)", "number_1_2_sqrt_3"}}));
-  const auto constant = test::read_constant(row.text);
+  const auto constant = read_constant(row.text);
   REQUIRE(constant);
   CHECK(constant_name(*constant) == row.name);
   CHECK(constant_name(rational_constant(ten_to(-300))) == "number_1em300");
@@ -72,7 +72,7 @@ TEST_CASE("names of other constants are unique hashes of their form") {
   std::set<std::string> names;
   for (const char* text : {"2 + pi", "2*(1 + pi)", "2*pi", "1/2 + pi", "1/2*pi", "2 + sqrt(3)",
                            "2*sqrt(3)", "cos(1) + sin(1)", "cos(1)*sin(1)", "cos(3/10)"}) {
-    const auto constant = test::read_constant(text);
+    const auto constant = read_constant(text);
     REQUIRE(constant);
     CHECK(names.insert(constant_name(*constant)).second);
   }

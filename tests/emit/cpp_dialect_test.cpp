@@ -7,8 +7,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::Subject;
+using namespace elgen::test;
 
 namespace {
 
@@ -50,7 +49,7 @@ TEST_CASE("a scalar is returned without braces, a struct field by field") {
 
 TEST_CASE("kinked functions are emitted in the header") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
       "  2 = abs 0\n  result 2 1 = 1 2\n");
   const std::string body = body_of(subject, subject.program.functions[0]);
@@ -92,7 +91,7 @@ TEST_CASE("big results are written entry by entry") {
 
 TEST_CASE("leaves") {
   Subject subject = cart_pole();
-  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
+  add_parameter_array(subject.model, "k", {1, 2});
   subject.program.leaves.parameters = {"g", "k[2]"};
   const auto dialect = cpp_dialect(subject.model, subject.program);
   CHECK(dialect->leaf(Opcode::parameter, 0) == "p.g");

@@ -5,9 +5,7 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
-using elgen::test::mentions;
-using elgen::testing::cart_pole;
-using elgen::testing::Subject;
+using namespace elgen::test;
 
 namespace {
 
@@ -32,7 +30,7 @@ TEST_CASE("helpers are emitted only if used") {
   CHECK(mentions(with_pivots, "Scalar number_1_3()"));
   CHECK_FALSE(mentions(with_pivots, "sign_of"));
   CHECK_FALSE(mentions(with_pivots, "filled"));
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
       "  result 2 1 = 1 1\n");
   const std::string with_kinks = cpp_text(subject);
@@ -65,7 +63,7 @@ TEST_CASE("the contents list the sections of the header in their order") {
     CHECK(at != std::string::npos);
     before = at;
   }
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
       "  result 2 1 = 1 1\n");
   CHECK(mentions(cpp_text(subject),
@@ -77,7 +75,7 @@ TEST_CASE("the contents list the sections of the header in their order") {
 
 TEST_CASE("sine and cosine are in line for float and double, in any order of scalars") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate theta\n  1 = sin 0\n  2 = cos 0\n"
       "  result 2 1 = 1 2\n");
   const std::string named = cpp_text(subject);
@@ -108,8 +106,8 @@ TEST_CASE("sine and cosine are in line for float and double, in any order of sca
 
 TEST_CASE("a constant is emitted as one function, however often it occurs") {
   Subject subject = cart_pole();
-  elgen::testing::load_constant(subject, rational_constant(cln::cl_RA(1) / 3));
-  elgen::testing::load_constant(subject, rational_constant(cln::cl_RA(1) / 3));
+  load_constant(subject, rational_constant(cln::cl_RA(1) / 3));
+  load_constant(subject, rational_constant(cln::cl_RA(1) / 3));
   const std::string text = cpp_text(subject);
   const std::string name = "number_1_3() noexcept";
   CHECK(text.find(name) == text.rfind(name));
@@ -130,7 +128,7 @@ TEST_CASE("no line is longer than 100 columns, none ends with a space, no blank 
 
 TEST_CASE("names, units and bounds are declared, with empty arrays if there are no inputs") {
   Subject subject = cart_pole();
-  subject.model.velocities[1].rate_range = Interval{0, elgen::testing::ten_to(400)};
+  subject.model.velocities[1].rate_range = Interval{0, ten_to(400)};
   const std::string text = cpp_text(subject);
   for (const char* const declared :
        {"coordinate_names{{\"x\", \"theta\"}};", "coordinate_units{{\"m\", \"rad\"}};",
@@ -139,7 +137,7 @@ TEST_CASE("names, units and bounds are declared, with empty arrays if there are 
     INFO(declared);
     CHECK(mentions(text, declared));
   }
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
   subject.model.inputs.clear();
   CHECK(mentions(cpp_text(subject), "input_names{};"));
@@ -149,16 +147,16 @@ TEST_CASE("names, units and bounds are declared, with empty arrays if there are 
 TEST_CASE("parameters have defaults and documentation, and arrays of equal values are filled") {
   Subject subject = cart_pole();
   subject.model.parameter_arrays[0].range = Interval{0, 10};
-  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
-  elgen::testing::read_parameter(subject, "k[1]");
+  add_parameter_array(subject.model, "k", {1, 2});
+  read_parameter(subject, "k[1]");
   const std::string text = cpp_text(subject);
   CHECK(mentions(text, "  Scalar M = constant<Scalar>(1.0);"));
   CHECK(mentions(text, "///< cart mass [kg] in [0, 10]\n"));
   CHECK(mentions(text, "///< [m/s^2]\n"));
   CHECK(mentions(text, "  std::array<Scalar, 2> k = {{\n"));
   CHECK_FALSE(mentions(text, "filled"));
-  elgen::testing::add_parameter_array(subject.model, "c", {3, 3, 3});
-  elgen::testing::read_parameter(subject, "c[1]");
+  add_parameter_array(subject.model, "c", {3, 3, 3});
+  read_parameter(subject, "c[1]");
   CHECK(mentions(cpp_text(subject),
                  "std::array<Scalar, 3> c = detail::filled<3>(constant<Scalar>(3.0));"));
 }

@@ -8,8 +8,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::Subject;
+using namespace elgen::test;
 
 namespace {
 
@@ -23,7 +22,7 @@ Subject long_function(std::size_t statements, std::size_t entry = 1) {
     text += fmt::format("  {} = add {} {}  ; s{}\n", i, i - 1, i - 2, i);
   }
   text += fmt::format("  result 2 1 = {} {}\n", statements + 2, entry);
-  subject.program = elgen::testing::read_program(text);
+  subject.program = read_program(text);
   return subject;
 }
 
@@ -90,7 +89,7 @@ TEST_CASE("parts name only arguments that they use") {
 
 TEST_CASE("column-major matrices are written column by column") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction mass_matrix\n  0 = coordinate x\n  1 = coordinate theta\n"
       "  2 = add 0 1\n  3 = multiply 0 1\n  result 2 2 = 0 1 2 3\n");
   CHECK(function_of(subject).whole.body == "  return {{q[0], q[1], q[0] + q[1], q[0] * q[1]}};\n");
@@ -110,7 +109,7 @@ Subject repeating_function(std::size_t before = 0) {
   for (; at < before + 3; ++at) text += fmt::format("  {} = add {} 1  ; s{}\n", at, at - 1, at);
   text += fmt::format("  {} = multiply {} 0\n  {} = multiply {} 1\n  result 2 1 = {} {}\n", at,
                       at - 1, at + 1, at - 1, at, at + 1);
-  subject.program = elgen::testing::read_program(text);
+  subject.program = read_program(text);
   subject.program.functions.front().repeated = {1, 2};
   return subject;
 }

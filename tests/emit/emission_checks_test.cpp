@@ -6,9 +6,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::Subject;
-using elgen::testing::ten_to;
+using namespace elgen::test;
 
 namespace {
 
@@ -27,8 +25,8 @@ TEST_CASE("usual values fit everywhere") {
 
 TEST_CASE("a value must be in the range of the requested scalars") {
   Subject subject = cart_pole();
-  elgen::testing::add_parameter(subject.model, "tiny", ten_to(-50), "m");
-  elgen::testing::read_parameter(subject, "tiny");
+  add_parameter(subject.model, "tiny", ten_to(-50), "m");
+  read_parameter(subject, "tiny");
   CHECK(range_diagnostics(subject).empty());
   subject.scene.numerics.scalars = {ScalarKind::single_precision};
   const Diagnostics diagnostics = range_diagnostics(subject);
@@ -41,11 +39,11 @@ TEST_CASE("a value must be in the range of the requested scalars") {
 
 TEST_CASE("overflow, subnormals, constants") {
   Subject subject = cart_pole();
-  elgen::testing::add_parameter(subject.model, "huge", -ten_to(309), "m");
-  elgen::testing::add_parameter(subject.model, "subnormal", ten_to(-310), "m");
-  elgen::testing::read_parameter(subject, "huge");
-  elgen::testing::read_parameter(subject, "subnormal");
-  elgen::testing::load_constant(subject, rational_constant(ten_to(400)));
+  add_parameter(subject.model, "huge", -ten_to(309), "m");
+  add_parameter(subject.model, "subnormal", ten_to(-310), "m");
+  read_parameter(subject, "huge");
+  read_parameter(subject, "subnormal");
+  load_constant(subject, rational_constant(ten_to(400)));
   const Diagnostics diagnostics = range_diagnostics(subject);
   REQUIRE(diagnostics.size() == 3);
   CHECK(diagnostics[0].message == "`-1e309`, the value of `huge`, overflows in double");
@@ -55,7 +53,7 @@ TEST_CASE("overflow, subnormals, constants") {
 
 TEST_CASE("unused parameters are not checked") {
   Subject subject = cart_pole();
-  elgen::testing::add_parameter(subject.model, "tiny", ten_to(-400), "m");
+  add_parameter(subject.model, "tiny", ten_to(-400), "m");
   CHECK(range_diagnostics(subject).empty());
 }
 

@@ -11,8 +11,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::Subject;
+using namespace elgen::test;
 
 namespace {
 
@@ -54,7 +53,7 @@ TEST_CASE("text, unit and range of a parameter") {
 
 TEST_CASE("leaves are members of the struct of parameters") {
   Subject subject = cart_pole();
-  elgen::testing::add_parameter_array(subject.model, "k", {1, 2});
+  add_parameter_array(subject.model, "k", {1, 2});
   subject.program.leaves.parameters = {"g", "k[2]"};
   CHECK(parameter_members(subject.model, subject.program.leaves) ==
         std::vector<std::string>{"g", "k[1]"});

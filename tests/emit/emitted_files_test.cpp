@@ -13,9 +13,7 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::cart_pole_in_c;
-using elgen::testing::Subject;
+using namespace elgen::test;
 
 namespace {
 
@@ -46,7 +44,7 @@ TEST_CASE("headers and sidecar equal the golden files, in C++ and in C") {
     const std::string golden = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/golden/" + name;
     if (std::getenv("ELGEN_UPDATE") != nullptr) std::ofstream(golden, std::ios::binary) << text;
     INFO(golden);
-    CHECK(text == test::read_text(golden));
+    CHECK(text == read_text(golden));
   }
 }
 
@@ -98,8 +96,8 @@ TEST_CASE("in each language every file begins with our marker and the hash of it
 TEST_CASE("invalid names and numbers are errors, and then nothing is emitted") {
   Subject subject = cart_pole();
   subject.program.functions[1].name = "constant";
-  elgen::testing::add_parameter(subject.model, "tiny", cln::expt(cln::cl_RA(10), -400), "m");
-  elgen::testing::read_parameter(subject, "tiny");
+  add_parameter(subject.model, "tiny", cln::expt(cln::cl_RA(10), -400), "m");
+  read_parameter(subject, "tiny");
   const Result<EmittedFiles> files =
       emit(subject.model, subject.scene, subject.program, {subject.program});
   REQUIRE_FALSE(files);

@@ -5,6 +5,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -13,9 +14,9 @@ using Texts = std::vector<std::string>;
 ExactNumbers numbers_of(const std::string& constants, const cln::cl_R& m,
                         LanguageId language = LanguageId::python) {
   Model model;
-  elgen::testing::add_parameter(model, "m", m, "1");
-  const Program program = elgen::testing::read_program("parameters m\nfunction gravity\n" +
-                                                       constants + "  result 3 1 = 0 1 2\n");
+  add_parameter(model, "m", m, "1");
+  const Program program =
+      read_program("parameters m\nfunction gravity\n" + constants + "  result 3 1 = 0 1 2\n");
   return {model, program, source_spelling(language)};
 }
 
@@ -42,7 +43,7 @@ TEST_CASE(
                                  "\"_number_1\": (99999999999999999999, 100000000000000000000)"});
   REQUIRE(exact.named().size() == 1);
   CHECK(exact.named().front() == std::pair<std::string, double>{"_number_1", 1.0});
-  const cln::cl_RA near = 1 - 1 / elgen::testing::ten_to(20);
+  const cln::cl_RA near = 1 - 1 / ten_to(20);
   CHECK(exact.name_of(rational_constant(near)) == "_number_1");
   CHECK(exact.name_of(rational_constant(-near)) == "_number_1");
   CHECK(exact.name_of(rational_constant(1)).empty());
@@ -51,9 +52,8 @@ TEST_CASE(
 
 TEST_CASE(
     "a parameter value that shares its double with a constant is identified by the parameter") {
-  const ExactNumbers exact =
-      numbers_of("  0 = parameter m\n  1 = constant 1/3\n  2 = constant 2\n",
-                 cln::cl_RA(cln::cl_I("33333333333333333333")) / elgen::testing::ten_to(20));
+  const ExactNumbers exact = numbers_of("  0 = parameter m\n  1 = constant 1/3\n  2 = constant 2\n",
+                                        cln::cl_RA(cln::cl_I("33333333333333333333")) / ten_to(20));
   CHECK(exact.entries() == Texts{"0.3333333333333333: (1, 3)",
                                  "\"p.m\": (33333333333333333333, 100000000000000000000)"});
 }

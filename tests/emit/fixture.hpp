@@ -12,7 +12,7 @@
 #include "elgen/scene.hpp"
 #include "program/read_program.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 
 struct Subject {
   Model model;
@@ -179,4 +179,4 @@ inline Subject cart_pole_in_c(ScalarKind scalar = ScalarKind::double_precision) 
   return subject;
 }
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

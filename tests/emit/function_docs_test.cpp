@@ -5,9 +5,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::cart_pole_model;
-using elgen::testing::Subject;
+using namespace elgen::test;
 using Lines = std::vector<std::string>;
 
 namespace {
@@ -67,7 +65,7 @@ TEST_CASE("rows that are no argument of the function are named") {
 
 TEST_CASE("a function that compares numbers documents it") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
       "  result 2 1 = 1 1\n");
   CHECK(docs(subject, 0).front().find("Needs an ordered Scalar.") != std::string::npos);
@@ -75,7 +73,7 @@ TEST_CASE("a function that compares numbers documents it") {
 
 TEST_CASE("a step documents its method") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x\nstep\nfunction advance = step 1\n  0 = coordinate x\n  1 = step\n"
       "  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n");
   CHECK(
@@ -89,10 +87,10 @@ TEST_CASE("a step documents its method") {
 TEST_CASE("a step of a model with constraints documents drift or projection") {
   Subject subject = cart_pole();
   const auto said = [&](const std::string& kind) {
-    subject.program = elgen::testing::read_program(
-        "coordinates x\nstep\nfunction step = step 0" + kind +
-        "\n  0 = coordinate x\n"
-        "  1 = step\n  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n");
+    subject.program =
+        read_program("coordinates x\nstep\nfunction step = step 0" + kind +
+                     "\n  0 = coordinate x\n"
+                     "  1 = step\n  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n");
     std::string text;
     for (const std::string& line : docs(subject, 0)) text += line;
     return text;
@@ -107,7 +105,7 @@ TEST_CASE("a step of a model with constraints documents drift or projection") {
 
 TEST_CASE("a composed step documents its order and its substeps") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x\nstep\nfunction step = step 1 order 4\n  0 = coordinate x\n  1 = step\n"
       "  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n");
   const Lines lines = docs(subject, 0);
@@ -119,7 +117,7 @@ TEST_CASE("a composed step documents its order and its substeps") {
 
 TEST_CASE("an iterating step documents the number of iterations and its residual") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x\nstep\nfunction step = step 2 5\n  0 = coordinate x\n  1 = step\n"
       "  result coordinates 1 1 = 0\n  result rates 1 1 = 1\n  result residual 1 1 = 1\n");
   const Lines lines = docs(subject, 0);

@@ -8,6 +8,7 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -29,7 +30,7 @@ class Plain final : public Vocabulary {
 
 /// The formulas of a function of a, b and c (instructions 0, 1, 2).
 std::string formula_text(const std::string& operations, std::uint32_t last) {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "parameters a b c\nfunction gravity\n  0 = parameter a\n  1 = parameter b\n"
       "  2 = parameter c\n" +
       operations + fmt::format("  result 1 1 = {}\n", last));
@@ -42,7 +43,7 @@ std::string formula_text(const std::string& operations, std::uint32_t last) {
 }  // namespace
 
 TEST_CASE("products keep their order, and named values are written by name") {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "parameters m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
       "  2 = multiply 1 1\n  3 = multiply 0 2\n  4 = cos 3\n  5 = constant 1/2\n"
       "  6 = negate 5\n  result 1 2 = 4 6\n");

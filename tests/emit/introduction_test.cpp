@@ -7,8 +7,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::Subject;
+using namespace elgen::test;
 using Lines = std::vector<std::string>;
 
 namespace {
@@ -21,7 +20,7 @@ bool has_line(const Lines& lines, const std::string& line) {
 
 TEST_CASE("rates are not declared if no function uses them") {
   Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
   CHECK(has_line(lines, "   g(q) = B(q) u"));

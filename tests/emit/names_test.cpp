@@ -4,9 +4,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::cart_pole_in_c;
-using elgen::testing::Subject;
+using namespace elgen::test;
 
 namespace {
 
@@ -74,7 +72,7 @@ TEST_CASE("names declared by the C library cannot be namespaces") {
 
 TEST_CASE("without parameters there is no struct and no argument for them") {
   Subject subject = cart_pole_in_c();
-  subject.program = elgen::testing::read_program(
+  subject.program = read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  result 2 1 = 0 0\n");
   const std::string text =
       c99_header(emission_input(subject.model, subject.scene, subject.program, {subject.program}));

@@ -8,28 +8,29 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
-test::Outcome build(const std::string& compiler, const std::string& program,
-                    const test::Workspace& workspace, const std::string& flags = "") {
+Outcome build(const std::string& compiler, const std::string& program, const Workspace& workspace,
+              const std::string& flags = "") {
   const std::string source = ELGEN_SOURCE_DIR;
-  return test::shell(compiler +
-                         " -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion "
-                         "-Wshadow -Werror " +
-                         flags + " -I" + source + "/generated " + source + "/tests/emit/compiled/" +
-                         program + " -o program",
-                     workspace.path());
+  return shell(compiler +
+                   " -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion "
+                   "-Wshadow -Werror " +
+                   flags + " -I" + source + "/generated " + source + "/tests/emit/compiled/" +
+                   program + " -o program",
+               workspace.path());
 }
 
 /// Builds a program with each compiler and runs it.
 void build_and_run(const std::string& program, const std::string& flags = "") {
   const std::string compiler = GENERATE("g++", "clang++");
-  const test::Workspace workspace;
-  const test::Outcome built = build(compiler, program, workspace, flags);
+  const Workspace workspace;
+  const Outcome built = build(compiler, program, workspace, flags);
   INFO(compiler << "\n" << built.errors);
   REQUIRE(built.status == 0);
-  const test::Outcome run = test::shell("./program", workspace.path());
+  const Outcome run = shell("./program", workspace.path());
   INFO(run.output);
   CHECK(run.status == 0);
 }
@@ -52,10 +53,10 @@ TEST_CASE("packs pass through functions unmodified, every lane equal to the scal
 TEST_CASE("a pack has to declare the type of its elements") {
   build_and_run("unnamed_element.cpp", "-Wno-psabi -DVALUE_TYPE");
   const std::string compiler = GENERATE("g++", "clang++");
-  const test::Workspace workspace;
-  const test::Outcome built = build(compiler, "unnamed_element.cpp", workspace, "-Wno-psabi");
+  const Workspace workspace;
+  const Outcome built = build(compiler, "unnamed_element.cpp", workspace, "-Wno-psabi");
   CHECK(built.status != 0);
-  CHECK(test::mentions(built.errors, "using value_type = double;"));
+  CHECK(mentions(built.errors, "using value_type = double;"));
 }
 
 TEST_CASE("batches agree with the functions of one state") {
@@ -73,36 +74,35 @@ TEST_CASE("fast-math is refused by batches or does not change their angles") {
                                      "-fassociative-math -fno-signed-zeros -fno-trapping-math");
   // clang has no macro for parts of fast-math, but a pragma protects the reduction of angles.
   const bool is_refused = compiler == "g++" || flags == "-ffast-math";
-  const test::Workspace workspace;
-  const test::Outcome built =
-      build(compiler, "batch.cpp", workspace, flags + " -DELGEN_ALLOW_FAST_MATH");
+  const Workspace workspace;
+  const Outcome built = build(compiler, "batch.cpp", workspace, flags + " -DELGEN_ALLOW_FAST_MATH");
   INFO(compiler << " " << flags << "\n" << built.errors);
   REQUIRE((built.status != 0) == is_refused);
   if (is_refused) {
-    CHECK(test::mentions(built.errors, "fast-math breaks the reduction of angles"));
+    CHECK(mentions(built.errors, "fast-math breaks the reduction of angles"));
   } else {
-    CHECK(test::shell("./program", workspace.path()).status == 0);
+    CHECK(shell("./program", workspace.path()).status == 0);
   }
 }
 
 TEST_CASE("macros of other headers do not break batches") {
   const std::string compiler = GENERATE("g++", "clang++");
-  const test::Workspace workspace;
-  const test::Outcome built = build(compiler, "macros.cpp", workspace, "-fsyntax-only");
+  const Workspace workspace;
+  const Outcome built = build(compiler, "macros.cpp", workspace, "-fsyntax-only");
   INFO(compiler << "\n" << built.errors);
   CHECK(built.status == 0);
 }
 
 TEST_CASE("excess precision is refused by batches") {
   const std::string compiler = GENERATE("g++", "clang++");
-  const test::Workspace workspace;
+  const Workspace workspace;
   const auto is_refused = [&](const std::string& flags) {
-    const test::Outcome built = build(compiler, "batch.cpp", workspace,
-                                      flags + " -Wno-builtin-macro-redefined -fsyntax-only");
+    const Outcome built = build(compiler, "batch.cpp", workspace,
+                                flags + " -Wno-builtin-macro-redefined -fsyntax-only");
     INFO(compiler << " " << flags << "\n" << built.errors);
-    const bool is_named = test::mentions(
-        built.errors,
-        "excess precision breaks the reduction of angles: on x86 add -msse2 -mfpmath=sse");
+    const bool is_named =
+        mentions(built.errors,
+                 "excess precision breaks the reduction of angles: on x86 add -msse2 -mfpmath=sse");
     CHECK((built.status != 0) == is_named);
     return is_named;
   };
@@ -113,25 +113,25 @@ TEST_CASE("excess precision is refused by batches") {
   for (const char* const method : {"0", "16"}) {
     CHECK_FALSE(is_refused("-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + std::string(method)));
   }
-  if (!test::is_installed("a library of 32-bit x86", link_command_32_bit(compiler))) return;
+  if (!is_installed("a library of 32-bit x86", link_command_32_bit(compiler))) return;
   CHECK(is_refused("-m32 -mno-sse2"));
   CHECK(is_refused("-m32 -msse -mno-sse2"));  // clang++ defines __FLT_EVAL_METHOD__ as 0 here
   CHECK_FALSE(is_refused("-m32 -msse2 -mfpmath=sse"));
 }
 
 TEST_CASE("batches have the same bits on every machine") {
-  const test::Workspace workspace;
+  const Workspace workspace;
   const auto bits = [&](const std::string& compiler, const std::string& emulator) {
-    const test::Outcome built = build(compiler, "bits.cpp", workspace);
+    const Outcome built = build(compiler, "bits.cpp", workspace);
     INFO(compiler << "\n" << built.errors);
     REQUIRE(built.status == 0);
-    CHECK_FALSE(test::mentions(built.errors, "note: "));  // a changed ABI
-    return test::shell(emulator + " ./program", workspace.path()).output;
+    CHECK_FALSE(mentions(built.errors, "note: "));  // a changed ABI
+    return shell(emulator + " ./program", workspace.path()).output;
   };
   const std::string here = bits("g++", "");
   REQUIRE(here.size() == 34);
   CHECK(bits("clang++", "") == here);
-  if (test::is_installed("a library of 32-bit x86", link_command_32_bit("g++"))) {
+  if (is_installed("a library of 32-bit x86", link_command_32_bit("g++"))) {
     CHECK(bits("g++ -m32 -msse2 -mfpmath=sse", "") == here);
   }
   struct Machine {
@@ -146,7 +146,7 @@ TEST_CASE("batches have the same bits on every machine") {
                                       {"mips64el-linux-gnuabi64-g++", "qemu-mips64el"}};
   for (const auto& [compiler, emulator] : machines) {
     const std::string probe = compiler + " --version && " + emulator + " --version";
-    if (!test::is_installed(compiler + " with " + emulator, probe)) continue;
+    if (!is_installed(compiler + " with " + emulator, probe)) continue;
     INFO(compiler);
     CHECK(bits(compiler + " -static", emulator) == here);
   }
@@ -158,23 +158,22 @@ TEST_CASE("parts of fast-math are refused by functions in C++ and in C") {
                "-std=c99 -x c panda7_gravity_compensation/panda7_gravity_compensation.h");
   const std::filesystem::path folder = std::string(ELGEN_SOURCE_DIR) + "/generated";
   const std::string command = "g++ -fsyntax-only -funsafe-math-optimizations " + header;
-  CHECK(test::mentions(test::shell(command, folder).errors, "fast-math reorders these equations"));
-  CHECK(test::shell(command + " -DELGEN_ALLOW_FAST_MATH", folder).status == 0);
+  CHECK(mentions(shell(command, folder).errors, "fast-math reorders these equations"));
+  CHECK(shell(command + " -DELGEN_ALLOW_FAST_MATH", folder).status == 0);
 }
 
 TEST_CASE("a standard before C++17 is reported") {
-  const test::Outcome compiled =
-      test::shell("g++ -std=c++14 -fsyntax-only -x c++ cart_pole/cart_pole.hpp",
-                  std::string(ELGEN_SOURCE_DIR) + "/generated");
-  CHECK(test::mentions(compiled.errors, "these functions are C++17: compile with -std=c++17"));
+  const Outcome compiled = shell("g++ -std=c++14 -fsyntax-only -x c++ cart_pole/cart_pole.hpp",
+                                 std::string(ELGEN_SOURCE_DIR) + "/generated");
+  CHECK(mentions(compiled.errors, "these functions are C++17: compile with -std=c++17"));
 }
 
 TEST_CASE("device code can call the functions, and batches are kernels") {
-  const test::Workspace workspace;
+  const Workspace workspace;
   const std::string folders = " -I" + (std::string(ELGEN_SOURCE_DIR) + "/generated ") +
                               ELGEN_SOURCE_DIR + "/tests/emit/compiled/device.cu -o device";
   const auto knows = [&](const std::string& question) {
-    return test::shell(question, workspace.path()).status == 0;
+    return shell(question, workspace.path()).status == 0;
   };
   std::string compiler;
   if (knows("nvcc --version")) {
@@ -188,29 +187,28 @@ TEST_CASE("device code can call the functions, and batches are kernels") {
     WARN("skipped: neither nvcc nor a clang++ that knows GPUs is here");
     return;
   }
-  const test::Outcome built = test::shell(compiler + folders, workspace.path());
+  const Outcome built = shell(compiler + folders, workspace.path());
   INFO(compiler << "\n" << built.errors);
   CHECK(built.status == 0);
   std::istringstream lines(built.errors);
   for (std::string line; std::getline(lines, line);) {
-    const bool is_of_kernel = test::mentions(line, "Function properties for ") ||
-                              test::mentions(line, " stack frame") ||
-                              test::mentions(line, " registers");
+    const bool is_of_kernel = mentions(line, "Function properties for ") ||
+                              mentions(line, " stack frame") || mentions(line, " registers");
     if (is_of_kernel) std::cout << line << '\n';
     // The library's slow path for large angles would need a stack frame.
-    if (test::mentions(line, " stack frame")) CHECK(test::mentions(line, " 0 bytes stack frame"));
+    if (mentions(line, " stack frame")) CHECK(mentions(line, " 0 bytes stack frame"));
   }
 }
 
 TEST_CASE("users may define the macro ELGEN_FUNCTION") {
-  const test::Workspace workspace;
-  test::write_text(workspace.path() / "own.cpp",
-                   "#define ELGEN_FUNCTION __attribute__((noinline))\n"
-                   "#include \"cart_pole/cart_pole.hpp\"\n"
-                   "double M() { return cart_pole::mass_matrix<double>({}, {})[0]; }\n");
-  const test::Outcome built = test::shell(
+  const Workspace workspace;
+  write_text(workspace.path() / "own.cpp",
+             "#define ELGEN_FUNCTION __attribute__((noinline))\n"
+             "#include \"cart_pole/cart_pole.hpp\"\n"
+             "double M() { return cart_pole::mass_matrix<double>({}, {})[0]; }\n");
+  const Outcome built = shell(
       "g++ -std=c++17 -O2 -S own.cpp -o - -I " + (ELGEN_SOURCE_DIR + std::string("/generated")),
       workspace.path());
   REQUIRE(built.status == 0);
-  CHECK(test::mentions(built.output, "mass_matrix"));
+  CHECK(mentions(built.output, "mass_matrix"));
 }

@@ -6,6 +6,7 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -16,10 +17,10 @@ const std::string has_ceres =
     "echo '#include <ceres/jet.h>' | g++ -std=c++17 -isystem /usr/include/eigen3 -E -x c++ -";
 
 /// A folder with the header of tests/emit/compiled/swing.scene.toml.
-struct Swing : test::Workspace {
+struct Swing : Workspace {
   Swing() { prepare("elgen generate -q -o . " + programs + "swing.scene.toml"); }
 
-  [[nodiscard]] test::Outcome compiled(const std::string& command) const {
+  [[nodiscard]] Outcome compiled(const std::string& command) const {
     return run(command + " -std=c++17 -isystem /usr/include/eigen3 -I.");
   }
 };
@@ -29,7 +30,7 @@ struct Swing : test::Workspace {
 TEST_CASE("correct numbers in every kind of scalar") {
   const std::string compiler = GENERATE("g++", "clang++");
   const Swing swing;
-  const test::Outcome built = swing.compiled(
+  const Outcome built = swing.compiled(
       compiler + " -O2 -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror " +
       "-Wno-psabi -Wno-ignored-attributes " + programs + "scalars.cpp -o scalars -lquadmath");
   INFO(compiler << "\n" << built.errors);
@@ -37,8 +38,8 @@ TEST_CASE("correct numbers in every kind of scalar") {
   for (const std::string type :
        {"float", "double", "long_double", "float128", "cpp_bin_float", "complex", "dual", "strict",
         "jet", "fvar", "interval", "autodiff", "simd"}) {
-    if (type == "jet" && !test::is_installed("ceres", has_ceres)) continue;
-    const test::Outcome found = swing.run("./scalars " + type);
+    if (type == "jet" && !is_installed("ceres", has_ceres)) continue;
+    const Outcome found = swing.run("./scalars " + type);
     INFO(type << "\n" << found.output);
     CHECK(found.status == 0);
   }
@@ -46,14 +47,14 @@ TEST_CASE("correct numbers in every kind of scalar") {
 
 TEST_CASE("expression nodes, which allow no branches, have the values of double") {
   const std::string compiler = GENERATE("g++", "clang++");
-  const test::Workspace workspace;
+  const Workspace workspace;
   workspace.prepare("elgen generate -q -o . " ELGEN_SOURCE_DIR "/models/cart_pole.toml");
-  const test::Outcome built = workspace.run(
+  const Outcome built = workspace.run(
       compiler + " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -I. " +
       programs + "symbols.cpp -o symbols");
   INFO(compiler << "\n" << built.errors);
   REQUIRE(built.status == 0);
-  const test::Outcome found = workspace.run("./symbols");
+  const Outcome found = workspace.run("./symbols");
   INFO(found.output);
   CHECK(found.status == 0);
 }
@@ -65,13 +66,13 @@ TEST_CASE("nested scalars get the constants of their innermost type") {
     swing.write("nested.cpp", includes + "#include \"swing_fixed/swing_fixed.hpp\"\n" +
                                   "auto a() { return swing_fixed::forward_dynamics<" + scalar +
                                   ">({}, {}, {}, {}); }\n");
-    const test::Outcome built = swing.compiled(compiler + " -fsyntax-only nested.cpp");
+    const Outcome built = swing.compiled(compiler + " -fsyntax-only nested.cpp");
     INFO(compiler << " " << scalar << "\n" << built.errors);
     CHECK(built.status == 0);
   };
   expect_compiled("#include <boost/math/differentiation/autodiff.hpp>\n",
                   "boost::math::differentiation::autodiff_fvar<double, 1, 2>");
-  if (!test::is_installed("ceres", has_ceres)) return;
+  if (!is_installed("ceres", has_ceres)) return;
   expect_compiled("#include <ceres/jet.h>\n", "ceres::Jet<ceres::Jet<double, 1>, 3>");
 }
 
@@ -79,20 +80,20 @@ TEST_CASE("half precision, fixed point and integers are refused") {
   const std::string compiler = GENERATE("g++", "clang++");
   const Swing swing;
   const auto errors_with = [&](const std::string& scalar) {
-    const test::Outcome built = swing.compiled(compiler + " -fsyntax-only '-DSCALAR=" + scalar +
-                                               "' " + programs + "refused_scalar.cpp");
+    const Outcome built = swing.compiled(compiler + " -fsyntax-only '-DSCALAR=" + scalar + "' " +
+                                         programs + "refused_scalar.cpp");
     return built.status == 0 ? std::string() : built.errors;
   };
   for (const char* const scalar :
        {"int", "unsigned long", "Eigen::half", "Eigen::bfloat16", "std::complex<Eigen::half>",
         "Fixed", "FixedPair", "Described"}) {
     INFO(scalar);
-    CHECK(test::mentions(errors_with(scalar),
-                         "half precision, fixed point and integers have too few digits"));
+    CHECK(mentions(errors_with(scalar),
+                   "half precision, fixed point and integers have too few digits"));
   }
   // clang++ 14 has no _Float16 on x86.
   if (compiler == "g++") {
-    CHECK(test::mentions(errors_with("_Float16"), "half precision, fixed point and integers"));
+    CHECK(mentions(errors_with("_Float16"), "half precision, fixed point and integers"));
   }
   CHECK(errors_with("double").empty());
 }

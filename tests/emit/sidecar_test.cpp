@@ -5,8 +5,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
-using elgen::testing::cart_pole;
-using elgen::testing::Subject;
+using namespace elgen::test;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -83,9 +82,9 @@ TEST_CASE("definitions are listed in order, before the entries that use them") {
 
 TEST_CASE("parameters have exact texts, arrays are one entry, unused ones are omitted") {
   Subject subject = cart_pole();
-  elgen::testing::add_parameter_array(subject.model, "k", {cln::cl_RA(1) / 3, 2});
-  elgen::testing::read_parameter(subject, "k[1]");
-  elgen::testing::add_parameter(subject.model, "unread", 1, "kg");
+  add_parameter_array(subject.model, "k", {cln::cl_RA(1) / 3, 2});
+  read_parameter(subject, "k[1]");
+  add_parameter(subject.model, "unread", 1, "kg");
   const Json parameters = Json::parse(text_of(subject))["parameters"];
   REQUIRE(parameters.size() == 5);
   CHECK(parameters[1] == Json{{"name", "m"}, {"unit", "kg"}, {"value", "0.1"}});

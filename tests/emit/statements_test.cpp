@@ -7,6 +7,7 @@
 #include "fixture.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -38,7 +39,7 @@ std::vector<Statement> random_body() {
 }  // namespace
 
 TEST_CASE("a shared value is one statement, before its uses") {
-  const Program program = elgen::testing::read_program(
+  const Program program = read_program(
       "parameters a b\nfunction gravity\n  0 = parameter a\n  1 = parameter b\n"
       "  2 = add 0 1\n  3 = multiply 2 2\n  4 = negate 3\n  result 2 1 = 4 2\n");
   const std::vector<Statement> all =
@@ -57,7 +58,7 @@ TEST_CASE("a shared value is one statement, before its uses") {
 
 TEST_CASE(
     "a sine and a cosine of one angle are one statement if the language has one call for both") {
-  const Program program = elgen::testing::read_program(
+  const Program program = read_program(
       "coordinates x y\nfunction gravity\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = add 0 1\n  3 = sin 2\n  4 = cos 2\n  5 = sin 0\n  result 3 1 = 3 4 5\n");
   const std::vector<std::string> names = {"", "", "sum", "sine", "cosine", "other"};
@@ -91,7 +92,7 @@ TEST_CASE("an entry follows the last statement that it uses") {
 }
 
 TEST_CASE("a loop follows the statements for its inputs and names its first instruction") {
-  Program program = elgen::testing::read_program(
+  Program program = read_program(
       "coordinates x y\nfunction gravity\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = add 0 1\n  3 = multiply 2 0\n  4 = multiply 2 1\n  result 2 1 = 3 4\n");
   Function& function = program.functions.front();

@@ -17,18 +17,17 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
-using elgen::test::mentions;
+using namespace elgen::test;
 
 namespace {
 
 const std::string wide_programs = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/compiled/";
 
 /// A folder with the headers of tests/emit/compiled/functions.scene.toml.
-struct Wide : test::Workspace {
+struct Wide : Workspace {
   Wide() { prepare("elgen generate -q -o . " + wide_programs + "functions.scene.toml"); }
 
-  [[nodiscard]] test::Outcome compiled(const std::string& compiler,
-                                       const std::string& flags) const {
+  [[nodiscard]] Outcome compiled(const std::string& compiler, const std::string& flags) const {
     return run(compiler +
                " -std=c++17 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow "
                "-Wfloat-equal -Wdouble-promotion -Werror " +
@@ -165,7 +164,7 @@ TEST_CASE("double-double has 29 digits with every compiler and optimisation") {
   const std::string flags = GENERATE("-O0", "-O2", "-O3 -march=native");
   const std::string joining = GENERATE("", " -ffp-contract=fast", " -ffp-contract=off");
   const Wide wide;
-  const test::Outcome built = wide.compiled(compiler, flags + joining);
+  const Outcome built = wide.compiled(compiler, flags + joining);
   INFO(compiler << " " << flags << joining << "\n" << built.errors);
   REQUIRE(built.status == 0);
   const std::vector<Call> all = calls();
@@ -176,7 +175,7 @@ TEST_CASE("double-double has 29 digits with every compiler and optimisation") {
           << call.y.low << "\n";
   }
   wide.write("arguments", lines.str());
-  const test::Outcome run = wide.run("./program < arguments");
+  const Outcome run = wide.run("./program < arguments");
   CHECK(run.status == 0);  // pairs of sines, and products of the caller
   const std::vector<Parts> values = values_in(run.output);
   REQUIRE(values.size() == all.size());
@@ -189,8 +188,7 @@ TEST_CASE("fast-math and its parts are refused by double-double, without an over
       GENERATE("-ffast-math", "-Ofast", "-funsafe-math-optimizations",
                "-fassociative-math -fno-signed-zeros -fno-trapping-math", "-freciprocal-math");
   const auto is_refused = [&](const std::string& compiler) {
-    const test::Outcome built =
-        wide.compiled(compiler, flags + " -DELGEN_ALLOW_FAST_MATH -fsyntax-only");
+    const Outcome built = wide.compiled(compiler, flags + " -DELGEN_ALLOW_FAST_MATH -fsyntax-only");
     INFO(compiler << " " << flags << "\n" << built.errors);
     CHECK((built.status != 0) == mentions(built.errors, "fast-math breaks the splitting of sums"));
     return built.status != 0;
@@ -213,9 +211,9 @@ TEST_CASE("parts of fast-math that clang does not report change no digit of doub
 TEST_CASE("excess precision is refused by double-double") {
   const Wide wide;
   const auto is_refused = [&](const std::string& method) {
-    const test::Outcome built = wide.compiled(
-        GENERATE("g++", "clang++"), "-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + method +
-                                        " -Wno-builtin-macro-redefined -fsyntax-only");
+    const Outcome built = wide.compiled(GENERATE("g++", "clang++"),
+                                        "-U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=" + method +
+                                            " -Wno-builtin-macro-redefined -fsyntax-only");
     CHECK((built.status != 0) ==
           mentions(built.errors, "excess precision breaks the splitting of sums"));
     return built.status != 0;
@@ -225,7 +223,7 @@ TEST_CASE("excess precision is refused by double-double") {
 }
 
 TEST_CASE("arguments are widened and results rounded, in the scalar of the scene") {
-  testing::Subject subject = testing::cart_pole();
+  Subject subject = cart_pole();
   const auto text = [&subject](InnerScalar inner) {
     subject.scene.numerics.inner = inner;
     return wide_header(
@@ -243,7 +241,7 @@ TEST_CASE("arguments are widened and results rounded, in the scalar of the scene
 }
 
 TEST_CASE("a step computes accelerations in float and everything else in double") {
-  const test::Workspace workspace;
+  const Workspace workspace;
   workspace.write("mixed.scene.toml", "format = 1\nmodel = \"" + std::string(ELGEN_SOURCE_DIR) +
                                           "/models/kepler_cartesian.toml\"\nname = \"mixed\"\n" +
                                           R"toml([outputs]
@@ -296,13 +294,13 @@ int main() {
 }
 )");
   for (const char* const compiler : {"g++", "clang++"}) {
-    const test::Outcome built = workspace.run(
+    const Outcome built = workspace.run(
         std::string(compiler) +
         " -std=c++17 -O2 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow "
         "-Wfloat-equal -Wdouble-promotion -Werror -I. main.cpp -o program");
     INFO(built.errors);
     REQUIRE(built.status == 0);
-    const test::Outcome run = workspace.run("./program");
+    const Outcome run = workspace.run("./program");
     INFO(run.output);
     CHECK(run.status == 0);
   }
@@ -312,7 +310,7 @@ int main() {
 }
 
 TEST_CASE("names of the header in a wider scalar are E701") {
-  testing::Subject subject = testing::cart_pole();
+  Subject subject = cart_pole();
   CHECK(wide_check_names(subject.model, subject.scene, subject.program).empty());
   subject.program.functions[0].name = "wide";
   subject.program.functions[4].name = "inner";

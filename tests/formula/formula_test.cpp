@@ -9,10 +9,7 @@
 #include "formula/written_values.hpp"
 
 using namespace elgen;
-using elgen::testing::Value;
-using elgen::testing::value_of_line;
-using elgen::testing::value_of_text;
-using elgen::testing::value_of_tree;
+using namespace elgen::test;
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include "base/ascii.hpp"
 #include "elgen/syntax.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 namespace {
 
 /// Complex numbers, so that different short expressions have different values.
@@ -225,4 +225,4 @@ Value value_of_text(const std::string& text) {
 
 Value value_of_line(std::string_view line) { return LineReader(line).parse_all(); }
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

@@ -8,7 +8,7 @@
 
 #include "elgen/formula.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 
 using Value = std::complex<double>;
 
@@ -22,4 +22,4 @@ using Value = std::complex<double>;
 /// without brackets applies to all factors up to the next function, sign or dot.
 [[nodiscard]] Value value_of_line(std::string_view line);
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

@@ -14,7 +14,7 @@
 #include "elgen/limits.hpp"
 #include "elgen/source_text.hpp"
 
-namespace elgen::fuzzing {
+namespace elgen::test {
 
 /// Aborts if `holds` is false, so that libFuzzer keeps the input.
 inline void require(bool holds, const std::string& what) {
@@ -56,4 +56,4 @@ void require_answer(const Result<T>& result) {
   static_cast<void>(format(result.diagnostics, style));
 }
 
-}  // namespace elgen::fuzzing
+}  // namespace elgen::test

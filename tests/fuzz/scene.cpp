@@ -4,7 +4,7 @@
 #include "elgen/syntax.hpp"
 #include "fuzz.hpp"
 
-namespace elgen::fuzzing {
+namespace elgen::test {
 namespace {
 
 constexpr const char* model_text = R"toml(
@@ -59,16 +59,16 @@ const FileSyntax& rig() {
 }
 
 }  // namespace
-}  // namespace elgen::fuzzing
+}  // namespace elgen::test
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace elgen;
-  const Limits limits = fuzzing::small_limits();
-  const SourcePointer source = fuzzing::source_of(data, size, "rig.scene.toml");
+  const Limits limits = test::small_limits();
+  const SourcePointer source = test::source_of(data, size, "rig.scene.toml");
   const auto scene = parse_scene(source, limits);
-  fuzzing::require_answer(scene);
+  test::require_answer(scene);
   if (!scene) return 0;
   static_cast<void>(dump(*scene));
-  fuzzing::require_answer(check(fuzzing::rig(), &*scene, {}, limits));
+  test::require_answer(check(test::rig(), &*scene, {}, limits));
   return 0;
 }

@@ -6,6 +6,7 @@
 #include "support/models.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -53,20 +54,20 @@ TEST_CASE("if a symbol draws nothing, the name is drawn") {
 
 TEST_CASE("an input named after its coordinate has the scripts of the coordinate's symbol") {
   const CheckedModel checked =
-      test::checked_model(test::model_text("driven",
-                                           "[[coordinate]]\nname = \"elbow\"\nlatex = 'q_2'\n"
-                                           "[[coordinate]]\nname = \"wrist\"\n[parameters]\nm = 1\n"
-                                           "[energy]\nT = \"m*(dot(elbow)^2 + dot(wrist)^2)\"\n"
-                                           "[[input]]\nname = \"tau_elbow\"\non = \"elbow\"\n"
-                                           "[[input]]\nname = \"tau_wrist\"\non = \"wrist\"\n"
-                                           "[[input]]\nname = \"u_tau_elbow\"\non = \"elbow\"\n"));
+      checked_model(model_text("driven",
+                               "[[coordinate]]\nname = \"elbow\"\nlatex = 'q_2'\n"
+                               "[[coordinate]]\nname = \"wrist\"\n[parameters]\nm = 1\n"
+                               "[energy]\nT = \"m*(dot(elbow)^2 + dot(wrist)^2)\"\n"
+                               "[[input]]\nname = \"tau_elbow\"\non = \"elbow\"\n"
+                               "[[input]]\nname = \"tau_wrist\"\non = \"wrist\"\n"
+                               "[[input]]\nname = \"u_tau_elbow\"\non = \"elbow\"\n"));
   CHECK(latex_of(ModelSymbols(checked.model).leaves().u) ==
         std::vector<std::string>{"\\tau_{2}", "\\tau_{\\mathrm{wrist}}",
                                  "u_{\\tau, \\mathrm{elbow}}"});
 }
 
 TEST_CASE("two long names do not get the same symbol") {
-  const CheckedModel checked = test::checked_model(test::model_text(
+  const CheckedModel checked = checked_model(model_text(
       "alike",
       "[[coordinate]]\nname = \"left_hip\"\n[[coordinate]]\nname = \"left_hip_\"\n[parameters]\n"
       "Ixx_hip = 1\nI_xx_hip = 2\n[energy]\n"
@@ -79,12 +80,12 @@ TEST_CASE("two long names do not get the same symbol") {
 }
 
 TEST_CASE("two quantities never share a symbol") {
-  const CheckedModel checked = test::checked_model(test::model_text(
-      "alike",
-      "[sizes]\nn = 2\n[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"x_\"\n"
-      "[parameters]\nm1 = 1\nm_1 = 2\nl = { value = 1, size = \"n\" }\nl2 = 3\n"
-      "mass = 3\nF = { value = 1, latex = \"\\\\mathrm{mass}\" }\n"
-      "[energy]\nT = \"m1*dot(x)^2 + m_1*dot(x_)^2 + sum(i, 1, n, l[i])*mass*F*l2\"\n"));
+  const CheckedModel checked = checked_model(
+      model_text("alike",
+                 "[sizes]\nn = 2\n[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"x_\"\n"
+                 "[parameters]\nm1 = 1\nm_1 = 2\nl = { value = 1, size = \"n\" }\nl2 = 3\n"
+                 "mass = 3\nF = { value = 1, latex = \"\\\\mathrm{mass}\" }\n"
+                 "[energy]\nT = \"m1*dot(x)^2 + m_1*dot(x_)^2 + sum(i, 1, n, l[i])*mass*F*l2\"\n"));
   const ModelSymbols symbols(checked.model);
   CHECK(latex_of(symbols.leaves().q) == std::vector<std::string>{"x", "x'"});
   CHECK(latex_of(symbols.leaves().v) == std::vector<std::string>{"\\dot{x}", "\\dot{x}'"});

@@ -8,7 +8,7 @@
 #include "support/real.hpp"
 
 using namespace elgen;
-using test::real;
+using namespace elgen::test;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include "numbers/more_digits.hpp"
 
 using namespace elgen;
-using test::real;
+using namespace elgen::test;
 
 namespace {
 

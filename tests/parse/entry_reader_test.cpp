@@ -6,9 +6,7 @@
 #include "parse_testing.hpp"
 
 using namespace elgen;
-using testing::first_error;
-using testing::model_answer;
-using testing::scene_answer;
+using namespace elgen::test;
 
 namespace {
 

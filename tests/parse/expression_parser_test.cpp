@@ -9,8 +9,7 @@
 #include "parse_testing.hpp"
 
 using namespace elgen;
-using testing::expression_answer;
-using testing::repeated;
+using namespace elgen::test;
 
 namespace {
 
@@ -222,7 +221,7 @@ TEST_CASE("a syntax error names the token found and suggests a correction", "[pa
       {"  \n", Code::E310, 0, "empty expression", "write `0` for nothing"},
   }));
   INFO(row.input);
-  const Diagnostic error = testing::expression_error(row.input);
+  const Diagnostic error = expression_error(row.input);
   CHECK(error.code == row.code);
   CHECK(error.span.begin == row.begin);
   CHECK(error.message == row.message);
@@ -245,7 +244,7 @@ TEST_CASE("an unbalanced bracket is reported where it opened", "[parse]") {
       {"q[i)", 3, 1, "`)` stands where `[` is to be closed"},
   }));
   INFO(row.input);
-  const Diagnostic error = testing::expression_error(row.input);
+  const Diagnostic error = expression_error(row.input);
   CHECK(error.code == Code::E304);
   CHECK(error.span.begin == row.begin);
   CHECK(error.message == row.message);
@@ -255,5 +254,5 @@ TEST_CASE("an unbalanced bracket is reported where it opened", "[parse]") {
 }
 
 TEST_CASE("a decimal comma inside a call is parsed as one more argument", "[parse]") {
-  CHECK(testing::expression_answer("sin(1,5)") == "sin(1, 5)");
+  CHECK(expression_answer("sin(1,5)") == "sin(1, 5)");
 }

@@ -7,8 +7,7 @@
 #include "parse_testing.hpp"
 
 using namespace elgen;
-using testing::model_answer;
-using testing::scene_answer;
+using namespace elgen::test;
 
 namespace {
 
@@ -152,7 +151,7 @@ TEST_CASE("every word of a choice is accepted", "[parse]") {
 TEST_CASE("an unknown key is reported with the nearest known key", "[parse]") {
   const std::string text = model("ragne = [0, 1]\nnonsense = 1\n");
   CHECK(model_answer(text) == "E103 5:1\nE103 6:1");
-  const Diagnostic error = testing::first_error(text);
+  const Diagnostic error = first_error(text);
   CHECK(error.message == "unknown key `ragne` in `[[coordinate]]`");
   CHECK(error.hint == "did you mean `range`?");
   CHECK(model_answer(model("[parameters]\nm = {valeu = 1}\n")) == "E105 6:1\nE103 6:6");
@@ -160,7 +159,7 @@ TEST_CASE("an unknown key is reported with the nearest known key", "[parse]") {
 
 TEST_CASE("a missing key is reported at the header of its table", "[parse]") {
   CHECK(model_answer(model("[[input]]\nunit = \"N\"\n")) == "E105 5:1");
-  CHECK(testing::first_error(model("[[input]]\n")).message == "no `name` in `[[input]]`");
+  CHECK(first_error(model("[[input]]\n")).message == "no `name` in `[[input]]`");
   CHECK(model_answer(model("[[point]]\nname = \"P\"\n[[point]]\nat = [1, 2]\n")) ==
         "E105 5:1\nE105 7:1");
   CHECK(scene_answer(scene("[approximate]\norder = 1\n")) == "E105 4:1");
@@ -177,8 +176,7 @@ TEST_CASE("a choice accepts only the words of its table", "[parse]") {
   CHECK(model_answer(model("kind = \"scalar\"")).find("kind = \"scalar\"") != std::string::npos);
   const std::string text = model("[parameters]\nm = {value = 1, assume = \"positiv\"}\n");
   CHECK(model_answer(text) == "E104 6:27");
-  CHECK(testing::first_error(text).message ==
-        "`positiv` where `positive` or `nonnegative` is expected");
+  CHECK(first_error(text).message == "`positiv` where `positive` or `nonnegative` is expected");
   CHECK(scene_answer(scene("[numeric]\nscalar = [\"float\", \"half\"]\n")) == "E104 5:21");
   CHECK(scene_answer(scene("[numeric]\nscalar = \"float\"\n")) == "E104 5:10");
   CHECK(scene_answer(scene("[numeric]\nscalar = []\n")) == "E104 5:10");

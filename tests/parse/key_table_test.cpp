@@ -12,6 +12,7 @@
 #include "parse_testing.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -132,7 +133,7 @@ std::string file_with(const KeyRow& row, const std::string& text) {
 
 std::string dumped(const KeyRow& row, const std::string& file) {
   const bool is_scene = row.entry.starts_with("scene");
-  std::string text = is_scene ? testing::scene_answer(file) : testing::model_answer(file);
+  std::string text = is_scene ? scene_answer(file) : model_answer(file);
   INFO(file);
   CHECK(text.starts_with("[]"));
   return text;
@@ -199,17 +200,17 @@ TEST_CASE("every supported entry has keys, and every choice has words", "[parse]
 }
 
 TEST_CASE("a model prints in file order, whatever its white space", "[parse]") {
-  CHECK(testing::model_answer("format = 1\n\n[model]\nname = \"m\"\ntitle = \"a \\\"b\\\"\\nc\"\n"
-                              "[[coordinate]]\nname = \"q[i]\"\nfor = \"i in 1..2\"\nwrap = true\n"
-                              "start = {value = \"pi/4\"}\n") ==
+  CHECK(model_answer("format = 1\n\n[model]\nname = \"m\"\ntitle = \"a \\\"b\\\"\\nc\"\n"
+                     "[[coordinate]]\nname = \"q[i]\"\nfor = \"i in 1..2\"\nwrap = true\n"
+                     "start = {value = \"pi/4\"}\n") ==
         "[]\n  format = 1\n[model]\n  name = m\n  title = \"a \\\"b\\\" c\"\n"
         "[coordinate]\n  name = q[i]\n  for = [{index = i, low = 1, high = 2}]\n"
         "  wrap = true\n  start = {value = (pi / 4)}\n");
 }
 
 TEST_CASE("a scene prints in file order", "[parse]") {
-  CHECK(testing::scene_answer("format = 1\nmodel = \"../m.toml\"\nname = \"s\"\n[outputs]\n"
-                              "bias = true\ngravity = {rename = \"g\"}\n[sizes]\nn = 3\n") ==
+  CHECK(scene_answer("format = 1\nmodel = \"../m.toml\"\nname = \"s\"\n[outputs]\n"
+                     "bias = true\ngravity = {rename = \"g\"}\n[sizes]\nn = 3\n") ==
         "[]\n  format = 1\n  model = \"../m.toml\"\n  name = s\n[outputs]\n"
         "  bias = true\n  gravity = {rename = g}\n[sizes]\n  n = 3\n");
 }

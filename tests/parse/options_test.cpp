@@ -3,7 +3,7 @@
 
 #include "parse_testing.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 namespace {
 
 /// One line per key, "name column: value, value", then the places and messages of the diagnostics.
@@ -73,4 +73,4 @@ TEST_CASE("a mistake in an expression is reported at its place") {
   CHECK(answer({"q=1.."}, KeyType::range).starts_with("E310 "));
 }
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

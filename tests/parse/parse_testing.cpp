@@ -5,7 +5,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace elgen::testing {
+namespace elgen::test {
 
 std::string places(const Diagnostics& diagnostics) {
   std::string result;
@@ -70,4 +70,4 @@ std::string repeated(std::string_view text, std::size_t count) {
   return result;
 }
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

@@ -6,7 +6,7 @@
 
 #include "elgen/syntax.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 
 /// One line per diagnostic, such as "E303 17:9", in the order given.
 [[nodiscard]] std::string places(const Diagnostics& diagnostics);
@@ -30,4 +30,4 @@ namespace elgen::testing {
 /// `text` repeated `count` times.
 [[nodiscard]] std::string repeated(std::string_view text, std::size_t count);
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

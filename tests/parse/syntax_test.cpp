@@ -8,8 +8,7 @@
 #include "parse_testing.hpp"
 
 using namespace elgen;
-using testing::model_answer;
-using testing::with_potential;
+using namespace elgen::test;
 
 TEST_CASE("an error inside a string is reported at its character in the file", "[parse]") {
   struct Row {
@@ -88,7 +87,7 @@ TEST_CASE("a byte order mark is accepted", "[parse]") {
 }
 
 TEST_CASE("a sum of 100 000 terms fits a file", "[parse]") {
-  const std::string terms = testing::repeated("x + ", 99'999) + "x";
+  const std::string terms = repeated("x + ", 99'999) + "x";
   CHECK(model_answer(with_potential("\"" + terms + "\"")).size() > terms.size());
 }
 

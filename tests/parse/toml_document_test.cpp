@@ -8,7 +8,7 @@
 #include "parse_testing.hpp"
 
 using namespace elgen;
-using testing::repeated;
+using namespace elgen::test;
 
 namespace {
 
@@ -115,15 +115,15 @@ TEST_CASE("malformed TOML is reported once, at its place", "[parse]") {
   INFO(row.input);
   const SourcePointer source = make_source("test", row.input);
   const auto result = parse_model(source, {});
-  CHECK(testing::places(result.diagnostics) == row.place);
+  CHECK(places(result.diagnostics) == row.place);
   CHECK(result.diagnostics.at(0).message == row.message);
   CHECK(result.diagnostics.at(0).hint == row.hint);
 }
 
 TEST_CASE("a number with too many digits for toml++ is rejected", "[parse]") {
   const std::string digits(200, '7');
-  CHECK(testing::model_answer("a = " + digits) == "E109 1:5");
-  CHECK(testing::model_answer("a = [-0." + digits + "]") == "E109 1:6");
+  CHECK(model_answer("a = " + digits) == "E109 1:5");
+  CHECK(model_answer("a = [-0." + digits + "]") == "E109 1:6");
 }
 
 TEST_CASE("a key may have 100 parts, which toml++ can still free, but no more", "[parse]") {
@@ -131,7 +131,7 @@ TEST_CASE("a key may have 100 parts, which toml++ can still free, but no more", 
   const std::string endless = "key of more than 100 parts";
   CHECK(toml_message(repeated("a.", most - 1) + "a = 1").empty());
   CHECK(toml_message(repeated("a.", most) + "a = 1") == endless);
-  CHECK(testing::model_answer(repeated("a.", 400'000) + "a = 1") == "E101 1:200");
+  CHECK(model_answer(repeated("a.", 400'000) + "a = 1") == "E101 1:200");
   // Quotes and spaces do not hide a part.
   CHECK(toml_message("[" + repeated("a . ", 200) + "a]") == endless);
   CHECK(toml_message("x = {" + repeated("\"=,\\\"\".", 200) + "a = 1}") == endless);

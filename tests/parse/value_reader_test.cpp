@@ -7,7 +7,7 @@
 #include "parse_testing.hpp"
 
 using namespace elgen;
-using testing::model_answer;
+using namespace elgen::test;
 
 namespace {
 
@@ -91,7 +91,7 @@ TEST_CASE("texts, booleans and tables are accepted in all forms", "[parse]") {
 
 TEST_CASE("a wrong type is reported with the type found and the type expected", "[parse]") {
   const auto message = [](std::string_view line) {
-    return testing::first_error(coordinate_with(line)).message;
+    return first_error(coordinate_with(line)).message;
   };
   CHECK(message("doc = 3") == "number `3` where a string is expected");
   CHECK(message("range = \"x\"") == "string `x` where a list of 2 expressions is expected");
@@ -120,7 +120,7 @@ std::string turns_answer(const std::string& turns) {
   const std::string all = model_answer(text);
   const std::size_t begin = all.find("rotate = ");
   if (begin != std::string::npos) return all.substr(begin + 9, all.size() - begin - 10);
-  return all + " " + testing::first_error(text).message;
+  return all + " " + first_error(text).message;
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ namespace {
 std::string symbol_mistake(const std::string& symbol) {
   const std::string text = coordinate_with("latex = '''" + symbol + "'''");
   if (model_answer(text).find("E114") == std::string::npos) return "";
-  const Diagnostic error = testing::first_error(text);
+  const Diagnostic error = first_error(text);
   return text.substr(error.span.begin, error.span.end - error.span.begin) + ": " + error.message;
 }
 

@@ -9,7 +9,6 @@
 
 using namespace elgen;
 using namespace elgen::test;
-using elgen::testing::has;
 
 namespace {
 

@@ -14,6 +14,7 @@
 #include "support/inputs.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -83,7 +84,7 @@ std::vector<std::string> read_sections(const std::string& text) {
 
 std::vector<std::string> book_lines(const std::filesystem::path& path) {
   std::vector<std::string> lines;
-  std::istringstream book(test::read_text(path));
+  std::istringstream book(read_text(path));
   for (std::string line; std::getline(book, line);) {
     if (!line.empty() && line[0] != '#') lines.push_back(line);
   }
@@ -93,7 +94,7 @@ std::vector<std::string> book_lines(const std::filesystem::path& path) {
 std::vector<std::string> printed_lines(const std::filesystem::path& path) {
   PipelineOptions options;
   options.goals = {Goal::steps};
-  const Products products = run_pipeline({test::source_of(path), nullptr}, options);
+  const Products products = run_pipeline({source_of(path), nullptr}, options);
   INFO(path << "\n" << format(products.diagnostics));
   REQUIRE(products.steps);
   return read_sections(text_of(steps_sections(products.checked->model, *products.steps)));
@@ -127,7 +128,7 @@ TEST_CASE("textbook systems are printed as in books") {
   CHECK(book_exceptions().size() <= most_exceptions);
   std::string failures;
   for (const std::filesystem::path& path :
-       test::inputs_in(std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/print/books", ".txt")) {
+       inputs_in(std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/print/books", ".txt")) {
     const std::vector<std::string> printed =
         printed_lines(std::filesystem::path(path).replace_extension(".toml"));
     std::vector<std::string> missing = missing_lines(book_lines(path), printed);

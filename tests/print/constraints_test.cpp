@@ -11,8 +11,6 @@
 
 using namespace elgen;
 using namespace elgen::test;
-using elgen::testing::has;
-using elgen::testing::latex_of;
 
 namespace {
 

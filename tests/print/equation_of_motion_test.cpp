@@ -12,13 +12,10 @@
 
 using namespace elgen;
 using namespace elgen::test;
-using elgen::testing::cart_pole;
-using elgen::testing::has;
-using elgen::testing::latex_of;
 
 namespace {
 
-std::string equation(const elgen::testing::Subject& subject) {
+std::string equation(const Subject& subject) {
   return text_of(equation_of_motion(subject.model, subject.program));
 }
 
@@ -62,15 +59,15 @@ TEST_CASE("with rotations the rates are v") {
 }
 
 TEST_CASE("a term without information is kept") {
-  elgen::testing::Subject subject = cart_pole();
+  Subject subject = cart_pole();
   CHECK(equation(subject) == "M(q) a + C(q,v) v + g(q) = B(q) u");
   subject.model.may_drift = true;
   CHECK(equation(subject) == "M(q) a + C(q,v) v + drift(q,v) + g(q) = B(q) u");
 }
 
 TEST_CASE("a term that is zero in the program is omitted, and a side without terms is 0") {
-  elgen::testing::Subject subject = cart_pole();
-  subject.program = elgen::testing::read_program(
+  Subject subject = cart_pole();
+  subject.program = read_program(
       "coordinates x theta\nfunction gravity\n  0 = constant 0\n  result 2 1 = 0 0\n"
       "function drift\n  0 = constant 0\n  result 2 1 = 0 0\n");
   subject.model.inputs.clear();
@@ -79,7 +76,7 @@ TEST_CASE("a term that is zero in the program is omitted, and a side without ter
 }
 
 TEST_CASE("dissipation, other forces and time have their terms") {
-  elgen::testing::Subject subject = cart_pole();
+  Subject subject = cart_pole();
   subject.model.energies.D = 0;
   subject.model.forces.emplace_back();
   subject.model.uses_time = subject.model.may_drift = true;
@@ -88,7 +85,7 @@ TEST_CASE("dissipation, other forces and time have their terms") {
 }
 
 TEST_CASE("an L that is not quadratic in the rates has a bias only") {
-  elgen::testing::Subject subject = cart_pole();
+  Subject subject = cart_pole();
   subject.model.quadratic = false;
   CHECK(equation(subject) == "M(q,v) a + bias(q,v) = B(q) u");
 }

@@ -6,6 +6,7 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -18,7 +19,7 @@ FunctionEquations equations_of(const Program& program) {
 /// Instructions 0 ... 7 are: 0 = m, 1 = x, 2 = y, 3 = dot(x), 4 = dot(dot(x)), 5 = u, 6 = t, 7 =
 /// 1/2.
 std::string entry(const std::string& instructions, int result) {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "parameters m\ncoordinates x y\ninputs u\ntime\n"
       "function bias\n"
       "  0 = parameter m\n  1 = coordinate x\n  2 = coordinate y\n  3 = velocity x\n"
@@ -73,7 +74,7 @@ TEST_CASE("a short entry is written out, a long entry uses definitions") {
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = sin 0\n  2 = coordinate y\n"
       "  3 = sin 2\n";
   for (int i = 4; i < 50; ++i) text += fmt::format("  {} = multiply {} 1\n", i, i - 1);
-  const Program program = testing::read_program(text + "  result 1 2 = 3 49\n");
+  const Program program = read_program(text + "  result 1 2 = 3 49\n");
   const FunctionEquations result = equations_of(program);
   CHECK(text_of(result.entries.at(0).at(0)) == "sin(y)");
   REQUIRE(result.definitions.size() == 5);
@@ -85,7 +86,7 @@ TEST_CASE("a short entry is written out, a long entry uses definitions") {
 }
 
 TEST_CASE("guards of pivots are for code: pages omit them") {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "parameters m\ncoordinates x\nfunction forward_dynamics\n"
       "  0 = parameter m\n  1 = coordinate x\n  2 = constant 1\n  3 = constant 0\n"
       "  4 = divide 2 0\n  5 = multiply 3 4\n  6 = add 2 5\n  7 = divide 3 1\n"
@@ -97,7 +98,7 @@ TEST_CASE("guards of pivots are for code: pages omit them") {
 }
 
 TEST_CASE("products are printed with powers, and closed forms with their names") {
-  Program program = testing::read_program(
+  Program program = read_program(
       "parameters m\ncoordinates x\nfunction gravity\n  0 = parameter m\n  1 = coordinate x\n"
       "  2 = multiply 1 1\n  3 = multiply 0 2\n  4 = cos 3\n  5 = constant 1/2\n"
       "  6 = negate 5\n  result 1 2 = 4 6\n");

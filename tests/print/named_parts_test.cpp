@@ -14,8 +14,6 @@
 
 namespace elgen::test {
 
-using testing::latex_of;
-
 namespace {
 
 /// Two links about crossed axes; no two quantities share a parameter.

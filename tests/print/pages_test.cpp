@@ -8,9 +8,7 @@
 #include "support/systems.hpp"
 
 using namespace elgen;
-using namespace elgen::testing;
 using namespace elgen::test;
-using elgen::testing::has;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "print/small_page.hpp"
 
 using namespace elgen;
-using namespace elgen::testing;
+using namespace elgen::test;
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "elgen/page.hpp"
 #include "formula/glyphs.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 
 inline Page small_page() {
   Page page;
@@ -35,4 +35,4 @@ inline bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

@@ -12,8 +12,6 @@
 
 using namespace elgen;
 using namespace elgen::test;
-using elgen::testing::has;
-using elgen::testing::latex_of;
 
 namespace {
 

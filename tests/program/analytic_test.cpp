@@ -6,13 +6,14 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 /// True if the last instruction or one of its operands is an unknown. The leaves are 0 = p
 /// (positive), 1 = k (no assumption), 2 = x, 3 = y.
 bool has_unknown(const std::string& code) {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "parameters p k\npositive p\ncoordinates x y\nfunction gravity\n"
       "  0 = parameter p\n  1 = parameter k\n  2 = coordinate x\n  3 = coordinate y\n" +
       code);
@@ -82,7 +83,7 @@ TEST_CASE("kinked functions, asin and acos are unknowns, functions of them are n
     CHECK(has_unknown("  4 = " + std::string(name) + " 2\n  result 1 1 = 4\n"));
   }
   CHECK(has_unknown("  4 = max 2 3\n  result 1 1 = 4\n"));
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "coordinates x\nfunction gravity\n  0 = coordinate x\n  1 = abs 0\n  2 = atan 1\n"
       "  result 1 1 = 2\n");
   CHECK(unknowns(program, program.functions[0]) == std::vector<bool>{false, true, false});

@@ -10,6 +10,7 @@
 #include "support/graph_reader.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -30,7 +31,7 @@ ConstantForm call(FunctionId function, ConstantForm argument, std::int32_t sign 
 ConstantForm number(const char* text) { return rational_form(cln::cl_RA(text)); }
 
 double value(const std::string& text) {
-  const auto constant = test::read_constant(text);
+  const auto constant = read_constant(text);
   REQUIRE(constant);
   return to_double(constant->value);
 }
@@ -67,9 +68,9 @@ TEST_CASE("the text of a form is read back to the same form and value") {
   for (const char* text :
        {"1-cos(1)", "2+pi", "2*pi", "exp(-1-cos(1))", "exp(-1+cos(1))", "(1+pi)^2*pi^(-1)",
         "-log(1/2)", "sqrt(2+sqrt(3))", "atan2(-1,-pi)", "1/2*sqrt(3)"}) {
-    const auto constant = test::read_constant(text);
+    const auto constant = read_constant(text);
     REQUIRE(constant);
-    const auto again = test::read_constant(text_of(constant->form));
+    const auto again = read_constant(text_of(constant->form));
     REQUIRE(again);
     CHECK(again->form == constant->form);
     CHECK(again->value == constant->value);
@@ -79,8 +80,8 @@ TEST_CASE("the text of a form is read back to the same form and value") {
 TEST_CASE("constants are found by form, never by value") {
   std::vector<Constant> constants;
   CHECK(position_of(rational_constant(2), constants) == 0);
-  const auto root = test::read_constant("sqrt(2)");
-  const auto power = test::read_constant("sqrt(2)^(-1)*2");
+  const auto root = read_constant("sqrt(2)");
+  const auto power = read_constant("sqrt(2)^(-1)*2");
   REQUIRE(root);
   REQUIRE(power);
   CHECK(position_of(*root, constants) == 1);
@@ -105,14 +106,14 @@ TEST_CASE("exact constants are printed in both notations") {
                                   {"2*(1 + pi)^2", "2 (1 + \\pi)^{2}"},
                                   {"sqrt(3)^(-1)", "\\frac{1}{\\sqrt{3}}"},
                                   {"exp(-1 - pi)", "\\exp(-1 - \\pi)"}}));
-  const auto constant = test::read_constant(row.text);
+  const auto constant = read_constant(row.text);
   REQUIRE(constant);
   CHECK(text_of(constant_formula(constant->form)) == row.text);
   CHECK(latex(glyphs_of(constant_formula(constant->form))) == row.latex);
 }
 
 TEST_CASE("a constant sum is bracketed as a factor") {
-  const auto sum = test::read_constant("1 + pi");
+  const auto sum = read_constant("1 + pi");
   REQUIRE(sum);
   CHECK(text_of(product_of({constant_formula(sum->form), name_formula("x")})) == "(1 + pi)*x");
 }
@@ -128,17 +129,17 @@ TEST_CASE("constants are read in the form that the graph gives them") {
                                         {"-log(1/2)", "-log(1/2)"},
                                         {"sqrt(8)/2", "1/2*sqrt(8)"},
                                         {"sqrt(9/4)", "3/2"}}));
-  const auto constant = test::read_constant(row.text);
+  const auto constant = read_constant(row.text);
   REQUIRE(constant);
   CHECK(text_of(constant->form) == row.form);
 }
 
 TEST_CASE("expressions that are not constants are rejected") {
-  CHECK_FALSE(test::read_constant("x"));
-  CHECK_FALSE(test::read_constant("1/0"));
-  CHECK_FALSE(test::read_constant("2^pi"));
-  CHECK_FALSE(test::read_constant("sin(1"));
-  CHECK_FALSE(test::read_constant("cos(1, 2)"));
+  CHECK_FALSE(read_constant("x"));
+  CHECK_FALSE(read_constant("1/0"));
+  CHECK_FALSE(read_constant("2^pi"));
+  CHECK_FALSE(read_constant("sin(1"));
+  CHECK_FALSE(read_constant("cos(1, 2)"));
 }
 
 TEST_CASE("calls have the values of the C library") {
@@ -173,7 +174,7 @@ TEST_CASE("200 correct digits despite cancellation") {
   for (const char* text : {"sin(1000000000000000000000000000000)",
                            "1-cos(1/1000000000000000000000000000000000000000000000000000000000000)",
                            "exp(1)*pi-tan(7/5)"}) {
-    const auto constant = test::read_constant(text);
+    const auto constant = read_constant(text);
     REQUIRE(constant);
     const auto enclosure = enclosure_of(constant->form);
     REQUIRE(enclosure);
@@ -183,7 +184,7 @@ TEST_CASE("200 correct digits despite cancellation") {
 }
 
 TEST_CASE("a sum that cancels has an unknown sign, an exact zero has sign 0") {
-  const auto noise = test::read_constant("sqrt(2)*sqrt(3)-sqrt(6)");
+  const auto noise = read_constant("sqrt(2)*sqrt(3)-sqrt(6)");
   REQUIRE(noise);
   CHECK(cln::zerop(noise->value));
   CHECK_FALSE(sign_of(*enclosure_of(noise->form)));
@@ -197,6 +198,6 @@ TEST_CASE("constants without a real value have none") {
   CHECK_FALSE(enclosure_of(call(FunctionId::asin, number("2"))));
   CHECK_FALSE(enclosure_of(call(FunctionId::acos, number("-2"))));
   CHECK_FALSE(enclosure_of(call(FunctionId::exp, number("1000000"))));
-  CHECK_FALSE(test::read_constant("sqrt(-2)"));
-  CHECK_FALSE(test::read_constant("(sqrt(2)*sqrt(3)-sqrt(6))^(-1)"));
+  CHECK_FALSE(read_constant("sqrt(-2)"));
+  CHECK_FALSE(read_constant("(sqrt(2)*sqrt(3)-sqrt(6))^(-1)"));
 }

@@ -12,7 +12,7 @@
 #include "program/network/linearise.hpp"
 #include "program/network/network.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 
 using Texts = std::vector<std::string>;
 
@@ -84,4 +84,4 @@ inline OperationCounts counts_of(const Expressions& expressions) {
   return counts_of(make_network(expressions));
 }
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

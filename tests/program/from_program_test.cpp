@@ -7,6 +7,7 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -15,7 +16,7 @@ const char* const text =
     "  0 = parameter m\n  1 = parameter l\n  2 = coordinate x\n  3 = sin 2\n  4 = multiply 0 3\n"
     "  5 = negate 4\n  6 = divide 5 1\n  7 = subtract 6 0\n  result 2 1 = 7 3\n";
 
-Program program() { return testing::read_program(text); }
+Program program() { return read_program(text); }
 
 /// Converts the wanted instructions of the program to a graph, and lowers them again.
 std::string lowered_again(const std::vector<std::uint32_t>& wanted,

@@ -6,7 +6,7 @@
 #include "program/expression_leaves.hpp"
 
 using namespace elgen;
-using testing::value_of;
+using namespace elgen::test;
 
 namespace {
 
@@ -34,8 +34,7 @@ TEST_CASE("stumpff is even only in its first argument") {
   Graph graph;
   CHECK(value_of(graph, "stumpff(-a, -4)") == value_of(graph, "stumpff(a, -4)"));
   CHECK_FALSE(value_of(graph, "stumpff(a, -4)") == value_of(graph, "stumpff(a, 4)"));
-  CHECK(testing::texts_of(testing::expressions_of({"stumpff(-a, -4)"})) ==
-        testing::Texts{"stumpff(a, -4)"});
+  CHECK(texts_of(expressions_of({"stumpff(-a, -4)"})) == Texts{"stumpff(a, -4)"});
 }
 
 TEST_CASE("equal nodes are shared") {

@@ -6,6 +6,7 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 TEST_CASE("instructions with the value of a named intermediate get its name") {
   Expressions told;
@@ -15,7 +16,7 @@ TEST_CASE("instructions with the value of a named intermediate get its name") {
   const Ref sine = graph.call(FunctionId::sin, {x});
   const Ref value = graph.product({{graph.rational(cln::cl_RA(1) / 2), 1}, {m, 1}, {sine, 2}});
   told.values = {value, value, -sine};
-  Program program = testing::read_program(
+  Program program = read_program(
       "parameters m\ncoordinates x\nfunction bias\n  0 = parameter m\n  1 = coordinate x\n"
       "  2 = sin 1\n  3 = constant 1/2\n  4 = multiply 3 2\n  5 = multiply 4 0\n"
       "  6 = multiply 5 2\n  7 = negate 6  ; own\n  8 = cos 1\n  result 1 3 = 6 7 8\n");

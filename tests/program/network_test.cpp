@@ -9,11 +9,7 @@
 #include "program/network/cheapest.hpp"
 
 using namespace elgen;
-using testing::counts_of;
-using testing::expressions_of;
-using testing::program_of;
-using testing::Texts;
-using testing::texts_of;
+using namespace elgen::test;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 TEST_CASE("a program is printed with the names of the model and read back") {
   const std::string text =
@@ -54,7 +55,7 @@ TEST_CASE("a program is printed with the names of the model and read back") {
       "function closed = step 0 projected\n"
       "  0 = velocity theta\n"
       "  result rates 1 1 = 0\n";
-  const Program program = testing::read_program(text);
+  const Program program = read_program(text);
   CHECK(dump(program) == text);
   CHECK(program.constants.size() == 2);
   CHECK(program.functions.at(1).kind == OutputKind::dynamics);
@@ -69,7 +70,7 @@ TEST_CASE("a program is printed with the names of the model and read back") {
 }
 
 TEST_CASE("comments and empty lines are ignored, names are kept") {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "; a comment\n\ncoordinates x\nfunction gravity\n  0 = coordinate x ; position of it\n"
       "  result 1 1 = 0\n");
   CHECK(program.functions.at(0).names.at(0) == "position");
@@ -96,14 +97,14 @@ TEST_CASE("mistakes are reported with the span of their line") {
   }));
   const std::string head = "coordinates x\nfunction bias\n  0 = coordinate x\n";
   const SourcePointer source = make_source("program", head + row.line + "\n");
-  const Result<Program> program = test::parse_program(source);
+  const Result<Program> program = parse_program(source);
   REQUIRE_FALSE(program);
   CHECK(program.diagnostics.at(0).message == row.message);
   CHECK(covered_text(program.diagnostics.at(0).span) == row.line);
 }
 
 TEST_CASE("an instruction outside a function is an error") {
-  const auto program = test::parse_program(make_source("program", "  0 = time\n"));
+  const auto program = parse_program(make_source("program", "  0 = time\n"));
   REQUIRE_FALSE(program);
   CHECK(program.diagnostics.at(0).message == "`0` outside of a function");
 }

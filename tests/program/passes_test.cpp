@@ -7,10 +7,7 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
-using testing::counts_of;
-using testing::expressions_of;
-using testing::Texts;
-using testing::texts_of;
+using namespace elgen::test;
 
 namespace {
 
@@ -29,13 +26,13 @@ void check_rows(const std::vector<PassRow>& rows, const Pass& pass) {
 }
 
 Program program_of(const std::string& function) {
-  return testing::read_program("parameters m l\nfunction gravity\n" + function);
+  return read_program("parameters m l\nfunction gravity\n" + function);
 }
 
 }  // namespace
 
 TEST_CASE("an identity rule copies values, names and births, and omits unused nodes") {
-  testing::ExpressionLeaves l;
+  ExpressionLeaves l;
   l.graph.set_birth(3);
   const Ref root = l.graph.square_root(l.graph.sum({l.a, -l.b}));
   l.graph.name(root, "distance");
@@ -145,7 +142,7 @@ TEST_CASE("angle_sums: some angles are not expanded") {
 }
 
 TEST_CASE("angle_sums: a chain of splits grows with its length, not with its number of paths") {
-  testing::ExpressionLeaves l;
+  ExpressionLeaves l;
   const auto cosine = [&l](Ref x) { return l.graph.call(FunctionId::cos, {x}); };
   // S_k = S_(k-1) + x^k, and each part is an angle too: 2^19 paths lead from the last to the first.
   constexpr int length = 20;

@@ -7,6 +7,7 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 TEST_CASE("the entries of all fields are counted") {
   Function function;
@@ -16,7 +17,7 @@ TEST_CASE("the entries of all fields are counted") {
 }
 
 TEST_CASE("operations are counted as the emitted function executes them") {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "parameters m\n"
       "coordinates x y\n"
       "function bias\n"
@@ -64,7 +65,7 @@ TEST_CASE("an instruction that occurs twice is found at its first place") {
 }
 
 TEST_CASE("adding an existing instruction returns it, a new instruction is appended") {
-  Program program = testing::read_program(
+  Program program = read_program(
       "parameters m l\nfunction gravity\n  0 = parameter m\n  1 = multiply 0 0\n"
       "  result 1 1 = 1\n");
   Instructions instructions(program.functions[0]);
@@ -109,7 +110,7 @@ TEST_CASE("every invariant is checked, and messages name function and instructio
       {[](Function& f) { f.fields[0].columns = 2; }, "field `` has 1 entries, not 1 x 2"},
       {[](Function& f) { f.fields[0].entries[0] = 3; }, "field `` refers to instruction 3"},
   }));
-  Program program = testing::read_program(
+  Program program = read_program(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = sin 0\n  2 = multiply 0 1\n"
       "  result 1 1 = 2\n");
   CHECK(check_invariants(program) == "");
@@ -125,7 +126,7 @@ TEST_CASE("repetitions perform the same operations on different operands") {
       "coordinates x y z\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = coordinate z\n  3 = multiply 0 1\n  4 = subtract 3 0\n  5 = multiply 0 2\n"
       "  6 = subtract 5 0\n  repeated 2 2\n  result 2 1 = 4 6\n";
-  const Program repeated = testing::read_program(text);
+  const Program repeated = read_program(text);
   CHECK(check_invariants(repeated) == "");
   CHECK(first_repeated_instruction(repeated.functions[0]) == 3);
   CHECK(dump(repeated) == text);
@@ -153,7 +154,7 @@ TEST_CASE("repetitions perform the same operations on different operands") {
 }
 
 TEST_CASE("only repetitions may compute a value twice") {
-  Program program = testing::read_program(
+  Program program = read_program(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = multiply 0 0\n"
       "  2 = multiply 0 0\n  result 2 1 = 1 2\n");
   CHECK(check_invariants(program) == "function `bias`: instruction 2: computed before");
@@ -162,7 +163,7 @@ TEST_CASE("only repetitions may compute a value twice") {
 }
 
 TEST_CASE("repetitions are kept if all of them remain at the end") {
-  Program program = testing::read_program(
+  Program program = read_program(
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = multiply 0 0\n  3 = multiply 0 1\n  result 2 1 = 2 3\n");
   Function& function = program.functions[0];

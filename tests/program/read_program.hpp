@@ -6,12 +6,12 @@
 
 #include "support/parse_program.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 
 [[nodiscard]] inline Program read_program(const std::string& text) {
-  const Result<Program> program = test::parse_program(make_source("program", text));
+  const Result<Program> program = parse_program(make_source("program", text));
   if (!program) FAIL(program.diagnostics.at(0).message);
   return *program;
 }
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

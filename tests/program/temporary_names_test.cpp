@@ -8,11 +8,12 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 std::vector<std::string> names_of(const std::string& text) {
-  const Program program = testing::read_program(text);
+  const Program program = read_program(text);
   return temporary_names(program, program.functions.at(0));
 }
 
@@ -75,7 +76,7 @@ TEST_CASE("a sine and a cosine of one angle have names, because one call compute
 }
 
 TEST_CASE("own names are neither derived from the value, nor named intermediates, nor hashes") {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = multiply 0 1\n  3 = sin 2\n  4 = cos 2\n  5 = multiply 3 4  ; t_work\n"
       "  6 = tan 5  ; ~moment_link_y\n  7 = multiply 6 6\n  8 = subtract 0 1\n"

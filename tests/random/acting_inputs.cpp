@@ -3,7 +3,7 @@
 
 #include "random/model.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::vector<std::size_t> acting_inputs(const System& system) {
   return acting;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

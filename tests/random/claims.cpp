@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -191,4 +191,4 @@ std::vector<Claim> falsified(std::vector<Claim> claims, Draw& draw) {
   return claims;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -7,7 +7,7 @@
 #include "random/draw.hpp"
 #include "random/model.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 /// dE/dx by symbolic differentiation; x is a coordinate, or its rate as dot(x).
 [[nodiscard]] Expression derivative(const Expression& expression, const Expression& by);
@@ -19,4 +19,4 @@ namespace elgen::random {
 /// The claims with one entry falsified: a flipped sign between constants, or cos(1)/1000 added.
 [[nodiscard]] std::vector<Claim> falsified(std::vector<Claim> claims, Draw& draw);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -9,7 +9,7 @@
 #include "random/driver_text.hpp"
 #include "support/shell.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::vector<std::vector<Finding>> compare_compiled(const std::vector<Trial>& tri
   return findings;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

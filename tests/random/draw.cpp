@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -138,4 +138,4 @@ Expression Draw::function_of(const std::vector<Expression>& arguments) {
   }
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -9,7 +9,7 @@
 
 #include "random/expression.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 class Draw {
  public:
@@ -45,4 +45,4 @@ class Draw {
 /// The value of an expression without names.
 [[nodiscard]] Number value_of(const Expression& constant);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -6,7 +6,7 @@
 
 #include <cctype>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -222,4 +222,4 @@ std::string driver_function(const Trial& trial, Language language, const std::st
                      scalar_of(trial), base_name(trial.system), body);
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -6,7 +6,7 @@
 
 #include "random/trial.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 enum class Language { cpp, eigen, c };
 
@@ -21,4 +21,4 @@ enum class Language { cpp, eigen, c };
 [[nodiscard]] std::string driver_function(const Trial& trial, Language language,
                                           const std::string& declared);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -270,4 +270,4 @@ Vector evaluated(const std::vector<Expression>& expressions, Scope& scope) {
   return values;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -9,7 +9,7 @@
 
 #include "random/jet.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 struct Node;
 using Expression = std::shared_ptr<const Node>;  ///< null if the model omits it
@@ -94,4 +94,4 @@ inline constexpr unsigned time_infinitesimal = 0;
 [[nodiscard]] Jet evaluated(const Expression& expression, Scope& scope);
 [[nodiscard]] Vector evaluated(const std::vector<Expression>& expressions, Scope& scope);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -9,7 +9,7 @@
 
 #include "random/generator.hpp"
 
-using namespace elgen::random;
+using namespace elgen::test::random;
 
 namespace {
 

@@ -1,7 +1,7 @@
 // Draws points, bodies and frames.
 #include "random/generator.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 /// The angle of a joint: usually a coordinate, sometimes with an offset, a ratio, or as a sum.
 Expression Generator::angle() {
@@ -246,4 +246,4 @@ void Generator::make_spatial(bool turns) {
   }
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

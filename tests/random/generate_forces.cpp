@@ -1,7 +1,7 @@
 // Draws prescribed motion, dissipation, inputs, forces and outputs.
 #include "random/generator.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 void Generator::add_prescribed() {
   if (!draw_.chance(25)) return;
@@ -145,4 +145,4 @@ void Generator::add_outputs() {
   }
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -1,7 +1,7 @@
 // Draws scenes: locked coordinates, fixed parameters, and options of emission.
 #include "random/generator.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 /// Locks a coordinate, and perhaps a rotation at a constant; at least one coordinate stays free.
 void Generator::add_locks(Scene& scene) {
@@ -55,4 +55,4 @@ void Generator::add_scene() {
   add_emission(scene);
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -1,7 +1,7 @@
 // Draws coordinates, parameters and energies, and assembles models.
 #include "random/generator.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 Generator::Generator(std::uint64_t seed) : draw_(seed * 0x9E3779B97F4A7C15U + 1, seed % 2 == 1) {
   made_.model.name = "random_" + std::to_string(seed);
@@ -182,4 +182,4 @@ System Generator::system() {
   return made_;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -10,7 +10,7 @@
 #include "random/draw.hpp"
 #include "random/model.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 class Generator {
  public:
@@ -67,4 +67,4 @@ class Generator {
   void add_emission(Scene& scene);
 };
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -308,4 +308,4 @@ Matrix transposed(const Matrix& a) {
   return result;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

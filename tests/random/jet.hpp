@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 /// 80 decimal digits.
 using Number = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<80>,
@@ -75,4 +75,4 @@ using Matrix = std::vector<Vector>;
 [[nodiscard]] Vector product(const Matrix& a, const Vector& b);
 [[nodiscard]] Matrix transposed(const Matrix& a);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -214,4 +214,4 @@ System minimised(System system, const Fails& fails) {
   return system;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -5,9 +5,9 @@
 
 #include "random/model.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 /// Removes entries, keys and parts of expressions, one at a time, while `fails` is true.
 [[nodiscard]] System minimised(System system, const std::function<bool(const System&)>& fails);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

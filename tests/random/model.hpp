@@ -7,7 +7,7 @@
 
 #include "random/expression.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 struct Coordinate {
   std::string name;
@@ -145,4 +145,4 @@ struct System {
 /// The name of the files in the output folder, of the namespace and of the C prefix.
 [[nodiscard]] std::string base_name(const System& system);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -1,7 +1,7 @@
 // Writes a random model and its scene as files in elgen's language.
 #include "random/model.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -221,4 +221,4 @@ std::string base_name(const System& system) {
   return system.model.name + (system.scene.is_present ? "_scene" : "");
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

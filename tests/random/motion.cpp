@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -324,4 +324,4 @@ Energies Motion::energies() {
   return energies;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -7,7 +7,7 @@
 
 #include "random/model.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 /// Places of coordinates in q and v: a scalar, or a rotation with four entries of q and three of v.
 struct Layout {
@@ -90,4 +90,4 @@ class Motion : public Scope {
 /// The rate of a quaternion for an angular velocity in body axes.
 [[nodiscard]] Vector quaternion_rate(const Vector& q, const Vector& spin);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -4,7 +4,7 @@
 
 #include "random/motion.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -70,4 +70,4 @@ Jet Motion::force_along(unsigned direction) {
   return sum;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

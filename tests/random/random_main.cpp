@@ -21,7 +21,7 @@
 
 namespace {
 
-using namespace elgen::random;
+using namespace elgen::test::random;
 
 /// Limit of attempts to shrink a failing system; each attempt runs elgen.
 constexpr int most_tries = 300;

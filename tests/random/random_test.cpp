@@ -6,7 +6,7 @@
 #include "random/trial.hpp"
 #include "support/shell.hpp"
 
-using namespace elgen::random;
+using namespace elgen::test::random;
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -256,4 +256,4 @@ Shown read_equations(const std::string& json, const Names& names) {
   return result;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -7,7 +7,7 @@
 
 #include "random/truth.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 /// A value and the sum of its absolute terms, the scale of its rounding error.
 struct ScaledValue {
@@ -35,4 +35,4 @@ using Shown = std::map<std::string, ShownOutput>;
 /// std::domain_error if an entry has no value at this state, such as the root of a negative number.
 [[nodiscard]] Shown read_equations(const std::string& json, const Names& names);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

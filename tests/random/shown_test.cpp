@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace elgen::random;
+using namespace elgen::test::random;
 
 TEST_CASE("expressions are read with the precedence of the language") {
   const Names names{{"x", {3, 3}}, {"dot(x)", {2, 2}}, {"l[2]", {5, 5}}};

@@ -8,7 +8,7 @@
 #include "random/draw.hpp"
 #include "support/shell.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -157,4 +157,4 @@ std::vector<Finding> compare_shown(Trial& trial, const std::filesystem::path& fo
   return findings;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

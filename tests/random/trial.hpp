@@ -9,7 +9,7 @@
 
 #include "random/shown.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 /// A disagreement between elgen and the truth.
 struct Finding {
@@ -55,4 +55,4 @@ struct Trial {
 void write_files(const System& system, const std::filesystem::path& folder,
                  const std::vector<Claim>& claims = {});
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

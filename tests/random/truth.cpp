@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -351,4 +351,4 @@ Values Truth::outputs() {
   return values_;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

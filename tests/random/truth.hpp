@@ -14,7 +14,7 @@
 
 #include "random/motion.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 // Infinitesimal 0 belongs to Motion.
 inline constexpr unsigned moment = 1;     ///< of time
@@ -86,4 +86,4 @@ class Truth {
 /// The parameter values of the model file, or of the scene if it fixes them.
 [[nodiscard]] ParameterValues given_parameters(const System& system);
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -1,7 +1,7 @@
 // Results of the equations: accelerations, derivatives, reactions, kinematics, user outputs.
 #include "random/truth.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
 
@@ -207,4 +207,4 @@ void Truth::add_output(const Output& output) {
        along(output_rates(output, later(layout_, coasting, moment)), moment));
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace elgen::random;
+using namespace elgen::test::random;
 
 namespace {
 

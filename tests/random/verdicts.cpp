@@ -6,11 +6,9 @@
 #include "random/trial.hpp"
 #include "support/shell.hpp"
 
-namespace elgen::random {
+namespace elgen::test::random {
 
 namespace {
-
-using test::Outcome;
 
 /// The failed rows of a certificate, or the end of the text if no row failed.
 std::string failed_rows(const std::string& certificate) {
@@ -87,4 +85,4 @@ std::vector<Finding> all_findings(const System& system, std::uint64_t seed) {
   return findings;
 }
 
-}  // namespace elgen::random
+}  // namespace elgen::test::random

@@ -19,7 +19,7 @@
 #include "texts/fold_expression.hpp"
 #include "texts/written_equations.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 namespace {
 
 using NamedNumbers = std::map<std::string, Real>;
@@ -297,4 +297,4 @@ TEST_CASE("formulas of equilibria and modes of random models have the printed va
   CHECK(silent == 0);
 }
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

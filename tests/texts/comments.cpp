@@ -9,7 +9,7 @@
 #include "emit/interface/code_interface.hpp"
 #include "texts/readers.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -206,4 +206,4 @@ void read_comments(const std::string& header, WrittenEquations& equations) {
   }
 }
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

@@ -11,10 +11,8 @@
 #include "formula/written_values.hpp"
 #include "random/generator.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 namespace {
-
-using testing::Value;
 
 /// The same tree with a, b and c as the only symbols, and the sine as the only function.
 Formula simplified(Formula formula) {
@@ -41,12 +39,12 @@ bool is_near(const Value& x, const Value& y) {
 /// empty.
 std::string mistake_in(const Formula& read) {
   const Formula formula = simplified(read);
-  const Value value = testing::value_of_tree(formula);
+  const Value value = value_of_tree(formula);
   if (!std::isfinite(value.real()) || !std::isfinite(value.imag())) return {};
   const std::string text = text_of(formula);
-  if (!is_near(value, testing::value_of_text(text))) return text;
+  if (!is_near(value, value_of_text(text))) return text;
   const std::string set = latex(glyphs_of(formula));
-  return is_near(value, testing::value_of_line(set)) ? "" : set;
+  return is_near(value, value_of_line(set)) ? "" : set;
 }
 
 }  // namespace
@@ -78,4 +76,4 @@ TEST_CASE("equations of random models have the same value in every notation") {
   CHECK(formulas > 2'000);
 }
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

@@ -8,7 +8,7 @@
 #include "elgen/wording.hpp"
 #include "texts/readers.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 namespace {
 
 constexpr std::string_view table_margin = "  ";
@@ -100,4 +100,4 @@ void read_page(const std::string& page, WrittenEquations& equations) {
   PageReader(page, equations).read();
 }
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

@@ -6,7 +6,7 @@
 
 #include "texts/written_equations.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 
 /// The first difference between a text and the Program.
 using Mistake = std::runtime_error;
@@ -31,4 +31,4 @@ void read_sidecar(const std::string& json, WrittenEquations& equations);
 ///       gravity[2] = -m*l*g*sin(theta)
 void read_page(const std::string& page, WrittenEquations& equations);
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

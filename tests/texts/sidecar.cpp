@@ -12,7 +12,7 @@
 #include "numbers/exact_number.hpp"
 #include "texts/readers.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -305,4 +305,4 @@ void read_sidecar(const std::string& json, WrittenEquations& equations) {
   SidecarReader(equations).read(json);
 }
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

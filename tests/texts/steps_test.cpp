@@ -17,7 +17,7 @@
 #include "texts/fold_expression.hpp"
 #include "texts/written_equations.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 namespace {
 
 constexpr std::string_view motion_title = "Equations of motion";
@@ -260,4 +260,4 @@ TEST_CASE("a changed sign in an equation of motion is detected") {
   CHECK_FALSE(written.values(row.values, row.sizes, right + " + " + centrifugal).empty());
 }
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

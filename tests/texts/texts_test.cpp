@@ -12,7 +12,7 @@
 #include "support/systems.hpp"
 #include "texts/readers.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -222,4 +222,4 @@ TEST_CASE("incomplete comments, JSON and pages are refused") {
   }
 }
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

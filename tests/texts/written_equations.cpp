@@ -12,7 +12,7 @@
 #include "sample/states.hpp"
 #include "texts/fold_expression.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 namespace {
 
 constexpr std::size_t state_count = 2;
@@ -212,4 +212,4 @@ Real WrittenEquations::named(const std::string& name, Evaluated& result) const {
   return known.instructions[state_][definition->second];
 }
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

@@ -15,7 +15,7 @@
 #include "elgen/scene.hpp"
 #include "elgen/syntax.hpp"
 
-namespace elgen::texts {
+namespace elgen::test {
 
 /// The system that the texts describe.
 struct Origin {
@@ -85,4 +85,4 @@ class WrittenEquations {
   std::size_t state_ = 0;
 };
 
-}  // namespace elgen::texts
+}  // namespace elgen::test

@@ -7,6 +7,7 @@
 #include "derive/formulate/written_out.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 using GiNaC::ex;
 
 namespace {
@@ -29,8 +30,8 @@ struct Fixture {
   }
 
   [[nodiscard]] bool agree(const ex& left, const ex& right) const {
-    const ex difference = test::written_out(definitions, left - right);
-    return test::vanishes(difference, {x, y, v, w, t});
+    const ex difference = written_out(definitions, left - right);
+    return vanishes(difference, {x, y, v, w, t});
   }
 };
 
@@ -57,7 +58,7 @@ TEST_CASE("a tangent is the derivative along its direction") {
   Fixture f;
   Tangent along(f.definitions, {{f.x, f.v}, {f.y, f.w}, {f.t, 1}}, "_dot");
   const ex rate = along(f.c);
-  const ex whole = test::written_out(f.definitions, f.c);
+  const ex whole = written_out(f.definitions, f.c);
   const ex expected = whole.diff(f.x) * f.v + whole.diff(f.y) * f.w + whole.diff(f.t);
   CHECK(f.agree(rate, expected));
 }
@@ -73,14 +74,14 @@ TEST_CASE("a second tangent of a tangent is the second derivative") {
   Fixture f;
   Tangent along(f.definitions, {{f.x, 1}});
   const ex second = along(define(f.definitions, along(f.b)));
-  CHECK(f.agree(second, test::written_out(f.definitions, f.b).diff(f.x, 2)));
+  CHECK(f.agree(second, written_out(f.definitions, f.b).diff(f.x, 2)));
 }
 
 TEST_CASE("a gradient has every partial derivative") {
   Fixture f;
   const auto slopes = gradient(f.definitions, {{f.d, 2}, {f.c * f.x, f.t}}, {f.x, f.y, f.v, f.w});
-  const ex whole = test::written_out(f.definitions, 2 * f.d);
-  const ex other = test::written_out(f.definitions, f.c * f.x);
+  const ex whole = written_out(f.definitions, 2 * f.d);
+  const ex other = written_out(f.definitions, f.c * f.x);
   CHECK(f.agree(slopes[0], whole.diff(f.x) + f.t * other.diff(f.x)));
   CHECK(f.agree(slopes[1], whole.diff(f.y) + f.t * other.diff(f.y)));
   CHECK(f.agree(slopes[2], whole.diff(f.v)));
@@ -98,9 +99,9 @@ TEST_CASE("a substitution changes all definitions that it reaches and keeps the 
   Fixture f;
   Substitution still(f.definitions, {{f.t, 0}, {f.v, f.w}});
   const ex replaced = still(f.d);
-  const ex whole = test::written_out(f.definitions, f.d);
+  const ex whole = written_out(f.definitions, f.d);
   CHECK(f.agree(replaced, whole.subs(GiNaC::lst{f.t == 0, f.v == f.w})));
-  CHECK(test::written_out(f.definitions, f.d).is_equal(whole));
+  CHECK(written_out(f.definitions, f.d).is_equal(whole));
   CHECK(still(f.a).is_equal(f.a));
 }
 

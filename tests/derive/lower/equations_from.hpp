@@ -6,7 +6,7 @@
 
 #include "elgen/equations_of_motion.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 
 /// Leaves m, l (parameters), x, y (coordinates), u (input), t. `rotation` changes the order in
 /// which symbols are created, and so GiNaC's order of terms.
@@ -57,4 +57,4 @@ inline OutputRequest add_output(EquationsOfMotion& equations, OutputKind kind,
   return request;
 }
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

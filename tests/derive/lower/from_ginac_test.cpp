@@ -9,6 +9,7 @@
 #include "elgen/lower.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 using GiNaC::ex;
 
 namespace {
@@ -16,7 +17,7 @@ namespace {
 /// Imports a value; returns its node and sign.
 Ref import_value(EquationsOfMotion& equations, const ex& value, Graph& graph) {
   equations.outputs.clear();
-  testing::add_output(equations, OutputKind::bias, {value});
+  add_output(equations, OutputKind::bias, {value});
   Result<ImportedOutput> result = from_ginac(equations, equations.outputs.back().request, 1000);
   if (!result) FAIL(result.diagnostics.at(0).message);
   graph = std::move(result->graph);
@@ -25,7 +26,7 @@ Ref import_value(EquationsOfMotion& equations, const ex& value, Graph& graph) {
 
 std::string failure(EquationsOfMotion& equations, const ex& value) {
   equations.outputs.clear();
-  testing::add_output(equations, OutputKind::bias, {value});
+  add_output(equations, OutputKind::bias, {value});
   const auto result = from_ginac(equations, equations.outputs.back().request, 1000);
   return result ? "" : result.diagnostics.at(0).message;
 }
@@ -49,7 +50,7 @@ rc::Gen<ex> expressions(const std::vector<ex>& leaves, int depth) {
 }  // namespace
 
 TEST_CASE("GiNaC's functions, including kinked ones, are mapped to ours") {
-  EquationsOfMotion equations = testing::leaves();
+  EquationsOfMotion equations = leaves();
   const ex x = equations.symbols.q[0];
   const ex y = equations.symbols.q[1];
   Graph graph;
@@ -77,16 +78,16 @@ TEST_CASE("GiNaC's functions, including kinked ones, are mapped to ours") {
 }
 
 TEST_CASE("an inexact number is refused, because its exact value is lost") {
-  EquationsOfMotion equations = testing::leaves();
+  EquationsOfMotion equations = leaves();
   CHECK(failure(equations, equations.symbols.q[0] * GiNaC::numeric("-0.3")) ==
         "a rounded number reached the equations");
 }
 
 TEST_CASE("only the needed definitions are imported, and only once") {
-  EquationsOfMotion equations = testing::leaves();
-  const ex sine = testing::define_as(equations, "sine", sin(equations.symbols.q[0]));
-  testing::define_as(equations, "cosine", cos(equations.symbols.q[0]));
-  const ex alias = testing::define_as(equations, "alias", -sine);
+  EquationsOfMotion equations = leaves();
+  const ex sine = define_as(equations, "sine", sin(equations.symbols.q[0]));
+  define_as(equations, "cosine", cos(equations.symbols.q[0]));
+  const ex alias = define_as(equations, "alias", -sine);
   Graph graph;
   const Ref value = import_value(equations, alias * sine, graph);
   CHECK(value.negative);
@@ -98,19 +99,19 @@ TEST_CASE("only the needed definitions are imported, and only once") {
 }
 
 TEST_CASE("expressions that cannot be imported are reported") {
-  EquationsOfMotion equations = testing::leaves();
+  EquationsOfMotion equations = leaves();
   const ex x = equations.symbols.q[0];
   CHECK(failure(equations, GiNaC::symbol("stranger")) ==
         "symbol `stranger` is not defined before its use");
   CHECK(failure(equations, x + GiNaC::I) == "a complex number reached the equations");
   CHECK(failure(equations, lgamma(x)) == "cannot import the GiNaC function `lgamma`");
   CHECK(failure(equations, GiNaC::lst{x}) == "cannot import the GiNaC class `lst`");
-  const ex zero = testing::define_as(equations, "zero", x - x);
+  const ex zero = define_as(equations, "zero", x - x);
   CHECK(failure(equations, 1 / zero) == "a denominator is 0");
 }
 
 TEST_CASE("an open function is a leaf, whatever its arguments") {
-  EquationsOfMotion equations = testing::leaves();
+  EquationsOfMotion equations = leaves();
   const ex x = equations.symbols.q[0];
   Graph graph;
   const Ref value = import_value(equations, elgen_open(0, 1, 11, x * x, 0, 0, 0), graph);
@@ -121,7 +122,7 @@ TEST_CASE("an open function is a leaf, whatever its arguments") {
 }
 
 TEST_CASE("a program has the value GiNaC gives") {
-  EquationsOfMotion equations = testing::leaves();
+  EquationsOfMotion equations = leaves();
   const std::vector<ex> leaves = {equations.symbols.parameters[0], equations.symbols.q[0],
                                   equations.symbols.q[1], equations.symbols.v[0], 2};
   const GiNaC::exmap point = {{leaves[0], GiNaC::numeric(3, 2)},
@@ -139,7 +140,7 @@ TEST_CASE("a program has the value GiNaC gives") {
     const ex second = *expressions(leaves, 2);
     EquationsOfMotion copy = equations;
     const OutputRequest request =
-        testing::add_output(copy, OutputKind::bias, {first + second, first * second - first});
+        add_output(copy, OutputKind::bias, {first + second, first * second - first});
     const Result<Program> program = lower(copy, {request}, {});
     RC_ASSERT(bool(program));
     RC_ASSERT(check_invariants(*program).empty());

@@ -7,6 +7,7 @@
 #include "elgen/page.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 using GiNaC::ex;
 
 namespace {
@@ -31,9 +32,9 @@ std::vector<ex> expressions(const Symbols& s, const Strings& texts) {
 }
 
 Program lowered(const Strings& entries, std::size_t rotation = 0) {
-  EquationsOfMotion equations = testing::leaves(rotation);
+  EquationsOfMotion equations = leaves(rotation);
   const OutputRequest request =
-      testing::add_output(equations, OutputKind::bias, expressions(equations.symbols, entries));
+      add_output(equations, OutputKind::bias, expressions(equations.symbols, entries));
   Result<Program> program = lower(equations, {request}, {});
   if (!program) FAIL(program.diagnostics.at(0).message);
   CHECK(check_invariants(*program) == "");
@@ -84,12 +85,12 @@ TEST_CASE("common subexpressions of outputs are computed once, up to sign") {
 }
 
 TEST_CASE("definitions stay shared and keep their names") {
-  EquationsOfMotion equations = testing::leaves();
+  EquationsOfMotion equations = leaves();
   const ModelLeaves s = leaves_of(equations.symbols);
-  const ex height = testing::define_as(equations, "height", s.x + s.l * sin(s.y));
-  const ex unused = testing::define_as(equations, "unused", s.x * s.y);
+  const ex height = define_as(equations, "height", s.x + s.l * sin(s.y));
+  const ex unused = define_as(equations, "unused", s.x * s.y);
   const OutputRequest request =
-      testing::add_output(equations, OutputKind::bias, {height * s.m, height / s.m});
+      add_output(equations, OutputKind::bias, {height * s.m, height / s.m});
   const Result<Program> program = lower(equations, {request}, {});
   REQUIRE(program);
   const Function& function = program->functions.at(0);
@@ -100,12 +101,12 @@ TEST_CASE("definitions stay shared and keep their names") {
 }
 
 TEST_CASE("dynamics computes all outputs without a and u together") {
-  EquationsOfMotion equations = testing::leaves();
+  EquationsOfMotion equations = leaves();
   const ModelLeaves s = leaves_of(equations.symbols);
   std::vector<OutputRequest> requests = {
-      testing::add_output(equations, OutputKind::gravity, {sin(s.x)}),
-      testing::add_output(equations, OutputKind::bias, {s.vx * sin(s.x)}),
-      testing::add_output(equations, OutputKind::inverse_dynamics, {s.ax * sin(s.x)})};
+      add_output(equations, OutputKind::gravity, {sin(s.x)}),
+      add_output(equations, OutputKind::bias, {s.vx * sin(s.x)}),
+      add_output(equations, OutputKind::inverse_dynamics, {s.ax * sin(s.x)})};
   requests.push_back({.kind = OutputKind::dynamics, .name = "dynamics"});
   const Result<Program> program = lower(equations, requests, {});
   REQUIRE(program);
@@ -118,11 +119,11 @@ TEST_CASE("dynamics computes all outputs without a and u together") {
 }
 
 TEST_CASE("limits and mistakes") {
-  EquationsOfMotion equations = testing::leaves();
+  EquationsOfMotion equations = leaves();
   const ModelLeaves s = leaves_of(equations.symbols);
   ex chain = s.x;
-  for (int i = 0; i < 20; ++i) chain = testing::define_as(equations, "", sin(chain));
-  const OutputRequest request = testing::add_output(equations, OutputKind::bias, {chain});
+  for (int i = 0; i < 20; ++i) chain = define_as(equations, "", sin(chain));
+  const OutputRequest request = add_output(equations, OutputKind::bias, {chain});
   Limits limits;
   limits.derived_nodes = 15;
   const Result<Program> too_many = lower(equations, {request}, limits);
@@ -136,13 +137,13 @@ TEST_CASE("limits and mistakes") {
 
 TEST_CASE("a denominator that simplifies to 0 is reported, as a pivot if the output solves for M") {
   const auto message = [](const std::string& denominator, const std::vector<OutputKind>& kinds) {
-    EquationsOfMotion equations = testing::leaves();
+    EquationsOfMotion equations = leaves();
     const ex m = leaves_of(equations.symbols).m;
     const ex m_xx = expressions(equations.symbols, {denominator})[0];
     std::vector<OutputRequest> requests;
     for (const OutputKind kind : kinds) {
       const bool is_mass = kind == OutputKind::mass_matrix;
-      requests.push_back(testing::add_output(
+      requests.push_back(add_output(
           equations, kind, is_mass ? std::vector<ex>{m_xx, m, m, m} : std::vector{1 / m_xx}));
       if (!is_mass) continue;
       FieldEquations& field = equations.outputs.back().fields[0];
@@ -166,7 +167,7 @@ TEST_CASE("a denominator that simplifies to 0 is reported, as a pivot if the out
 }
 
 TEST_CASE("a chain of 5000 definitions is lowered without deep recursion") {
-  EquationsOfMotion equations = testing::leaves();
+  EquationsOfMotion equations = leaves();
   const ModelLeaves s = leaves_of(equations.symbols);
   ex position = s.x;
   for (int i = 0; i < 5000; ++i) {
@@ -177,7 +178,7 @@ TEST_CASE("a chain of 5000 definitions is lowered without deep recursion") {
     equations.definitions.list.push_back(definition);
     position = definition.symbol;
   }
-  const OutputRequest request = testing::add_output(equations, OutputKind::bias, {position});
+  const OutputRequest request = add_output(equations, OutputKind::bias, {position});
   const Result<Program> program = lower(equations, {request}, {});
   REQUIRE(program);
   CHECK(count_operations(program->functions[0]) ==

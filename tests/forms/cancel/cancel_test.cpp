@@ -6,13 +6,14 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 Program velocity_force_program(const std::string& instructions) {
   const std::string text =
       "parameters m l\ncoordinates x y\nvelocities x y\nfunction velocity_force\n" + instructions;
-  return testing::read_program(text);
+  return read_program(text);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -13,7 +14,7 @@ using Places = std::vector<std::uint32_t>;
 
 Program gravity_program(const std::string& instructions) {
   const std::string text = "parameters m l\ncoordinates x y\nfunction gravity\n" + instructions;
-  return testing::read_program(text);
+  return read_program(text);
 }
 
 /// Instructions that vanish at the first point.

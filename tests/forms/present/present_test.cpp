@@ -5,6 +5,7 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -13,7 +14,7 @@ const std::string leaves = "parameters m\ncoordinates x y\n";
 using Proofs = std::vector<ZeroProof>;
 
 Proofs proved(const std::string& code, const PresentBudget& budget = {}) {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "parameters m\ncoordinates x\nfunction gravity\n"
       "  0 = parameter m\n  1 = coordinate x\n" +
       code);
@@ -27,7 +28,7 @@ const std::string circle =
 }  // namespace
 
 TEST_CASE("sin^2 + cos^2 is 1") {
-  const ClosedForms forms = present(testing::read_program(
+  const ClosedForms forms = present(read_program(
       leaves +
       "function bias\n  0 = coordinate x\n  1 = sin 0\n  2 = multiply 1 1\n  3 = cos 0\n"
       "  4 = multiply 3 3\n  5 = add 2 4\n  result 1 1 = 5\n"));
@@ -38,7 +39,7 @@ TEST_CASE("sin^2 + cos^2 is 1") {
 }
 
 TEST_CASE("every operation of a program") {
-  const ClosedForms forms = present(testing::read_program(
+  const ClosedForms forms = present(read_program(
       leaves +
       "function bias\n  0 = parameter m\n  1 = velocity x\n  2 = time\n  3 = negate 1\n"
       "  4 = subtract 0 3\n  5 = divide 4 0\n  6 = square_root 0\n  7 = atan2 2 6\n"
@@ -50,9 +51,9 @@ TEST_CASE("every operation of a program") {
 
 TEST_CASE("a form that exceeds its budget is abandoned") {
   const Program program =
-      testing::read_program(leaves +
-                            "function bias\n  0 = coordinate x\n  1 = coordinate y\n  2 = add 0 1\n"
-                            "  3 = multiply 2 2\n  4 = multiply 3 3\n  result 1 1 = 4\n");
+      read_program(leaves +
+                   "function bias\n  0 = coordinate x\n  1 = coordinate y\n  2 = add 0 1\n"
+                   "  3 = multiply 2 2\n  4 = multiply 3 3\n  result 1 1 = 4\n");
   CHECK(present(program).functions[0].fields[0].entries[0]);
   CHECK_FALSE(present(program, {5, 5, 100}).functions[0].fields[0].entries[0]);
   CHECK_FALSE(present(program, {500, 500, 3}).functions[0].fields[0].entries[0]);
@@ -89,9 +90,9 @@ TEST_CASE("exp(x + m) is proved equal to exp(x)*exp(m), and closed forms keep bo
       "  11 = constant 1\n  12 = add 10 11\n  result 3 1 = 7 8 12\n";
   CHECK(proved(code) == Proofs{ZeroProof::zero, ZeroProof::open, ZeroProof::zero});
   const ClosedForms forms =
-      present(testing::read_program("parameters m\ncoordinates x\nfunction gravity\n"
-                                    "  0 = parameter m\n  1 = coordinate x\n" +
-                                    code));
+      present(read_program("parameters m\ncoordinates x\nfunction gravity\n"
+                           "  0 = parameter m\n  1 = coordinate x\n" +
+                           code));
   const auto& entry = forms.functions[0].fields[0].entries[0];
   REQUIRE(entry);
   CHECK(entry->numerator.size() == 2);

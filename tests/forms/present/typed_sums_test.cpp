@@ -5,12 +5,13 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 /// Entries: sqrt((x - m)^2 + y)/(x + m), x - m, and (x + m) + (x - m).
 Program distance() {
-  return testing::read_program(
+  return read_program(
       "parameters m\ncoordinates x y\nfunction gravity\n"
       "  0 = coordinate x\n  1 = parameter m\n  2 = subtract 0 1\n  3 = multiply 2 2\n"
       "  4 = coordinate y\n  5 = add 3 4\n  6 = square_root 5\n  7 = add 0 1\n"
@@ -19,7 +20,7 @@ Program distance() {
 
 /// sin(x - m)/(1 + m): an angle, and a sum without coordinates.
 Program angle() {
-  return testing::read_program(
+  return read_program(
       "parameters m\ncoordinates x\nfunction gravity\n"
       "  0 = coordinate x\n  1 = parameter m\n  2 = subtract 0 1\n  3 = sin 2\n"
       "  4 = constant 1\n  5 = add 4 1\n  6 = divide 3 5\n  result 1 1 = 6\n");

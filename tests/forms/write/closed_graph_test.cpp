@@ -8,12 +8,13 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 /// The entry of a function with one entry in a layout, as text.
 std::string written_text(const std::string& function, Layout layout) {
-  const Program program = testing::read_program("parameters m l\ncoordinates x y\n" + function);
+  const Program program = read_program("parameters m l\ncoordinates x y\n" + function);
   const ClosedForms forms = present(program);
   Expressions expressions;
   const auto value = closed_graph(expressions.graph, forms.algebra,
@@ -51,7 +52,7 @@ TEST_CASE("a common denominator divides the sum of its terms") {
 }
 
 TEST_CASE("more terms than the limit give no graph") {
-  const Program program = testing::read_program("parameters m l\ncoordinates x y\n" + two_rates);
+  const Program program = read_program("parameters m l\ncoordinates x y\n" + two_rates);
   const ClosedForms forms = present(program);
   Graph graph;
   CHECK_FALSE(closed_graph(graph, forms.algebra, *forms.functions[0].fields[0].entries[0], {}, 2));

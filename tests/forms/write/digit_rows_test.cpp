@@ -11,6 +11,7 @@
 #include "program/expression_leaves.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -29,9 +30,9 @@ int equal_values(const Expressions& from, const Expressions& to) {
   for (const long scale : {1L, 1000L, 1000000L}) {
     for (int i = 0; i < 32; ++i) {
       const Arguments<Real> point = letters(random, Real(cln::cl_RA(1) / scale));
-      const Real x = testing::value_of(from, point);
+      const Real x = value_of(from, point);
       if (!x.is_defined()) continue;
-      const Real y = testing::value_of(to, point);
+      const Real y = value_of(to, point);
       REQUIRE(y.is_defined());
       CHECK(is_near(x, y, 90));
       ++compared;
@@ -44,7 +45,7 @@ int equal_values(const Expressions& from, const Expressions& to) {
 double value_in_double(const Expressions& expressions, const std::vector<double>& letters) {
   Arguments<double> point;
   point.q = letters;
-  const Program program = testing::program_of(make_network(expressions));
+  const Program program = program_of(make_network(expressions));
   return evaluate(program, program.functions[0], point).at(0);
 }
 
@@ -66,8 +67,8 @@ std::string text_for(const DigitRow& row) {
 TEST_CASE("both sides of every row are equal in 100 digits") {
   for (const DigitRow& row : digit_rows()) {
     INFO(row.from);
-    const auto from = testing::expressions_of({std::string(row.from)});
-    const auto to = testing::expressions_of({std::string(row.to)});
+    const auto from = expressions_of({std::string(row.from)});
+    const auto to = expressions_of({std::string(row.to)});
     const int compared = with_digits(50, [&] { return equal_values(from, to); });
     CHECK(compared >= 8);
   }
@@ -77,15 +78,15 @@ TEST_CASE("every row matches its own text, also with a common factor in its term
   for (const DigitRow& row : digit_rows()) {
     for (const bool is_scaled : {false, true}) {
       INFO(row.from << (is_scaled ? ", times d e^2" : ""));
-      Expressions from = testing::expressions_of({text_for(row)});
+      Expressions from = expressions_of({text_for(row)});
       if (is_scaled) {
-        const Ref factor = testing::value_of(from.graph, "d*e^2");
+        const Ref factor = value_of(from.graph, "d*e^2");
         from.values[0] =
             GraphTerms(from.graph).sum({from.graph.product({{factor}, {from.values[0]}})});
       }
       const auto after = rewrite_to_keep_digits(from, Squares::factored);
       REQUIRE(after);
-      CHECK(testing::texts_of(*after) != testing::texts_of(from));
+      CHECK(texts_of(*after) != texts_of(from));
       const int compared = with_digits(50, [&] { return equal_values(from, *after); });
       CHECK(compared >= 8);
     }
@@ -105,10 +106,10 @@ TEST_CASE("rewritten differences keep their digits near 0 in double") {
       NearZero{"sqrt((2 + a)^2 + b^2) - 2", "(a*(4 + a) + b^2)/(sqrt((2 + a)^2 + b^2) + 2)"},
       NearZero{"log((1 + a)/(1 - a))", "log1p(a) - log1p(-a)"});
   INFO(row.text);
-  const auto from = testing::expressions_of({row.text});
+  const auto from = expressions_of({row.text});
   const auto after = rewrite_to_keep_digits(from, Squares::whole);
   REQUIRE(after);
-  const auto reference = testing::expressions_of({row.reference});
+  const auto reference = expressions_of({row.reference});
   const std::vector<double> point{1e-7, 3e-7, 2e-8, 0.5, 2};
   CHECK(value_in_double(*after, point) == Approx(value_in_double(reference, point)).epsilon(1e-14));
 }
@@ -118,7 +119,7 @@ TEST_CASE(
   const char* const text = GENERATE("exp(a) - 1 - a", "expm1(a) - a", "sinh(a) - a",
                                     "cosh(a) - 1 - a^2/2", "a*cosh(a) - sinh(a)");
   INFO(text);
-  const auto from = testing::expressions_of({text});
+  const auto from = expressions_of({text});
   const auto after = rewrite_to_keep_digits(from, Squares::whole);
   REQUIRE(after);
   for (const double a : {-45.0, -8.0, -1.5, -1e-6, 1e-6, 1.5, 8.0, 45.0}) {
@@ -126,6 +127,6 @@ TEST_CASE(
     Arguments<Real> point;
     point.q.assign(5, Real(exact_value(a)));
     const Real value(exact_value(value_in_double(*after, std::vector<double>(5, a))));
-    CHECK(abs(value / testing::value_of(from, point) - Real(1)) < Real(exact_value(0x1p-49)));
+    CHECK(abs(value / value_of(from, point) - Real(1)) < Real(exact_value(0x1p-49)));
   }
 }

@@ -8,16 +8,16 @@
 #include "program/expression_leaves.hpp"
 
 using namespace elgen;
-using elgen::testing::Texts;
+using namespace elgen::test;
 
 namespace {
 
 std::string kept(const std::string& text) {
-  const Expressions before = testing::expressions_of({text});
+  const Expressions before = expressions_of({text});
   const auto better = rewrite_to_keep_digits(before, Squares::whole);
-  if (better) return testing::texts_of(*better).at(0);
+  if (better) return texts_of(*better).at(0);
   const auto apart = rewrite_to_keep_digits(before, Squares::factored);
-  return apart ? testing::texts_of(*apart).at(0) : "none";
+  return apart ? texts_of(*apart).at(0) : "none";
 }
 
 }  // namespace
@@ -112,14 +112,14 @@ TEST_CASE("every rewriting has the value of the original") {
                            "tan(a)/2 - a/2",
                            "d*(a^2 - b^2) + e"}) {
     INFO(text);
-    const Expressions before = testing::expressions_of({text});
+    const Expressions before = expressions_of({text});
     const auto after = rewrite_to_keep_digits(before, Squares::factored);
     REQUIRE(after);
     for (int i = 0; i < 4; ++i) {
       Arguments<Real> point;
       for (int k = 0; k < 5; ++k) point.q.push_back(Real(cln::abs(random.rational())));
-      const Real x = testing::value_of(before, point);
-      const Real y = testing::value_of(*after, point);
+      const Real x = value_of(before, point);
+      const Real y = value_of(*after, point);
       REQUIRE(x.is_defined() == y.is_defined());
       if (x.is_defined()) CHECK(abs(x - y).value() < 1e-40);
     }
@@ -145,12 +145,12 @@ TEST_CASE("a product with a repeated factor has the value of the sum") {
                            "a^5 - 2*a^4 + a^3", "c^2/(2*d*a^2) - e/a + d*e^2/(2*c^2)",
                            "cos(c) + a^2 - 2*a + 1", "4*a^3*b - 12*a^2*b + 9*a*b"}) {
     INFO(text);
-    const Expressions before = testing::expressions_of({text});
+    const Expressions before = expressions_of({text});
     const auto after = rewrite_to_keep_digits(before, Squares::factored);
     REQUIRE(after);
     Arguments<Real> point;
     for (const int k : {3, 5, 7, 11, 13}) point.q.push_back(Real(cln::cl_RA(k) / 17));
-    CHECK(is_near(testing::value_of(before, point), testing::value_of(*after, point)));
+    CHECK(is_near(value_of(before, point), value_of(*after, point)));
   }
 }
 
@@ -167,8 +167,8 @@ TEST_CASE("sums without common factors stay") {
 
 TEST_CASE("functions of one argument are computed from functions that keep digits") {
   const auto fewer = [](const std::string& text) {
-    const auto better = with_fewer_calls(testing::expressions_of({text}));
-    return better ? testing::texts_of(*better).at(0) : "none";
+    const auto better = with_fewer_calls(expressions_of({text}));
+    return better ? texts_of(*better).at(0) : "none";
   };
   CHECK(fewer("a*expm1(b) + exp(b)") == "a*expm1(b) + (1 + expm1(b))");
   CHECK(fewer("sin(1/2*a)*b + sin(a)") == "2*sin(1/2*a)*cos(1/2*a) + b*sin(1/2*a)");

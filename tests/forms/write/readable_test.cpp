@@ -26,7 +26,7 @@ const LeafNames leaves{{{}, {}, names, names, {}, {}, names, {}, {}, "t"}, false
 
 /// Uses two separate graphs, so that equal parts of the two expressions are not shared.
 bool is_precise(const char* rewriting, const char* reference, Leaves kind) {
-  return is_as_precise(testing::expressions_of({rewriting}), testing::expressions_of({reference}),
+  return is_as_precise(expressions_of({rewriting}), expressions_of({reference}),
                        mixed_points(leaves), kind);
 }
 

@@ -7,12 +7,11 @@
 #include "program/expression_leaves.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
-ClosedForms forms_of(const char* text) {
-  return present(testing::program_of(testing::Texts{text}));
-}
+ClosedForms forms_of(const char* text) { return present(program_of(Texts{text})); }
 
 std::vector<RealTerm> terms_of(const ClosedForms& forms, Trigonometry trigonometry) {
   const Fraction& form = *forms.functions[0].fields[0].entries[0];

@@ -8,13 +8,14 @@
 #include "program/expression_leaves.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 std::vector<std::string> texts(const std::vector<Collected>& rewritings) {
   std::vector<std::string> all;
   for (const Collected& rewriting : rewritings) {
-    all.push_back(testing::texts_of(rewriting.expressions).at(0));
+    all.push_back(texts_of(rewriting.expressions).at(0));
   }
   return all;
 }
@@ -22,7 +23,7 @@ std::vector<std::string> texts(const std::vector<Collected>& rewritings) {
 }  // namespace
 
 TEST_CASE("readable forms have no half angles, precise forms do if they keep digits") {
-  const ClosedForms forms = present(testing::program_of(testing::Texts{"a - a*cos(b)"}));
+  const ClosedForms forms = present(program_of(Texts{"a - a*cos(b)"}));
   const Fraction& entry = *forms.functions[0].fields[0].entries[0];
   const auto read = texts(rewritings_of(forms.algebra, entry).collected);
   CHECK(std::ranges::count(read, "a*(1 - cos(b))") > 0);
@@ -33,7 +34,7 @@ TEST_CASE("readable forms have no half angles, precise forms do if they keep dig
 }
 
 TEST_CASE("the length of an expression counts signs and calls") {
-  const Expressions sum = testing::expressions_of({"a + b"});
+  const Expressions sum = expressions_of({"a + b"});
   CHECK(written_length(sum) == 1);
   CHECK(derived_rewriting(sum).length == 1);
 }
@@ -60,11 +61,11 @@ TEST_CASE("sums of sines and cosines in homogeneous terms") {
       {"cos(40*e) + 1 - cos(e)", "none"},
   }));
   INFO(row.sum);
-  const ClosedForms forms = present(testing::program_of(testing::Texts{row.sum}));
+  const ClosedForms forms = present(program_of(Texts{row.sum}));
   Expressions expressions;
   const auto value =
       closed_graph(expressions.graph, forms.algebra, *forms.functions[0].fields[0].entries[0],
                    {Trigonometry::homogeneous, Grouping::none}, 100);
   if (value) expressions.values = {*value};
-  CHECK((value ? testing::texts_of(expressions).at(0) : "none") == row.written);
+  CHECK((value ? texts_of(expressions).at(0) : "none") == row.written);
 }

@@ -17,7 +17,7 @@
 
 namespace {
 
-using namespace elgen::fuzz;
+using namespace elgen::test;
 
 constexpr std::size_t random_models = 60;
 /// Headers are compiled rarely, because compiling takes longer than everything else.

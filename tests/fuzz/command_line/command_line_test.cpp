@@ -7,7 +7,7 @@
 #include "fuzz/command_line/trial.hpp"
 #include "support/shell.hpp"
 
-namespace elgen::fuzz {
+namespace elgen::test {
 
 namespace {
 
@@ -59,4 +59,4 @@ TEST_CASE("crashes, hangs and undocumented results are detected") {
   CHECK(fault_of_script("mkdir out; touch out/m.hpp") == "");
 }
 
-}  // namespace elgen::fuzz
+}  // namespace elgen::test

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <string_view>
 
-namespace elgen::fuzz {
+namespace elgen::test {
 
 namespace {
 
@@ -270,4 +270,4 @@ std::string mutate(std::string text, Draw& draw) {
   return text;
 }
 
-}  // namespace elgen::fuzz
+}  // namespace elgen::test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace elgen::fuzz {
+namespace elgen::test {
 
 class Draw {
  public:
@@ -39,4 +39,4 @@ struct Token {
 /// every build.
 [[nodiscard]] std::string mutate(std::string text, Draw& draw);
 
-}  // namespace elgen::fuzz
+}  // namespace elgen::test

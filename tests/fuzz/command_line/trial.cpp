@@ -20,7 +20,7 @@
 #include "random/trial.hpp"
 #include "support/shell.hpp"
 
-namespace elgen::fuzz {
+namespace elgen::test {
 namespace {
 
 struct ProcessResult {
@@ -276,4 +276,4 @@ void save(const Trial& trial, const std::string& fault, const fs::path& folder) 
   test::write_text(folder / "finding.txt", fault + "\n" + line + "\n");
 }
 
-}  // namespace elgen::fuzz
+}  // namespace elgen::test

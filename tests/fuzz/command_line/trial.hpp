@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace elgen::fuzz {
+namespace elgen::test {
 
 /// Files by name; the command gets the file `name`.
 struct Input {
@@ -50,4 +50,4 @@ struct Verdict {
 /// Writes the files and the command, so that the trial can be repeated by hand.
 void save(const Trial& trial, const std::string& fault, const std::filesystem::path& folder);
 
-}  // namespace elgen::fuzz
+}  // namespace elgen::test

@@ -5,11 +5,12 @@
 #include "program/read_program.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 Program every_leaf() {
-  return testing::read_program(
+  return read_program(
       "parameters m\n"
       "coordinates x\n"
       "inputs u\n"
@@ -33,7 +34,7 @@ Program every_leaf() {
 }
 
 double call(const std::string& function, double x, double y) {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n  2 = " + function +
       "\n  result 1 1 = 2\n");
   Arguments<double> arguments;
@@ -77,7 +78,7 @@ TEST_CASE("kinked functions have their usual values, with sign(0) = 0") {
 }
 
 TEST_CASE("one program is evaluated with every scalar type") {
-  const Program program = testing::read_program(
+  const Program program = read_program(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = constant 1/3\n  2 = multiply 0 1\n"
       "  3 = sin 2\n  result 1 1 = 3\n");
   Arguments<float> single;

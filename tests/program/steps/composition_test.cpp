@@ -5,7 +5,7 @@
 
 #include "program/read_program.hpp"
 
-namespace elgen::testing {
+namespace elgen::test {
 namespace {
 
 const std::string callee = R"(parameters k
@@ -110,4 +110,4 @@ function momentum
 )");
 }
 
-}  // namespace elgen::testing
+}  // namespace elgen::test

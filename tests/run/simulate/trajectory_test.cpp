@@ -9,8 +9,7 @@
 #include "support/shell.hpp"
 
 using namespace elgen;
-using elgen::test::count;
-using elgen::test::mentions;
+using namespace elgen::test;
 
 namespace {
 
