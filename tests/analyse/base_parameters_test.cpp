@@ -12,11 +12,8 @@ namespace elgen::test {
 namespace {
 
 BaseParameters base_of(const std::string& text) {
-  PipelineOptions options;
-  options.goals = {Goal::base_parameters};
-  Products products = run_pipeline(inputs_of(text), options);
-  INFO(format(products.diagnostics));
-  REQUIRE(products.base_parameters);
+  Products products = products_with(&Products::base_parameters, inputs_of(text),
+                                    {.goals = {Goal::base_parameters}});
   return std::move(*products.base_parameters);
 }
 

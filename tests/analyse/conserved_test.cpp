@@ -137,9 +137,7 @@ TEST_CASE("the page of a rotating body lists only integrals that the model langu
 }
 
 TEST_CASE("a page lists no integral that needs special values of the parameters") {
-  std::string equal = symmetric_model("free_body_abc");
-  equal.replace(equal.find("0.03,"), 5, "0.02,");
-  const FoundSymmetries found(equal);
+  const FoundSymmetries found(replaced(symmetric_model("free_body_abc"), "0.03,", "0.02,"));
   CHECK(found.all().size() == 12);
   const ExpectationReport report = expectations_of(with_pasted_integrals(found));
   CHECK(report.rows.size() == 8);

@@ -8,11 +8,7 @@ using namespace elgen::test;
 namespace {
 
 std::vector<EquilibriumVerdict> verdicts_of(const std::string& text) {
-  PipelineOptions options;
-  options.goals = {Goal::claims};
-  Products products = run_pipeline(inputs_of(text), options);
-  INFO(format(products.diagnostics));
-  REQUIRE(products.claims);
+  Products products = products_with(&Products::claims, inputs_of(text), {.goals = {Goal::claims}});
   return std::move(*products.claims);
 }
 

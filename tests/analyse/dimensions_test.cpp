@@ -122,14 +122,6 @@ std::string differing_rows(const std::vector<Dimension>& rows) {
   return lines;
 }
 
-std::vector<std::string> model_names(const std::string& folder) {
-  std::set<std::string> names;
-  for (const auto& file : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR + folder)) {
-    if (file.path().extension() == ".toml") names.insert(file.path().stem().string());
-  }
-  return {names.begin(), names.end()};
-}
-
 }  // namespace
 
 TEST_CASE("textbook systems have the expected number of symmetries, all proved") {
@@ -141,13 +133,14 @@ TEST_CASE("models have the expected number of symmetries, all proved if there ar
 }
 
 TEST_CASE("closed forms and samples find the same number of symmetries") {
-  std::vector<std::string> names = model_names("/models");
-  const std::vector<std::string> more = model_names("/tests/analyse/symmetries");
-  names.insert(names.end(), more.begin(), more.end());
+  std::vector<std::filesystem::path> paths = model_paths();
+  const auto more = files_in(ELGEN_SOURCE_DIR "/tests/analyse/symmetries", ".toml");
+  paths.insert(paths.end(), more.begin(), more.end());
   std::string lines;
   std::size_t exact = 0;
-  for (const std::string& name : names) {
-    if (symmetric_model(name).find("[[constraint]]") != std::string::npos) continue;  // E539
+  for (const std::filesystem::path& path : paths) {
+    const std::string name = path.stem();
+    if (mentions(symmetric_model(name), "[[constraint]]")) continue;  // E539
     const FoundSymmetries of_model(symmetric_model(name));
     const Symmetries& found = of_model.found();
     exact += found.is_exact ? 1 : 0;
@@ -175,10 +168,9 @@ TEST_CASE("a symmetry at special values of the parameters is counted, but not li
 }
 
 TEST_CASE("a class with too many unknowns is refused") {
-  PipelineOptions options;
-  options.goals = {Goal::symmetries};
-  options.scene.sizes = {make_source("--size", "n=31")};
-  const Products products = run_pipeline(inputs_of(model_file("chain")), options);
+  const Products products = run_pipeline(
+      inputs_of(model_file("chain")),
+      {.scene = {.sizes = {make_source("--size", "n=31")}}, .goals = {Goal::symmetries}});
   CHECK_FALSE(products.symmetries);
   REQUIRE(has_errors(products.diagnostics));
   CHECK(products.diagnostics.back().code == Code::E910);

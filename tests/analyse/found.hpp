@@ -45,6 +45,17 @@ inline Analysed analyse_model(const std::string& text, const AnalysisOptions& wo
   return {std::move(*products.checked), std::move(*products.equilibria)};
 }
 
+/// The normal modes about the state `at`, or about all stable equilibria if it is empty.
+inline Products modes_products(const Inputs& inputs, const std::string& at = {},
+                               const std::vector<std::string>& sizes = {}) {
+  PipelineOptions options;
+  options.goals = {Goal::modes};
+  if (!at.empty()) options.scene.starts = {make_source("--at", at)};
+  if (!at.empty()) options.about = "";
+  for (const std::string& size : sizes) options.scene.sizes.push_back(make_source("--size", size));
+  return run_pipeline(inputs, options);
+}
+
 /// A model of a point mass of 1 kg with these coordinates and this potential V.
 inline std::string potential_model(const std::string& coordinates, const std::string& potential) {
   return "format = 1\n[model]\nname = \"drawn\"\n" + coordinates + "[energy]\nV = \"" + potential +

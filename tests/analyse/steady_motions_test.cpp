@@ -14,11 +14,7 @@ namespace {
 
 Products steady_products_of(const std::string& text, const std::string& routh,
                             const std::string& at = {}) {
-  PipelineOptions options;
-  options.goals = {Goal::modes};
-  if (!at.empty()) options.scene.starts = {make_source("--at", at)};
-  if (!at.empty()) options.about = "";
-  Products products = run_pipeline(inputs_of(text, "[routh]\n" + routh), options);
+  Products products = modes_products(inputs_of(text, "[routh]\n" + routh), at);
   INFO(format(products.diagnostics));
   REQUIRE(products.modes);
   REQUIRE(products.modes->motions.size() == 1);

@@ -2,7 +2,6 @@
 // the page around the formulas; JSON.
 #include <algorithm>
 #include <array>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -53,8 +52,7 @@ void check_closed(const std::string& model, const std::string& integral,
 std::string without_formulas(const std::string& page) {
   const std::string gap = "   ";
   std::string result;
-  std::istringstream lines(page);
-  for (std::string line; std::getline(lines, line);) {
+  for (std::string line : split_lines(page)) {
     const std::size_t change = line.find_first_not_of(' ', line.find(gap, 2));
     if (change != std::string::npos) line.resize(std::min(line.find(gap, change), line.size()));
     for (const char* const before_formula : {"  time   E", "  conserved = ["}) {

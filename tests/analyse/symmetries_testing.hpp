@@ -34,12 +34,8 @@ class FoundSymmetries {
   explicit FoundSymmetries(std::string text, const std::vector<std::string>& fixed = {})
       : text_(std::move(text)) {
     for (const std::string& word : fixed) options_.fixed.push_back(make_source("--fix", word));
-    PipelineOptions options;
-    options.goals = {Goal::symmetries};
-    options.scene = options_;
-    Products products = run_pipeline(inputs_of(text_), options);
-    INFO(format(products.diagnostics));
-    REQUIRE(products.symmetries);
+    Products products = products_with(&Products::symmetries, inputs_of(text_),
+                                      {.scene = options_, .goals = {Goal::symmetries}});
     checked_ = std::move(*products.checked);
     found_ = std::move(*products.symmetries);
   }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <string>
@@ -15,12 +14,14 @@
 #include "elgen/source_text.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
 constexpr std::pair<Code, std::string_view> reason_ids[]{
 #define ELGEN_REASON(code, id, text) {Code::code, #id},
 #include "base/error_reasons.def"
+#include "support/text.hpp"
 #undef ELGEN_REASON
 };
 
@@ -30,8 +31,7 @@ std::set<std::string> words_behind(const std::string& prefix) {
   const std::string folder = std::string(ELGEN_SOURCE_DIR) + "/src";
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
     if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
-    std::ifstream file(entry.path());
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = read_text(entry.path());
     for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix, at)) {
       at += prefix.size();
       const auto first = text.begin() + static_cast<std::ptrdiff_t>(at);

@@ -13,7 +13,7 @@
 #include "elgen/limits.hpp"
 #include "elgen/scalars.hpp"
 
-namespace elgen {
+namespace elgen::test {
 
 namespace {
 
@@ -215,4 +215,4 @@ TEST_CASE("a row of the scalar table is found by its kind") {
   CHECK(name_of(scalar_kind<long double>) == "long double");
 }
 
-}  // namespace elgen
+}  // namespace elgen::test

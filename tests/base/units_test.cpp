@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace elgen {
+namespace elgen::test {
 namespace {
 
 Unit unit(std::string_view name) {
@@ -89,4 +89,4 @@ TEST_CASE("every unit of the table is found by its name") {
 }
 
 }  // namespace
-}  // namespace elgen
+}  // namespace elgen::test

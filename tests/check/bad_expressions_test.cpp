@@ -52,9 +52,9 @@ std::string expand_escapes(const std::string& input) {
 }
 
 std::vector<Row> read_rows() {
-  std::istringstream file(file_text("tests/check/bad_expressions.tsv"));
   std::vector<Row> rows;
-  for (std::string line; std::getline(file, line);) {
+  for (const std::string& line :
+       split_lines(read_text(ELGEN_SOURCE_DIR "/tests/check/bad_expressions.tsv"))) {
     std::istringstream fields(line);
     std::string category;
     Row row;

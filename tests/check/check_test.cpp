@@ -14,17 +14,6 @@ namespace elgen::test {
 
 namespace {
 
-std::vector<std::string> model_paths() {
-  std::vector<std::string> paths;
-  for (const auto& file : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR "/models")) {
-    if (file.path().extension() == ".toml") {
-      paths.push_back("models/" + file.path().filename().string());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 /// True if operands precede their users, so that every later stage is one pass.
 bool is_ordered(const Model& model) {
   for (ExpressionId id = 0; id < model.expressions.size(); ++id) {
@@ -58,12 +47,12 @@ std::vector<std::size_t> offsets_in_strings(const std::string& text) {
 }  // namespace
 
 TEST_CASE("the models of the project have no errors, warnings or notes") {
-  const std::vector<std::string> paths = model_paths();
+  const std::vector<std::filesystem::path> paths = model_paths();
   REQUIRE(paths.size() >= 8);
-  for (const std::string& path : paths) {
+  for (const std::filesystem::path& path : paths) {
     INFO(path);
-    CHECK(messages(file_text(path)).empty());
-    CHECK(is_ordered(checked(file_text(path)).model));
+    CHECK(messages(read_text(path)).empty());
+    CHECK(is_ordered(checked(read_text(path)).model));
   }
 }
 
@@ -95,12 +84,12 @@ at = ["0"]
 }
 
 TEST_CASE("checking is deterministic") {
-  const std::string chain = file_text("models/chain.toml");
+  const std::string chain = model_file("chain");
   CHECK(dump(checked(chain).model) == dump(checked(chain).model));
 }
 
 TEST_CASE("a chain of a thousand links is checked in linear time") {
-  const std::string chain = file_text("models/chain.toml");
+  const std::string chain = model_file("chain");
   seconds_for(chain, 10);
   const double hundred = seconds_for(chain, 100);
   const double thousand = seconds_for(chain, 1000);
@@ -110,7 +99,7 @@ TEST_CASE("a chain of a thousand links is checked in linear time") {
 }
 
 TEST_CASE("edited models never crash, and errors always have a position") {
-  const std::string original = file_text("models/cart_pole.toml");
+  const std::string original = model_file("cart_pole");
   const std::vector<std::size_t> offsets = offsets_in_strings(original);
   CHECK(rc::check("one byte of a string replaced", [&] {
     std::string text = original;

@@ -2,8 +2,6 @@
 #include "check_testing.hpp"
 
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <sstream>
 
 #include "model_text.hpp"
 
@@ -108,9 +106,8 @@ std::string potential_messages(const std::string& potential, const CheckOptions&
 
 std::string dump_lines(const std::string& model, const std::string& word,
                        const CheckOptions& wanted) {
-  std::istringstream lines(dump(checked(model, wanted).model));
   std::string text;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(dump(checked(model, wanted).model))) {
     if (line.compare(0, word.size(), word) == 0) text += line + "\n";
   }
   return text;
@@ -121,13 +118,6 @@ void check_rows(const Rows& rows, const std::function<std::string(const std::str
     INFO(input);
     CHECK(answer(input) == expected);
   }
-}
-
-std::string file_text(const std::string& path) {
-  std::ifstream file(std::string(ELGEN_SOURCE_DIR "/") + path, std::ios::binary);
-  INFO(path);
-  REQUIRE(file);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace elgen::test

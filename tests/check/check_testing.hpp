@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "elgen/scene.hpp"
+#include "support/text.hpp"
 
 namespace elgen::test {
 
@@ -53,8 +54,5 @@ struct CheckOptions {
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
 void check_rows(const Rows& rows, const std::function<std::string(const std::string&)>& answer);
-
-/// The text of a file of the project.
-[[nodiscard]] std::string file_text(const std::string& path);
 
 }  // namespace elgen::test

@@ -52,8 +52,8 @@ TEST_CASE("`files` omits the sidecar and the page, but no code") {
   CHECK_FALSE(bare.emission.page);
   CHECK(artifacts_of(bare).size() == 1);
   CHECK(block_scene("[emit]\nfiles = [\"page\", \"header\"]\n").emission.page);
-  CHECK(block_scene_messages("[emit]\nfiles = [\"page\"]\n")
-            .find("`files` has no `header`, which is always written") != std::string::npos);
+  CHECK(mentions(block_scene_messages("[emit]\nfiles = [\"page\"]\n"),
+                 "`files` has no `header`, which is always written"));
 }
 
 TEST_CASE("C code has one scalar, float or double") {
@@ -61,14 +61,15 @@ TEST_CASE("C code has one scalar, float or double") {
   CHECK(block_scene("[numeric]\nscalar = [\"float\"]\n" + language).numerics.scalars.size() == 1);
   for (const char* list : {"[\"long double\"]", "[\"float\", \"double\"]"}) {
     INFO(list);
-    CHECK(block_scene_messages(std::string("[numeric]\nscalar = ") + list + "\n" + language)
-              .find("code in `c99` is written for one scalar") != std::string::npos);
+    CHECK(
+        mentions(block_scene_messages(std::string("[numeric]\nscalar = ") + list + "\n" + language),
+                 "code in `c99` is written for one scalar"));
   }
 }
 
 TEST_CASE("Eigen needs C++") {
-  CHECK(block_scene_messages("[emit]\nlanguage = \"c99\"\neigen = true\n")
-            .find("`eigen` needs C++, but `language` is `c99`") != std::string::npos);
+  CHECK(mentions(block_scene_messages("[emit]\nlanguage = \"c99\"\neigen = true\n"),
+                 "`eigen` needs C++, but `language` is `c99`"));
 }
 
 TEST_CASE("a batch is optional, and its accuracy is the best or a given one") {

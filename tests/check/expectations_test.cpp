@@ -84,7 +84,7 @@ TEST_CASE("closed forms are columns, matrices, or single entries by index") {
 }
 
 TEST_CASE("an entry of a matrix has two indices, even if the matrix is 1 x 1") {
-  const std::string chain = file_text("models/chain.toml");
+  const std::string chain = model_file("chain");
   for (const std::string size : {"n=1", "n=2"}) {
     INFO(size);
     CHECK(messages(chain, {.sizes = {size}}) == "");
@@ -141,10 +141,7 @@ TEST_CASE("an equation with another error is not reported as free of acceleratio
       "I = { value = 2, unit = \"m\" }\nJ = { value = 1, unit = \"kg*m^2\" }\n[energy]\n"
       "T = \"1/2*J*dot(q)^2\"\n[[expect]]\nequations = [\"EQUATION\"]\n";
   const auto said = [&](const std::string& name, const std::string& equation) {
-    std::string text = rotor;
-    text.replace(text.find("NAME"), 4, name);
-    text.replace(text.find("EQUATION"), 8, equation);
-    return messages(text);
+    return messages(replaced(replaced(rotor, "NAME", name), "EQUATION", equation));
   };
   const std::string reserved =
       "E204 11:1 `I` is reserved: it is a macro of C or C++ | `I_1` is free\n";

@@ -211,8 +211,8 @@ TEST_CASE("dot of a coordinate is its rate, of anything else a total derivative"
 TEST_CASE(
     "a function defined by other functions is replaced by its definition, at the call's position") {
   CHECK(points_potential("c*sqrt(4)*x^2") == points_potential("c*2*x^2"));
-  CHECK(points_error("c*sqrt(-4)*x^2").find("`sqrt(-4)`") != std::string::npos);
-  CHECK(points_error("c*sqrt(x, y)").find("`sqrt` takes 1") != std::string::npos);
+  CHECK(mentions(points_error("c*sqrt(-4)*x^2"), "`sqrt(-4)`"));
+  CHECK(mentions(points_error("c*sqrt(x, y)"), "`sqrt` takes 1"));
 }
 
 TEST_CASE("sqrt is the power 1/2, delta a number, sum a sum") {

@@ -192,8 +192,8 @@ TEST_CASE("the stamp of a model covers its file, independent of the scene") {
 TEST_CASE("errors of model and scene are reported together, each at its position") {
   const std::string text =
       messages(block("V = \"kk*x^2\"\n"), {.scene = scene_of_block("[outputs]\nbiass = true\n")});
-  CHECK(text.find("E201 12:6 unknown name `kk`") != std::string::npos);
-  CHECK(text.find("E601 5:1 unknown output `biass` | did you mean `bias`?") != std::string::npos);
+  CHECK(mentions(text, "E201 12:6 unknown name `kk`"));
+  CHECK(mentions(text, "E601 5:1 unknown output `biass` | did you mean `bias`?"));
 }
 
 }  // namespace

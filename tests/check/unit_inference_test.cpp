@@ -21,14 +21,7 @@ const std::string post =
     "[[point]]\nname = \"p\"\nat = [\"x\", AT]\nmass = MASS\n[gravity]\nvector = [0, G]\n";
 
 std::string post_of(const std::string& at, const std::string& mass, const std::string& gravity) {
-  std::string text = post;
-  const auto put = [&](const std::string& word, const std::string& value) {
-    text.replace(text.find(word), word.size(), value);
-  };
-  put("AT", at);
-  put("MASS", mass);
-  put("G]", gravity + "]");
-  return text;
+  return replaced(replaced(replaced(post, "AT", at), "MASS", mass), "G]", gravity + "]");
 }
 
 struct Reading {

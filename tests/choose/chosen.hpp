@@ -1,12 +1,15 @@
 // Runs a model text through all stages up to the choice of forms.
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "elgen/cancel.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/compose.hpp"
 #include "elgen/equations_of_motion.hpp"
+#include "elgen/evaluate.hpp"
 #include "elgen/lower.hpp"
 #include "elgen/page.hpp"
 #include "pipeline/combined_stages.hpp"
@@ -41,6 +44,15 @@ inline std::vector<std::string> readable(const ChosenForms& chosen, const std::s
     if (program.functions[i].name == name) return texts_of(equations(program, i).entries.at(0));
   }
   return {};
+}
+
+/// A state at rest; parameters have their declared values.
+inline Arguments<double> state_at_rest(const ChosenForms& c, const std::vector<double>& q) {
+  Arguments<double> point =
+      domain_of({c.checked.model, c.checked.scene, c.recursive.leaves}).states.front();
+  point.q = q;
+  for (auto* rates : {&point.v, &point.a, &point.u}) std::ranges::fill(*rates, 0.0);
+  return point;
 }
 
 }  // namespace elgen::test

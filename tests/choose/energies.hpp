@@ -62,8 +62,8 @@ inline void read_line(const std::string& key, const std::string& rest, TypedEner
 
 inline std::vector<TypedEnergy> typed_energies() {
   std::vector<TypedEnergy> energies;
-  std::istringstream lines(read_text(ELGEN_SOURCE_DIR "/tests/choose/energies.txt"));
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line :
+       split_lines(read_text(ELGEN_SOURCE_DIR "/tests/choose/energies.txt"))) {
     if (line.empty() || line.front() == '#') continue;
     std::istringstream words(line);
     std::string key;

@@ -6,6 +6,7 @@
 
 #include "choose/chosen.hpp"
 #include "elgen/evaluate.hpp"
+#include "program/evaluate/subject.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -13,11 +14,7 @@ using namespace elgen::test;
 namespace {
 
 double value_of(const Program& program, OutputKind kind, const Arguments<double>& at) {
-  for (const Function& function : program.functions) {
-    if (function.kind == kind) return evaluate(program, function, at).at(0);
-  }
-  FAIL("no such function");
-  return 0;
+  return evaluate(program, *find_function(program, kind), at).at(0);
 }
 
 constexpr const char* pendulum = R"toml(format = 1

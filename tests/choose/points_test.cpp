@@ -31,15 +31,6 @@ ChosenForms line_with(const std::string& potential, const std::string& rest = {}
                                        "\"\n"));
 }
 
-/// A state at rest; parameters have their declared values.
-Arguments<double> state_at_rest(const ChosenForms& c, const std::vector<double>& q) {
-  Arguments<double> point =
-      domain_of({c.checked.model, c.checked.scene, c.recursive.leaves}).states.front();
-  point.q = q;
-  for (auto* rates : {&point.v, &point.a, &point.u}) std::ranges::fill(*rates, 0.0);
-  return point;
-}
-
 std::size_t number_of(const ChosenForms& c, const std::string& name) {
   const auto named = [&name](const Function& f) { return f.name == name; };
   const auto& functions = c.recursive.functions;

@@ -31,12 +31,8 @@ ChosenForms masses_with(const std::string& potential, const std::vector<std::str
 
 std::vector<double> values_at_rest(const ChosenForms& c, OutputKind kind,
                                    const std::vector<double>& q) {
-  Arguments<double> point =
-      domain_of({c.checked.model, c.checked.scene, c.recursive.leaves}).states.front();
-  point.q = q;
-  for (auto* rates : {&point.v, &point.a, &point.u}) std::ranges::fill(*rates, 0.0);
   const Program& program = c.choice.program;
-  return evaluate(program, *find_function(program, kind), point);
+  return evaluate(program, *find_function(program, kind), state_at_rest(c, q));
 }
 
 std::size_t cost_of(const ChosenForms& c, OutputKind kind) {

@@ -39,13 +39,6 @@ class Project : public Workspace {
   }
 };
 
-/// The text with the first occurrence of `part` replaced; fails if there is none.
-inline std::string replaced(std::string text, const std::string& part, const std::string& other) {
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), other);
-}
-
 /// Writes a model and a scene with one output, so that a thousand states are checked quickly.
 inline void write_rotor(const Workspace& workspace) {
   workspace.write(

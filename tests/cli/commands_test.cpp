@@ -59,7 +59,7 @@ TEST_CASE("the manual has a section for every command in --help") {
     if (line[2] == ' ') continue;  // continuation of a description
     const std::string name = line.substr(2, line.find(' ', 2) - 2);
     INFO(name);
-    CHECK(manual.find("\n.SS " + name + "\n") != std::string::npos);
+    CHECK(mentions(manual, "\n.SS " + name + "\n"));
     ++count;
   }
   CHECK(count >= 9);
@@ -85,7 +85,7 @@ TEST_CASE("zsh and fish accept their scripts") {
     const Outcome script = run("elgen completions " + shell);
     INFO(shell);
     CHECK(script.status == 0);
-    CHECK(script.output.find("show") != std::string::npos);
+    CHECK(mentions(script.output, "show"));
     if (!has_shell(shell)) continue;
     CHECK(run("elgen completions " + shell + " > script && " + shell + " -n script").errors == "");
   }
@@ -95,14 +95,12 @@ TEST_CASE("the manual lists options with their arguments, and exit codes") {
   const Outcome manual = run("elgen man");
   CHECK(manual.status == 0);
   CHECK(manual.output.starts_with(".TH ELGEN 1 "));
-  CHECK(manual.output.find("\n.TP\n\\fB\\-\\-color\\fR \\fIauto|\\:always|\\:never\\fR\n") !=
-        std::string::npos);
-  CHECK(manual.output.find("\n.TP\n130\ninterrupted") != std::string::npos);
+  CHECK(mentions(manual.output, "\n.TP\n\\fB\\-\\-color\\fR \\fIauto|\\:always|\\:never\\fR\n"));
+  CHECK(mentions(manual.output, "\n.TP\n130\ninterrupted"));
 }
 
 TEST_CASE("no line of text in the manual is a troff request") {
-  std::istringstream lines(run("elgen man").output);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(run("elgen man").output)) {
     if (!line.starts_with('.') && !line.starts_with('\'')) continue;
     const std::string request = line.substr(0, 3);
     INFO(line);
@@ -116,7 +114,7 @@ TEST_CASE("no line of text in the manual is a troff request") {
 TEST_CASE("a shell without completions is refused") {
   const Outcome refused = run("elgen completions tcsh");
   CHECK(refused.status == 2);
-  CHECK(refused.errors.find("see `elgen completions --help`") != std::string::npos);
+  CHECK(mentions(refused.errors, "see `elgen completions --help`"));
 }
 
 }  // namespace elgen::test

@@ -90,7 +90,7 @@ const std::vector<ExitRow> exit_rows{
 class Models : public Workspace {
  public:
   Models() {
-    const std::string good = read_text(models + "/simple_pendulum.toml");
+    const std::string good = model_file("simple_pendulum");
     write("good.toml", good);
     write("other.toml", replaced(good, "value = 9.81", "value = 9.8"));
     write("bad.toml", replaced(good, "mass = \"m\"", "mass = \"mq\""));

@@ -19,10 +19,8 @@ std::string first_line(const std::string& command, const std::string& header) {
 
 TEST_CASE("the base name of a scene is the model's name and its own") {
   const Workspace workspace;
-  const Outcome outcome =
-      workspace.run("elgen generate -q -o out " + models + "/scenes/balance.scene.toml");
-  INFO(outcome.errors);
-  CHECK(outcome.status == 0);
+  CHECK(failure_of(workspace.run("elgen generate -q -o out " + models +
+                                 "/scenes/balance.scene.toml")) == "");
   CHECK(workspace.files() ==
         "./out/cart_pole_balance/cart_pole_balance.equations.json\n"
         "./out/cart_pole_balance/cart_pole_balance.hpp\n"
@@ -64,9 +62,8 @@ TEST_CASE("option --list-outputs prints the paths and writes nothing") {
 TEST_CASE("option --depfile writes the dependencies of each output as rules of make") {
   const Workspace workspace;
   workspace.prepare("cp -r " + models + " models");
-  const Outcome outcome =
-      workspace.run("elgen generate -q -o out --depfile out.d models/scenes/balance.scene.toml");
-  REQUIRE(outcome.status == 0);
+  REQUIRE(failure_of(workspace.run(
+              "elgen generate -q -o out --depfile out.d models/scenes/balance.scene.toml")) == "");
   const std::string stem = "out/cart_pole_balance/cart_pole_balance";
   const std::string sources = ": models/cart_pole.toml models/scenes/balance.scene.toml\n";
   CHECK(workspace.read("out.d") ==

@@ -44,9 +44,8 @@ TEST_CASE("the model goes to stdout, notes to stderr") {
 TEST_CASE("option -o writes a file and names the model, --force writes it again") {
   const Workspace workspace;
   const std::string command = "elgen import " + robot + " -o new/arm.toml";
-  std::string named_arm = read_text(golden);
-  const std::string name = "name        = \"gripper_1\"";
-  named_arm.replace(named_arm.find(name), name.size(), "name        = \"arm\"");
+  const std::string named_arm =
+      replaced(read_text(golden), "name        = \"gripper_1\"", "name        = \"arm\"");
   const Outcome first = workspace.run(command);
   CHECK(first.status == 0);
   CHECK(first.output.empty());

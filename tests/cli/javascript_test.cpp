@@ -1,6 +1,5 @@
 // language = "javascript": a module for node, with valid names and texts, also inside a page.
 #include <catch2/catch.hpp>
-#include <sstream>
 #include <string>
 
 #include "cli/cli_testing.hpp"
@@ -128,8 +127,7 @@ TEST_CASE(
   CHECK_FALSE(mentions(text, "const Math ="));
   CHECK_FALSE(mentions(text, "\n\n\n"));
   CHECK_FALSE(mentions(text, "\n\n */"));
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(text)) {
     INFO(line);
     if (!starts_with(line, " *") && !mentions(line, "//")) CHECK(line.size() <= 100);
   }

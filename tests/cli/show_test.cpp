@@ -15,10 +15,6 @@ Outcome show(const std::string& words) {
   return workspace.run("elgen show " + words);
 }
 
-std::string model(const std::string& name) {
-  return std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml";
-}
-
 bool has_program(const std::string& name) {
   const Workspace workspace;
   return workspace.run("command -v " + name).status == 0;
@@ -34,7 +30,7 @@ std::string costs(const std::string& input) {
 }  // namespace
 
 TEST_CASE("show prints non-zero entries in the model language") {
-  const Outcome outcome = show(model("cart_pole"));
+  const Outcome outcome = show(model_path("cart_pole"));
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "  M(q) a + C(q,v) v + g(q) = B(q) u\n"));
   CHECK(mentions(outcome.output, "\n  mass_matrix[1,2] = m*l*cos(theta)\n"));
@@ -69,14 +65,14 @@ V = "1/2*k*x[1]^2 + sum(i, 1, n - 1, 1/2*k*(x[i + 1] - x[i])^2)"
 }
 
 TEST_CASE("outputs named on the command line are shown, even if zero") {
-  const Outcome outcome = show(model("cart_pole") + " --what drift");
+  const Outcome outcome = show(model_path("cart_pole") + " --what drift");
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "  drift[1] = 0\n"));
   CHECK_FALSE(mentions(outcome.output, "mass_matrix"));
 }
 
 TEST_CASE("the steps of a derivation follow a textbook") {
-  const Outcome outcome = show(model("simple_pendulum") + " --what steps");
+  const Outcome outcome = show(model_path("simple_pendulum") + " --what steps");
   CHECK(outcome.status == 0);
   for (const char* line :
        {"Positions\n", "  d(bob)/dt = (l*dot(theta)*cos(theta), l*dot(theta)*sin(theta))\n",
@@ -92,18 +88,18 @@ TEST_CASE("the steps of a derivation follow a textbook") {
 }
 
 TEST_CASE("cyclic coordinates are named, with the condition for conservation") {
-  const std::string free = show(model("spherical_pendulum") + " --what steps").output;
+  const std::string free = show(model_path("spherical_pendulum") + " --what steps").output;
   CHECK(mentions(free, "  L does not contain phi, so p_phi = dL/d(dot(phi)) is conserved\n"));
-  const std::string driven = show(model("cart_pole") + " --what steps").output;
+  const std::string driven = show(model_path("cart_pole") + " --what steps").output;
   CHECK(mentions(driven, "L does not contain x, so p_x = "));
   CHECK(mentions(driven, "conserved if no force and no dissipation act on it"));
-  const std::string moving = show(model("rotating_hoop") + " --what lagrangian").output;
+  const std::string moving = show(model_path("rotating_hoop") + " --what lagrangian").output;
   CHECK(mentions(moving, "  L = "));
   CHECK_FALSE(mentions(moving, "Equation of"));
 }
 
 TEST_CASE("the cost of both forms, and the emitted form") {
-  const Outcome outcome = show(model("two_link_arm") + " --what cost");
+  const Outcome outcome = show(model_path("two_link_arm") + " --what cost");
   CHECK(outcome.status == 0);
   CHECK(mentions(outcome.output, "emitted\n"));
   CHECK(mentions(outcome.output, "inverse_dynamics              closed "));
@@ -111,20 +107,20 @@ TEST_CASE("the cost of both forms, and the emitted form") {
 }
 
 TEST_CASE("pages in every notation") {
-  const std::string latex = show(model("cart_pole") + " --as latex").output;
+  const std::string latex = show(model_path("cart_pole") + " --as latex").output;
   CHECK(starts_with(latex, "\\documentclass"));
   CHECK(mentions(latex, "M + m & m l \\cos \\theta \\\\\n"));
-  const std::string html = show(model("cart_pole") + " --as mathml").output;
+  const std::string html = show(model_path("cart_pole") + " --as mathml").output;
   CHECK(starts_with(html, "<!DOCTYPE html>\n"));
   CHECK(mentions(html, "<mi>cos</mi>"));
-  const std::string markdown = show(model("cart_pole") + " --as markdown").output;
+  const std::string markdown = show(model_path("cart_pole") + " --as markdown").output;
   CHECK(mentions(markdown, "\n## Mass matrix\n"));
-  const std::string json = show(model("cart_pole") + " --as json").output;
+  const std::string json = show(model_path("cart_pole") + " --as json").output;
   CHECK(mentions(json, "\"entries\": [\"M + m\", \"m*l*cos(theta)\""));
 }
 
 TEST_CASE("symmetries are shown in every notation, of models and of scenes") {
-  const std::string words = model("kepler_polar") + " -q --what symmetries";
+  const std::string words = model_path("kepler_polar") + " -q --what symmetries";
   const Outcome text = show(words);
   CHECK(text.status == 0);
   CHECK(mentions(text.output, "\n  phi    dphi = 1   p(phi) = m*r^2*dot(phi)\n"));
@@ -139,7 +135,7 @@ TEST_CASE("symmetries are shown in every notation, of models and of scenes") {
     CHECK(outcome.status == 0);
     CHECK(mentions(outcome.output, part));
   }
-  const Outcome mixed = show(model("kepler_polar") + " --what symmetries,gravity");
+  const Outcome mixed = show(model_path("kepler_polar") + " --what symmetries,gravity");
   CHECK(mixed.status == 2);
   CHECK(mentions(mixed.errors, "`symmetries` cannot be combined with other words"));
   const Outcome steady = show(std::string(ELGEN_SOURCE_DIR) +
@@ -149,14 +145,14 @@ TEST_CASE("symmetries are shown in every notation, of models and of scenes") {
 }
 
 TEST_CASE("unknown words of show are refused at their position") {
-  const Outcome unknown = show(model("cart_pole") + " --what mass_matrx");
+  const Outcome unknown = show(model_path("cart_pole") + " --what mass_matrx");
   CHECK(unknown.status == 2);
   CHECK(mentions(unknown.errors, "error[E601]"));
   CHECK(mentions(unknown.errors, "did you mean `mass_matrix`?"));
-  const Outcome mixed = show(model("cart_pole") + " --what gravity,steps");
+  const Outcome mixed = show(model_path("cart_pole") + " --what gravity,steps");
   CHECK(mixed.status == 2);
   CHECK(mentions(mixed.errors, "`steps` cannot be combined with other words"));
-  const Outcome cost = show(model("cart_pole") + " --what cost --as latex");
+  const Outcome cost = show(model_path("cart_pole") + " --what cost --as latex");
   CHECK(cost.status == 2);
   CHECK(mentions(cost.errors, "`cost` is not printed as latex"));
 }
@@ -164,12 +160,11 @@ TEST_CASE("unknown words of show are refused at their position") {
 TEST_CASE("pdflatex accepts the page of every model, without overfull lines") {
   REQUIRE(has_program("pdflatex"));
   const Workspace workspace;
-  for (const auto& file : std::filesystem::directory_iterator(ELGEN_SOURCE_DIR "/models")) {
-    if (file.path().extension() != ".toml") continue;
+  for (const std::filesystem::path& path : model_paths()) {
     for (const char* what : {"", " --what steps"}) {
-      INFO(file.path() << what);
+      INFO(path << what);
       const Outcome outcome =
-          workspace.run("elgen show -q " + file.path().string() + what +
+          workspace.run("elgen show -q " + path.string() + what +
                         " --as latex > page.tex && "
                         "pdflatex -interaction=nonstopmode -halt-on-error page.tex");
       CHECK(outcome.status == 0);
@@ -182,7 +177,7 @@ TEST_CASE("robots fit on eight sheets, without hashes as names") {
   REQUIRE(has_program("pdflatex"));
   const Workspace workspace;
   const std::string quadruped = std::string(ELGEN_SOURCE_DIR) + "/tests/urdf/golden/quadruped.toml";
-  for (const std::string& robot : {model("panda7"), quadruped}) {
+  for (const std::string& robot : {model_path("panda7"), quadruped}) {
     INFO(robot);
     const Outcome outcome = workspace.run("elgen show -q " + robot +
                                           " --as latex > page.tex && "
@@ -297,7 +292,8 @@ TEST_CASE("a scene is compared with the full model of the same size") {
 
 TEST_CASE("the page names the limit that ended the search, by default from the seconds") {
   const auto ending = [](const std::string& limits) {
-    const std::string text = show(limits + " --what equilibria " + model("body_on_springs")).output;
+    const std::string text =
+        show(limits + " --what equilibria " + model_path("body_on_springs")).output;
     const std::size_t at = text.find("; the limit ");
     return at == std::string::npos ? text : text.substr(at, text.find(':', at) - at);
   };

@@ -72,15 +72,7 @@ constexpr std::array not_told_apart{
     Forms{"max(x, 1e9)", "1e9"},
 };
 
-constexpr std::array<const char*, 6> numbers{"3/2", "2", "3", "5", "10", "40"};
-
-/// Replaces every {} by the number.
-std::string with_number(std::string text, const std::string& number) {
-  for (std::size_t at = 0; (at = text.find("{}", at)) != std::string::npos;) {
-    text.replace(at, 2, "(" + number + ")");
-  }
-  return text;
-}
+constexpr std::array<const char*, 6> numbers{"(3/2)", "(2)", "(3)", "(5)", "(10)", "(40)"};
 
 std::string force_model(const std::string& force) {
   return model_text("pushed",
@@ -98,8 +90,8 @@ Impact impact_of(const std::string& before, const std::string& after) {
 TEST_CASE("forces that differ beyond [-1, 1] are different") {
   for (const Forms& forms : different_beyond) {
     for (const char* const number : numbers) {
-      const std::string before = with_number(forms.before, number);
-      const std::string after = with_number(forms.after, number);
+      const std::string before = replaced_all(forms.before, "{}", number);
+      const std::string after = replaced_all(forms.after, "{}", number);
       INFO(before << ", " << after);
       CHECK(impact_of(before, after) == Impact::different);
     }
@@ -116,8 +108,8 @@ TEST_CASE("forces that differ on one side, or at one point, are different") {
 TEST_CASE("forces that are the same analytic function are equal") {
   for (const Forms& forms : equal_everywhere) {
     for (const char* const number : numbers) {
-      const std::string before = with_number(forms.before, number);
-      const std::string after = with_number(forms.after, number);
+      const std::string before = replaced_all(forms.before, "{}", number);
+      const std::string after = replaced_all(forms.after, "{}", number);
       INFO(before << ", " << after);
       CHECK(impact_of(before, after) == Impact::equal);
     }
@@ -148,8 +140,8 @@ TEST_CASE("roots and kinks in another form are undecided, or different if strict
 
 TEST_CASE("a difference below rounding errors inside the ranges has no witness") {
   const std::string before =
-      edited(force_model("sqrt((x - 2)^2)"), "name = \"x\"", "name = \"x\"\nrange = [-1, 1]");
-  const SystemChange change = compared(before, edited(before, "sqrt((x - 2)^2)", "2 - x"));
+      replaced(force_model("sqrt((x - 2)^2)"), "name = \"x\"", "name = \"x\"\nrange = [-1, 1]");
+  const SystemChange change = compared(before, replaced(before, "sqrt((x - 2)^2)", "2 - x"));
   CHECK(change.impact == Impact::different);
   for (const EntryChange& entry : entries_of(change, "applied_force")) {
     CHECK(entry.verdict == EntryVerdict::different);
@@ -159,11 +151,12 @@ TEST_CASE("a difference below rounding errors inside the ranges has no witness")
 
 TEST_CASE("a function that is defined only inside the ranges is compared there") {
   const std::string before =
-      edited(force_model("asin(x - 50)"), "name = \"x\"", "name = \"x\"\nrange = [49.5, 50.5]");
-  const SystemChange same = compared(before, edited(before, "asin(x - 50)", "pi/2 - acos(x - 50)"));
+      replaced(force_model("asin(x - 50)"), "name = \"x\"", "name = \"x\"\nrange = [49.5, 50.5]");
+  const SystemChange same =
+      compared(before, replaced(before, "asin(x - 50)", "pi/2 - acos(x - 50)"));
   CHECK(same.impact == Impact::equal);
   CHECK_FALSE(same.is_certain);
   const SystemChange other =
-      compared(before, edited(before, "asin(x - 50)", "1.000000000001*asin(x - 50)"));
+      compared(before, replaced(before, "asin(x - 50)", "1.000000000001*asin(x - 50)"));
   CHECK(other.impact == Impact::different);
 }

@@ -33,7 +33,7 @@ std::string key_changes(const std::string& before, const std::string& after,
 }  // namespace
 
 TEST_CASE("one item of a list is one change at its position") {
-  const std::string after = edited(cart, "\"-g\"", "\"g\"");
+  const std::string after = replaced(cart, "\"-g\"", "\"g\"");
   CHECK(key_changes(cart, after) == "[gravity] vector[2]: -g -> g\n");
   const FileSyntax old = *parse_model(make_source("a.toml", cart), {});
   const FileSyntax now = *parse_model(make_source("b.toml", after), {});
@@ -47,14 +47,14 @@ TEST_CASE("blanks, comments, brackets and the order of keys are no change") {
   CHECK(key_changes(spring("1/2*k*x^2"), spring("(1/2*k) * x^2")) ==
         "[energy] V: 1/2*k*x^2 -> (1/2*k) * x^2\n");
   CHECK(key_changes(spring("1/2*k*x^2"), spring(" 1/2 * k*(x)^2 ")).empty());
-  CHECK(key_changes(spring(), edited(spring(), "k = 3", "k = { value = 3 }")).empty());
+  CHECK(key_changes(spring(), replaced(spring(), "k = 3", "k = { value = 3 }")).empty());
 }
 
 TEST_CASE("entries are matched by name, and a new or removed entry is one change") {
   const std::string point =
       "[[point]]\nname = \"bob\"\nat   = [\"x + l*sin(theta)\", "
       "\"l*cos(theta)\"]\nmass = \"m\"\njoined_to = \"cart\"\n";
-  const std::string without = edited(cart, point, "");
+  const std::string without = replaced(cart, point, "");
   CHECK(key_changes(cart, without) ==
         "[[point]] bob: { name = bob, at = [x + l*sin(theta), l*cos(theta)], mass = m, joined_to = "
         "cart } -> \n");
@@ -71,13 +71,13 @@ TEST_CASE("forces without names are identified by their target, then by number")
 }
 
 TEST_CASE("another order of coordinates or parameters is reported, of keys not") {
-  CHECK(key_changes(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
-        "[parameters] order: m, k -> k, m\n");
+  CHECK(key_changes(spring(), replaced(replaced(spring(), "k = 3\n", ""), "m = {",
+                                       "k = 3\nm = {")) == "[parameters] order: m, k -> k, m\n");
 }
 
 TEST_CASE("with a given renaming there are no changes") {
   std::string after = spring("1/2*c*x^2");
-  after = edited(after, "k = 3", "c = 3");
+  after = replaced(after, "k = 3", "c = 3");
   CHECK(key_changes(spring(), after, {{"k", "c"}}).empty());
   CHECK(key_changes(spring(), after) ==
         "[parameters] c:  -> 3\n[parameters] k: 3 -> \n[energy] V: 1/2*k*x^2 -> 1/2*c*x^2\n");
@@ -105,11 +105,11 @@ TEST_CASE("keys of a scene that are names are renamed, too") {
 
 TEST_CASE("changed equations are printed as written, and their order is reported") {
   const std::string one = held_plane(held_rod);
-  CHECK(key_changes(one, edited(one, "x^2 + y^2 = 1", "x^2 + 2*y^2 = 1")) ==
+  CHECK(key_changes(one, replaced(one, "x^2 + y^2 = 1", "x^2 + 2*y^2 = 1")) ==
         "[[constraint]] rod equation: x^2 + y^2 = 1 -> x^2 + 2*y^2 = 1\n");
-  CHECK(key_changes(one, edited(one, "x^2 + y^2 = 1", "x^2+y^2 = 1")).empty());
-  const std::string two = edited(one, "\"x^2 + y^2 = 1\"", "[\"x^2 + y^2 = 1\", \"z = y\"]");
-  CHECK(key_changes(two, edited(two, "z = y", "z = x")) ==
+  CHECK(key_changes(one, replaced(one, "x^2 + y^2 = 1", "x^2+y^2 = 1")).empty());
+  const std::string two = replaced(one, "\"x^2 + y^2 = 1\"", "[\"x^2 + y^2 = 1\", \"z = y\"]");
+  CHECK(key_changes(two, replaced(two, "z = y", "z = x")) ==
         "[[constraint]] rod equation[2]: z = y -> z = x\n");
   CHECK(key_changes(held_plane(""), one) ==
         "[[constraint]] rod:  -> { name = rod, equation = x^2 + y^2 = 1 }\n");
@@ -119,7 +119,7 @@ TEST_CASE("changed equations are printed as written, and their order is reported
 
 TEST_CASE("a state of an expectation is compared key by key, and its rates are renamed") {
   const std::string text = spring() + "[[expect]]\nat = { x = 1, \"dot(x)\" = 2 }\ngravity = [3]\n";
-  CHECK(key_changes(text, edited(text, "{ x = 1", "{ x = 4")) == "[[expect]] #1 at.x: 1 -> 4\n");
+  CHECK(key_changes(text, replaced(text, "{ x = 1", "{ x = 4")) == "[[expect]] #1 at.x: 1 -> 4\n");
   const FileSyntax syntax = *parse_model(make_source("model.toml", text), {});
   const FileSyntax now = renamed(syntax, {{"x", "s"}});
   const std::vector<KeySyntax>& at = now.entries.back().keys.front().value.entries;

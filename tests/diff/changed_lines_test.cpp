@@ -3,7 +3,6 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "diff/versions.hpp"
 
@@ -37,13 +36,12 @@ Header header_of(const Products& products, const std::string& name) {
   Header header{products.files->files.at(name + "/" + name + ".hpp")};
   static const std::regex signature(R"((\w+)\(const Parameters<Scalar>&)");
   std::string paragraph;
-  std::istringstream lines(header.text);
   const auto close = [&] {
     std::smatch match;
     if (std::regex_search(paragraph, match, signature)) header.functions[match[1]] += paragraph;
     paragraph.clear();
   };
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(header.text)) {
     paragraph += line + "\n";
     if (line.empty()) close();
   }
@@ -65,7 +63,7 @@ TEST_CASE("one term of a model changes only the functions whose entries differ")
     INFO(model);
     const std::string text = model_of(model);
     const LoweredVersion before = lowered(text, "", Goal::emit);
-    const LoweredVersion after = lowered(edited(text, part, other), "", Goal::emit);
+    const LoweredVersion after = lowered(replaced(text, part, other), "", Goal::emit);
     const Header old = header_of(before.products, model);
     const Header now = header_of(after.products, model);
     std::set<std::string> different{"dynamics"};  // the function that computes all others together

@@ -19,9 +19,9 @@ TEST_CASE("impacts from equal to different") {
   CHECK(impact(cart, cart) == Impact::equal);
   CHECK(impact(cart, cart + "# more\n") == Impact::equal);
   CHECK(impact(spring("k*(1 - cos(x))"), spring("2*k*sin(x/2)^2")) == Impact::equal);
-  CHECK(impact(spring(), edited(spring(), "k = 3", "k = 4")) == Impact::values);
-  CHECK(impact(cart, edited(cart, "max = 25", "max = 30")) == Impact::values);
-  CHECK(impact(cart, edited(cart, "\"-g\"", "\"g\"")) == Impact::different);
+  CHECK(impact(spring(), replaced(spring(), "k = 3", "k = 4")) == Impact::values);
+  CHECK(impact(cart, replaced(cart, "max = 25", "max = 30")) == Impact::values);
+  CHECK(impact(cart, replaced(cart, "\"-g\"", "\"g\"")) == Impact::different);
 }
 
 TEST_CASE("keys for drawings change no equation, value or stamp") {
@@ -33,7 +33,7 @@ TEST_CASE("keys for drawings change no equation, value or stamp") {
   CHECK(system.impact == Impact::equal);
   CHECK(system.keys.size() == 2);
   CHECK(old.version().checked.model.canonical == now.version().checked.model.canonical);
-  const std::string heavier = edited(spring(), "dot(x)^2", "dot(x)^2 + dot(x)^2");
+  const std::string heavier = replaced(spring(), "dot(x)^2", "dot(x)^2 + dot(x)^2");
   for (const KeyChange& key :
        compared(spring() + point, heavier + point + "joined_to = \"origin\"\n").keys) {
     CHECK((key.impact == Impact::equal) == (key.table == "point"));
@@ -43,19 +43,19 @@ TEST_CASE("keys for drawings change no equation, value or stamp") {
 TEST_CASE("a declared equilibrium changes values only, unless a scene expands about it") {
   const std::string rest = spring() + "[[equilibrium]]\nname = \"rest\"\nat = { x = 0 }\n";
   CHECK(impact(spring(), rest) == Impact::values);
-  CHECK(impact(rest, edited(rest, "x = 0 }", "x = \"0*k\" }")) == Impact::values);
+  CHECK(impact(rest, replaced(rest, "x = 0 }", "x = \"0*k\" }")) == Impact::values);
 }
 
 TEST_CASE("the sample of an open function changes values, its arguments more") {
   const auto with_function = [](const std::string& keys) {
-    return edited(spring("U"), "[energy]", "[[function]]\nname = \"U\"\n" + keys + "[energy]");
+    return replaced(spring("U"), "[energy]", "[[function]]\nname = \"U\"\n" + keys + "[energy]");
   };
   const std::string x = "of = [\"x\"]\n";
   const std::string sampled = with_function(x + "sample = \"k*x^2\"\n");
-  CHECK(impact(sampled, edited(sampled, "k*x^2", "2*k*x^2")) == Impact::values);
+  CHECK(impact(sampled, replaced(sampled, "k*x^2", "2*k*x^2")) == Impact::values);
   CHECK(impact(sampled, with_function(x)) == Impact::values);
   CHECK(impact(with_function(x), sampled) == Impact::values);
-  CHECK(impact(sampled, edited(sampled, "[\"x\"]", "[\"2*x\"]")) == Impact::different);
+  CHECK(impact(sampled, replaced(sampled, "[\"x\"]", "[\"2*x\"]")) == Impact::different);
 }
 
 TEST_CASE("a scene compared with the default scene has changed keys") {
@@ -68,7 +68,7 @@ TEST_CASE("a scene compared with the default scene has changed keys") {
 
 TEST_CASE("a definition may have the name of a descriptive key") {
   const auto defined = [](const std::string& value) {
-    return edited(spring("k*range"), "[energy]", "[define]\nrange = \"" + value + "\"\n[energy]");
+    return replaced(spring("k*range"), "[energy]", "[define]\nrange = \"" + value + "\"\n[energy]");
   };
   CHECK(impact(defined("x^2"), defined("x^3")) == Impact::different);
   CHECK(impact(defined("x^2"), defined("x*x")) == Impact::equal);
@@ -76,21 +76,21 @@ TEST_CASE("a definition may have the name of a descriptive key") {
 
 TEST_CASE("an assumption that changes entries makes the equations different") {
   const std::string positive = spring("k*sqrt(m^2)*x");
-  CHECK(impact(positive, edited(positive, ", assume = \"positive\"", "")) == Impact::different);
-  CHECK(impact(spring(), edited(spring(), ", assume = \"positive\"", "")) == Impact::values);
+  CHECK(impact(positive, replaced(positive, ", assume = \"positive\"", "")) == Impact::different);
+  CHECK(impact(spring(), replaced(spring(), ", assume = \"positive\"", "")) == Impact::values);
 }
 
 TEST_CASE("another value of a parameter that a scene fixes is a change of values") {
   const std::string scene = "[outputs]\npotential_energy = true\n[parameters]\nfixed = \"all\"\n";
   const LoweredVersion old = lowered(spring(), scene);
-  const LoweredVersion now = lowered(edited(spring(), "k = 3", "k = 4"), scene);
+  const LoweredVersion now = lowered(replaced(spring(), "k = 3", "k = 4"), scene);
   const SystemChange system = compare(old.version(), now.version());
   CHECK(system.impact == Impact::values);
   CHECK(entries_of(system, "potential_energy").size() == 1);
 }
 
 TEST_CASE("an equal value in another notation is no change") {
-  CHECK(impact(spring(), edited(spring(), "k = 3", "k = \"6/2\"")) == Impact::equal);
+  CHECK(impact(spring(), replaced(spring(), "k = 3", "k = \"6/2\"")) == Impact::equal);
   const std::string scene = "[outputs]\ngravity = true\n[parameters]\nfixed = { k = ";
   const LoweredVersion old = lowered(spring(), scene + "3 }\n");
   const LoweredVersion now = lowered(spring(), scene + "\"6/2\" }\n");
@@ -99,39 +99,39 @@ TEST_CASE("an equal value in another notation is no change") {
 
 TEST_CASE("a new term with its own parameter extends") {
   const SystemChange system =
-      compared(spring(), edited(spring("1/2*k*x^2 + c*x^4"), "k = 3", "k = 3\nc = 0"));
+      compared(spring(), replaced(spring("1/2*k*x^2 + c*x^4"), "k = 3", "k = 3\nc = 0"));
   CHECK(system.impact == Impact::extended);
   CHECK(system.extension == "at c = 0 all entries equal the old entries (proved)");
 }
 
 TEST_CASE("a new parameter that changes existing terms does not extend") {
   const SystemChange system =
-      compared(spring(), edited(spring("k*x^2 + c*x^4"), "k = 3", "k = 3\nc = 0"));
+      compared(spring(), replaced(spring("k*x^2 + c*x^4"), "k = 3", "k = 3\nc = 0"));
   CHECK(system.impact == Impact::different);
   CHECK(system.extension.empty());
 }
 
 TEST_CASE("a parameter renamed by --rename breaks callers, but changes no key") {
-  const std::string other = edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c");
+  const std::string other = replaced(replaced(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c");
   const SystemChange named = compared(spring(), other, {{"k", "c"}});
   CHECK(named.keys.empty());
   CHECK(named.impact == Impact::breaks);
 }
 
 TEST_CASE("expectations that no longer hold are listed, unless they never held") {
-  const auto broken = compared(cart, edited(cart, "\"-g\"", "\"g\"")).broken_expectations;
+  const auto broken = compared(cart, replaced(cart, "\"-g\"", "\"g\"")).broken_expectations;
   CHECK(std::ranges::count(broken, "gravity[2]") == 1);
   CHECK(std::ranges::count(broken, "mass_matrix[1,1]") == 0);
-  const std::string wrong = edited(cart, "[\"0\", \"-m*g*l*sin(theta)\"]", "[\"0\", \"0\"]");
-  const auto again = compared(wrong, edited(wrong, "\"-g\"", "\"g\"")).broken_expectations;
+  const std::string wrong = replaced(cart, "[\"0\", \"-m*g*l*sin(theta)\"]", "[\"0\", \"0\"]");
+  const auto again = compared(wrong, replaced(wrong, "\"-g\"", "\"g\"")).broken_expectations;
   CHECK(std::ranges::count(again, "gravity[2]") == 0);
 }
 
 TEST_CASE("new warnings are reported") {
-  const SystemChange system = compared(cart, edited(cart, "\"-g\"", "\"g\""));
+  const SystemChange system = compared(cart, replaced(cart, "\"-g\"", "\"g\""));
   REQUIRE(system.warnings.size() == 1);
   CHECK(code_row(system.warnings[0].code).name == "E512");
-  CHECK(compared(edited(cart, "\"-g\"", "\"g\""), cart).warnings.empty());
+  CHECK(compared(replaced(cart, "\"-g\"", "\"g\""), cart).warnings.empty());
 }
 
 TEST_CASE("an impact is found by its word") {

@@ -30,27 +30,27 @@ TEST_CASE("the same interface has no changes") {
 }
 
 TEST_CASE("another order of members changes the meaning silently") {
-  CHECK(
-      interface_text(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
-      "breaks: the members of Parameters changed their order: m, k -> k, m; " + silent);
+  CHECK(interface_text(spring(),
+                       replaced(replaced(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {")) ==
+        "breaks: the members of Parameters changed their order: m, k -> k, m; " + silent);
 }
 
 TEST_CASE("new members extend if they come last") {
   const std::string more = spring("1/2*k*x^2 + c*x");
-  CHECK(interface_text(spring(), edited(more, "k = 3", "k = 3\nc = 0")) ==
+  CHECK(interface_text(spring(), replaced(more, "k = 3", "k = 3\nc = 0")) ==
         "extended: Parameters has new members: c\n");
-  CHECK(interface_text(spring(), edited(more, "k = 3", "c = 0\nk = 3")) ==
+  CHECK(interface_text(spring(), replaced(more, "k = 3", "c = 0\nk = 3")) ==
         "breaks: Parameters has new members, not all at the end: c; " + silent);
 }
 
 TEST_CASE("removed members do not compile") {
-  CHECK(interface_text(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"), spring()) ==
+  CHECK(interface_text(replaced(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"), spring()) ==
         "breaks: parameter `c` is removed\n");
 }
 
 TEST_CASE("unused and fixed parameters are no members") {
-  CHECK(interface_text(spring(), edited(spring(), "k = 3", "c = 0\nk = 3")).empty());
-  const std::string reversed = edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
+  CHECK(interface_text(spring(), replaced(spring(), "k = 3", "c = 0\nk = 3")).empty());
+  const std::string reversed = replaced(replaced(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
   const std::string scene = "[outputs]\ngravity = true\n[parameters]\nfixed = { k = 3 }\n";
   CHECK(interface_text(spring(), reversed, scene, scene).empty());
 }
@@ -67,16 +67,16 @@ TEST_CASE("removed or added pivots change the result of a function") {
 }
 
 TEST_CASE("changed assumptions are reported, even if all entries are equal") {
-  CHECK(interface_text(spring(), edited(spring(), ", assume = \"positive\"", "")) ==
+  CHECK(interface_text(spring(), replaced(spring(), ", assume = \"positive\"", "")) ==
         "values: `m` is assumed to be any number (was positive)\n");
 }
 
 TEST_CASE("changed units and values are reported by name") {
   const std::string mass = "m = { value = 2, assume = \"positive\" }";
-  CHECK(interface_text(edited(spring(), mass, "m = { value = 2, unit = \"kg\" }"),
-                       edited(spring(), mass, "m = { value = 2, unit = \"1\" }")) ==
+  CHECK(interface_text(replaced(spring(), mass, "m = { value = 2, unit = \"kg\" }"),
+                       replaced(spring(), mass, "m = { value = 2, unit = \"1\" }")) ==
         "breaks: the unit of parameter `m` is 1 (was kg); " + silent);
-  CHECK(interface_text(spring(), edited(spring(), "k = 3", "k = 4")) ==
+  CHECK(interface_text(spring(), replaced(spring(), "k = 3", "k = 4")) ==
         "values: the value of `k` is 4 (was 3)\n");
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("language, storage, namespace and Eigen header are part of the interfa
 }
 
 TEST_CASE("a renamed parameter does not compile, a renamed coordinate does") {
-  const std::string other = edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c");
+  const std::string other = replaced(replaced(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c");
   CHECK(interface_text(spring(), other, {}, {}, {{"k", "c"}}) == "breaks: `k` is now called `c`\n");
 }
 
@@ -127,9 +127,9 @@ TEST_CASE("another method or number of iterations of a step is a different funct
 
 TEST_CASE("an output of another shape does not compile") {
   const std::string tip = spring() + "[[output]]\nname = \"tip\"\nvalue = [\"x\", \"x^2\"]\n";
-  CHECK(interface_text(tip, edited(tip, "\"x^2\"]", "\"x^2\", \"x^3\"]")) ==
+  CHECK(interface_text(tip, replaced(tip, "\"x^2\"]", "\"x^2\", \"x^3\"]")) ==
         "breaks: `tip` is 3 x 1 (was 2 x 1)\n");
-  CHECK(interface_text(edited(tip, "[\"x\", \"x^2\"]", "\"x\""), tip) ==
+  CHECK(interface_text(replaced(tip, "[\"x\", \"x^2\"]", "\"x\""), tip) ==
         "breaks: `tip` is 2 x 1 (was 1 x 1)\n");
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("rad equals 1 in a unit, so adding it changes only the text") {
       "[[coordinate]]\nname = \"q\"\nunit = \"rad\"\n[parameters]\nJ = { value = 1, unit = "
       "\"kg*m^2\" }\nd = { value = 2, unit = \"N*m*s/rad\" }\n[energy]\n"
       "T = \"1/2*J*dot(q)^2\"\nD = \"1/2*d*dot(q)^2\"\n");
-  CHECK(interface_text(before, edited(before, "N*m*s/rad", "N*m*s")) ==
+  CHECK(interface_text(before, replaced(before, "N*m*s/rad", "N*m*s")) ==
         "values: the unit of parameter `d` is N*m*s (was N*m*s/rad)\n");
 }
 
@@ -194,7 +194,8 @@ TEST_CASE("an added or removed constraint does not compile") {
 TEST_CASE("reordered constraints change the meaning, another kind does not compile") {
   CHECK(interface_text(held_plane(held_rod + held_slot), held_plane(held_slot + held_rod)) ==
         "breaks: the constraints or their order changed: rod, slot -> slot, rod; " + silent);
-  const std::string rates = edited(held_slot, "z = y", "dot(z) = dot(y)") + "kind = \"velocity\"\n";
+  const std::string rates =
+      replaced(held_slot, "z = y", "dot(z) = dot(y)") + "kind = \"velocity\"\n";
   CHECK(interface_text(held_plane(held_rod + held_slot), held_plane(held_rod + rates)) ==
         "breaks: `constraint_residual` is 1 x 1, 2 x 1 (was 2 x 1, 2 x 1)\n");
 }

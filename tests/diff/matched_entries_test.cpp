@@ -23,9 +23,9 @@ T = "dot(x)^2 + dot(x)*dot(y) + 2*dot(y)^2"
 )toml");
 /// The same model with x and y exchanged.
 std::string exchanged(const std::string& given = plane) {
-  std::string text = edited(given, "name = \"x\"", "name = \"z\"");
-  text = edited(text, "name = \"y\"", "name = \"x\"");
-  return edited(text, "name = \"z\"", "name = \"y\"");
+  std::string text = replaced(given, "name = \"x\"", "name = \"z\"");
+  text = replaced(text, "name = \"y\"", "name = \"x\"");
+  return replaced(text, "name = \"z\"", "name = \"y\"");
 }
 
 std::vector<MatchedEntry> matched(const LoweredVersion& old, const LoweredVersion& now,
@@ -99,8 +99,8 @@ TEST_CASE("rows and columns of M follow their coordinates") {
 }
 
 TEST_CASE("entries of a new coordinate have no match") {
-  const std::string more = edited(plane, "[energy]", "[[coordinate]]\nname = \"z\"\n[energy]");
-  const std::string space = edited(more, "2*dot(y)^2", "2*dot(y)^2 + dot(z)^2");
+  const std::string more = replaced(plane, "[energy]", "[[coordinate]]\nname = \"z\"\n[energy]");
+  const std::string space = replaced(more, "2*dot(y)^2", "2*dot(y)^2 + dot(z)^2");
   const auto entries = matched(lowered(plane), lowered(space), OutputKind::gravity);
   REQUIRE(entries.size() == 3);
   CHECK(entries[1].before == 1U);

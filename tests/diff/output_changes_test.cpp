@@ -62,7 +62,7 @@ TEST_CASE("outputs of only one version are listed") {
 
 TEST_CASE("setting a new parameter to a value restores the old entries") {
   const LoweredVersion old = lowered(spring());
-  const LoweredVersion now = lowered(edited(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"));
+  const LoweredVersion now = lowered(replaced(spring("1/2*k*x^2 + c*x"), "k = 3", "k = 3\nc = 0"));
   const auto count = [&](const ParameterValues& values) {
     std::size_t different = 0;
     for (const auto& change : output_changes(old.version(), now.version(), {}, values)) {
@@ -78,9 +78,9 @@ TEST_CASE("setting a new parameter to a value restores the old entries") {
 
 TEST_CASE("an implicit step, whose error bounds grow at every iteration, is still different") {
   const std::string scene = "[outputs]\nstep = { method = \"midpoint\" }\n";
-  const std::string arm = model_of("double_pendulum");
+  const std::string arm = model_file("double_pendulum");
   const LoweredVersion old = lowered(arm, scene, Goal::choose);
-  const LoweredVersion now = lowered(edited(arm, "\"-g\"", "\"g\""), scene, Goal::choose);
+  const LoweredVersion now = lowered(replaced(arm, "\"-g\"", "\"g\""), scene, Goal::choose);
   const auto all = output_changes(old.version(), now.version());
   REQUIRE(all.size() == 1);
   CHECK(all[0].entries.size() == all[0].entry_count);
@@ -109,8 +109,9 @@ TEST_CASE("the witness lists the variables of the entry, rounded as printed") {
 }
 
 TEST_CASE("parameters with value 0 get random values, so that their terms are compared") {
-  const std::string before = edited(spring(), "k = 3", "k = 3\nc = 0");
-  const EntryChange change = only_change(before, edited(before, "1/2*k*x^2", "1/2*k*x^2 + c*x^4"));
+  const std::string before = replaced(spring(), "k = 3", "k = 3\nc = 0");
+  const EntryChange change =
+      only_change(before, replaced(before, "1/2*k*x^2", "1/2*k*x^2 + c*x^4"));
   CHECK(mentions(change.witness->at, "c = "));
   CHECK(change.share > 0);
 }

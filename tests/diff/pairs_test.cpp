@@ -154,7 +154,7 @@ TEST_CASE("edits of known models have the expected impact") {
   for (const auto& [model, part, other, impact] : edits) {
     INFO(model << ": " << part << " -> " << other);
     const std::string before = model_of(model);
-    CHECK(impact_row(compared(before, edited(before, part, other)).impact).word ==
+    CHECK(impact_row(compared(before, replaced(before, part, other)).impact).word ==
           impact_row(impact).word);
   }
 }
@@ -166,7 +166,7 @@ TEST_CASE("reordered coordinates of a chain of three to seven break callers sile
     const std::string before = system.text(false);
     const std::string first = "[[coordinate]]\nname = \"q0\"\n";
     const std::string after =
-        edited(edited(before, first, ""), "[parameters]", first + "[parameters]");
+        replaced(replaced(before, first, ""), "[parameters]", first + "[parameters]");
     const SystemChange found = compared(before, after);
     CHECK(breaks_silently(found));
     for (const OutputChange& output : found.outputs) {

@@ -72,8 +72,9 @@ TEST_CASE("a removed and an added entry count as one replaced entry") {
 }
 
 TEST_CASE("entries of a renamed coordinate are not counted twice") {
-  const std::string other = edited(
-      edited(edited(spring(), "name = \"x\"", "name = \"s\""), "dot(x)", "dot(s)"), "x^2", "s^2");
+  const std::string other =
+      replaced(replaced(replaced(spring(), "name = \"x\"", "name = \"s\""), "dot(x)", "dot(s)"),
+               "x^2", "s^2");
   const VerdictCounts counts = counts_of(compared(spring(), other));
   CHECK(counts.replaced > 0);
   CHECK(counts.added + counts.removed == 0);
@@ -86,7 +87,7 @@ TEST_CASE("unchanged operations are not listed") {
 }
 
 TEST_CASE("the report of one changed sign has a dozen lines, the cause first") {
-  CHECK(report(cart, edited(cart, "\"-g\"", "\"g\"")) ==
+  CHECK(report(cart, replaced(cart, "\"-g\"", "\"g\"")) ==
         "changed      model.toml:56:17  [gravity] vector[2]: -g -> g\n"
         "             V = m*l*g*cos(theta) -> -m*l*g*cos(theta);  T, D, Q, B identical\n"
         "             [[expect]] was not updated: 5 entries no longer hold (bias[2], "
@@ -102,7 +103,7 @@ TEST_CASE("the report of one changed sign has a dozen lines, the cause first") {
 
 TEST_CASE("silent breaks come first") {
   const std::string text =
-      report(spring(), edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {"));
+      report(spring(), replaced(replaced(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {"));
   CHECK(starts_with(text,
                     "interface    breaks: the members of Parameters changed their order: m, k -> "
                     "k, m; callers still compile but with another meaning\n"));
@@ -138,9 +139,9 @@ TEST_CASE("a cause that two systems share is one line") {
 }
 
 TEST_CASE("in a report of two systems every line names its system, and each has its verdict") {
-  const std::string second = edited(spring(), "\"spring\"", "\"second\"");
+  const std::string second = replaced(spring(), "\"spring\"", "\"second\"");
   const DiffReport report{.systems = {compared(spring(), spring("k*x^2")),
-                                      compared(second, edited(second, "k = 3", "k = 4"))}};
+                                      compared(second, replaced(second, "k = 3", "k = 4"))}};
   for (const std::string& text : {to_text(report, true), to_markdown(report)}) {
     CHECK(mentions(text, "changed      spring: model.toml:"));
     CHECK(mentions(text, "             second: model.toml:"));
@@ -167,8 +168,9 @@ TEST_CASE("systems of the same name are distinguished by their paths") {
 }
 
 TEST_CASE("each cause has the worst impact that it can have itself") {
-  const std::string moved = edited(edited(spring("k*x^2"), "k = 3\n", ""), "m = {", "k = 3\nm = {");
-  const SystemChange system = compared(spring(), edited(moved, "value = 2,", "value = 5,"));
+  const std::string moved =
+      replaced(replaced(spring("k*x^2"), "k = 3\n", ""), "m = {", "k = 3\nm = {");
+  const SystemChange system = compared(spring(), replaced(moved, "value = 2,", "value = 5,"));
   CHECK(system.impact == Impact::breaks);
   for (const KeyChange& key : system.keys) {
     const Impact of_equations = key.table == "energy" ? Impact::different : Impact::values;
@@ -251,7 +253,7 @@ TEST_CASE("without differences Markdown has only a heading") {
 
 TEST_CASE("changes in JSON have stable ids and positions") {
   const auto json = nlohmann::json::parse(
-      to_json({.systems = {compared(cart, edited(cart, "\"-g\"", "\"g\""))}}));
+      to_json({.systems = {compared(cart, replaced(cart, "\"-g\"", "\"g\""))}}));
   CHECK(json.at("format") == "elgen diff 1");
   CHECK(json.at("impact") == "different");
   const auto& system = json.at("systems").at(0);
@@ -278,7 +280,7 @@ TEST_CASE("in JSON an equal entry says if it is proved, and missing values are n
 }
 
 TEST_CASE("an annotation is at the position of its cause") {
-  CHECK(to_annotations({.systems = {compared(cart, edited(cart, "\"-g\"", "\"g\""))}}) ==
+  CHECK(to_annotations({.systems = {compared(cart, replaced(cart, "\"-g\"", "\"g\""))}}) ==
         "::warning file=model.toml,line=56,col=17,title=elgen diff%3A different (the equations "
         "differ)::[gravity] vector[2]: -g -> g\n");
   CHECK(starts_with(
@@ -287,7 +289,7 @@ TEST_CASE("an annotation is at the position of its cause") {
 }
 
 TEST_CASE("a broken, removed or unreadable system is one annotation with the reason") {
-  const std::string reversed = edited(edited(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
+  const std::string reversed = replaced(replaced(spring(), "k = 3\n", ""), "m = {", "k = 3\nm = {");
   const DiffReport report{.systems = {compared(spring(), reversed)},
                           .removed = {"old.toml"},
                           .unreadable = {{"new.toml", {Code::E201, {}, "unknown name `z`"}}}};

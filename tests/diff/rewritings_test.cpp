@@ -49,7 +49,7 @@ void check_pairs(const Rewriting& pair) {
   const std::string before = text_of(pair, pair.before);
   const std::string after = text_of(pair, pair.after);
   CHECK(impact_row(compared(before, after).impact).word == "equal");
-  const std::string wrong = edited(after, pair.part, pair.wrong);
+  const std::string wrong = replaced(after, pair.part, pair.wrong);
   CHECK(impact_row(compared(before, wrong).impact).word == "different");
 }
 
@@ -374,12 +374,12 @@ TEST_CASE("coordinates of a chain of three, five and seven links may be reordere
   for (const int n : {3, 5, 7}) {
     INFO(n);
     const std::string before = text_of({"", "", n, "", "", "", ""}, chain_of_points);
-    const std::string after = edited(before, "name = \"q[i]\"", "name = \"q[n + 1 - i]\"");
+    const std::string after = replaced(before, "name = \"q[i]\"", "name = \"q[n + 1 - i]\"");
     const SystemChange found = compared(before, after);
     CHECK(breaks_silently(found));
     CHECK(count_of(found, EntryVerdict::different) == 0);
     if (n == 7) continue;  // would take seconds
-    const std::string wrong = edited(after, "+ l*sin", "+ 1.000000000001*l*sin");
+    const std::string wrong = replaced(after, "+ l*sin", "+ 1.000000000001*l*sin");
     CHECK(count_of(compared(before, wrong), EntryVerdict::different) > 0);
   }
 }

@@ -94,30 +94,30 @@ mass = "m"
 vector = ["0", "-g"]
 )toml");
   for (const std::string value : {"0", "1/2"}) {
-    const std::string after =
-        edited(edited(before, "[[point]]", "mt = \"" + value + "\"\n[[point]]"), "[gravity]",
-               "[[point]]\nname = \"tool\"\nat = [\"x(lower)\", \"y(lower) - l\"]\nmass = \"mt\"\n"
-               "[gravity]");
+    const std::string after = replaced(
+        replaced(before, "[[point]]", "mt = \"" + value + "\"\n[[point]]"), "[gravity]",
+        "[[point]]\nname = \"tool\"\nat = [\"x(lower)\", \"y(lower) - l\"]\nmass = \"mt\"\n"
+        "[gravity]");
     const SystemChange found = compared(before, after);
     CHECK(word(found.impact) == "extended");
     CHECK(found.extension == "at mt = 0 all entries equal the old entries (proved)");
-    const std::string wrong = edited(after, "mass = \"m\"", "mass = \"1.000000000001*m\"");
+    const std::string wrong = replaced(after, "mass = \"m\"", "mass = \"1.000000000001*m\"");
     CHECK(word(compared(before, wrong).impact) == "different");
   }
 }
 
 TEST_CASE("with a given renaming parameters and coordinates are matched") {
   const std::string before = spring("1/2*k*x^2");
-  const std::string m = edited(edited(before, "m = {", "mass = {"), "2*m*dot", "2*mass*dot");
-  const std::string wrong = edited(m, "2*mass*dot", "2.000000000002*mass*dot");
+  const std::string m = replaced(replaced(before, "m = {", "mass = {"), "2*m*dot", "2*mass*dot");
+  const std::string wrong = replaced(m, "2*mass*dot", "2.000000000002*mass*dot");
   const Renames renames{{"m", "mass"}};
   const SystemChange found = compared(before, m, renames);
   CHECK(word(found.impact) == "breaks");
   CHECK(count_of(found, EntryVerdict::different) == 0);
   CHECK(count_of(compared(before, wrong, renames), EntryVerdict::different) > 0);
 
-  const std::string y = edited(
-      edited(edited(before, "name = \"x\"", "name = \"y\""), "dot(x)", "dot(y)"), "k*x", "k*y");
+  const std::string y = replaced(
+      replaced(replaced(before, "name = \"x\"", "name = \"y\""), "dot(x)", "dot(y)"), "k*x", "k*y");
   const Renames moved{{"x", "y"}};
   CHECK(word(compared(before, y, moved).impact) == "values");
   CHECK(count_of(compared(before, y, moved), EntryVerdict::different) == 0);
@@ -125,9 +125,10 @@ TEST_CASE("with a given renaming parameters and coordinates are matched") {
 }
 
 TEST_CASE("an arm of seven joints is compared beyond the limit of closed forms") {
-  const std::string before = model_of("panda7");
-  const std::string after = edited(before, R"(["I5xx", "I5yy", "I5zz", "I5xy", "I5xz", "I5yz"])",
-                                   R"toml(["I5xx + m5*(c5y^2 + c5z^2)", "I5yy + m5*(c5x^2 + c5z^2)",
+  const std::string before = model_file("panda7");
+  const std::string after =
+      replaced(before, R"(["I5xx", "I5yy", "I5zz", "I5xy", "I5xz", "I5yz"])",
+               R"toml(["I5xx + m5*(c5y^2 + c5z^2)", "I5yy + m5*(c5x^2 + c5z^2)",
                  "I5zz + m5*(c5x^2 + c5y^2)", "I5xy - m5*c5x*c5y", "I5xz - m5*c5x*c5z",
                  "I5yz - m5*c5y*c5z"]
 inertia_about = "origin")toml");
@@ -140,7 +141,7 @@ inertia_about = "origin")toml");
   };
   CHECK(std::ranges::any_of(found.outputs, is_sampled));
   const SystemChange wrong =
-      compared(before, edited(after, "m5*c5x*c5z", "1.000000000001*m5*c5x*c5z"));
+      compared(before, replaced(after, "m5*c5x*c5z", "1.000000000001*m5*c5x*c5z"));
   CHECK(word(wrong.impact) == "different");
 }
 
@@ -199,14 +200,14 @@ TEST_CASE("edits of scenes have the expected impact") {
     const std::string text = model_of(model);
     const Goal goal = std::string(scene) == stepped ? Goal::choose : Goal::lower;
     const LoweredVersion old = lowered(text, scene, goal);
-    const LoweredVersion now = lowered(text, edited(scene, part, other), goal);
+    const LoweredVersion now = lowered(text, replaced(scene, part, other), goal);
     CHECK(word(compare(old.version(), now.version()).impact) == word(impact));
   }
 }
 
 TEST_CASE("a model is compared as specialised by its scene") {
-  const std::string before = model_of("two_mass_damper");
-  const std::string moved = edited(before, "1/2*kc*(x1 - x2)^2", "1/2*kc*(x1 + x2)^2");
+  const std::string before = model_file("two_mass_damper");
+  const std::string moved = replaced(before, "1/2*kc*(x1 - x2)^2", "1/2*kc*(x1 + x2)^2");
   const auto verdict = [&](const std::string& after, const std::string& scene) {
     const LoweredVersion old = lowered(before, scene);
     const LoweredVersion now = lowered(after, scene);
@@ -214,7 +215,7 @@ TEST_CASE("a model is compared as specialised by its scene") {
   };
   CHECK(verdict(moved, "[parameters]\nfixed = { kc = 0 }\n") == "equal");
   CHECK(verdict(moved, "[parameters]\nfixed = { kc = 1 }\n") == "different");
-  const std::string value = edited(before, "kc = { value = 1,", "kc = { value = 2,");
+  const std::string value = replaced(before, "kc = { value = 1,", "kc = { value = 2,");
   CHECK(verdict(value, "[parameters]\nfixed = \"all\"\n") == "values");
   CHECK(verdict(value, "[parameters]\nfixed = { kc = 3 }\n") == "values");
 }
@@ -242,8 +243,9 @@ TEST_CASE("a parameter that no output uses may be fixed or renamed") {
     const LoweredVersion now = lowered(spring(), outputs + "fixed = { m = " + value + " }\n");
     CHECK(word(compare(old.version(), now.version()).impact) == "values");
   }
-  const LoweredVersion named = lowered(edited(edited(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c"),
-                                       outputs + "fixed = { c = 3 }\n");
+  const LoweredVersion named =
+      lowered(replaced(replaced(spring(), "k = 3", "c = 3"), "1/2*k", "1/2*c"),
+              outputs + "fixed = { c = 3 }\n");
   const SystemChange found = compare(old.version(), named.version(), {.renames = {{"k", "c"}}});
   CHECK(count_of(found, EntryVerdict::different) == 0);
   CHECK(count_of(compare(named.version(), old.version(), {.renames = {{"c", "k"}}}),

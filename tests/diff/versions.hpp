@@ -8,6 +8,7 @@
 
 #include "elgen/diff.hpp"
 #include "elgen/pipeline.hpp"
+#include "support/inputs.hpp"
 #include "support/models.hpp"
 #include "support/shell.hpp"
 
@@ -30,11 +31,7 @@ inline LoweredVersion lowered(const std::string& text, const std::string& scene 
                               Goal goal = Goal::lower) {
   PipelineOptions options;
   options.goals = {goal};
-  Inputs inputs{make_source("model.toml", text)};
-  if (!scene.empty()) {
-    inputs.scene = make_source("given.scene.toml",
-                               "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n" + scene);
-  }
+  const Inputs inputs = inputs_of(text, scene);
   static std::vector<SourcePointer> alive;  // spans of reports point into the sources
   alive.insert(alive.end(), {inputs.model, inputs.scene});
   LoweredVersion result{.products = run_pipeline(inputs, options)};
@@ -52,20 +49,7 @@ inline SystemChange compared(const std::string& before, const std::string& after
   return compare(old.version(), now.version(), {.renames = renames});
 }
 
-/// The text of a committed model.
-inline std::string model_of(const std::string& name) {
-  return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
-}
-
-inline const std::string cart = model_of("cart_pole");
-
-/// The text with `part` replaced; fails if there is no such part.
-inline std::string edited(std::string text, const std::string& part, const std::string& other) {
-  INFO(part);
-  const std::size_t at = text.find(part);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, part.size(), other);
-}
+inline const std::string cart = model_file("cart_pole");
 
 /// The entries of an output that are not identical.
 inline std::vector<EntryChange> entries_of(const SystemChange& system, const std::string& output) {

@@ -34,14 +34,13 @@ TEST_CASE("an array is written to result, and unused arguments are marked") {
 TEST_CASE("a number is returned, a struct is filled") {
   CHECK(text_of(cart_pole_in_c(), 2).body == "  (void)q;\n  return 0.5 * p->M * (v[0] * v[0]);\n");
   const DefinitionText forward = text_of(cart_pole_in_c(), 4);
-  CHECK(forward.signature.find("cart_pole_forward_dynamics_result *result)") != std::string::npos);
-  CHECK(forward.body.find("  result->acceleration[0] = u[0] / p->M;\n") != std::string::npos);
+  CHECK(mentions(forward.signature, "cart_pole_forward_dynamics_result *result)"));
+  CHECK(mentions(forward.body, "  result->acceleration[0] = u[0] / p->M;\n"));
 }
 
 TEST_CASE("float has its own functions and literals") {
   const Subject subject = cart_pole_in_c(ScalarKind::single_precision);
-  CHECK(text_of(subject, 1).body.find("const float sin_theta = cart_pole_sine_of(q[1]);") !=
-        std::string::npos);
+  CHECK(mentions(text_of(subject, 1).body, "const float sin_theta = cart_pole_sine_of(q[1]);"));
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
   CHECK(dialect->constant(rational_constant(cln::cl_RA(-1) / 3)).text == "-0.33333334f");
   CHECK(dialect->pair("s", "c", {"x"}, true) ==
@@ -56,7 +55,7 @@ TEST_CASE("float has its own functions and literals") {
 TEST_CASE("sine and cosine of the library are separate calls") {
   Subject subject = cart_pole_in_c();
   subject.scene.numerics.has_library_sines = true;
-  CHECK(text_of(subject, 1).body.find("const double sin_theta = sin(q[1]);") != std::string::npos);
+  CHECK(mentions(text_of(subject, 1).body, "const double sin_theta = sin(q[1]);"));
   CHECK_FALSE(c99_dialect(subject.model, subject.scene, subject.program)->has_pairs());
 }
 

@@ -115,20 +115,17 @@ TEST_CASE("a constant is emitted as one function, however often it occurs") {
 
 TEST_CASE("no line is longer than 100 columns, none ends with a space, no blank line is doubled") {
   const std::string text = cpp_text(cart_pole());
-  std::size_t begin = 0;
-  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {
-    const std::string line = text.substr(begin, end - begin);
+  for (const std::string& line : split_lines(text)) {
     INFO(line);
     CHECK(line.size() <= 100);
     CHECK((line.empty() || line.back() != ' '));
-    begin = end + 1;
   }
   CHECK_FALSE(mentions(text, "\n\n\n"));
 }
 
 TEST_CASE("names, units and bounds are declared, with empty arrays if there are no inputs") {
   Subject subject = cart_pole();
-  subject.model.velocities[1].rate_range = Interval{0, ten_to(400)};
+  subject.model.velocities[1].rate_range = Interval{0, power_of_ten(400)};
   const std::string text = cpp_text(subject);
   for (const char* const declared :
        {"coordinate_names{{\"x\", \"theta\"}};", "coordinate_units{{\"m\", \"rad\"}};",

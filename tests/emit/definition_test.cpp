@@ -37,7 +37,7 @@ TEST_CASE("a short function is one body") {
   const FunctionDefinition function = function_of(long_function(20));
   CHECK(function.parts.empty());
   CHECK(function.workspace.values.empty());
-  CHECK(function.whole.body.find("return {{") != std::string::npos);
+  CHECK(mentions(function.whole.body, "return {{"));
 }
 
 TEST_CASE("a long function calls its parts in order") {
@@ -51,11 +51,11 @@ TEST_CASE("a long function calls its parts in order") {
         "  detail::gravity_part_2(result, w, p, q);\n"
         "  detail::gravity_part_3(result, w, p, q);\n"
         "  return result;\n");
-  CHECK(function.whole.signature.find("Parameters<Scalar>& p") != std::string::npos);
+  CHECK(mentions(function.whole.signature, "Parameters<Scalar>& p"));
   CHECK(function.workspace.values.size() == 4);  // two values at each of two cuts
   const std::string shared = "w." + function.workspace.values.front();
-  CHECK(function.parts[0].body.find("\n  " + shared + " = ") != std::string::npos);
-  CHECK(function.parts[1].body.find(shared) != std::string::npos);
+  CHECK(mentions(function.parts[0].body, "\n  " + shared + " = "));
+  CHECK(mentions(function.parts[1].body, shared));
 }
 
 TEST_CASE("one call computes the sine and the cosine of an angle") {
@@ -81,10 +81,9 @@ TEST_CASE("one call writes a sine and cosine that parts share") {
 TEST_CASE("parts name only arguments that they use") {
   const FunctionDefinition function = function_of(long_function(longest_body));
   const std::string& last = function.parts.back().signature;
-  CHECK(last.find("GravityWorkspace<Scalar>& w") != std::string::npos);
-  CHECK(last.find("const Coordinates<Scalar>&)") != std::string::npos);
-  CHECK(function.parts.front().signature.find("const Coordinates<Scalar>& q)") !=
-        std::string::npos);
+  CHECK(mentions(last, "GravityWorkspace<Scalar>& w"));
+  CHECK(mentions(last, "const Coordinates<Scalar>&)"));
+  CHECK(mentions(function.parts.front().signature, "const Coordinates<Scalar>& q)"));
 }
 
 TEST_CASE("column-major matrices are written column by column") {
@@ -140,8 +139,8 @@ TEST_CASE("parts share the arrays of a loop") {
   CHECK(shared[shared.size() - 2] == "given[2]");
   CHECK(shared.back() == "solved[2]");
   const std::string& last = function.parts.back().body;
-  CHECK(function.parts.front().body.find("  w.given[1] = q[1];\n") != std::string::npos);
-  CHECK(last.find("Columns::load(w.given + at);\n    Columns::store(solved_1, w.solved + at);\n") !=
-        std::string::npos);
-  CHECK(last.find("  result[1] = w.solved[1];\n") != std::string::npos);
+  CHECK(mentions(function.parts.front().body, "  w.given[1] = q[1];\n"));
+  CHECK(mentions(last,
+                 "Columns::load(w.given + at);\n    Columns::store(solved_1, w.solved + at);\n"));
+  CHECK(mentions(last, "  result[1] = w.solved[1];\n"));
 }

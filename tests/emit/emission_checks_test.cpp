@@ -25,7 +25,7 @@ TEST_CASE("usual values fit everywhere") {
 
 TEST_CASE("a value must be in the range of the requested scalars") {
   Subject subject = cart_pole();
-  add_parameter(subject.model, "tiny", ten_to(-50), "m");
+  add_parameter(subject.model, "tiny", power_of_ten(-50), "m");
   read_parameter(subject, "tiny");
   CHECK(range_diagnostics(subject).empty());
   subject.scene.numerics.scalars = {ScalarKind::single_precision};
@@ -39,11 +39,11 @@ TEST_CASE("a value must be in the range of the requested scalars") {
 
 TEST_CASE("overflow, subnormals, constants") {
   Subject subject = cart_pole();
-  add_parameter(subject.model, "huge", -ten_to(309), "m");
-  add_parameter(subject.model, "subnormal", ten_to(-310), "m");
+  add_parameter(subject.model, "huge", -power_of_ten(309), "m");
+  add_parameter(subject.model, "subnormal", power_of_ten(-310), "m");
   read_parameter(subject, "huge");
   read_parameter(subject, "subnormal");
-  load_constant(subject, rational_constant(ten_to(400)));
+  load_constant(subject, rational_constant(power_of_ten(400)));
   const Diagnostics diagnostics = range_diagnostics(subject);
   REQUIRE(diagnostics.size() == 3);
   CHECK(diagnostics[0].message == "`-1e309`, the value of `huge`, overflows in double");
@@ -53,7 +53,7 @@ TEST_CASE("overflow, subnormals, constants") {
 
 TEST_CASE("unused parameters are not checked") {
   Subject subject = cart_pole();
-  add_parameter(subject.model, "tiny", ten_to(-400), "m");
+  add_parameter(subject.model, "tiny", power_of_ten(-400), "m");
   CHECK(range_diagnostics(subject).empty());
 }
 

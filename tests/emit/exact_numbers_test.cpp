@@ -43,7 +43,7 @@ TEST_CASE(
                                  "\"_number_1\": (99999999999999999999, 100000000000000000000)"});
   REQUIRE(exact.named().size() == 1);
   CHECK(exact.named().front() == std::pair<std::string, double>{"_number_1", 1.0});
-  const cln::cl_RA near = 1 - 1 / ten_to(20);
+  const cln::cl_RA near = 1 - 1 / power_of_ten(20);
   CHECK(exact.name_of(rational_constant(near)) == "_number_1");
   CHECK(exact.name_of(rational_constant(-near)) == "_number_1");
   CHECK(exact.name_of(rational_constant(1)).empty());
@@ -52,8 +52,9 @@ TEST_CASE(
 
 TEST_CASE(
     "a parameter value that shares its double with a constant is identified by the parameter") {
-  const ExactNumbers exact = numbers_of("  0 = parameter m\n  1 = constant 1/3\n  2 = constant 2\n",
-                                        cln::cl_RA(cln::cl_I("33333333333333333333")) / ten_to(20));
+  const ExactNumbers exact =
+      numbers_of("  0 = parameter m\n  1 = constant 1/3\n  2 = constant 2\n",
+                 cln::cl_RA(cln::cl_I("33333333333333333333")) / power_of_ten(20));
   CHECK(exact.entries() == Texts{"0.3333333333333333: (1, 3)",
                                  "\"p.m\": (33333333333333333333, 100000000000000000000)"});
 }

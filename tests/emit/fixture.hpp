@@ -10,7 +10,9 @@
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
+#include "numbers/exact_number.hpp"
 #include "program/read_program.hpp"
+#include "support/text.hpp"
 
 namespace elgen::test {
 
@@ -48,8 +50,6 @@ inline void add_parameter_array(Model& model, const std::string& name,
   }
   model.parameter_arrays.push_back(declared);
 }
-
-inline cln::cl_RA ten_to(int exponent) { return cln::expt(cln::cl_RA(10), cln::cl_I(exponent)); }
 
 /// Makes the first function read a parameter, so that it is emitted.
 inline void read_parameter(Subject& subject, const std::string& leaf) {

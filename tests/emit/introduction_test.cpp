@@ -58,7 +58,7 @@ TEST_CASE("one row per function, columns aligned") {
   CHECK(table[0] == "function             add    mul   div  sqrt sincos other  definitions  form");
   CHECK(table[1] ==
         "mass_matrix            1      4     0     0      1     0            2  recursive");
-  CHECK(table[2].find("  closed") != std::string::npos);
+  CHECK(mentions(table[2], "  closed"));
 }
 
 TEST_CASE("the page ends with the operations of every function") {
@@ -77,6 +77,7 @@ TEST_CASE("the page lists omitted outputs") {
   subject.scene.left_out = {{OmissionReason::too_many_entries, {"linearization"}}};
   const std::string page =
       markdown(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
-  CHECK(page.find("\n\nLeft out, with more than 4096 entries: linearization. To emit one, name it "
-                  "in a scene or with --outputs.\n\n") != std::string::npos);
+  CHECK(mentions(page,
+                 "\n\nLeft out, with more than 4096 entries: linearization. To emit one, name it "
+                 "in a scene or with --outputs.\n\n"));
 }

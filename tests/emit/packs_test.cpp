@@ -1,7 +1,6 @@
 // Builds and runs programs of tests/emit/compiled/ with emitted headers, by both compilers.
 #include <catch2/catch.hpp>
 #include <iostream>
-#include <sstream>
 #include <vector>
 
 #include "support/installed.hpp"
@@ -27,12 +26,8 @@ Outcome build(const std::string& compiler, const std::string& program, const Wor
 void build_and_run(const std::string& program, const std::string& flags = "") {
   const std::string compiler = GENERATE("g++", "clang++");
   const Workspace workspace;
-  const Outcome built = build(compiler, program, workspace, flags);
-  INFO(compiler << "\n" << built.errors);
-  REQUIRE(built.status == 0);
-  const Outcome run = shell("./program", workspace.path());
-  INFO(run.output);
-  CHECK(run.status == 0);
+  REQUIRE(failure_of(build(compiler, program, workspace, flags)) == "");
+  CHECK(failure_of(shell("./program", workspace.path())) == "");
 }
 
 /// A command that links a program for 32-bit x86.
@@ -88,9 +83,7 @@ TEST_CASE("fast-math is refused by batches or does not change their angles") {
 TEST_CASE("macros of other headers do not break batches") {
   const std::string compiler = GENERATE("g++", "clang++");
   const Workspace workspace;
-  const Outcome built = build(compiler, "macros.cpp", workspace, "-fsyntax-only");
-  INFO(compiler << "\n" << built.errors);
-  CHECK(built.status == 0);
+  CHECK(failure_of(build(compiler, "macros.cpp", workspace, "-fsyntax-only")) == "");
 }
 
 TEST_CASE("excess precision is refused by batches") {
@@ -190,8 +183,7 @@ TEST_CASE("device code can call the functions, and batches are kernels") {
   const Outcome built = shell(compiler + folders, workspace.path());
   INFO(compiler << "\n" << built.errors);
   CHECK(built.status == 0);
-  std::istringstream lines(built.errors);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(built.errors)) {
     const bool is_of_kernel = mentions(line, "Function properties for ") ||
                               mentions(line, " stack frame") || mentions(line, " registers");
     if (is_of_kernel) std::cout << line << '\n';

@@ -43,8 +43,7 @@ constexpr std::string_view marker = "--- ";
 
 std::vector<Section> split(std::string_view text) {
   std::vector<Section> sections;
-  std::istringstream lines{std::string(text)};
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(text)) {
     if (line.rfind(marker, 0) == 0) {
       sections.push_back({line.substr(marker.size()), ""});
     } else if (sections.empty()) {
@@ -115,15 +114,6 @@ const std::map<std::string, std::string>& unreachable_codes() {
   return reasons;
 }
 
-std::vector<std::filesystem::path> case_paths() {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".txt") paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 /// "E201" of "E201_unknown_name.txt".
 std::string code_of(const std::filesystem::path& path) { return path.stem().string().substr(0, 4); }
 
@@ -149,8 +139,7 @@ struct BrokenModel {
 
 std::vector<BrokenModel> broken_models() {
   std::vector<BrokenModel> models;
-  std::istringstream lines(read_text(folder / "broken_models.tsv"));
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(read_text(folder / "broken_models.tsv"))) {
     if (line.rfind('#', 0) == 0) continue;
     std::istringstream cells(line);
     BrokenModel model;
@@ -195,7 +184,7 @@ TEST_CASE("a case runs in its own folder, and stdout, stderr and exit code are s
 
 TEST_CASE("every error file matches the output exactly") {
   const bool update = std::getenv("ELGEN_UPDATE") != nullptr;
-  for (const auto& path : case_paths()) {
+  for (const auto& path : files_in(folder, ".txt")) {
     CaseFile sample = parse_case(read_text(path));
     const Outcome outcome = run_case(sample);
     if (update) {
@@ -211,12 +200,12 @@ TEST_CASE("every error file matches the output exactly") {
 }
 
 TEST_CASE("every error file shows the code in its name") {
-  for (const auto& path : case_paths()) {
+  for (const auto& path : files_in(folder, ".txt")) {
     INFO(path.filename().string());
     const CodeRow* row = find_code(code_of(path));
     REQUIRE(row != nullptr);
     const CaseFile sample = parse_case(read_text(path));
-    CHECK(sample.expected.errors.find("[" + std::string(row->name) + "]") != std::string::npos);
+    CHECK(mentions(sample.expected.errors, "[" + std::string(row->name) + "]"));
     CHECK(sample.expected.status == static_cast<int>(row->exit_code));
     CHECK(path.stem().string().rfind(file_stem(*row), 0) == 0);
   }
@@ -224,7 +213,7 @@ TEST_CASE("every error file shows the code in its name") {
 
 TEST_CASE("every code has an error file or a reason why no command can produce it") {
   std::set<std::string> shown;
-  for (const auto& path : case_paths()) shown.insert(code_of(path));
+  for (const auto& path : files_in(folder, ".txt")) shown.insert(code_of(path));
   for (const CodeRow& row : code_table()) {
     INFO(row.name);
     const bool is_unreachable = unreachable_codes().count(std::string(row.name)) > 0;

@@ -7,8 +7,10 @@
 
 #include "elgen/functions.hpp"
 #include "elgen/outputs.hpp"
+#include "support/text.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -136,7 +138,7 @@ TEST_CASE("a long formula is broken before signs at the outermost level") {
 TEST_CASE("tall brackets are closed and reopened at a break") {
   const auto lines = lines_of("\\left( aaaaaaaaaaaa + bbbbbbbbbbbb \\right) c", 14);
   REQUIRE(lines.size() == 2);
-  CHECK(lines[0].find("\\right.") != std::string::npos);
+  CHECK(mentions(lines[0], "\\right."));
   CHECK(lines[1].find("\\left.") == 0);
 }
 

@@ -55,10 +55,7 @@ class Count {
 
 SourcePointer option(const std::string& text) { return make_source("option", text); }
 
-Inputs chain() {
-  const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/chain.toml";
-  return {make_source("chain.toml", read_text(path)), nullptr};
-}
+Inputs chain() { return {make_source("chain.toml", model_file("chain")), nullptr}; }
 
 PipelineOptions chain_options(int links, const std::string& output) {
   PipelineOptions options;
@@ -200,10 +197,9 @@ TEST_CASE("a page of modes reads only the non-zero entries") {
       "T = \"sum(i, 1, n, dot(q[i])^2)/2\"\n"
       "V = \"sum(i, 1, n, q[i]^2) + sum(i, 2, n, (q[i] - q[i-1])^2)\"\n");
   const auto bytes = [&](int size) {
-    PipelineOptions options;
-    options.scene.sizes = {option("n=" + std::to_string(size))};
-    options.goals = {Goal::modes};
-    const Products products = run_pipeline({make_source("small.toml", springs), nullptr}, options);
+    const Products products = run_pipeline(
+        {make_source("small.toml", springs), nullptr},
+        {.scene = {.sizes = {option("n=" + std::to_string(size))}}, .goals = {Goal::modes}});
     REQUIRE(products.modes);
     const Operations start = operations();
     CHECK_FALSE(text_of(modes_page(*products.checked, *products.modes)).empty());

@@ -100,8 +100,7 @@ TEST_CASE("the size of a product is checked before it is expanded") {
         "E910: `c13*c13` has powers beyond 10000");
   CHECK(constant_findings(chain("x + 1", "c^64", 9), "c9") ==
         "E910: `c2^64` has powers beyond 10000");
-  CHECK(constant_findings(chain("1/x", "c/(1/c)", 64), "c64").find("has powers beyond 10000") !=
-        std::string::npos);
+  CHECK(mentions(constant_findings(chain("1/x", "c/(1/c)", 64), "c64"), "has powers beyond 10000"));
   CHECK(constant_findings(chain("2", "c*c", 64), "x*c64") ==
         "E910: `c13*c13` has more than 4096 digits");
   CHECK(constant_findings(chain("1000*x", "c*c", 64), "c64") ==

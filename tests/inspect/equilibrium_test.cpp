@@ -95,7 +95,7 @@ on = "q"
   CHECK(text_of(other) ==
         "E613: `q` does not stay at rest there: bias - B u is not 0 at other values of the "
         "parameters");
-  CHECK(holds_at_own_values.find(other.at(0).hint) != std::string::npos);
+  CHECK(mentions(holds_at_own_values, other.at(0).hint));
 }
 
 TEST_CASE("a coordinate without a given value must balance everywhere") {

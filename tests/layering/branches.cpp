@@ -17,7 +17,7 @@ Places branches(const SourceTree& tree, const std::string& name, const std::stri
     }
     const std::string word = "(?:" + names + ")::(?:" + enumerator + R"()\b)";
     const std::regex branch(R"((?:==|!=|\bcase) (?:\w+::)*)" + word + "|\\b" + word + " (?:==|!=)");
-    const Lines lines = lines_of(text);
+    const Lines lines = split_lines(text);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       if (!mentions(lines[i], "::") || begins(lines[i], "//")) continue;
       std::sregex_iterator place(lines[i].begin(), lines[i].end(), branch);
@@ -43,7 +43,7 @@ Places leaf_branches(const SourceTree& tree) {
   if (table == tree.end()) return {};
   static const std::regex row(R"(^ELGEN_LEA\w+\((\w+),)");
   std::string kinds;
-  for (const std::string& line : lines_of(table->second)) {
+  for (const std::string& line : split_lines(table->second)) {
     std::smatch match;
     if (!std::regex_search(line, match, row)) continue;
     kinds += (kinds.empty() ? "" : "|") + match[1].str();

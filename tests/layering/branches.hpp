@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <regex>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,20 +15,13 @@ namespace elgen::test {
 using Lines = std::vector<std::string>;
 using Places = std::vector<std::string>;
 
-inline Lines lines_of(const std::string& text) {
-  Lines lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 /// Calls judge(lines of a file, index of a line) for every line of src and include. Each non-empty
 /// result becomes a place "path:line: result".
 template <class Judge>
 Places places_where(const SourceTree& tree, const Judge& judge) {
   Places found;
   for (const std::string& path : governed(tree)) {
-    const Lines lines = lines_of(tree.at(path));
+    const Lines lines = split_lines(tree.at(path));
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const std::string said = judge(lines, i);
       if (!said.empty()) found.push_back(path + ":" + std::to_string(i + 1) + ": " + said);

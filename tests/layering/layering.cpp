@@ -1,7 +1,6 @@
 #include "layering/layering.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <regex>
@@ -48,8 +47,7 @@ std::optional<std::size_t> position_of(const std::string& path, const std::vecto
 std::vector<std::string> included_names(const std::string& text) {
   static const std::regex directive(R"(^\s*#\s*include\s*["<]([^">]+)[">])");
   std::vector<std::string> names;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(text)) {
     if (!mentions(line, "include")) continue;
     std::smatch match;
     if (std::regex_search(line, match, directive)) names.push_back(match[1]);
@@ -125,8 +123,7 @@ std::vector<std::string> governed(const SourceTree& tree) {
 
 std::vector<Layer> parse_layers(std::string_view text) {
   std::vector<Layer> layers;
-  std::istringstream lines{std::string(text)};
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(text)) {
     const std::size_t colon = line.find(':');
     if (colon == std::string::npos || line.front() == '#') continue;
     Layer layer;
@@ -225,8 +222,7 @@ std::vector<std::string> types_of_two_meanings(const SourceTree& tree) {
   std::vector<std::string> found;
   for (const auto& [path, text] : tree) {
     if (starts_with(path, "tests/")) continue;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : split_lines(text)) {
       std::smatch match;
       if (!std::regex_search(line, match, type)) continue;
       const auto [first, is_new] = known.emplace(match[2], path);
@@ -256,9 +252,8 @@ std::vector<std::string> unusual_namespaces(const SourceTree& tree) {
   for (const std::string& path : governed(tree)) {
     const std::string folder = folder_of(room_of(path));
     const bool may_have_own = starts_with(path, "src/") && own.count(folder) > 0;
-    std::istringstream lines(tree.at(path));
     std::smatch match;
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : split_lines(tree.at(path))) {
       if (!std::regex_search(line, match, opening)) continue;
       if (match[1] == "elgen" || (may_have_own && match[1] == "elgen::" + folder)) continue;
       found.push_back(path + ": opens namespace " + match[1].str());

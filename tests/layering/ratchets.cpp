@@ -59,7 +59,7 @@ std::set<std::string> table_enumerations(const SourceTree& tree) {
   std::set<std::string> names;
   for (const std::string& path : governed(tree)) {
     std::string name;
-    for (const std::string& line : lines_of(tree.at(path))) {
+    for (const std::string& line : split_lines(tree.at(path))) {
       std::smatch match;
       if (starts_with(line, "enum ") && std::regex_search(line, match, opening)) name = match[1];
       if (!name.empty() && mentions(line, ".def\"")) names.insert(name);
@@ -231,7 +231,7 @@ Places noun_clauses(const SourceTree& tree) {
   Places found;
   for (const auto& [path, text] : tree) {
     std::size_t number = 0;
-    for (const std::string& line : lines_of(text)) {
+    for (const std::string& line : split_lines(text)) {
       ++number;
       const std::size_t start = line.find("//");
       if (start == std::string::npos || !has_noun_clause(line.substr(start + 2))) continue;
@@ -274,7 +274,7 @@ using Rows = std::map<std::string, Row>;
 
 Rows parse_rows(const std::string& text) {
   Rows rows;
-  for (const std::string& line : lines_of(text)) {
+  for (const std::string& line : split_lines(text)) {
     if (starts_with(line, "#")) continue;
     std::istringstream words(line);
     std::string name;

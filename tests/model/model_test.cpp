@@ -62,18 +62,18 @@ std::string texts(const Model& model, const std::vector<ExpressionId>& expressio
 }  // namespace
 
 TEST_CASE("leaves have the names that the model gives them") {
-  const Model model = checked(file_text("models/chain.toml")).model;
+  const Model model = checked(model_file("chain")).model;
   const LeafNames leaves = leaf_names(model);
   REQUIRE(leaves.q.size() == 5);
   CHECK(leaves.q[4] == "q[5]");
   CHECK(leaves.u[0] == "tau[1]");
   CHECK(leaves.parameters.front() == "m[1]");
   CHECK_FALSE(leaves.uses_time);
-  CHECK(leaf_names(checked(file_text("models/rotating_hoop.toml")).model).uses_time);
+  CHECK(leaf_names(checked(model_file("rotating_hoop")).model).uses_time);
 }
 
 TEST_CASE("leaf kinds of few functions have names only if a function takes them") {
-  const LeafNames unused = leaf_names(checked(file_text("models/chain.toml")).model);
+  const LeafNames unused = leaf_names(checked(model_file("chain")).model);
   const auto has_names = [](const LeafNames& leaves, Opcode kind) {
     return leaf_count(leaves, kind) > 0 && !leaf_of(leaves, kind, 0).empty();
   };
@@ -104,7 +104,7 @@ TEST_CASE("no two kinds of leaves have the same rank") {
 }
 
 TEST_CASE("leaves have a text in model syntax and an identifier in C++") {
-  const LeafNames leaves = leaf_names(checked(file_text("models/chain.toml")).model);
+  const LeafNames leaves = leaf_names(checked(model_file("chain")).model);
   CHECK(leaf_text(leaves, Opcode::coordinate, 0) == "q[1]");
   CHECK(leaf_text(leaves, Opcode::velocity, 0) == "dot(q[1])");
   CHECK(leaf_text(leaves, Opcode::acceleration, 4) == "dot(dot(q[5]))");
@@ -119,7 +119,7 @@ TEST_CASE("leaves have a text in model syntax and an identifier in C++") {
 }
 
 TEST_CASE("the number of leaves is the number of entries that own them") {
-  const Model model = checked(file_text("models/chain.toml")).model;
+  const Model model = checked(model_file("chain")).model;
   CHECK(leaf_count(model, Opcode::parameter) == 11);
   CHECK(leaf_count(model, Opcode::coordinate) == 5);
   CHECK(leaf_count(model, Opcode::velocity) == 5);
@@ -127,12 +127,12 @@ TEST_CASE("the number of leaves is the number of entries that own them") {
   CHECK(leaf_count(model, Opcode::momentum) == 5);
   CHECK(leaf_count(model, Opcode::input) == 5);
   CHECK(leaf_count(model, Opcode::time) == 1);
-  const Model top = checked(file_text("models/free_body.toml")).model;
+  const Model top = checked(model_file("free_body")).model;
   CHECK(leaf_count(top, Opcode::coordinate) == leaf_count(top, Opcode::velocity) + 1);
 }
 
 TEST_CASE("a leaf has the range that its entry declares") {
-  Model model = checked(file_text("models/cart_pole.toml")).model;
+  Model model = checked(model_file("cart_pole")).model;
   model.coordinates[1].range = Interval{-2, 2};
   model.velocities[0].rate_range = Interval{-3, 3};
   model.inputs[0].limits = Interval{-4, 4};
@@ -211,7 +211,7 @@ TEST_CASE("references through points, frames and prescribed functions are follow
 }
 
 TEST_CASE("every expression comes once, after its references") {
-  const Model model = checked(file_text("models/chain.toml")).model;
+  const Model model = checked(model_file("chain")).model;
   CHECK(find_cycle(model).empty());
   const std::vector<ExpressionId> order = topological_order(model);
   REQUIRE(order.size() == model.expressions.size());
@@ -240,7 +240,7 @@ TEST_CASE("a cycle consists of references, link by link") {
 }
 
 TEST_CASE("an expression reached twice is listed once") {
-  const Model model = checked(file_text("models/chain.toml")).model;
+  const Model model = checked(model_file("chain")).model;
   auto all = reachable_from(model, {*model.expectations.front().entries.begin(),
                                     *model.expectations.front().entries.begin()});
   std::sort(all.begin(), all.end());

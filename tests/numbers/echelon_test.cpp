@@ -12,8 +12,10 @@
 #include "elgen/real.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
+#include "support/matrices.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 using cln::cl_R;
 using cln::cl_RA;
 
@@ -30,21 +32,6 @@ Rationals random_matrix(Random& random, std::size_t rows, std::size_t columns) {
     matrix.emplace_back(static_cast<int>(random.next() % 7) - 3);
   }
   return matrix;
-}
-
-/// The product A B; `inner` is the number of columns of A.
-Rationals product(const Rationals& a, const Rationals& b, std::size_t inner) {
-  const std::size_t rows = a.size() / inner;
-  const std::size_t columns = b.size() / inner;
-  Rationals result(rows * columns);
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t j = 0; j < columns; ++j) {
-      for (std::size_t k = 0; k < inner; ++k) {
-        result[i * columns + j] = result[i * columns + j] + a[i * inner + k] * b[k * columns + j];
-      }
-    }
-  }
-  return result;
 }
 
 template <class Field>

@@ -8,7 +8,7 @@
 
 #include "numbers/exact_number.hpp"
 
-namespace elgen {
+namespace elgen::test {
 namespace {
 
 using cln::cl_R;
@@ -130,4 +130,4 @@ TEST_CASE("a sign is known, or known to be undecided") {
 }
 
 }  // namespace
-}  // namespace elgen
+}  // namespace elgen::test

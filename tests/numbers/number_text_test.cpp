@@ -10,7 +10,7 @@
 
 #include "numbers/exact_number.hpp"
 
-namespace elgen {
+namespace elgen::test {
 
 using cln::cl_R;
 using cln::cl_RA;
@@ -127,4 +127,4 @@ TEST_CASE("a simple fraction is the first convergent within the tolerance") {
   CHECK_FALSE(simple_fraction(third + power_of_ten(-40), 999, power_of_ten(-50)));
 }
 
-}  // namespace elgen
+}  // namespace elgen::test

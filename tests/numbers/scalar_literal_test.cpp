@@ -21,8 +21,6 @@ using cln::cl_RA;
 
 namespace {
 
-cl_RA ten_to(long exponent) { return cln::expt(cl_RA(10), cln::cl_I(exponent)); }
-
 /// x as an exact rational.
 template <class Scalar>
 cln::cl_RA rational_of(Scalar x) {
@@ -101,13 +99,13 @@ TEST_CASE(
 }
 
 TEST_CASE("fit finds overflow and lost digits") {
-  CHECK(fit(ten_to(38), ScalarKind::single_precision) == Fit::fits);
-  CHECK(fit(ten_to(39), ScalarKind::single_precision) == Fit::too_large);
-  CHECK(fit(-ten_to(39), ScalarKind::single_precision) == Fit::too_large);
-  CHECK(fit(ten_to(-38), ScalarKind::single_precision) == Fit::too_small);
-  CHECK(fit(ten_to(-38), ScalarKind::double_precision) == Fit::fits);
-  CHECK(fit(ten_to(-400), ScalarKind::double_precision) == Fit::too_small);
-  CHECK(fit(ten_to(-400), ScalarKind::long_double) == Fit::fits);
+  CHECK(fit(power_of_ten(38), ScalarKind::single_precision) == Fit::fits);
+  CHECK(fit(power_of_ten(39), ScalarKind::single_precision) == Fit::too_large);
+  CHECK(fit(-power_of_ten(39), ScalarKind::single_precision) == Fit::too_large);
+  CHECK(fit(power_of_ten(-38), ScalarKind::single_precision) == Fit::too_small);
+  CHECK(fit(power_of_ten(-38), ScalarKind::double_precision) == Fit::fits);
+  CHECK(fit(power_of_ten(-400), ScalarKind::double_precision) == Fit::too_small);
+  CHECK(fit(power_of_ten(-400), ScalarKind::long_double) == Fit::fits);
   CHECK(fit(0, ScalarKind::single_precision) == Fit::fits);
 }
 
@@ -116,7 +114,7 @@ TEST_CASE("only numbers with 24 significant bits are exact in float") {
   CHECK(exact_in_float(16777216) == "16777216.0");
   CHECK_FALSE(exact_in_float(16777217));
   CHECK_FALSE(exact_in_float(cl_RA(1) / 10));
-  CHECK_FALSE(exact_in_float(ten_to(300)));
+  CHECK_FALSE(exact_in_float(power_of_ten(300)));
 }
 
 TEST_CASE("decimals stay, other numbers get the shortest decimal with the same rounding") {
@@ -131,7 +129,7 @@ TEST_CASE("literals of double are read back as the nearest double") {
     const auto numerator = *rc::gen::inRange<long>(-1000000000, 1000000000);
     const auto denominator = *rc::gen::inRange<long>(1, 1000000000);
     const auto exponent = *rc::gen::inRange<long>(-250, 250);
-    const cl_RA value = cl_RA(numerator) / denominator * ten_to(exponent);
+    const cl_RA value = cl_RA(numerator) / denominator * power_of_ten(exponent);
     const double nearest = to_double(value);
     RC_ASSERT(std::strtod(shortest_literal(value, ScalarKind::double_precision).c_str(), nullptr) ==
               nearest);

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "elgen/model.hpp"
+#include "support/text.hpp"
 
 namespace elgen::test {
 
@@ -300,7 +301,7 @@ class ModelBuilder {
 
   ExpressionId call(const std::string& word) {
     const std::string axes = "xyz";
-    if (word.size() == 1 && axes.find(word) != std::string::npos) {
+    if (word.size() == 1 && mentions(axes, word)) {
       const std::string point = token([this](std::size_t n) { return rest_[n] != ')'; });
       take(')');
       Expression e;

@@ -5,10 +5,10 @@
 #include <cln/real_io.h>
 
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "oracle/samples.hpp"
+#include "support/matrices.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -24,8 +24,8 @@ std::vector<cl_R> reals(const nlohmann::json& texts) {
 }
 
 nlohmann::json static_cases() {
-  std::ifstream file(std::string(ELGEN_SOURCE_DIR) + "/tests/oracle/static_cases.json");
-  return nlohmann::json::parse(file).at("cases");
+  return nlohmann::json::parse(read_text(ELGEN_SOURCE_DIR "/tests/oracle/static_cases.json"))
+      .at("cases");
 }
 
 ModelBuilder model_of(const nlohmann::json& c) {
@@ -89,16 +89,6 @@ cl_R dot(const Values& x, const Values& y) {
   cl_R sum = 0;
   for (std::size_t i = 0; i < x.size(); ++i) sum = sum + x[i] * y[i];
   return sum;
-}
-
-Values times(const Values& matrix, const Values& x) {
-  Values product(x.size(), cl_R(0));
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      product[i] = product[i] + matrix[i * x.size() + j] * x[j];
-    }
-  }
-  return product;
 }
 
 std::vector<ModelBuilder> quadratic_systems() {
@@ -259,10 +249,10 @@ TEST_CASE("law: C v = velocity_force, and C e_j is the polar form of h(v) = C v"
       return *value_of(b.model, OutputKind::velocity_force, state);
     };
     const Values c = *value_of(b.model, OutputKind::coriolis_matrix, state);
-    const Values product = times(c, v);
+    const Values coriolis = product(c, v, v.size());
     const Values force = h(v);
     for (std::size_t i = 0; i < n; ++i) {
-      CHECK(agree(product[i], force[i], almost_all_digits, 1));
+      CHECK(agree(coriolis[i], force[i], almost_all_digits, 1));
       for (std::size_t j = 0; j < n; ++j) {
         Values unit(n, cl_R(0));
         unit[j] = 1;
@@ -282,7 +272,7 @@ TEST_CASE("law: contractions agree with full outputs, and tau = M a + bias") {
     const Values m = *value_of(b.model, OutputKind::mass_matrix, state);
     const Values tau = *value_of(b.model, OutputKind::inverse_dynamics, state);
     const Values bias = *value_of(b.model, OutputKind::bias, state);
-    const Values inertial = times(m, state.a);
+    const Values inertial = product(m, state.a, state.a.size());
     for (std::size_t i = 0; i < tau.size(); ++i) {
       CHECK(agree(tau[i], inertial[i] + bias[i], almost_all_digits, 1));
     }

@@ -29,19 +29,6 @@ files with the output of the current elgen. [models/README.md](../models/README.
 
 )";
 
-/// The files of a folder whose names end in `ending`, sorted.
-std::vector<fs::path> files_of(const fs::path& folder, const std::string& ending) {
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename();
-    const bool has_ending = name.size() > ending.size() &&
-                            name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-    if (has_ending) paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 SourcePointer read_source(const fs::path& path) {
   return make_source(path.filename(), read_text(path));
 }
@@ -112,7 +99,7 @@ std::string model_rows() {
   std::string rows =
       "## Models\n\n| model | title | coordinates | code | page | JSON |\n"
       "|---|---|---|---|---|---|\n";
-  for (const fs::path& path : files_of(source / "models", ".toml")) {
+  for (const fs::path& path : files_in(source / "models", ".toml")) {
     const std::string name = path.stem();
     const Result<FileSyntax> model = parse_model(read_source(path), Limits{});
     rows += fmt::format(
@@ -127,7 +114,7 @@ std::string scene_rows() {
   std::string rows =
       "\n## Scenes\n\n| scene | purpose | coordinates | code | Eigen, batch | page | JSON |\n"
       "|---|---|---|---|---|---|---|\n";
-  for (const fs::path& path : files_of(source / "models/scenes", ".scene.toml")) {
+  for (const fs::path& path : files_in(source / "models/scenes", ".scene.toml")) {
     const Result<FileSyntax> scene = parse_scene(read_source(path), Limits{});
     const std::string name =
         fs::path(text_of(*scene, "", "model")).stem().string() + "_" + text_of(*scene, "", "name");
@@ -141,7 +128,7 @@ std::string scene_rows() {
 
 std::string sketches() {
   std::string all = "\n## Sketches\n";
-  for (const fs::path& path : files_of(source / "models", ".toml")) {
+  for (const fs::path& path : files_in(source / "models", ".toml")) {
     all += fmt::format("\n### {}\n\n```text\n{}```\n", path.stem().string(),
                        sketch_of(read_text(path)));
   }

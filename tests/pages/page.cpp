@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <stdexcept>
 
 #include "support/shell.hpp"
@@ -35,8 +34,7 @@ void classify(Fence& fence) {
 /// Splits the text at lines "…"; the first and the last part may be empty.
 std::vector<std::string> chunks_of(const std::string& expected) {
   std::vector<std::string> chunks(1);
-  std::istringstream lines(expected);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(expected)) {
     if (line == any_lines) {
       chunks.emplace_back();
     } else {
@@ -82,10 +80,9 @@ const Page& page(const std::string& path) {
 
 Page read_page(const std::string& path, const std::string& text) {
   Page read{path};
-  std::istringstream lines(text);
   bool is_open = false;
   std::size_t number = 0;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(text)) {
     ++number;
     if (starts_with(line, std::string(backticks))) {
       is_open = !is_open;
@@ -101,8 +98,7 @@ Page read_page(const std::string& path, const std::string& text) {
 
 std::vector<Exchange> exchanges(const std::string& console) {
   std::vector<Exchange> all;
-  std::istringstream lines(console);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(console)) {
     if (starts_with(line, "$ ")) {
       all.push_back({line.substr(2)});
     } else if (!all.empty()) {

@@ -27,13 +27,6 @@ std::size_t columns_of(const std::string& line) {
 
 bool is_row(const std::string& line) { return starts_with(line, "|"); }
 
-std::vector<std::string> lines_in(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
 /// The cells of a row, without the blanks around them.
 std::vector<std::string> cells(const std::string& row) {
   static const std::regex around(R"(^\s+|\s+$)");
@@ -49,7 +42,7 @@ std::vector<std::string> cells(const std::string& row) {
 std::vector<std::string> paragraphs(const std::string& prose) {
   static const std::regex item(R"(^\s*([-*]|\d+\.) )");
   std::vector<std::string> all(1);
-  for (const std::string& line : lines_in(prose)) {
+  for (const std::string& line : split_lines(prose)) {
     const bool is_text = !line.empty() && line[0] != '#' && !is_row(line);
     if (!is_text || std::regex_search(line, item)) all.emplace_back();
     if (is_text) all.back() += std::regex_replace(line, item, "") + " ";
@@ -100,7 +93,7 @@ TEST_CASE("sentences of a page are counted as a reader counts them") {
 TEST_CASE("lines of pages have at most 120 columns, and cells 160 characters") {
   for (const Page& page : pages()) {
     INFO(page.path);
-    for (const std::string& line : lines_in(page.prose)) {
+    for (const std::string& line : split_lines(page.prose)) {
       INFO(line);
       if (!is_row(line)) CHECK(columns_of(line) <= most_columns);
       if (!is_row(line)) continue;

@@ -1,18 +1,14 @@
 #include "pages/replay.hpp"
 
 #include <catch2/catch.hpp>
-#include <sstream>
 
 namespace elgen::test {
 
 namespace {
 
 void run_commands(const Fence& fence, const Runner& run) {
-  std::istringstream lines(fence.text);
-  for (std::string line; std::getline(lines, line);) {
-    const Outcome outcome = run(line);
-    INFO(line << "\n" << outcome.errors);
-    CHECK(outcome.status == 0);
+  for (const std::string& line : split_lines(fence.text)) {
+    CHECK(failure_of(run(line)) == "");
   }
 }
 

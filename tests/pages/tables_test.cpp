@@ -43,8 +43,7 @@ std::string section(const std::string& heading) {
 /// The names of each option that a help text explains: "-o", "--output-directory".
 std::vector<std::vector<std::string>> options_of(const std::string& help) {
   std::vector<std::vector<std::string>> options;
-  std::istringstream lines(help);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : split_lines(help)) {
     if (!starts_with(line, "  -")) continue;
     options.emplace_back();
     std::istringstream names(line.substr(2, line.find(' ', 2) - 2));
@@ -104,8 +103,7 @@ TEST_CASE("the source page lists every room with its input and output") {
   const std::size_t begin = prose.find("\n| rooms | take | make |\n");
   REQUIRE(begin != std::string::npos);
   const std::string table = prose.substr(begin, prose.find("\n\n", begin) - begin);
-  std::istringstream layers(read_text(ELGEN_SOURCE_DIR "/src/layers.txt"));
-  for (std::string line; std::getline(layers, line);) {
+  for (const std::string& line : split_lines(read_text(ELGEN_SOURCE_DIR "/src/layers.txt"))) {
     if (line.empty() || line.front() == '#') continue;
     const std::string room = line.substr(0, line.find_first_of(" :"));
     INFO(room);

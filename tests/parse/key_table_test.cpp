@@ -162,12 +162,11 @@ TEST_CASE("no key has two rows", "[parse]") {
 TEST_CASE("the reference has a section for every entry and a row for every key", "[parse]") {
   const std::string reference = key_reference();
   for (const EntryRow& entry : entry_table()) {
-    CHECK(reference.find("\n### `" + header_text(entry) + "`") != std::string::npos);
+    CHECK(mentions(reference, "\n### `" + header_text(entry) + "`"));
   }
-  CHECK(reference.find("\n| `start.rate` | expression or list | `0` | v_i at the start |\n") !=
-        std::string::npos);
-  CHECK(reference.find("\n| `NAME.value` | expression or list | required | ") != std::string::npos);
-  CHECK(reference.find("\n- `zeta`") == std::string::npos);  // its path is `stabilise.zeta`
+  CHECK(mentions(reference, "\n| `start.rate` | expression or list | `0` | v_i at the start |\n"));
+  CHECK(mentions(reference, "\n| `NAME.value` | expression or list | required | "));
+  CHECK_FALSE(mentions(reference, "\n- `zeta`"));  // its path is `stabilise.zeta`
 }
 
 TEST_CASE("every row belongs to an entry or to a key that is a table", "[parse]") {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "elgen/syntax.hpp"
+#include "support/text.hpp"
 
 namespace elgen::test {
 

@@ -10,9 +10,7 @@ namespace elgen::test {
 namespace {
 
 Products check_accepted(const std::string& text, const std::string& scene = {}) {
-  Products products = run_pipeline(inputs_of(text, scene), {});
-  INFO(format(products.diagnostics));
-  REQUIRE(products.self_check);
+  Products products = products_with(&Products::self_check, inputs_of(text, scene));
   VerifyOptions options;
   options.quick = true;
   options.forms = &*products.closed_forms;

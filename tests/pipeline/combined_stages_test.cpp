@@ -60,13 +60,11 @@ TEST_CASE("if a page fails, code is emitted, and a note says that the page has t
 
 TEST_CASE("a page has no derivation if all rows are too long to read") {
   const auto has_derivation = [](int links, const std::string& output) {
-    PipelineOptions options;
-    options.scene.sizes = {make_source("--size", "n=" + std::to_string(links))};
-    options.scene.outputs = {make_source("--outputs", output)};
-    options.goals = {Goal::typeset};
-    const Products products = run_pipeline(inputs_of(model_file("chain")), options);
-    INFO(format(products.diagnostics));
-    REQUIRE(products.book);
+    const Products products =
+        products_with(&Products::book, inputs_of(model_file("chain")),
+                      {.scene = {.outputs = {make_source("--outputs", output)},
+                                 .sizes = {make_source("--size", "n=" + std::to_string(links))}},
+                       .goals = {Goal::typeset}});
     return products.book->steps.has_value();
   };
   for (const std::string output : {"forward_dynamics", "gravity"}) {
@@ -77,10 +75,8 @@ TEST_CASE("a page has no derivation if all rows are too long to read") {
 }
 
 TEST_CASE("dL/dq and d/dt dL/dv are separate steps") {
-  PipelineOptions options;
-  options.goals = {Goal::steps};
-  const Products products = run_pipeline(inputs_of(model_file("simple_pendulum")), options);
-  REQUIRE(products.steps);
+  const Products products = products_with(
+      &Products::steps, inputs_of(model_file("simple_pendulum")), {.goals = {Goal::steps}});
   const Program& program = products.steps->program;
   const auto is_theta = [](const Function& function) { return function.name == "theta"; };
   const auto theta = std::find_if(program.functions.begin(), program.functions.end(), is_theta);
@@ -106,16 +102,9 @@ namespace {
 
 /// The text of a model's derivation.
 std::string steps_of(const std::string& text) {
-  PipelineOptions options;
-  options.goals = {Goal::steps};
-  const Products products = run_pipeline(inputs_of(text), options);
-  INFO(format(products.diagnostics));
-  REQUIRE(products.steps);
+  const Products products =
+      products_with(&Products::steps, inputs_of(text), {.goals = {Goal::steps}});
   return text_of(steps_sections(products.checked->model, *products.steps));
-}
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace
@@ -159,21 +148,22 @@ mass = "M"
 )toml";
   const std::string text = steps_of(governor);
   INFO(text);
-  CHECK(says(text,
-             "\n  Positions of the masses as functions of the coordinates. Omitted, because the "
-             "energies use the motion of the frames: left, right.\n  sleeve = "));
+  CHECK(
+      mentions(text,
+               "\n  Positions of the masses as functions of the coordinates. Omitted, because the "
+               "energies use the motion of the frames: left, right.\n  sleeve = "));
   const std::string alone = governor.substr(0, governor.rfind("[[point]]"));
-  CHECK(says(
+  CHECK(mentions(
       steps_of(alone),
       "L = T - V. Omitted, because the energies use the motion of the frames: left, right.\n"));
 }
 
 TEST_CASE("a derivation names the rows that are too long for its equations of motion") {
   const std::string text = steps_of(model_file("body_on_springs"));
-  CHECK(says(text, "\n  Omitted rows, too long to read in one piece: roll, pitch. "));
-  CHECK(says(text,
-             "L = T - V. Omitted, because the energies use the motion of the frames: block.\n"));
-  CHECK_FALSE(says(text, " + 0 = 0"));
+  CHECK(mentions(text, "\n  Omitted rows, too long to read in one piece: roll, pitch. "));
+  CHECK(mentions(
+      text, "L = T - V. Omitted, because the energies use the motion of the frames: block.\n"));
+  CHECK_FALSE(mentions(text, " + 0 = 0"));
 }
 
 }  // namespace elgen::test

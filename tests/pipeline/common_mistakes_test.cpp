@@ -37,17 +37,13 @@ g = 9.81
 )toml";
 
 std::string found(const std::string& text) {
-  PipelineOptions options;
-  options.goals = {Goal::emit};
-  return format(run_pipeline(inputs_of(text), options).diagnostics);
+  return format(run_pipeline(inputs_of(text), {.goals = {Goal::emit}}).diagnostics);
 }
 
 /// The diagnostics of `verify` for wrong entries of [[expect]].
 std::string disproved(const std::string& text) {
-  PipelineOptions options;
-  options.goals = {Goal::emit};
-  options.scene.purpose = purpose::verify;
-  Products products = run_pipeline(inputs_of(text), options);
+  Products products =
+      run_pipeline(inputs_of(text), {.scene = {.purpose = purpose::verify}, .goals = {Goal::emit}});
   const auto& [model, scene] = *products.checked;
   VerifyOptions quick;
   quick.quick = true;

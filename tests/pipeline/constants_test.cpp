@@ -145,7 +145,5 @@ coriolis_matrix = [["m*(1 + b)*dot(b)", "m*(1 + b)*dot(a)"], ["-m*(1 + b)*dot(a)
 )toml");
   const Outcome shown = folder.run("elgen show -q --what coriolis_matrix slide.toml");
   CHECK(mentions(shown.output, "coriolis_matrix[1,2] = m*(1 + b)*dot(a)\n"));
-  const Outcome verified = folder.run("elgen verify -v --quick slide.toml");
-  INFO(verified.output);
-  CHECK(verified.status == 0);
+  CHECK(failure_of(folder.run("elgen verify -v --quick slide.toml")) == "");
 }

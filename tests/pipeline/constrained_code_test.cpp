@@ -249,13 +249,6 @@ constexpr const char* squeezing = R"cpp(
   }
 )cpp";
 
-std::string with_words(std::string text, const std::string& word, const std::string& by) {
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
-    text.replace(at, word.size(), by);
-  }
-  return text;
-}
-
 /// A folder with a program `main`, compiled with the emitted header of a model.
 class Compiled {
  public:
@@ -263,13 +256,11 @@ class Compiled {
            const std::string& program) {
     std::string scene = "[outputs]\n";
     for (const std::string& output : outputs) scene += output + " = true\n";
-    PipelineOptions options;
-    options.goals = {Goal::emit};
-    const Products products =
-        derived(inputs_of(model, scene + "[emit]\nfiles = [\"header\"]\n"), options);
+    const Products products = derived(inputs_of(model, scene + "[emit]\nfiles = [\"header\"]\n"),
+                                      {.goals = {Goal::emit}});
     for (const auto& [path, text] : products.files->files) folder_.write(path, text);
     const std::string name = products.checked->scene.base_name;
-    folder_.write("main.cpp", with_words(runge_kutta, "NAME", name) + program);
+    folder_.write("main.cpp", replaced_all(runge_kutta, "NAME", name) + program);
     folder_.prepare("c++ -std=c++17 -O1 -Wall -Wextra -Werror -I. main.cpp -o main");
   }
 
@@ -347,7 +338,7 @@ TEST_CASE("Andrews' mechanism meets its constraints for 0.03 s, but not without 
   for (const auto& q : published["start"]) start += q.get<std::string>() + ", ";
   const Compiled mechanism(model_file("andrews"),
                            {"forward_dynamics", "constraint_residual", "projected"},
-                           with_words(squeezing, "START", start));
+                           replaced_all(squeezing, "START", start));
   const auto run = [&](const std::string& arguments) {
     std::vector<double> numbers = mechanism.printed(arguments);
     REQUIRE(numbers.size() == 8);

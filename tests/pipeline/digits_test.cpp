@@ -39,9 +39,7 @@ double loss_of(const Generated& g, OutputKind kind) {
 }
 
 Generated generated(const std::string& text, const std::string& scene = {}) {
-  PipelineOptions options;
-  options.goals = {Goal::choose};
-  return {derived(inputs_of(text, scene), options)};
+  return {derived(inputs_of(text, scene), {.goals = {Goal::choose}})};
 }
 
 /// The same, with `prefer = "speed"`.

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "pipeline/constrained_testing.hpp"
+#include "support/matrices.hpp"
 
 namespace elgen::test {
 namespace {
@@ -223,14 +224,6 @@ ExactNumbers minimal_output(const Constrained& free, OutputKind kind, const Stat
   return free.truth(kind, "", state);
 }
 
-ExactNumbers times(const ExactNumbers& matrix, const ExactNumbers& x) {
-  ExactNumbers result(matrix.size() / x.size(), cl_R(0));
-  for (std::size_t k = 0; k < matrix.size(); ++k) {
-    result[k / x.size()] = result[k / x.size()] + matrix[k] * x[k % x.size()];
-  }
-  return result;
-}
-
 /// The state and acceleration of the constrained model for a state of its minimal model. The output
 /// `twin` of the minimal model gives the constrained model's coordinates.
 State constrained_state(const Constrained& bound, const Constrained& free, const State& state) {
@@ -238,8 +231,9 @@ State constrained_state(const Constrained& bound, const Constrained& free, const
   result.u = state.u;
   const ExactNumbers jacobian = minimal_output(free, OutputKind::user_jacobian, state);
   result.q = minimal_output(free, OutputKind::user_value, state);
-  result.v = times(jacobian, state.v);
-  result.a = times(jacobian, free.truth(OutputKind::forward_dynamics, "acceleration", state));
+  result.v = product(jacobian, state.v, state.v.size());
+  result.a = product(jacobian, free.truth(OutputKind::forward_dynamics, "acceleration", state),
+                     state.v.size());
   const ExactNumbers bias = minimal_output(free, OutputKind::user_bias, state);
   for (std::size_t i = 0; i < bias.size(); ++i) result.a[i] = result.a[i] + bias[i];
   return result;

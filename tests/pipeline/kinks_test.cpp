@@ -28,10 +28,7 @@ Products products_of(const std::string& rest, const std::string& scene = {}) {
                  "[[coordinate]]\nname = \"x\"\nrange = [-3, 3]\n[parameters]\n"
                  "m = { value = 2, assume = \"positive\" }\nk = 5\ns = 0.5\n" +
                      rest);
-  Products products = run_pipeline(inputs_of(text, scene), {});
-  INFO(rest << '\n' << format(products.diagnostics));
-  REQUIRE(products.files);
-  return products;
+  return products_with(&Products::files, inputs_of(text, scene));
 }
 
 /// The first entry of an output.

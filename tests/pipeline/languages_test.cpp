@@ -141,26 +141,18 @@ int main() {
 }
 )source";
 
-std::string replaced(std::string text, const std::string& word, const std::string& by) {
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
-    text.replace(at, word.size(), by);
-  }
-  return text;
-}
-
 std::string side(std::string_view text, const std::string& model, const std::string& scalar) {
   std::string capitals = model;
   for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  const std::string named = replaced(std::string(text), "NAME", model);
-  return replaced(replaced(named, "CAPITALS", capitals), "SCALAR", scalar);
+  const std::string named = replaced_all(std::string(text), "NAME", model);
+  return replaced_all(replaced_all(named, "CAPITALS", capitals), "SCALAR", scalar);
 }
 
 void write_scenes(const Workspace& workspace, const std::string& model, const std::string& scalar,
                   const std::string& more) {
-  const std::string path = std::string(ELGEN_SOURCE_DIR) + "/models/" + model + ".toml";
   const auto write = [&](const std::string& name, const std::string& emit) {
     workspace.write(name + ".scene.toml",
-                    fmt::format(scene_template, path, name, scalar, emit, more));
+                    fmt::format(scene_template, model_path(model), name, scalar, emit, more));
   };
   write("c", "language = \"c99\"");
   write("rows", "eigen = true");
@@ -178,9 +170,7 @@ void compare(const std::string& model, const std::string& scalar, const std::str
   const Workspace workspace;
   write_scenes(workspace, model, scalar, more);
   const auto succeeds = [&](const std::string& command) {
-    const Outcome outcome = workspace.run(command);
-    INFO(command << "\n" << outcome.output << outcome.errors);
-    CHECK(outcome.status == 0);
+    CHECK(failure_of(workspace.run(command)) == "");
   };
   succeeds("elgen generate -q -o . c.scene.toml rows.scene.toml columns.scene.toml");
   for (const auto& [c, cpp] : {std::pair("gcc", "g++"), std::pair("clang", "clang++")}) {

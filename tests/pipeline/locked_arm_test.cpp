@@ -6,6 +6,7 @@
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "pipeline/pipeline_testing.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen::test {
 namespace {
@@ -16,11 +17,9 @@ constexpr std::size_t joints = 7;
 constexpr std::size_t free_joint = 3;  ///< q4
 
 Products locked_products(const std::string& locks) {
-  PipelineOptions options;
-  options.goals = {Goal::choose};
   const std::string outputs =
       "[outputs]\nmass_matrix = true\nbias = true\ninverse_dynamics = true\n";
-  return derived(inputs_of(model_file("panda7"), outputs + locks), options);
+  return derived(inputs_of(model_file("panda7"), outputs + locks), {.goals = {Goal::choose}});
 }
 
 std::string locks_text() {
@@ -31,13 +30,6 @@ std::string locks_text() {
             "/10\", reaction = true }\n";
   }
   return text;
-}
-
-const Function& function_of(const Products& products, OutputKind kind) {
-  for (const Function& function : products.program->functions) {
-    if (function.kind == kind) return function;
-  }
-  throw std::logic_error("no such function");
 }
 
 /// The state of the whole arm at the locked pose, with all other quantities of `state`.
@@ -68,7 +60,7 @@ TEST_CASE("six of seven locked joints leave the equations of the free joint", "[
   const Products arm = locked_products("");
   const Products one = locked_products(locks_text());
   const auto value = [](const Products& of, OutputKind kind, const Arguments<Real>& state) {
-    return evaluate(*of.program, function_of(of, kind), state);
+    return evaluate(*of.program, *find_function(*of.program, kind), state);
   };
   std::mt19937 generator(7);
   const auto number = [&generator] {
@@ -146,14 +138,11 @@ q2 = { value = "t^2", reaction = true }
 
 TEST_CASE("an arm with a locked elbow costs as much as the hand-written formula", "[lock]") {
   const auto counts = [](const std::string& lock, OutputKind kind) {
-    PipelineOptions options;
-    options.goals = {Goal::choose};
-    options.scene.fixed = {make_source("--fix", "all")};
     const Products products =
         derived(inputs_of(model_file("two_link_arm"),
                           "[outputs]\ngravity = true\ninverse_dynamics = true\n[lock]\n" + lock),
-                options);
-    return count_operations(function_of(products, kind));
+                {.scene = {.fixed = {make_source("--fix", "all")}}, .goals = {Goal::choose}});
+    return count_operations(*find_function(*products.program, kind));
   };
   // M a + A cos(q1) - B sin(q1)
   const std::string elbow = "q2 = { value = \"0.7\" }\n";
@@ -169,7 +158,7 @@ TEST_CASE("locked joints cost nothing", "[lock]") {
   const Products one = locked_products(locks_text());
   const auto share = [&](OutputKind kind) {
     const auto cost_in = [kind](const Products& products) {
-      return static_cast<double>(cost(count_operations(function_of(products, kind))));
+      return static_cast<double>(cost(count_operations(*find_function(*products.program, kind))));
     };
     return cost_in(one) / cost_in(arm);
   };

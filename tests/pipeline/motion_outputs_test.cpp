@@ -15,9 +15,7 @@ std::string output_of(const std::string& value, const std::string& more = "motio
 }
 
 std::string said(const std::string& model) {
-  PipelineOptions options;
-  options.goals = {Goal::self_check};
-  return format(run_pipeline(inputs_of(model, ""), options).diagnostics);
+  return format(run_pipeline(inputs_of(model, ""), {.goals = {Goal::self_check}}).diagnostics);
 }
 
 }  // namespace

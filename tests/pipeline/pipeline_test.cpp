@@ -6,11 +6,11 @@
 
 #include "pipeline/pipeline_testing.hpp"
 
-namespace elgen {
+namespace elgen::test {
 
 namespace {
 
-Inputs model(const std::string& name) { return test::inputs_of(test::model_file(name)); }
+Inputs model(const std::string& name) { return inputs_of(model_file(name)); }
 
 std::vector<std::string> stages(const Products& products) {
   std::vector<std::string> names;
@@ -21,8 +21,7 @@ std::vector<std::string> stages(const Products& products) {
 }  // namespace
 
 TEST_CASE("all stages run in order and give a checked program and its files") {
-  const Products products = run_pipeline(model("cart_pole"), {});
-  REQUIRE(products.self_check.has_value());
+  const Products products = products_with(&Products::self_check, model("cart_pole"));
   CHECK(products.self_check->failure.empty());
   CHECK(products.self_check->states >= 1);  // more if the machine is idle
   CHECK(products.files->files.size() == 3);
@@ -42,9 +41,9 @@ TEST_CASE("a page's program knows t if only its conserved quantities name t") {
     INFO(name);
     PipelineOptions options;
     options.goals = {Goal::choose};
-    CHECK_FALSE(test::derived(model(name), options).program->leaves.uses_time);
+    CHECK_FALSE(derived(model(name), options).program->leaves.uses_time);
     options.scene.purpose = purpose::show_motion;
-    const Products page = test::derived(model(name), options);
+    const Products page = derived(model(name), options);
     CHECK_FALSE(page.checked->model.uses_time);
     CHECK(page.program->leaves.uses_time);
     CHECK(check_invariants(*page.program) == "");
@@ -72,9 +71,7 @@ TEST_CASE("a fault of a stage keeps the findings of earlier stages") {
 TEST_CASE("a goal runs the stages it needs, each once and in order, and no others") {
   const auto& all = goal_names;
   for (const std::string_view goal : all) {
-    PipelineOptions options;
-    options.goals = {*find_goal(goal)};
-    const Products products = run_pipeline(model("simple_pendulum"), options);
+    const Products products = run_pipeline(model("simple_pendulum"), {.goals = {*find_goal(goal)}});
     INFO(goal);
     CHECK_FALSE(has_errors(products.diagnostics));
     const std::vector<std::string> run = stages(products);
@@ -96,7 +93,7 @@ TEST_CASE("inspect checks the needs of each goal, whatever the other goals are")
     PipelineOptions options;
     options.goals = goals;
     std::vector<Code> found;
-    for (const Diagnostic& each : run_pipeline(test::inputs_of(text), options).diagnostics) {
+    for (const Diagnostic& each : run_pipeline(inputs_of(text), options).diagnostics) {
       if (each.code != Code::E520) found.push_back(each.code);  // E520: no units
     }
     return found;
@@ -135,7 +132,7 @@ TEST_CASE("each analysis that does not support constraints refuses them") {
     refused.push_back("`" + std::string(name_of(row.goal)) + "` does not support constraints");
   }
   std::vector<std::string> found;
-  for (const Diagnostic& each : run_pipeline(test::inputs_of(slope), options).diagnostics) {
+  for (const Diagnostic& each : run_pipeline(inputs_of(slope), options).diagnostics) {
     if (each.code == Code::E539) found.push_back(each.message);
   }
   CHECK(found == refused);
@@ -143,9 +140,8 @@ TEST_CASE("each analysis that does not support constraints refuses them") {
 }
 
 TEST_CASE("a stage needed by two goals runs once") {
-  PipelineOptions options;
-  options.goals = {Goal::emit, Goal::choose, Goal::steps};
-  const Products products = run_pipeline(model("cart_pole"), options);
+  const Products products =
+      run_pipeline(model("cart_pole"), {.goals = {Goal::emit, Goal::choose, Goal::steps}});
   CHECK(products.files.has_value());
   CHECK(products.steps.has_value());
   std::vector<std::string> run = stages(products);
@@ -194,4 +190,4 @@ TEST_CASE("a limit on derived nodes reaches the stages that derive") {
   CHECK_FALSE(products.files.has_value());
 }
 
-}  // namespace elgen
+}  // namespace elgen::test

@@ -5,39 +5,21 @@
 #include <string>
 
 #include "elgen/pipeline.hpp"
+#include "support/inputs.hpp"
 #include "support/shell.hpp"
 
 namespace elgen::test {
 
-inline std::string model_file(const std::string& name) {
-  return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
-}
-
-/// A model, and a scene of it unless `rest` is empty. `rest` follows the scene's name.
-inline Inputs inputs_of(const std::string& text, const std::string& rest = {}) {
-  Inputs inputs{make_source("model.toml", text)};
-  if (!rest.empty()) {
-    inputs.scene = make_source("given.scene.toml",
-                               "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n" + rest);
-  }
-  return inputs;
-}
-
 /// Runs the pipeline to the goals of `options`. Fails unless there is a program.
 inline Products derived(const Inputs& inputs, const PipelineOptions& options = {}) {
-  Products products = run_pipeline(inputs, options);
-  INFO(format(products.diagnostics));
-  REQUIRE(products.program);
-  return products;
+  return products_with(&Products::program, inputs, options);
 }
 
 /// Runs the pipeline for these outputs. Fails unless there is a program.
 inline Products derived(const Inputs& inputs, const std::string& outputs,
                         const std::vector<Goal>& goals = {Goal::choose}) {
-  PipelineOptions options;
-  options.scene.outputs = {make_source("--outputs", outputs)};
-  options.goals = goals;
-  return derived(inputs, options);
+  return derived(inputs,
+                 {.scene = {.outputs = {make_source("--outputs", outputs)}}, .goals = goals});
 }
 
 inline std::size_t operations(const Function& function) {

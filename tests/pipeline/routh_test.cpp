@@ -109,10 +109,7 @@ Products reduced_products(const Reduction& reduction, const std::string& value =
 /// r after ten revolutions about the centre.
 double last_distance(const std::string& rest) {
   const Inputs inputs = inputs_of(model_file("kepler_polar"), rest);
-  PipelineOptions options;
-  options.goals = {Goal::check};
-  const Products checked = run_pipeline(inputs, options);
-  REQUIRE(checked.checked);
+  const Products checked = products_with(&Products::checked, inputs, {.goals = {Goal::check}});
   const Products products = derived(inputs, outputs_of_run(checked.checked->model));
   const Result<Trajectory> run =
       simulate(*products.checked, *products.program, nullptr, {.time = 150, .tolerance = 1e-11});
@@ -173,11 +170,9 @@ TEST_CASE("a momentum has its start value, the value in the scene, or the option
 
 TEST_CASE("a momentum may be fixed, and remaining coordinates may be locked or expanded") {
   const auto checked = [](const std::string& rest) {
-    PipelineOptions options;
-    options.goals = {Goal::self_check};
     const Products products = run_pipeline(
         inputs_of(model_file("heavy_top"), "[outputs]\nbias = true\ncyclic_rates = true\n" + rest),
-        options);
+        {.goals = {Goal::self_check}});
     INFO(format(products.diagnostics));
     return products.self_check.has_value();
   };
@@ -192,8 +187,8 @@ TEST_CASE("outputs that contain a removed coordinate are unavailable") {
                            "[[output]]\nname = \"height\"\nvalue = \"2*r\"\n";
   PipelineOptions options;
   options.goals = {Goal::check};
-  const Products all = run_pipeline(inputs_of(text, "[routh]\nphi = true\n"), options);
-  REQUIRE(all.checked);
+  const Products all =
+      products_with(&Products::checked, inputs_of(text, "[routh]\nphi = true\n"), options);
   CHECK(find_request(all.checked->scene, "height") != nullptr);
   CHECK(find_request(all.checked->scene, "place") == nullptr);
   CHECK(find_request(all.checked->scene, "cyclic_rates") != nullptr);

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
-namespace elgen {
+namespace elgen::test {
 
 namespace {
 
@@ -104,4 +104,4 @@ TEST_CASE("exhausted memory is no internal error") {
   CHECK_THROWS_AS(stage.get(), std::bad_alloc);
 }
 
-}  // namespace elgen
+}  // namespace elgen::test

@@ -16,9 +16,7 @@ std::string stepping(const std::string& method) {
 }
 
 Products checked_products(const std::string& model, const std::string& scene) {
-  PipelineOptions options;
-  options.goals = {Goal::choose, Goal::self_check};
-  return run_pipeline(inputs_of(model, scene), options);
+  return run_pipeline(inputs_of(model, scene), {.goals = {Goal::choose, Goal::self_check}});
 }
 
 /// The program's values at the state, in 64 digits: A, then B.

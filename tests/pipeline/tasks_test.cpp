@@ -4,26 +4,12 @@
 
 #include "numbers/exact_number.hpp"
 #include "pipeline/constrained_testing.hpp"
+#include "support/matrices.hpp"
 
 namespace elgen::test {
 namespace {
 
 using cln::cl_R;
-
-ExactNumbers product(const ExactNumbers& a, const ExactNumbers& b, std::size_t inner) {
-  const std::size_t rows = a.size() / inner;
-  const std::size_t columns = b.size() / inner;
-  ExactNumbers result(rows * columns);
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t j = 0; j < columns; ++j) {
-      cl_R& sum = result[i * columns + j];
-      for (std::size_t k = 0; k < inner; ++k) {
-        sum = sum + a[i * inner + k] * b[k * columns + j];
-      }
-    }
-  }
-  return result;
-}
 
 ExactNumbers transposed(const ExactNumbers& a, std::size_t columns) {
   ExactNumbers result;
@@ -54,9 +40,7 @@ void check_equal(const ExactNumbers& found, const ExactNumbers& expected, int di
 }
 
 std::string refusal(const std::string& model, const std::string& scene) {
-  PipelineOptions options;
-  options.goals = {Goal::choose};
-  return format(run_pipeline(inputs_of(model, scene), options).diagnostics);
+  return format(run_pipeline(inputs_of(model, scene), {.goals = {Goal::choose}}).diagnostics);
 }
 
 std::string completing(const std::string& independent) {

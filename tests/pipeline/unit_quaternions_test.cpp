@@ -74,13 +74,6 @@ constexpr const char* drifted = R"cpp(
   }
 )cpp";
 
-std::string with_name(std::string text, const std::string& name) {
-  for (std::size_t at = 0; (at = text.find("NAME", at)) != std::string::npos;) {
-    text.replace(at, 4, name);
-  }
-  return text;
-}
-
 /// `normalized` keeps the quaternion at length 1, and conserved quantities drift only by the
 /// integrator's error. Classical Runge-Kutta of order 4, step 1e-4 s, 100 s. Prints the largest
 /// drifts.
@@ -153,8 +146,8 @@ constexpr const char* tumbling = R"cpp(
 
 TEST_CASE("with a quaternion of length 1.1, T, momentum and forces are consistent with M") {
   const Workspace folder;
-  CHECK(printed(folder, with_name(drifted, "free_body")) == "0");
-  CHECK(printed(folder, with_name(drifted, "quadrotor")) == "0");
+  CHECK(printed(folder, replaced_all(drifted, "NAME", "free_body")) == "0");
+  CHECK(printed(folder, replaced_all(drifted, "NAME", "quadrotor")) == "0");
 }
 
 TEST_CASE("quaternions of extreme length are normalised") {

@@ -7,6 +7,7 @@
 
 #include "elgen/analysis_pages.hpp"
 #include "pipeline/pipeline_testing.hpp"
+#include "support/inputs.hpp"
 
 namespace elgen::test {
 namespace {
@@ -70,8 +71,7 @@ bool has_doubled_rate(const std::string& text) {
   for (std::size_t at = text.find(") "); at != std::string::npos; at = text.find(") ", at + 1)) {
     const std::size_t begin = text.find_last_of(" (", at) + 1;
     const std::string factor = text.substr(begin, at - begin);
-    const bool is_rate =
-        factor.find("\u0307") != std::string::npos || factor.find("\\dot{") != std::string::npos;
+    const bool is_rate = mentions(factor, "\u0307") || mentions(factor, "\\dot{");
     if (is_rate && text.compare(at + 2, factor.size() + 1, factor + ")") == 0) return true;
   }
   return false;
@@ -114,18 +114,15 @@ void check_words(const Page& page) {
 }
 
 Products products_for(const SourcePointer& model, Goal goal) {
-  PipelineOptions options;
-  options.goals = {goal};
-  return run_pipeline({model, nullptr}, options);
+  return run_pipeline({model, nullptr}, {.goals = {goal}});
 }
 
 }  // namespace
 
 TEST_CASE("no page of any model contains text that no book prints") {
-  for (const auto& file : fs::directory_iterator(std::string(ELGEN_SOURCE_DIR) + "/models")) {
-    if (file.path().extension() != ".toml") continue;
-    INFO(file.path());
-    const SourcePointer model = make_source(file.path().string(), read_text(file.path()));
+  for (const fs::path& path : model_paths()) {
+    INFO(path);
+    const SourcePointer model = source_of(path);
     const Products typeset = products_for(model, Goal::typeset);
     REQUIRE(typeset.book);
     PageOptions options;

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,8 +73,7 @@ std::string equation_in_order(const std::string& line) {
 std::vector<std::string> read_sections(const std::string& text) {
   std::vector<std::string> lines;
   bool is_wanted = false;
-  std::istringstream page(text);
-  for (std::string line; std::getline(page, line);) {
+  for (const std::string& line : split_lines(text)) {
     if (!line.starts_with("  ")) is_wanted = line == "Energies" || line == "Equations of motion";
     if (is_wanted && line.starts_with("  ")) lines.push_back(line.substr(2));
   }
@@ -84,19 +82,15 @@ std::vector<std::string> read_sections(const std::string& text) {
 
 std::vector<std::string> book_lines(const std::filesystem::path& path) {
   std::vector<std::string> lines;
-  std::istringstream book(read_text(path));
-  for (std::string line; std::getline(book, line);) {
+  for (const std::string& line : split_lines(read_text(path))) {
     if (!line.empty() && line[0] != '#') lines.push_back(line);
   }
   return lines;
 }
 
 std::vector<std::string> printed_lines(const std::filesystem::path& path) {
-  PipelineOptions options;
-  options.goals = {Goal::steps};
-  const Products products = run_pipeline({source_of(path), nullptr}, options);
-  INFO(path << "\n" << format(products.diagnostics));
-  REQUIRE(products.steps);
+  const Products products =
+      products_with(&Products::steps, {source_of(path), nullptr}, {.goals = {Goal::steps}});
   return read_sections(text_of(steps_sections(products.checked->model, *products.steps)));
 }
 
@@ -128,7 +122,7 @@ TEST_CASE("textbook systems are printed as in books") {
   CHECK(book_exceptions().size() <= most_exceptions);
   std::string failures;
   for (const std::filesystem::path& path :
-       inputs_in(std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/print/books", ".txt")) {
+       files_in(std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/print/books", ".txt")) {
     const std::vector<std::string> printed =
         printed_lines(std::filesystem::path(path).replace_extension(".toml"));
     std::vector<std::string> missing = missing_lines(book_lines(path), printed);

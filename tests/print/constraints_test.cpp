@@ -80,7 +80,7 @@ TEST_CASE("the constraint equation has exactly the terms of its gains") {
 TEST_CASE("a page has a table of constraints with the symbols of their multipliers") {
   const Page page = typeset_page(rod_text());
   const PageSection& section = section_titled(page, "Constraints");
-  CHECK(has(section.doc, " rod: massless."));
+  CHECK(mentions(section.doc, " rod: massless."));
   CHECK(latex_of(section.definition) ==
         "A \\ddot{\\mathbf{q}} = -\\boldsymbol{\\gamma} - 2 \\zeta \\omega \\mathbf{r} - "
         "\\omega^{2} \\mathbf{f}");
@@ -91,25 +91,25 @@ TEST_CASE("a page has a table of constraints with the symbols of their multiplie
         "\\lambda_{\\mathrm{rod}}");
   const Page other = typeset_page(disc_text());
   CHECK(section_titled(other, "Constraints").table.heads.size() == 4);
-  CHECK(has(markdown_page(page), "| $\\lambda_{\\mathrm{rod}}$ | kg/s\u00b2 | position | $"));
+  CHECK(mentions(markdown_page(page), "| $\\lambda_{\\mathrm{rod}}$ | kg/s\u00b2 | position | $"));
 }
 
 TEST_CASE("a text page lists constraints below the variables") {
   const ChosenForms c = chosen(rod_text());
-  CHECK(has(text_page(c.checked.model, c.checked.scene, c.choice.program),
-            "  lambda = (lambda_rod [kg/s^2])\n"
-            "  A a = -gamma - 2 zeta omega r - omega^2 f, (f, r) = constraint_residual\n\n"
-            "constraints\n  rod (position): "));
+  CHECK(mentions(text_page(c.checked.model, c.checked.scene, c.choice.program),
+                 "  lambda = (lambda_rod [kg/s^2])\n"
+                 "  A a = -gamma - 2 zeta omega r - omega^2 f, (f, r) = constraint_residual\n\n"
+                 "constraints\n  rod (position): "));
 }
 
 TEST_CASE("statements that hold only without constraints are omitted in models with constraints") {
   const ChosenForms c = chosen(rod_text());
   for (const Function& function : c.choice.program.functions) {
     if (function.kind == OutputKind::energy_function) {
-      CHECK(has(output_doc(c.checked.model, function), "v.(B u + A^T lambda + Q - dD/dv)"));
+      CHECK(mentions(output_doc(c.checked.model, function), "v.(B u + A^T lambda + Q - dD/dv)"));
     }
     if (function.kind == OutputKind::position_gradient) {
-      CHECK_FALSE(has(latex_of(elgen::heading(c.checked.model, function).definition), "="));
+      CHECK_FALSE(mentions(latex_of(elgen::heading(c.checked.model, function).definition), "="));
     }
   }
 }

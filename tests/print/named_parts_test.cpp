@@ -97,9 +97,8 @@ bool has_any(const std::set<std::string>& leaves, const std::vector<std::string>
 }
 
 const PageSection& section(const Page& page, const std::string& doc) {
-  return *std::ranges::find_if(page.sections, [&](const PageSection& each) {
-    return each.doc.find(doc) != std::string::npos;
-  });
+  return *std::ranges::find_if(page.sections,
+                               [&](const PageSection& each) { return mentions(each.doc, doc); });
 }
 
 Page page_of_parts() {
@@ -117,7 +116,7 @@ TEST_CASE("a part is named after its frame and its kind, as in code") {
     INFO(name);
     CHECK_FALSE(name.starts_with("~"));
     if (std::regex_match(name, std::regex("part(_[0-9]*)?"))) ++counted;
-    if (name.find("_lower_") == std::string::npos) continue;
+    if (!mentions(name, "_lower_")) continue;
     ++named_texts;
     // Other parts contain accelerations due to forces.
     const bool moves = std::regex_match(name, std::regex("(minus_)?motion_lower_[xyz]"));
@@ -171,8 +170,8 @@ TEST_CASE("closed forms have no named parts") {
 
 TEST_CASE("a terminal page and its overview show definitions") {
   const Page page = page_of_parts();
-  CHECK(screen_page(page, {80, Alphabet::unicode}).find("× ") != std::string::npos);
-  CHECK(overview(page, {80, Alphabet::ascii}).find("  M = ") != std::string::npos);
+  CHECK(mentions(screen_page(page, {80, Alphabet::unicode}), "× "));
+  CHECK(mentions(overview(page, {80, Alphabet::ascii}), "  M = "));
 }
 
 }  // namespace elgen::test

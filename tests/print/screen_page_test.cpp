@@ -1,5 +1,4 @@
 #include <catch2/catch.hpp>
-#include <sstream>
 
 #include "elgen/page.hpp"
 #include "formula/drawing.hpp"
@@ -36,9 +35,8 @@ Page wide_page() {
 }
 
 std::size_t widest_line(const std::string& page) {
-  std::istringstream lines(page);
   std::size_t widest = 0;
-  for (std::string line; std::getline(lines, line);) widest = std::max(widest, columns_of(line));
+  for (const std::string& line : split_lines(page)) widest = std::max(widest, columns_of(line));
   return widest;
 }
 
@@ -52,9 +50,9 @@ TEST_CASE("a screen shows variables and matrices") {
 
 TEST_CASE("in a matrix that is too wide, long entries get names") {
   const std::string page = screen_page(wide_page(), {60, Alphabet::unicode});
-  CHECK(has(page, "  M = ⎡ M₁₁   b ⎤\n      ⎣  b    1 ⎦\n  M₁₁ = m₁ l + m₂ l"));
-  CHECK(has(page, "  g₁ = m₁ l + m₂ l"));
-  CHECK(has(page, "  all other entries are 0\n"));
+  CHECK(mentions(page, "  M = ⎡ M₁₁   b ⎤\n      ⎣  b    1 ⎦\n  M₁₁ = m₁ l + m₂ l"));
+  CHECK(mentions(page, "  g₁ = m₁ l + m₂ l"));
+  CHECK(mentions(page, "  all other entries are 0\n"));
 }
 
 TEST_CASE("aligned equations share the column of their equals signs, titles may have formulas") {
@@ -93,5 +91,6 @@ TEST_CASE("the overview abbreviates long entries and shows their length") {
 }
 
 TEST_CASE("the overview of other outputs shows the first three") {
-  CHECK(has(overview(small_page(), {60, Alphabet::ascii}), "  g = [  0   ]\n      [ m1 g ]\n"));
+  CHECK(
+      mentions(overview(small_page(), {60, Alphabet::ascii}), "  g = [  0   ]\n      [ m1 g ]\n"));
 }

@@ -5,6 +5,7 @@
 
 #include "elgen/page.hpp"
 #include "formula/glyphs.hpp"
+#include "support/text.hpp"
 
 namespace elgen::test {
 
@@ -29,10 +30,6 @@ inline std::vector<std::string> latex_of(const Formulas& formulas) {
   std::vector<std::string> all;
   for (const Formula& formula : formulas) all.push_back(latex_of(formula));
   return all;
-}
-
-inline bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace elgen::test

@@ -6,6 +6,8 @@
 
 #include <cctype>
 
+#include "support/text.hpp"
+
 namespace elgen::test::random {
 
 namespace {
@@ -48,10 +50,6 @@ const std::vector<std::string>& fields_of(const std::string& output) {
   static const std::vector<std::string> none;
   const auto known = names.find(output);
   return known == names.end() ? none : known->second;
-}
-
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 struct Declaration {

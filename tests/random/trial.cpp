@@ -64,7 +64,7 @@ std::string codes_of(const test::Outcome& outcome) {
   for (std::size_t at = outcome.errors.find("error[E"); at != std::string::npos;
        at = outcome.errors.find("error[E", at + 1)) {
     const std::string code = outcome.errors.substr(at + 6, 4);
-    if (codes.find(code) == std::string::npos) codes += " " + code;
+    if (!mentions(codes, code)) codes += " " + code;
   }
   return codes;
 }

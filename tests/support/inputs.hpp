@@ -1,29 +1,37 @@
-// The files of a folder as inputs of the pipeline.
+// Inputs of the pipeline from texts and files, and its products.
 #pragma once
 
-#include <algorithm>
+#include <catch2/catch.hpp>
 #include <filesystem>
-#include <string>
-#include <vector>
+#include <optional>
 
-#include "elgen/source_text.hpp"
-#include "support/shell.hpp"
+#include "elgen/pipeline.hpp"
+#include "support/text.hpp"
 
 namespace elgen::test {
 
-/// The files whose names end in `ending`, sorted.
-inline std::vector<std::filesystem::path> inputs_in(const std::filesystem::path& folder,
-                                                    const std::string& ending) {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().string().ends_with(ending)) paths.push_back(entry.path());
-  }
-  std::ranges::sort(paths);
-  return paths;
-}
-
 inline SourcePointer source_of(const std::filesystem::path& path) {
   return make_source(path.string(), read_text(path));
+}
+
+/// A model, and a scene of it unless `rest` is empty. `rest` follows the scene's name.
+inline Inputs inputs_of(const std::string& text, const std::string& rest = {}) {
+  Inputs inputs{make_source("model.toml", text)};
+  if (!rest.empty()) {
+    inputs.scene = make_source("given.scene.toml",
+                               "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n" + rest);
+  }
+  return inputs;
+}
+
+/// Runs the pipeline. Fails the test unless the product exists.
+template <class Product>
+Products products_with(std::optional<Product> Products::*product, const Inputs& inputs,
+                       const PipelineOptions& options = {}) {
+  Products products = run_pipeline(inputs, options);
+  INFO(format(products.diagnostics));
+  REQUIRE(products.*product);
+  return products;
 }
 
 }  // namespace elgen::test

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "elgen/scene.hpp"
+#include "support/text.hpp"
 
 namespace elgen::test {
 

@@ -4,24 +4,26 @@
 #include <filesystem>
 #include <string>
 
+#include "support/text.hpp"
+
 namespace elgen::test {
 
 struct Outcome {
   int status = 0;
   std::string output = {};  ///< standard output
   std::string errors = {};  ///< standard error
+  std::string command = {};
 };
 
 /// Runs `command` with /bin/sh in `folder`, without standard input. `elgen` is the binary under
 /// test, $ELGEN its path. CXX and NO_COLOR are unset.
 [[nodiscard]] Outcome shell(const std::string& command, const std::filesystem::path& folder);
 
+/// The command, exit code, output and errors of a command that failed; empty if it succeeded.
+[[nodiscard]] std::string failure_of(const Outcome& outcome);
+
 /// Runs a command that prepares a test; throws if it fails.
 void prepare(const std::string& command, const std::filesystem::path& folder);
-
-[[nodiscard]] bool mentions(const std::string& text, const std::string& part);
-[[nodiscard]] std::size_t count(const std::string& text, const std::string& part);
-[[nodiscard]] bool starts_with(const std::string& text, const std::string& start);
 
 /// The path of every file in the folder ("./a/b.txt"), one per line, sorted.
 [[nodiscard]] std::string files_below(const std::filesystem::path& folder);
@@ -47,8 +49,5 @@ class Workspace {
  private:
   std::filesystem::path path_;
 };
-
-[[nodiscard]] std::string read_text(const std::filesystem::path& path);
-void write_text(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace elgen::test

@@ -7,7 +7,6 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>
-#include <sstream>
 #include <utility>
 
 #include "analyse/formulas.hpp"
@@ -16,7 +15,7 @@
 #include "numbers/random.hpp"
 #include "program/evaluate/subject.hpp"
 #include "support/inputs.hpp"
-#include "texts/fold_expression.hpp"
+#include "texts/real_rules.hpp"
 #include "texts/written_equations.hpp"
 
 namespace elgen::test {
@@ -25,23 +24,12 @@ namespace {
 using NamedNumbers = std::map<std::string, Real>;
 
 /// The rules of fold_expression.
-struct NumberRules {
-  using Value = Real;
-
+struct NumberRules : RealRules {
   const NamedNumbers& names;
 
-  static Real number(const cln::cl_RA& x) { return Real(x); }
   Real named(const std::string& name) const {
     const auto found = names.find(name);
     return found == names.end() ? fail(name) : found->second;
-  }
-  static Real negate(const Real& x) { return -x; }
-  static Real add(const Real& x, const Real& y) { return x + y; }
-  static Real multiply(const Real& x, const Real& y) { return x * y; }
-  static Real divide(const Real& x, const Real& y) { return x / y; }
-  static Real square_root(const Real& x) { return sqrt(x); }
-  static Real call(const FunctionRow& row, const Real& x, const Real& y) {
-    return interpreter::call(row.id, x, y);
   }
   static Real fail(const std::string&) { return Real::undefined(); }
 };
@@ -55,14 +43,6 @@ NamedNumbers names_at(const Model& model, const State& state) {
       },
       state);
   return names;
-}
-
-std::string replaced_in(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
-    text.replace(at, from.size(), to);
-    at += to.size();
-  }
-  return text;
 }
 
 /// Compares printed formulas with their numbers, and counts the comparisons.
@@ -83,32 +63,29 @@ class FormulaReader {
   }
 
   void read_modes(const std::string& page, const std::vector<LinearMotions>& all) {
-    std::istringstream lines(page);
     std::size_t next = 0;
     const LinearMotions* motions = nullptr;
-    for (std::string line; std::getline(lines, line);) {
-      const bool is_title = line.find("normal modes at ") != std::string::npos ||
-                            line.find("linearised equations at ") != std::string::npos;
+    for (const std::string& line : split_lines(page)) {
+      const bool is_title =
+          mentions(line, "normal modes at ") || mentions(line, "linearised equations at ");
       if (!is_title && motions != nullptr) read_motion_line(line, *motions);
       if (!is_title) continue;
       motions = &all.at(next);
-      next += line.find("+-") != std::string::npos ? 2 : 1;  // of a mirrored pair one is printed
+      next += mentions(line, "+-") ? 2 : 1;  // of a mirrored pair one is printed
     }
   }
 
   void read_equilibria(const std::string& page, const std::vector<RestPoint>& points) {
-    std::istringstream lines(page);
     std::size_t at = 0;
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : split_lines(page)) {
       const bool is_formula = line.starts_with("  K = ");
       for (std::size_t i = 0; is_formula && i < points.size(); ++i) {
         expect(line.substr(6), names_at(model_, points[i].state), points[i].stiffness[0]);
       }
       if (is_formula || at >= points.size()) continue;
       for (const std::string& cell : cells_of(line)) read_cell(cell, points[at]);
-      const bool is_row = line.find("stable:") != std::string::npos ||
-                          line.find("not decided by") != std::string::npos;
-      if (is_row) at += line.find("+-") != std::string::npos ? 2 : 1;
+      const bool is_row = mentions(line, "stable:") || mentions(line, "not decided by");
+      if (is_row) at += mentions(line, "+-") ? 2 : 1;
     }
   }
 
@@ -132,7 +109,7 @@ class FormulaReader {
  private:
   [[nodiscard]] static Real number_of(const std::string& text, const NamedNumbers& names) {
     const auto syntax = parse_expression(make_source("", text), written_limits());
-    return syntax ? fold_expression(*syntax, NumberRules{names}) : Real::undefined();
+    return syntax ? fold_expression(*syntax, NumberRules{{}, names}) : Real::undefined();
   }
 
   /// Columns are separated by at least three blanks.
@@ -151,7 +128,7 @@ class FormulaReader {
   void read_cell(const std::string& cell, const RestPoint& point) {
     const std::size_t sign = cell.find(" = ");
     if (sign == std::string::npos) return;
-    const auto side = [](std::string text) { return replaced_in(std::move(text), "+-", ""); };
+    const auto side = [](std::string text) { return replaced_all(std::move(text), "+-", ""); };
     const NamedNumbers names = names_at(model_, point.state);
     const Real right = number_of(side(cell.substr(sign + 3)), names);
     if (right.is_defined()) expect(side(cell.substr(0, sign)), names, right.value());
@@ -160,7 +137,7 @@ class FormulaReader {
   void read_motion_line(const std::string& line, const LinearMotions& motions) {
     const NamedNumbers names = names_at(model_, motions.point.state);
     const std::size_t n = model_.velocities.size();
-    if (line.find(" eta''") != std::string::npos) read_equation(line, motions.point);
+    if (mentions(line, " eta''")) read_equation(line, motions.point);
     if (line.starts_with("  w^2 = ")) read_frequency(line.substr(8), names, motions);
     for (const auto& [letter, matrix] :
          {std::pair{'M', &motions.point.mass}, std::pair{'K', &motions.point.stiffness}}) {
@@ -185,7 +162,7 @@ class FormulaReader {
     names["K"] = Real(point.stiffness[0]);
     names["eta_2"] = Real(acceleration);
     names["eta"] = Real(deviation);
-    expect(replaced_in(replaced_in(left, " eta''", "*eta_2"), " eta", "*eta"), names,
+    expect(replaced_all(replaced_all(left, " eta''", "*eta_2"), " eta", "*eta"), names,
            point.mass[0] * acceleration + point.stiffness[0] * deviation);
   }
 
@@ -193,9 +170,9 @@ class FormulaReader {
   void read_frequency(const std::string& text, const NamedNumbers& names,
                       const LinearMotions& motions) {
     for (const char* const sign : {"-", "+"}) {
-      std::string formula = replaced_in(text, "(-+", "(0 -+");
+      std::string formula = replaced_all(text, "(-+", "(0 -+");
       if (formula.starts_with("-+")) formula = "0 " + formula;
-      const Real square = number_of(replaced_in(formula, "-+", sign), names);
+      const Real square = number_of(replaced_all(formula, "-+", sign), names);
       INFO(text);
       REQUIRE(square.is_defined());
       cln::cl_R nearest = motions.modes.front().omega_squared;
@@ -203,7 +180,7 @@ class FormulaReader {
         const cln::cl_R distance = cln::abs(mode.omega_squared - square.value());
         if (distance < cln::abs(nearest - square.value())) nearest = mode.omega_squared;
       }
-      expect(replaced_in(formula, "-+", sign), names, nearest);
+      expect(replaced_all(formula, "-+", sign), names, nearest);
     }
   }
 
@@ -282,7 +259,7 @@ std::string drawn_model(std::uint64_t seed) {
 TEST_CASE("formulas of equilibria and modes of all committed models have the printed values") {
   std::size_t compared = 0;
   const std::filesystem::path models = std::filesystem::path(ELGEN_SOURCE_DIR) / "models";
-  for (const std::filesystem::path& path : test::inputs_in(models, ".toml")) {
+  for (const std::filesystem::path& path : files_in(models, ".toml")) {
     compared += expect_formulas(test::source_of(path));
   }
   CHECK(compared > 100);

@@ -7,6 +7,7 @@
 
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "support/text.hpp"
 #include "texts/readers.hpp"
 
 namespace elgen::test {
@@ -148,7 +149,7 @@ bool names_shape(const std::string& heading, const Function& function, const Sce
   if (returns_struct(function) || field.columns == 1) return true;
   const std::string shape =
       fmt::format(" {} x {}, {}", field.rows, field.columns, name_of(scene.emission.storage));
-  return heading.find(shape) != std::string::npos;
+  return mentions(heading, shape);
 }
 
 /// The comment lines directly above the definition of a function, without the comment marks.
@@ -167,8 +168,8 @@ Lines comment_above(const std::string& header, const std::string& name) {
       continue;
     }
     code += line + "\n";
-    if (comment.empty() || line.find('{') == std::string::npos) continue;
-    if (code.find(" " + name + "(") != std::string::npos) return comment;
+    if (comment.empty() || !mentions(line, "{")) continue;
+    if (mentions(code, " " + name + "(")) return comment;
     comment.clear();
   }
   throw Mistake(in_backticks(name) + " has no comment");

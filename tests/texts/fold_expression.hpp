@@ -17,7 +17,7 @@
 #include "elgen/wording.hpp"
 #include "numbers/exact_number.hpp"
 
-namespace elgen {
+namespace elgen::test {
 
 /// The name of a leaf of this form: "theta", "l[2]", "dot(dot(x))". Empty if `e` is no leaf.
 [[nodiscard]] inline std::string leaf_name(const ExpressionSyntax& e) {
@@ -121,4 +121,4 @@ template <class Rules>
   return limits;
 }
 
-}  // namespace elgen
+}  // namespace elgen::test

@@ -53,10 +53,8 @@ TEST_CASE("equations of random models have the same value in every notation") {
   std::size_t formulas = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const random::System system = random::Generator(seed).system();
-    PipelineOptions options;
-    options.goals = {Goal::emit};
-    const Products products =
-        run_pipeline({make_source("model.toml", text_of(system.model)), nullptr}, options);
+    const Products products = run_pipeline(
+        {make_source("model.toml", text_of(system.model)), nullptr}, {.goals = {Goal::emit}});
     if (!products.book) continue;
     const Program& program = products.book->program;
     for (std::size_t i = 0; i < program.functions.size(); ++i) {

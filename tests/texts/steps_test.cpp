@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include "elgen/oracle.hpp"
 #include "elgen/page.hpp"
@@ -37,8 +36,7 @@ std::vector<std::string> motion_lines(const std::string& text) {
   const std::string margin = "  ";
   std::vector<std::string> lines;
   bool is_inside = false;
-  std::istringstream page(text);
-  for (std::string line; std::getline(page, line);) {
+  for (const std::string& line : split_lines(text)) {
     if (!line.starts_with(margin)) is_inside = line == motion_title;
     if (is_inside && line.starts_with(margin)) lines.push_back(line.substr(margin.size()));
   }
@@ -177,11 +175,8 @@ bool all_rows_readable(const ReadableSteps& steps, std::size_t velocities) {
 /// Compares the equation of every velocity in order, then the equations of constraints or, if there
 /// is only one velocity, the solved equation.
 bool expect_rows(const SourcePointer& source) {
-  PipelineOptions options;
-  options.goals = {Goal::steps};
-  const Products products = run_pipeline({source, nullptr}, options);
-  INFO(source->path << "\n" << source->text << "\n" << format(products.diagnostics));
-  REQUIRE(products.steps);
+  const Products products =
+      products_with(&Products::steps, {source, nullptr}, {.goals = {Goal::steps}});
   const Model& model = products.checked->model;
   const std::string text = text_of(steps_sections(model, *products.steps));
   INFO(text);
@@ -215,7 +210,7 @@ TEST_CASE("the printed equations of motion of all committed models are correct")
                                     "panda7.toml", "ur5.toml"};
   const std::filesystem::path root(ELGEN_SOURCE_DIR);
   for (const auto& folder : {root / "models", root / "tests/print/books"}) {
-    for (const std::filesystem::path& path : test::inputs_in(folder, ".toml")) {
+    for (const std::filesystem::path& path : files_in(folder, ".toml")) {
       if (large.count(path.filename().string()) != 0) continue;
       CHECK(expect_rows(test::source_of(path)));
     }
@@ -247,10 +242,8 @@ TEST_CASE("definitions below the equations are substituted, the last one first")
 TEST_CASE("a changed sign in an equation of motion is detected") {
   const std::filesystem::path path =
       std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/print/books/cart_pole.toml";
-  PipelineOptions options;
-  options.goals = {Goal::steps};
-  const Products products = run_pipeline({test::source_of(path), nullptr}, options);
-  REQUIRE(products.steps);
+  const Products products =
+      products_with(&Products::steps, {test::source_of(path), nullptr}, {.goals = {Goal::steps}});
   const Model& model = products.checked->model;
   WrittenEquations written({model, products.checked->scene, products.steps->program});
   const ReferenceRow row = defined_rows(model, written.states())[0];

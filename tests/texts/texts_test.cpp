@@ -40,9 +40,7 @@ struct Written {
 };
 
 Written written(const Inputs& inputs) {
-  PipelineOptions options;
-  options.goals = {Goal::emit};
-  Written result{run_pipeline(inputs, options), "", "", ""};
+  Written result{run_pipeline(inputs, {.goals = {Goal::emit}}), "", "", ""};
   INFO(inputs.model->text);
   INFO(format(result.products.diagnostics));
   REQUIRE(result.products.files);
@@ -139,13 +137,13 @@ std::size_t expect_changes_seen(Reader read, const std::string& text,
 }  // namespace
 
 TEST_CASE("the texts of all committed models contain the derived equations") {
-  for (const fs::path& path : test::inputs_in(models, ".toml")) {
+  for (const fs::path& path : files_in(models, ".toml")) {
     expect_right({test::source_of(path), nullptr});
   }
 }
 
 TEST_CASE("the texts of all committed scenes contain the derived equations") {
-  for (const fs::path& path : test::inputs_in(models / "scenes", ".scene.toml")) {
+  for (const fs::path& path : files_in(models / "scenes", ".scene.toml")) {
     const SourcePointer scene = test::source_of(path);
     expect_right({test::source_of(model_of(scene)), scene});
   }
@@ -174,14 +172,14 @@ TEST_CASE("every changed sign, digit and operator of a comment is detected") {
 
 TEST_CASE("every changed sign, digit and operator of a JSON entry is detected") {
   const auto in_strings = [](const std::string& line) {
-    return line.find("\"entries\"") != std::string::npos || line.find("\":") == std::string::npos;
+    return mentions(line, "\"entries\"") || !mentions(line, "\":");
   };
   CHECK(expect_changes_seen(read_sidecar, wide_system().sidecar, in_strings) > 300);
 }
 
 TEST_CASE("every changed sign, digit and operator of a text page is detected") {
   const auto has_entry = [](const std::string& line) {
-    return line.starts_with("  ") && line.find("] = ") != std::string::npos;
+    return line.starts_with("  ") && mentions(line, "] = ");
   };
   CHECK(expect_changes_seen(read_page, wide_system().page, has_entry) > 300);
 }

@@ -10,7 +10,7 @@
 #include "elgen/wording.hpp"
 #include "numbers/exact_number.hpp"
 #include "sample/states.hpp"
-#include "texts/fold_expression.hpp"
+#include "texts/real_rules.hpp"
 
 namespace elgen::test {
 namespace {
@@ -171,22 +171,11 @@ const WrittenEquations::Evaluated& WrittenEquations::evaluated(const std::string
 }
 
 /// Computes values at the current state.
-struct WrittenEquations::Rules {
-  using Value = Real;
-
+struct WrittenEquations::Rules : RealRules {
   const WrittenEquations& reader;
   Evaluated& result;
 
-  static Real number(const cln::cl_RA& x) { return Real(x); }
   Real named(const std::string& name) const { return reader.named(name, result); }
-  static Real negate(const Real& x) { return -x; }
-  static Real add(const Real& x, const Real& y) { return x + y; }
-  static Real multiply(const Real& x, const Real& y) { return x * y; }
-  static Real divide(const Real& x, const Real& y) { return x / y; }
-  static Real square_root(const Real& x) { return sqrt(x); }
-  static Real call(const FunctionRow& row, const Real& x, const Real& y) {
-    return interpreter::call(row.id, x, y);
-  }
   Real fail(std::string problem) const {
     result.problem = std::move(problem);
     return Real::undefined();
@@ -194,7 +183,7 @@ struct WrittenEquations::Rules {
 };
 
 Real WrittenEquations::value(const ExpressionSyntax& e, Evaluated& result) const {
-  return fold_expression(e, Rules{*this, result});
+  return fold_expression(e, Rules{{}, *this, result});
 }
 
 Real WrittenEquations::named(const std::string& name, Evaluated& result) const {

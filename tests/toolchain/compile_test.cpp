@@ -13,6 +13,7 @@
 #include "toolchain/workshop.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -119,12 +120,10 @@ TEST_CASE("the temporary directory is removed afterwards, and its name may conta
 }
 
 TEST_CASE("refused code returns the compiler's message") {
-  std::string text = sample::header();
-  text.replace(text.find("p.m * a[0]"), 10, "p.unknown_");
-  const auto compiled = compile_header(text);
+  const auto compiled = compile_header(replaced(sample::header(), "p.m * a[0]", "p.unknown_"));
   REQUIRE_FALSE(compiled);
   CHECK(compiled.diagnostics.front().code == elgen::Code::E705);
-  CHECK(compiled.diagnostics.front().message.find("unknown_") != std::string::npos);
+  CHECK(mentions(compiled.diagnostics.front().message, "unknown_"));
 }
 
 TEST_CASE("a warning in emitted code is an error") {
@@ -187,22 +186,7 @@ TEST_CASE("a C header is compiled as C99") {
   elgen::EmittedFiles files;
   files.files["sample/sample.h"] = R"(#pragma once
 typedef struct sample_parameters { double m; double l[2]; } sample_parameters;
-typedef struct sample_forward_dynamics_result {
-  double acceleration[1];
-  double relative_pivots[1];
-} sample_forward_dynamics_result;
-static inline void sample_inverse_dynamics(const sample_parameters *restrict p, const double *q,
-                                           const double *v, const double *a, double *result) {
-  result[0] = p->m * a[0] + p->l[0] * q[0] + p->l[1] * v[0];
-}
-static inline void sample_forward_dynamics(const sample_parameters *p, const double *q,
-                                           const double *v, const double *u,
-                                           sample_forward_dynamics_result *result) {
-  (void)u;
-  result->acceleration[0] = p->l[0] * q[0] + v[0];
-  result->relative_pivots[0] = p->m;
-}
-)";
+)" + sample::c_functions("double");
   elgen::Scene scene = sample::scene();
   scene.emission.language = elgen::LanguageId::c99;
   scene.numerics.scalars = {elgen::ScalarKind::double_precision};
@@ -237,7 +221,7 @@ TEST_CASE(
       elgen::Code::E709);
   const elgen::Diagnostic words = code_with("printf 'a\\033[31mb\\n'; yes | head -n 9999; exit 1");
   CHECK(words.code == elgen::Code::E709);
-  CHECK(words.message.find("exits 1:\nab\ny\n") != std::string::npos);
+  CHECK(mentions(words.message, "exits 1:\nab\ny\n"));
   CHECK(words.message.size() < 5000);
 }
 

@@ -7,6 +7,7 @@
 #include "toolchain/sample_model.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -28,7 +29,7 @@ Result<TimedFunctions> compiled(const std::string& text, const std::vector<Scala
 std::string header_with_values() {
   std::string text = sample::header();
   const auto replace = [&text](const std::string& written, const std::string& other) {
-    text.replace(text.find(written), written.size(), other);
+    text = replaced(text, written, other);
   };
   replace("Scalar m; std::array<Scalar, 2> l;", "Scalar m = 2; std::array<Scalar, 2> l = {3, 5};");
   replace("template <class Scalar> using Inputs",

@@ -6,6 +6,7 @@
 #include "toolchain/sample_model.hpp"
 
 using namespace elgen;
+using namespace elgen::test;
 using Names = std::vector<std::string>;
 
 namespace {
@@ -22,7 +23,7 @@ Model sample_model() {
 std::string declaring_header() {
   std::string text = sample::header();
   const auto replace = [&text](const std::string& written, const std::string& other) {
-    text.replace(text.find(written), written.size(), other);
+    text = replaced(text, written, other);
   };
   replace("Scalar m; std::array<Scalar, 2> l;",
           "Scalar m = Scalar(1) / 3; std::array<Scalar, 2> l = {Scalar(2) / 3, 1};");
@@ -46,10 +47,7 @@ inline constexpr std::array<double, 1> start_rates{{0.0}};
 /// header.
 Names differing(const std::string& from = "", const std::string& to = "") {
   std::string text = declaring_header();
-  if (!from.empty()) {
-    REQUIRE(text.find(from) != std::string::npos);
-    text.replace(text.find(from), from.size(), to);
-  }
+  if (!from.empty()) text = replaced(text, from, to);
   const auto compiled =
       compile(sample::files(text), sample_model(), sample::scene(), sample::program(), declaring);
   INFO(format(compiled.diagnostics));
@@ -97,22 +95,7 @@ static const double sample_start_coordinates[1] = {0.0};
 static const sample_interval sample_rate_ranges[1] = {{-__builtin_huge_val(), __builtin_huge_val()}};
 static const double sample_start_rates[1] = {0.0};
 #define SAMPLE_DEFAULT_PARAMETERS {1.0F / 3.0F, {2.0F / 3.0F, 1.0F}}
-typedef struct sample_forward_dynamics_result {
-  float acceleration[1];
-  float relative_pivots[1];
-} sample_forward_dynamics_result;
-static inline void sample_inverse_dynamics(const sample_parameters *p, const float *q,
-                                           const float *v, const float *a, float *result) {
-  result[0] = p->m * a[0] + p->l[0] * q[0] + p->l[1] * v[0];
-}
-static inline void sample_forward_dynamics(const sample_parameters *p, const float *q,
-                                           const float *v, const float *u,
-                                           sample_forward_dynamics_result *result) {
-  (void)u;
-  result->acceleration[0] = p->l[0] * q[0] + v[0];
-  result->relative_pivots[0] = p->m;
-}
-)";
+)" + sample::c_functions("float");
   Scene scene = sample::scene();
   scene.emission.language = LanguageId::c99;
   scene.numerics.scalars = {ScalarKind::single_precision};

@@ -8,6 +8,7 @@
 
 using Catch::Matchers::Contains;
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 

@@ -5,11 +5,12 @@
 #include <string>
 
 #include "elgen/toolchain.hpp"
+#include "support/text.hpp"
 
-namespace sample {
+namespace elgen::test::sample {
 
-inline elgen::Model model() {
-  elgen::Model model;
+inline Model model() {
+  Model model;
   model.name = "sample";
   append_coordinate(model, {.name = "x", .identifier = "x"});
   model.parameter_arrays.push_back({.name = "m", .first = 0});
@@ -20,23 +21,22 @@ inline elgen::Model model() {
   return model;
 }
 
-inline elgen::Scene scene() {
-  elgen::Scene scene;
+inline Scene scene() {
+  Scene scene;
   scene.base_name = "sample";
   return scene;
 }
 
 /// A bias with one entry, and a struct of two fields.
-inline elgen::Program program() {
-  using elgen::OutputKind;
-  elgen::Program program;
+inline Program program() {
+  Program program;
   program.leaves.parameters = {"m", "l[1]", "l[2]"};
   program.leaves.q = program.leaves.v = program.leaves.a = {"x"};
   // Reading an element makes its whole array an argument.
   program.functions.push_back(
       {.kind = OutputKind::inverse_dynamics,
        .name = "inverse_dynamics",
-       .instructions = {{elgen::Opcode::parameter, {}, 0, 0}, {elgen::Opcode::parameter, {}, 2, 0}},
+       .instructions = {{Opcode::parameter, {}, 0, 0}, {Opcode::parameter, {}, 2, 0}},
        .fields = {{.entries = {0}}}});
   program.functions.push_back({.kind = OutputKind::forward_dynamics,
                                .name = "forward_dynamics",
@@ -72,8 +72,27 @@ Forward<Scalar> forward_dynamics(const Parameters<Scalar>& p, const Vector<Scala
 )";
 }
 
-inline elgen::EmittedFiles files(const std::string& text) {
-  return {{{"sample/sample.hpp", text}}};
+/// The two functions in C, in a header for this type of number.
+inline std::string c_functions(const std::string& real) {
+  return replaced_all(R"(typedef struct sample_forward_dynamics_result {
+  REAL acceleration[1];
+  REAL relative_pivots[1];
+} sample_forward_dynamics_result;
+static inline void sample_inverse_dynamics(const sample_parameters *restrict p, const REAL *q,
+                                           const REAL *v, const REAL *a, REAL *result) {
+  result[0] = p->m * a[0] + p->l[0] * q[0] + p->l[1] * v[0];
+}
+static inline void sample_forward_dynamics(const sample_parameters *p, const REAL *q,
+                                           const REAL *v, const REAL *u,
+                                           sample_forward_dynamics_result *result) {
+  (void)u;
+  result->acceleration[0] = p->l[0] * q[0] + v[0];
+  result->relative_pivots[0] = p->m;
+}
+)",
+                      "REAL", real);
 }
 
-}  // namespace sample
+inline EmittedFiles files(const std::string& text) { return {{{"sample/sample.hpp", text}}}; }
+
+}  // namespace elgen::test::sample

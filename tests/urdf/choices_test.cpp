@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/text.hpp"
 #include "urdf/urdf_testing.hpp"
 
 namespace elgen::test {
@@ -42,14 +43,6 @@ std::string crane() {
          joint_of("bc", "prismatic", "<origin rpy=\"1 0 0\"/><dynamics damping=\"1\"/>") +
          joint_of("cd", "continuous", "<mimic joint=\"ab\" multiplier=\"2\" offset=\"0.5\"/>") +
          "</robot>";
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++found;
-  }
-  return found;
 }
 
 const std::string flying_body =

@@ -98,9 +98,8 @@ doc    = "torque of j"
 }
 
 TEST_CASE("texts of the file cannot break the model") {
-  std::string text = arm_on("revolute", "");
-  text.replace(text.find("\"r\""), 3, "\"a &quot;b&quot;&#10;c\\\"");
-  const std::string model = imported(text);
+  const std::string model =
+      imported(replaced(arm_on("revolute", ""), "\"r\"", "\"a &quot;b&quot;&#10;c\\\""));
   CHECK(after(model, "# a ") == "\"b\"?c\\, imported from r.urdf.");
   CHECK(after(model, "\ntitle ") == R"(      = "a \"b\"\u000Ac\\")");
   CHECK(after(model, "\nname ") == "       = \"a_b_c\"");
@@ -184,8 +183,8 @@ TEST_CASE("all mistakes of a file are reported together, in the order of the fil
 }
 
 TEST_CASE("a mistake causes no further ones: a joint without parent makes no second root") {
-  std::string text = arm_on("revolute", "<axis xyz=\"0 x 0\"/>");
-  text.replace(text.find("<parent link=\"base\"/>"), 21, "");
+  const std::string text =
+      replaced(arm_on("revolute", "<axis xyz=\"0 x 0\"/>"), "<parent link=\"base\"/>", "");
   CHECK(import_messages(text) ==
         "E803 4:4 `<joint>` has no element `parent`\n"
         "E804 5:14 `x` is not a decimal number\n");

@@ -1,7 +1,7 @@
 // <robot>: its name, links, joints and rotors, and files that contain something else.
 #include <catch2/catch.hpp>
-#include <sstream>
 
+#include "support/text.hpp"
 #include "urdf/urdf_testing.hpp"
 
 namespace elgen::test {
@@ -218,9 +218,9 @@ TEST_CASE("elements that a type does not use are ignored silently or with a note
 
 TEST_CASE("elements of other formats that change the mechanics give warnings, also when nested") {
   const auto codes = [](const std::string& elements) {
-    std::istringstream text(reading_messages("<robot name=\"r\">\n" + elements + "</robot>"));
     std::string found;
-    for (std::string line; std::getline(text, line);) found += line.substr(0, line.find(" ", 5));
+    const std::string text = reading_messages("<robot name=\"r\">\n" + elements + "</robot>");
+    for (const std::string& line : split_lines(text)) found += line.substr(0, line.find(" ", 5));
     return found;
   };
   CHECK(reading_messages("<robot name=\"r\">\n<constraint type=\"revolute\"/></robot>") ==

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/text.hpp"
 #include "urdf/urdf_testing.hpp"
 
 namespace elgen::test {
@@ -169,8 +170,7 @@ TEST_CASE("an inertia without a mass suffices for a joint that rotates, not for 
 }
 
 TEST_CASE("a world that no file declares exists") {
-  std::string hung = joint("ab");
-  hung.replace(hung.find("link=\"a\""), 8, "link=\"world\"");
+  const std::string hung = replaced(joint("ab"), "link=\"a\"", "link=\"world\"");
   CHECK(tree_messages("<robot name=\"r\">\n<link name=\"b\"/>\n" + hung).empty());
   CHECK(messages_about(link("b", "1") + hung).empty());
 }
@@ -207,8 +207,7 @@ TEST_CASE("links fixed to the root belong to the world, and a root called world 
   CHECK(messages_about("<link name=\"a\"/>\n" + rest + joint("ab", "fixed")) ==
         "E817 3:13 `b` and 1 more link belong to the world: their mass has no effect | "
         "`--floating-base` lets it move\n");
-  std::string held = joint("ab", "fixed");
-  held.replace(held.find("link=\"a\""), 8, "link=\"world\"");
+  const std::string held = replaced(joint("ab", "fixed"), "link=\"a\"", "link=\"world\"");
   CHECK(messages_about("<link name=\"world\"/>\n" + rest + held).empty());
 }
 

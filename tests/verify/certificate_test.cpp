@@ -5,7 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "support/text.hpp"
+
 using namespace elgen;
+using namespace elgen::test;
 
 namespace {
 
@@ -77,26 +80,24 @@ TEST_CASE("a loss states the number of its states, the fewest of its rows") {
   CertificateRow in_float = seldom;
   in_float.samples = 16;
   const Certificate certificate{"arm", "full", 1, {often, seldom, in_float}};
-  CHECK(to_text(certificate)
-            .find("linearization  3 checks, at 16 states, at most 0.5 digits lost\n") !=
-        std::string::npos);
+  CHECK(mentions(to_text(certificate),
+                 "linearization  3 checks, at 16 states, at most 0.5 digits lost\n"));
   const Certificate bits{"arm", "full", 1, {often}};
-  CHECK(to_text(bits).find("linearization  1 check, at 264 states\n") != std::string::npos);
+  CHECK(mentions(to_text(bits), "linearization  1 check, at 264 states\n"));
 }
 
 TEST_CASE("the line of an output counts skipped states inside the ranges") {
   Certificate certificate = sample();
   certificate.rows[1].skipped_inside = 2;
-  CHECK(to_text(certificate)
-            .find("3 checks, at 276 states, 2 inside the ranges skipped, at most 0.4 digits") !=
-        std::string::npos);
+  CHECK(mentions(to_text(certificate),
+                 "3 checks, at 276 states, 2 inside the ranges skipped, at most 0.4 digits"));
 }
 
 TEST_CASE("an output that was not compared is skipped with the reason") {
   CertificateRow row = row_of("compiled code vs program", "compiled code", Verdict::skipped);
   row.worst = "<Eigen/Core> is not installed";
   const std::string text = to_text({"arm", "full", 1, {row}});
-  CHECK(text.find("           because    <Eigen/Core> is not installed\n") != std::string::npos);
+  CHECK(mentions(text, "           because    <Eigen/Core> is not installed\n"));
 }
 
 TEST_CASE("in the full text every row states its evidence") {
@@ -153,17 +154,17 @@ TEST_CASE("notes are counted, and printed with their states") {
   row.where = "q = (1, 2)";
   certificate.rows = {row};
   CHECK(verdict_line(certificate) == "cart_pole: 0 checks hold, 0 fail, 0 skipped, 1 noted\n");
-  CHECK(to_text(certificate)
-            .find("           noted: digits lost, gravity\n"
-                  "           worst      loss 1e+03, 3.0 digits of entry 1\n"
-                  "           worst at   q = (1, 2)\n") != std::string::npos);
+  CHECK(mentions(to_text(certificate),
+                 "           noted: digits lost, gravity\n"
+                 "           worst      loss 1e+03, 3.0 digits of entry 1\n"
+                 "           worst at   q = (1, 2)\n"));
   CHECK(holds(certificate));
 }
 
 TEST_CASE("an output with only notes is called noted") {
   const Certificate certificate{
       "arm", "full", 1, {row_of("as users compile", "as users compile", Verdict::noted)}};
-  CHECK(to_text(certificate).find("  noted    as users compile") != std::string::npos);
+  CHECK(mentions(to_text(certificate), "  noted    as users compile"));
 }
 
 TEST_CASE("the JSON contains everything") {

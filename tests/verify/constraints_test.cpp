@@ -219,7 +219,7 @@ TEST_CASE("multipliers with the wrong sign are found by every row that contains 
     CHECK(verdict("constraints along the motion", "forward_dynamics") == Verdict::holds);
     CHECK(verdict("program vs oracle", "forward_dynamics.multipliers (double)") == Verdict::fails);
     const SelfCheck check = self_check(wrong.model, wrong.scene, wrong.program);
-    CHECK(check.failure.find("w.x of multipliers is ") != std::string::npos);
+    CHECK(mentions(check.failure, "w.x of multipliers is "));
   }
 }
 
@@ -252,7 +252,7 @@ TEST_CASE("every field of the constrained dynamics is compared by projections") 
     INFO(field);
     const System wrong = with_changed_signs(right, kind, field);
     const SelfCheck check = self_check(wrong.model, wrong.scene, wrong.program);
-    CHECK(check.failure.find(std::string(" of ") + field + " is ") != std::string::npos);
+    CHECK(mentions(check.failure, std::string(" of ") + field + " is "));
   }
 }
 

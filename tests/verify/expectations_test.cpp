@@ -41,7 +41,7 @@ void check_holds(const System& system) {
     INFO(row.subject << ": " << row.worst);
     CHECK(row.verdict == Verdict::holds);
     CHECK(row.samples == 64);
-    CHECK(row.tolerance.find("sampled, no proof") != std::string::npos);
+    CHECK(mentions(row.tolerance, "sampled, no proof"));
   }
 }
 
@@ -108,8 +108,8 @@ TEST_CASE("a wrong entry is reported, with both values and their difference") {
   CHECK(diagnostic.code == Code::E510);
   CHECK(diagnostic.span.begin == 20);
   CHECK(diagnostic.message.find("mass_matrix[2,1] is ") == 0);
-  CHECK(diagnostic.message.find(" as derived, ") != std::string::npos);
-  CHECK(diagnostic.message.find("q = (") != std::string::npos);
+  CHECK(mentions(diagnostic.message, " as derived, "));
+  CHECK(mentions(diagnostic.message, "q = ("));
   CHECK(report.rows[2].verdict == Verdict::fails);
   CHECK(report.rows[3].verdict == Verdict::holds);
 }
@@ -195,7 +195,7 @@ TEST_CASE("both sides of a kink are sampled, and a side without states is named"
   builder.model.coordinates[0].range = Interval{-1, 1};
   const auto report = report_of(expecting(builder, "applied_force", 1, {"0", "0"}));
   CHECK(report.diagnostics.empty());
-  CHECK(report.rows.front().tolerance.find("; sampled on one side only: `") != std::string::npos);
+  CHECK(mentions(report.rows.front().tolerance, "; sampled on one side only: `"));
 }
 
 TEST_CASE("an equal form that is written differently is proved, a wrong one is not") {
@@ -285,7 +285,7 @@ TEST_CASE("for a wrong closed form the hint names the terms that differ") {
       DerivedPendulum("gravity = [\"m*g*l*(sin(theta)/theta + cos(theta))/theta\"]\n", on_an_arc)
           .hint();
   CHECK_FALSE(hint.empty());
-  CHECK(hint.find("stumpff") == std::string::npos);
+  CHECK_FALSE(mentions(hint, "stumpff"));
 }
 
 TEST_CASE("for a wrong equation the hint names the terms that differ from a multiple of its row") {
@@ -300,7 +300,7 @@ TEST_CASE("for a wrong equation the hint names the terms that differ from a mult
     INFO(equation);
     const std::string expect = std::string("equations = [\"") + equation + "\"]\n";
     const std::string hint = DerivedPendulum(expect).hint();
-    CHECK(hint.find(words) != std::string::npos);
+    CHECK(mentions(hint, words));
     CHECK(hint.empty() == words.empty());
   }
 }

@@ -107,10 +107,6 @@ CertificateRow row_of_anchor(const std::string& body,
   return {};
 }
 
-bool mentions(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// The cosine form with a range of angles near 0.
 System near_zero(const char* range) {
   System system = written_as(cosine);

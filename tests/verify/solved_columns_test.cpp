@@ -106,7 +106,7 @@ const char* text =
 
 template <class Scalar>
 ExactRun run_at(double x, double y) {
-  const Program program = program_of(text);
+  const Program program = read_program(text);
   State state;
   state.q = {exact_value(x), exact_value(y)};
   return exact_run(program, program.functions.front(), state, rounding<Scalar>());
@@ -189,7 +189,7 @@ TEST_CASE("each regime is recognised") {
   CHECK(run_at<double>(1e30, 1).regime == Regime::regular);
   // x - y is exact. sqrt(x) - y keeps hardly any digit.
   CHECK(run_at<double>(std::nextafter(3.0, 4.0), 3).regime == Regime::regular);
-  const Program program = program_of(
+  const Program program = read_program(
       "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = square_root 0\n  3 = subtract 2 1\n  4 = divide 0 3\n  result 1 1 = 4\n");
   State state;
@@ -199,7 +199,7 @@ TEST_CASE("each regime is recognised") {
 }
 
 TEST_CASE("a value beyond every exponent is an overflow too") {
-  const Program program = program_of(
+  const Program program = read_program(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = exp 0\n  result 1 1 = 1\n");
   State state;
   state.q = {exact_value(1e300)};

@@ -267,6 +267,6 @@ TEST_CASE("the power balance includes explicit time") {
       "  12 = multiply 10 3\n  13 = multiply 12 7\n  14 = multiply 11 6\n  15 = subtract 13 14\n"
       "  16 = constant 1\n  result acceleration 1 1 = 15\n  result relative_pivots 1 1 = 16\n";
   CHECK(verdict_of(system_of(builder.model, text), "power balance") == Verdict::holds);
-  const std::string wrong = with(text, "15 = subtract 13 14", "15 = add 13 14");
+  const std::string wrong = replaced(text, "15 = subtract 13 14", "15 = add 13 14");
   CHECK(verdict_of(system_of(builder.model, wrong), "power balance") == Verdict::fails);
 }

@@ -7,7 +7,7 @@
 #include "elgen/outputs.hpp"
 #include "oracle/samples.hpp"
 #include "program/evaluate/subject.hpp"
-#include "support/parse_program.hpp"
+#include "program/read_program.hpp"
 
 namespace elgen::test {
 
@@ -19,17 +19,9 @@ struct System {
   [[nodiscard]] Subject subject() const { return {model, scene, program}; }
 };
 
-inline Program program_of(const std::string& text) {
-  const SourcePointer source = make_source("test.program", text);
-  const Result<Program> program = parse_program(source);
-  INFO(format(program.diagnostics));
-  REQUIRE(program);
-  return *program;
-}
-
 /// The system with the program `text`. Every function becomes a requested output.
 inline System system_of(Model model, const std::string& text) {
-  System system{std::move(model), {}, program_of(text)};
+  System system{std::move(model), {}, read_program(text)};
   system.model.name = system.scene.base_name = "sample";
   for (Parameter& parameter : system.model.parameters) {
     parameter.array = static_cast<std::uint32_t>(system.model.parameter_arrays.size());
@@ -44,13 +36,6 @@ inline System system_of(Model model, const std::string& text) {
     system.scene.outputs.push_back(output);
   }
   return system;
-}
-
-/// Replaces the first occurrence of `from`, which must exist.
-inline std::string with(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
 }
 
 /// Cart and pole measured from the upward vertical, damped by D = 1/2 c v_x^2, driven by u on the
@@ -171,7 +156,8 @@ inline System with_mistake(const std::string& function, const std::string& from,
   const std::string text = cart_pole_program();
   const std::size_t start = text.find("function " + function);
   REQUIRE(start != std::string::npos);
-  return system_of(cart_pole_model(), text.substr(0, start) + with(text.substr(start), from, to));
+  return system_of(cart_pole_model(),
+                   text.substr(0, start) + replaced(text.substr(start), from, to));
 }
 
 /// V of the cart and pole with 1e9 added and subtracted, compared with the closed form.

@@ -3,17 +3,13 @@
 // $ELGEN_PROCESSES set the same numbers; $ELGEN_ROBOTS names a folder with more robots. Failures
 // are printed and saved with their commands in mutation_findings/RUN/. The exit code is 1 if a run
 // failed.
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
-#include <thread>
 
 #include "fuzz/command_line/trial.hpp"
+#include "random/processes.hpp"
 
 namespace {
 
@@ -22,18 +18,6 @@ using namespace elgen::test;
 constexpr std::size_t random_models = 60;
 /// Headers are compiled rarely, because compiling takes longer than everything else.
 constexpr std::uint64_t runs_per_compiled_header = 20;
-
-std::uint64_t number_from(int argc, char** argv, int index, const char* variable,
-                          std::uint64_t otherwise) {
-  const char* text = index < argc ? argv[index] : std::getenv(variable);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
-struct Task {
-  std::uint64_t first = 0;
-  std::uint64_t count = 1000;
-  std::uint64_t processes = 1;
-};
 
 struct Counts {
   std::uint64_t runs = 0;
@@ -69,12 +53,12 @@ void print(std::uint64_t process, const Counts& counts) {
 }
 
 /// Tries the runs with this remainder modulo the number of processes; false if one failed.
-bool run_task(const Task& task, std::uint64_t remainder) {
+bool search(const SearchRange& range, std::uint64_t remainder) {
   Corpus corpus(random_models);
   if (const char* const robots = std::getenv("ELGEN_ROBOTS")) corpus.add_robots(robots);
   Counts counts;
-  for (std::uint64_t i = remainder; i < task.count; i += task.processes) {
-    work(corpus, task.first + i, counts);
+  for (std::uint64_t i = remainder; i < range.count; i += range.processes) {
+    work(corpus, range.first + i, counts);
     if (counts.runs % 200 == 0) print(remainder, counts);
   }
   print(remainder, counts);
@@ -84,18 +68,6 @@ bool run_task(const Task& task, std::uint64_t remainder) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Task task;
-  task.count = number_from(argc, argv, 1, "ELGEN_RUNS", task.count);
-  task.first = number_from(argc, argv, 2, "ELGEN_FIRST_RUN", task.first);
-  task.processes = number_from(argc, argv, 3, "ELGEN_PROCESSES",
-                               std::max(1U, std::thread::hardware_concurrency()));
-  for (std::uint64_t k = 0; k < task.processes; ++k) {
-    if (fork() == 0) _exit(run_task(task, k) ? 0 : 1);
-  }
-  int worst = 0;
-  int status = 0;
-  while (wait(&status) > 0) {
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) worst = 1;
-  }
-  return worst;
+  const SearchRange range = read_range(argc, argv, "RUN");
+  return run_in_processes(range, [&](std::uint64_t k) { return search(range, k); });
 }

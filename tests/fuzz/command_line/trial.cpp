@@ -66,7 +66,7 @@ void redirect(const std::filesystem::path& path, int flags, int descriptor) {
 /// Runs words[0] in `folder`, without standard input. Throws if it cannot be started.
 ProcessResult run(const std::vector<std::string>& words, const std::filesystem::path& folder,
                   const ProcessLimits& limits) {
-  const test::Workspace captured;
+  const Workspace captured;
   const pid_t child = fork();
   if (child == 0) become(words, folder, limits, captured.path());
   int status = 0;
@@ -77,8 +77,8 @@ ProcessResult run(const std::vector<std::string>& words, const std::filesystem::
   ended.status = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   ended.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (ended.status == not_started) throw std::runtime_error("cannot start " + words[0]);
-  ended.output = test::read_text(captured.path() / "output");
-  ended.errors = test::read_text(captured.path() / "errors");
+  ended.output = read_text(captured.path() / "output");
+  ended.errors = read_text(captured.path() / "errors");
   return ended;
 }
 
@@ -90,31 +90,16 @@ constexpr ProcessLimits process_limits{.seconds = 40, .memory_mib = 3000};
 constexpr const char* seconds_limit = "seconds=10";
 constexpr const char* memory_limit = "memory_mib=1000";
 
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-std::vector<fs::path> sorted_files(const fs::path& folder, const std::string& end) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.is_regular_file() && ends_with(entry.path().string(), end)) {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 /// A scene of the project has `model = "../NAME.toml"`; here the model is in the scene's folder.
 Input scene_input(const fs::path& scene, const fs::path& models) {
-  std::string text = test::read_text(scene);
+  std::string text = read_text(scene);
   static const std::regex reference("\"\\.\\./([a-z0-9_]+\\.toml)\"");
   std::smatch found;
   if (!std::regex_search(text, found, reference)) return {};
   const std::string model = found[1];
   text = std::regex_replace(text, reference, "\"$1\"");
   const std::string name = scene.filename();
-  return {name, {{name, text}, {model, test::read_text(models / model)}}};
+  return {name, {{name, text}, {model, read_text(models / model)}}};
 }
 
 Input random_input(std::uint64_t seed) {
@@ -128,7 +113,7 @@ Input random_input(std::uint64_t seed) {
   return input;
 }
 
-bool is_robot(const Input& input) { return ends_with(input.name, ".urdf"); }
+bool is_robot(const Input& input) { return input.name.ends_with(".urdf"); }
 
 std::vector<std::string> command_for(const Input& input, Draw& draw) {
   static const std::array<std::string, 6> shown{"lagrangian", "steps", "mass_matrix",
@@ -152,7 +137,7 @@ std::vector<std::string> command_for(const Input& input, Draw& draw) {
 }
 
 void write(const Input& input, const fs::path& folder) {
-  for (const auto& [name, text] : input.files) test::write_text(folder / name, text);
+  for (const auto& [name, text] : input.files) write_text(folder / name, text);
 }
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
@@ -211,11 +196,11 @@ std::string fault_of_headers(const fs::path& folder) {
       "-Wdouble-promotion -Werror -isystem /usr/include/eigen3 ";
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string path = entry.path().string();
-    const bool is_c = ends_with(path, ".h");
-    if (!is_c && !ends_with(path, ".hpp")) continue;
+    const bool is_c = path.ends_with(".h");
+    if (!is_c && !path.ends_with(".hpp")) continue;
     const std::string compiler = is_c ? "gcc -std=c99 -x c" : "g++ -std=c++17 -x c++";
-    const test::Outcome compiled =
-        test::shell(compiler + " /dev/null -include '" + path + "'" + strict, folder);
+    const Outcome compiled =
+        shell(compiler + " /dev/null -include '" + path + "'" + strict, folder);
     if (compiled.status != 0) return "does not compile: " + first_line(compiled.errors);
   }
   return {};
@@ -225,11 +210,11 @@ std::string fault_of_headers(const fs::path& folder) {
 
 Corpus::Corpus(std::size_t random_models) {
   const fs::path root = ELGEN_SOURCE_DIR;
-  for (const fs::path& model : sorted_files(root / "models", ".toml")) {
+  for (const fs::path& model : files_in(root / "models", ".toml")) {
     const std::string name = model.filename();
-    inputs_.push_back({name, {{name, test::read_text(model)}}});
+    inputs_.push_back({name, {{name, read_text(model)}}});
   }
-  for (const fs::path& scene : sorted_files(root / "models/scenes", ".scene.toml")) {
+  for (const fs::path& scene : files_in(root / "models/scenes", ".scene.toml")) {
     const Input input = scene_input(scene, root / "models");
     if (!input.files.empty()) inputs_.push_back(input);
   }
@@ -240,9 +225,9 @@ Corpus::Corpus(std::size_t random_models) {
 }
 
 void Corpus::add_robots(const fs::path& folder) {
-  for (const fs::path& robot : sorted_files(folder, ".urdf")) {
+  for (const fs::path& robot : files_in(folder, ".urdf")) {
     const std::string name = robot.filename();
-    inputs_.push_back({name, {{name, test::read_text(robot)}}});
+    inputs_.push_back({name, {{name, read_text(robot)}}});
   }
 }
 
@@ -257,7 +242,7 @@ Trial random_trial(const Corpus& corpus, std::uint64_t seed) {
 }
 
 Verdict run_trial(const Trial& trial, bool compiles) {
-  const test::Workspace workspace;
+  const Workspace workspace;
   write(trial.input, workspace.path());
   const ProcessResult ended = run(trial.command, workspace.path(), process_limits);
   Verdict verdict{ended.signal == 0 && ended.status == 0, fault_of_ending(ended)};
@@ -273,7 +258,7 @@ void save(const Trial& trial, const std::string& fault, const fs::path& folder) 
   write(trial.input, folder);
   std::string line;
   for (const std::string& word : trial.command) line += (line.empty() ? "" : " ") + word;
-  test::write_text(folder / "finding.txt", fault + "\n" + line + "\n");
+  write_text(folder / "finding.txt", fault + "\n" + line + "\n");
 }
 
 }  // namespace elgen::test

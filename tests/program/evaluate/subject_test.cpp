@@ -17,7 +17,7 @@ namespace {
 /// The conditioning K of the first entry of a program's first function; infinite if undefined.
 double conditioning(const std::string& text, const State& state,
                     std::vector<bool> parameters = {}) {
-  const Program program = program_of(text);
+  const Program program = read_program(text);
   const Function& function = program.functions.front();
   const auto arguments = map_leaves([](const cln::cl_R& x) { return Real(x); }, state);
   const Conditioning all(program, function, evaluate_instructions(program, function, arguments),
@@ -83,7 +83,7 @@ TEST_CASE("long states are abbreviated") {
 TEST_CASE("numbers beyond double are printed too") {
   CHECK(short_text(cln::cl_R("0")) == "0");
   CHECK(short_text(cln::cl_R("22/7")) == "3.14286");
-  CHECK(short_text(cln::expt(cln::cl_RA(10), 400) * 3 / 2).find("e400") != std::string::npos);
+  CHECK(mentions(short_text(cln::expt(cln::cl_RA(10), 400) * 3 / 2), "e400"));
   // As a fraction this has 10^12 digits.
   const cln::cl_R absurd = cln::scale_float(cln::cl_float(1, cln::float_format(60)), 1L << 42);
   CHECK(short_text(absurd) == "4.21e1323943922167");

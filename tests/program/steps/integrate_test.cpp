@@ -16,10 +16,10 @@ std::string refusal(const std::string& model, const std::string& method) {
 std::string obstacle(const std::string& energies) {
   const std::string text = model_text(
       "plane", "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n[energy]\n" + energies);
-  PipelineOptions options;
-  options.goals = {Goal::choose};
-  options.scene.outputs = {make_source("outputs", "mass_matrix, momentum, bias")};
-  const Products products = run_pipeline({make_source("plane.toml", text), nullptr}, options);
+  const Products products =
+      run_pipeline({make_source("plane.toml", text), nullptr},
+                   {.scene = {.outputs = {make_source("outputs", "mass_matrix, momentum, bias")}},
+                    .goals = {Goal::choose}});
   return nonseparable_reason(*products.checked, *products.program);
 }
 

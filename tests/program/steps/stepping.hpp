@@ -29,10 +29,9 @@ inline Products stepped(const StepScene& wanted) {
   const std::string scene =
       "format = 1\nmodel = \"test.toml\"\nname = \"next\"\n[outputs]\nstep = { method = \"" +
       wanted.method + "\"" + wanted.more + " }\n" + wanted.outputs;
-  PipelineOptions options;
-  options.goals = {wanted.goal};
   return run_pipeline(
-      {make_source("test.toml", wanted.model), make_source("next.scene.toml", scene)}, options);
+      {make_source("test.toml", wanted.model), make_source("next.scene.toml", scene)},
+      {.goals = {wanted.goal}});
 }
 
 /// The step as a function of states. The constructor throws the diagnostics if there is no program.
@@ -73,10 +72,6 @@ class StepProgram {
  private:
   Products products_;
 };
-
-inline std::string model_file(const std::string& name) {
-  return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
-}
 
 /// Two coupled masses; the first hangs from a pivot shaken by time, the second has an input force.
 inline const std::string shaken = model_text("shaken", R"toml([[coordinate]]

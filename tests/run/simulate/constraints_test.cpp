@@ -111,9 +111,7 @@ TEST_CASE("a run stays on its constraints only with a projection after every ste
 }
 
 TEST_CASE("a start off the constraints is moved onto them, and the report states the changes") {
-  std::string stretched = bob_on_rod;
-  stretched.replace(stretched.find("0.5"), 3, "0.6");
-  const CompiledSystem system(stretched);
+  const CompiledSystem system(replaced(bob_on_rod, "0.5", "0.6"));
   const Trajectory run = evaluated(system, steps_of("rk4", 0.01, 0.1));
   const std::vector<StartCorrection>& start = run.constraints->start;
   REQUIRE(start.size() == 4);
@@ -160,7 +158,7 @@ TEST_CASE("joints of parallel robots are found from their platform or their moto
     const double elbow_y = 0.4 * std::sin(start[i]);
     CHECK(std::abs(std::hypot(x - elbow_x, y - elbow_y) - 0.4) < 1e-12);
   }
-  const CompiledSystem motors(read_text(ELGEN_SOURCE_DIR "/models/five_bar.toml"),
+  const CompiledSystem motors(model_file("five_bar"),
                               start_options("a1=2.2, a2=1, dot(a1)=1, dot(a2)=-2"));
   const Trajectory bars = evaluated(motors, {.time = 1e-6, .every = 1e-6});
   CHECK(bars.rows.front()[1] == 2.2);

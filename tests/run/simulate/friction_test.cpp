@@ -296,8 +296,7 @@ on = "x"
   };
   slides(free, "-10*sign(x + dot(x))", "sign(x + dot(x))");
   // The start is on the kink itself.
-  slides(read_text(ELGEN_SOURCE_DIR "/models/cart_pole.toml"), "-10*sign(x + dot(x))",
-         "sign(x + dot(x))");
+  slides(model_file("cart_pole"), "-10*sign(x + dot(x))", "sign(x + dot(x))");
   // A force on y with a kink in the rate of x.
   const std::string drag = "[[force]]\non = \"y\"\nvalue = \"-sign(dot(x) + dot(y) - 1)\"\n";
   slides(free + drag, "0", "sign(dot(x) + dot(y) - 1)");

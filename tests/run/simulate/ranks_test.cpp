@@ -15,8 +15,6 @@ using namespace elgen::test;
 
 namespace {
 
-std::string five_bar() { return read_text(ELGEN_SOURCE_DIR "/models/five_bar.toml"); }
-
 /// A crank as long as its rod; if both are upright, the guide constrains neither.
 const std::string crank = model_text("crank", R"toml([[coordinate]]
 name = "a"
@@ -118,7 +116,7 @@ equation = "x^2 + y^2 = 1"
 }
 
 TEST_CASE("runs into a singular state stop for every tolerance and step") {
-  const CompiledSystem bars(five_bar());
+  const CompiledSystem bars(model_file("five_bar"));
   const CompiledSystem with_guide(crank);
   const auto stops = [](const CompiledSystem& system, const SimulationOptions& options,
                         const std::string& constraint) {
@@ -143,14 +141,14 @@ TEST_CASE("runs into a singular state stop for every tolerance and step") {
 TEST_CASE("runs with constant steps pass a singular state on request") {
   SimulationOptions options = steps_of("rk4", 1e-4, 0.3);
   options.through_singular = true;
-  const Result<Trajectory> run = in_evaluator(CompiledSystem(five_bar()), options);
+  const Result<Trajectory> run = in_evaluator(CompiledSystem(model_file("five_bar")), options);
   REQUIRE(run);
   CHECK(run->last[1] == Approx(3.385315865).margin(1e-9));
   CHECK(run->energy.worst < 1e-11);
 }
 
 TEST_CASE("a reference run never passes a singular state") {
-  const CompiledSystem bars(five_bar());
+  const CompiledSystem bars(model_file("five_bar"));
   const Result<ReferenceRun> through = reference_run(bars.checked(), bars.program(), 0.3);
   REQUIRE_FALSE(through);
   CHECK(through.diagnostics.front().code == Code::E624);

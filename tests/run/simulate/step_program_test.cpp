@@ -17,8 +17,7 @@ TEST_CASE("one step of verlet has the values computed by hand") {
 }
 
 TEST_CASE("a run calls the emitted step") {
-  const std::string text =
-      read_text(std::string(ELGEN_SOURCE_DIR) + "/models/double_pendulum.toml");
+  const std::string text = model_file("double_pendulum");
   const CompiledSystem compiled(text, {}, default_step(StepMethod::midpoint));
   const SimulationOptions options = steps_of("midpoint", 0.01, 1);
   const Result<Trajectory> run =
@@ -61,7 +60,7 @@ TEST_CASE("midpoint conserves an oscillator's energy: the rule rotates (q, p)") 
 
 TEST_CASE(
     "with midpoint a heavy top does not drift, and cyclic momenta are constant up to rounding") {
-  const CompiledSystem top(read_text(std::string(ELGEN_SOURCE_DIR) + "/models/heavy_top.toml"));
+  const CompiledSystem top(model_file("heavy_top"));
   const Trajectory run = top.trajectory(steps_of("midpoint", 0.001, 20));
   CHECK(run.steps == 20000);
   CHECK(std::abs(run.energy.secular) < 1e-9);

@@ -7,6 +7,7 @@
 
 #include "elgen/pipeline.hpp"
 #include "elgen/tradeoff.hpp"
+#include "support/inputs.hpp"
 #include "support/models.hpp"
 
 namespace elgen::test {
@@ -20,12 +21,7 @@ inline Products derived(const std::string& text, const std::string& output,
   options.goals = {Goal::choose};
   options.scene.outputs = {make_source("command line", output)};
   options.scene.ranges = ranges;
-  Inputs inputs{make_source("test.toml", text)};
-  if (!scene.empty()) {
-    inputs.scene = make_source("test.scene.toml",
-                               "format = 1\nmodel = \"test.toml\"\nname = \"given\"\n" + scene);
-  }
-  Products products = run_pipeline(inputs, options);
+  Products products = run_pipeline(inputs_of(text, scene), options);
   if (!products.program) throw std::runtime_error(format(products.diagnostics));
   return products;
 }

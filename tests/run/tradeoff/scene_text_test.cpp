@@ -23,10 +23,9 @@ std::string text_of(const Design& design, const std::string& scene = {},
 
 /// Runs the pipeline with the text as a scene.
 Products run(const std::string& text) {
-  PipelineOptions options;
-  options.goals = {Goal::emit};
   Products products = run_pipeline(
-      {make_source("test.toml", pendulum_text()), make_source("design.scene.toml", text)}, options);
+      {make_source("test.toml", pendulum_text()), make_source("design.scene.toml", text)},
+      {.goals = {Goal::emit}});
   INFO(text);
   INFO(format(products.diagnostics));
   REQUIRE(products.files);

@@ -93,9 +93,8 @@ TEST_CASE("the search climbs a peak between the states, reproducibly") {
 }
 
 TEST_CASE("the search reaches the ends of ranges but not further, and keeps parameters") {
-  std::string text = pendulum_text();
-  text.replace(text.find("g = 9.81"), 8, "g = { value = 9.81, min = 1, max = 20 }");
-  const Searched searched(text, "gravity");
+  const Searched searched(
+      replaced(pendulum_text(), "g = 9.81", "g = { value = 9.81, min = 1, max = 20 }"), "gravity");
   const FoundErrors found =
       searched.found(searched.with([](double q) { return 1e-3 * std::abs(q); }));
   CHECK(std::abs(found.where.q[0]) == searched.states().high.q[0]);

@@ -81,11 +81,11 @@ std::string text_at_start(const std::string& model, const std::string& output) {
 
 TEST_CASE("rows and columns of all outputs of all models and scenes have distinct labels") {
   const std::filesystem::path models = std::string(ELGEN_SOURCE_DIR) + "/models";
-  for (const auto& path : inputs_in(models, ".toml")) {
+  for (const auto& path : files_in(models, ".toml")) {
     INFO(path.filename());
     check_labels(with_all_outputs(read_text(path), nullptr));
   }
-  for (const auto& path : inputs_in(models / "scenes", ".scene.toml")) {
+  for (const auto& path : files_in(models / "scenes", ".scene.toml")) {
     INFO(path.filename());
     const SourcePointer source = source_of(path);
     const Result<FileSyntax> scene = parse_scene(source, Limits{});
@@ -186,7 +186,7 @@ jacobian = true
 }
 
 TEST_CASE("the torque beyond the inputs is a value too") {
-  const std::string crank = read_text(std::string(ELGEN_SOURCE_DIR) + "/models/slider_crank.toml");
+  const std::string crank = model_file("slider_crank");
   CHECK(mentions(text_at_start(crank, "constrained_inverse_dynamics"),
                  "constrained_inverse_dynamics.unbalanced\n  a  0.0 N*m\n"));
 }

@@ -31,7 +31,7 @@ TEST_CASE("states are the start, then rest, motion, and changed parameters in tu
 }
 
 TEST_CASE("states of vectors are on the constraints, except for constraint residuals") {
-  const Vectors vectors(file_of("pendulum_xy"), {.samples = 7},
+  const Vectors vectors(model_file("pendulum_xy"), {.samples = 7},
                         "gravity,forward_dynamics,constraint_residual");
   REQUIRE(vectors.table);
   const Json table = Json::parse(to_json(*vectors.table));
@@ -112,7 +112,7 @@ value = "q"
 TEST_CASE("every kind of model has as many values and digits as entries") {
   for (const std::string name : {"cart_pole", "pendulum_xy", "quadrotor", "kepler_polar"}) {
     INFO(name);
-    const Vectors vectors(file_of(name), {.samples = 2});
+    const Vectors vectors(model_file(name), {.samples = 2});
     REQUIRE(vectors.table);
     const ValueTable& table = *vectors.table;
     std::set<std::size_t> functions;

@@ -15,7 +15,7 @@ using namespace elgen::test;
 TEST_CASE("mass matrix and accelerations of the double pendulum agree with the book") {
   const SceneOptions options = options_of("theta1=0.1, theta2=-0.2, dot(theta1)=2, dot(theta2)=-1",
                                           "mass_matrix,forward_dynamics");
-  const CheckedModel checked = checked_model(file_of("double_pendulum"), options);
+  const CheckedModel checked = checked_model(model_file("double_pendulum"), options);
   const Result<ValueTable> values = state_values(checked, {});
   REQUIRE(values);
   CHECK(to_text(*values) ==
@@ -118,8 +118,8 @@ value = "exp(q) - 1 - q - q^2/2"
 }
 
 TEST_CASE("a stated quaternion is normalised") {
-  const Json record =
-      evaluated(file_of("quadrotor"), options_of("attitude=[3,0,4,0]", "mass_matrix"))["values"][0];
+  const Json record = evaluated(model_file("quadrotor"),
+                                options_of("attitude=[3,0,4,0]", "mass_matrix"))["values"][0];
   const std::vector<double> q = record["q"];
   CHECK(std::count(q.begin(), q.end(), 0.6) == 1);
   CHECK(std::count(q.begin(), q.end(), 0.8) == 1);
@@ -127,10 +127,11 @@ TEST_CASE("a stated quaternion is normalised") {
 
 TEST_CASE("constraints change values that are not stated, unless projection is off") {
   const SceneOptions options = options_of("x=0.3", "constraint_residual");
-  const Json moved = evaluated(file_of("pendulum_xy"), options)["values"][0];
+  const Json moved = evaluated(model_file("pendulum_xy"), options)["values"][0];
   CHECK(std::abs(moved["value"][0].get<double>()) < 1e-50);
   CHECK(moved["q"][0] == 0.3);
-  const Json stays = evaluated(file_of("pendulum_xy"), options, {.projects = false})["values"][0];
+  const Json stays =
+      evaluated(model_file("pendulum_xy"), options, {.projects = false})["values"][0];
   CHECK(std::abs(stays["value"][0].get<double>()) > 1e-3);
 }
 

@@ -8,16 +8,13 @@
 
 #include "elgen/pipeline.hpp"
 #include "elgen/values.hpp"
+#include "support/inputs.hpp"
 #include "support/models.hpp"
 #include "support/shell.hpp"
 
 namespace elgen::test {
 
 using Json = nlohmann::json;
-
-inline std::string file_of(const std::string& name) {
-  return read_text(std::string(ELGEN_SOURCE_DIR) + "/models/" + name + ".toml");
-}
 
 inline std::vector<SourcePointer> option(const std::string& text) {
   return {make_source("command line", text)};
@@ -53,9 +50,7 @@ class Vectors {
     PipelineOptions pipeline;
     pipeline.goals = {Goal::choose};
     if (!outputs.empty()) pipeline.scene.outputs = option(outputs);
-    Products products = run_pipeline({make_source("test.toml", text), nullptr}, pipeline);
-    REQUIRE(products.program);
-    return products;
+    return products_with(&Products::program, {make_source("test.toml", text), nullptr}, pipeline);
   }
 
   Products products_;
