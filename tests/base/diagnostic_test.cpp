@@ -12,6 +12,7 @@
 #include "base/ascii.hpp"
 #include "base/reason.hpp"
 #include "elgen/source_text.hpp"
+#include "support/text.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -21,7 +22,6 @@ namespace {
 constexpr std::pair<Code, std::string_view> reason_ids[]{
 #define ELGEN_REASON(code, id, text) {Code::code, #id},
 #include "base/error_reasons.def"
-#include "support/text.hpp"
 #undef ELGEN_REASON
 };
 

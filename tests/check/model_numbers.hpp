@@ -10,6 +10,7 @@
 
 #include "elgen/model.hpp"
 #include "elgen/references.hpp"
+#include "support/text.hpp"
 
 namespace elgen::test {
 
@@ -163,24 +164,7 @@ inline bool close(const std::vector<double>& a, const std::vector<double>& b) {
 inline std::vector<double> listed(const Triple& x) { return {x.begin(), x.end()}; }
 
 /// An angle q, a length s, parameters and an energy in fifteen lines; `entries` start on line 16.
-inline std::string with_frames(const std::string& entries) {
-  return R"(format = 1
-[model]
-name = "arm"
-[[coordinate]]
-name = "q"
-unit = "rad"
-[[coordinate]]
-name = "s"
-unit = "m"
-[parameters]
-m = { value = 2, unit = "kg" }
-l = { value = "7/10", unit = "m" }
-J = { value = "1/5", unit = "kg*m^2" }
-[energy]
-T = "1/2*m*dot(s)^2 + 1/2*J*dot(q)^2"
-)" + entries;
-}
+inline std::string with_frames(const std::string& entries) { return read_model("arm") + entries; }
 
 /// A state of the model of `with_frames`, and the value of its parameter l.
 inline constexpr double q = 0.3;

@@ -97,7 +97,7 @@ TEST_CASE("balanced forms cost at most a quarter more, unless the cheaper form i
 }
 
 TEST_CASE("both forms compute the same function") {
-  for (const std::string& text : {cart_pole_text(), everything_text()}) {
+  for (const std::string& text : {read_model("cart_pole"), read_model("everything")}) {
     const ChosenForms closed = with_form(text, Form::closed);
     const ChosenForms recursive = with_form(text, Form::recursive);
     const auto at = somewhere(closed.checked.model);
@@ -146,10 +146,10 @@ vector = ["0", "-9.81"]
 }
 
 TEST_CASE("the form of an entry does not depend on the other outputs") {
-  const ChosenForms all = chosen(cart_pole_text());
+  const ChosenForms all = chosen(read_model("cart_pole"));
   SceneOptions options;
   options.outputs = {make_source("command line", "mass_matrix,gravity")};
-  const ChosenForms some = chosen(cart_pole_text(), options);
+  const ChosenForms some = chosen(read_model("cart_pole"), options);
   CHECK(readable(all, "mass_matrix") == readable(some, "mass_matrix"));
   CHECK(readable(all, "gravity") == readable(some, "gravity"));
 }

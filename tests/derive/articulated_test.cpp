@@ -177,8 +177,9 @@ std::size_t definitions_of_chain(int links) {
 }  // namespace
 
 TEST_CASE("articulated bodies give the solution and pivots of elimination", "[frames]") {
-  for (const std::string& text : {two_turns_text(), three_turns_text(), tumbler_text(),
-                                  crane_text(), flyer_text(), links_text(5)}) {
+  for (const std::string& text :
+       {read_model("two_turns"), read_model("three_turns"), read_model("tumbler"), crane_text(),
+        flyer_text(), links_text(5)}) {
     const Framed system(text);
     INFO(system.checked.model.name);
     Derivation derivation(limbs_first(text));
@@ -197,19 +198,20 @@ TEST_CASE("articulated bodies give the solution and pivots of elimination", "[fr
 }
 
 TEST_CASE("the pivot of the last joint is exactly 1", "[frames]") {
-  for (const std::string& text : {two_turns_text(), links_text(3), crane_text()}) {
+  for (const std::string& text : {read_model("two_turns"), links_text(3), crane_text()}) {
     Derivation derivation(limbs_first(text));
     CHECK(articulated_dynamics(derivation)->solution.relative_pivots.back().is_equal(1));
   }
 }
 
 TEST_CASE("articulated bodies do not apply to every Lagrangian", "[frames]") {
-  CHECK_FALSE(applies(quaternion_text()));  // a rotation by a quaternion of coordinates
-  CHECK_FALSE(applies(turntable_text()));   // q1 rotates two frames
-  CHECK_FALSE(applies(two_arms_text()));    // T couples rates, and a mass is outside the frames
-  CHECK_FALSE(applies(sliders_text()));     // a mass is outside the frames
+  CHECK_FALSE(applies(read_model("quaternion")));  // a rotation by a quaternion of coordinates
+  CHECK_FALSE(applies(read_model("turntable")));   // q1 rotates two frames
+  CHECK_FALSE(
+      applies(read_model("two_arms")));         // T couples rates, and a mass is outside the frames
+  CHECK_FALSE(applies(read_model("sliders")));  // a mass is outside the frames
   // In the other order of elimination articulated bodies would give other pivots.
-  Derivation derivation(Framed(three_turns_text()).lagrangian);
+  Derivation derivation(Framed(read_model("three_turns")).lagrangian);
   CHECK_FALSE(articulated_dynamics(derivation));
 }
 

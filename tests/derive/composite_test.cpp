@@ -58,7 +58,7 @@ TEST_CASE("entries of a symmetric matrix are xx yy zz xy xz yz", "[frames]") {
 }
 
 TEST_CASE("the base carries all bodies", "[frames]") {
-  const Framed system(two_arms_text());
+  const Framed system(read_model("two_arms"));
   const Model& model = system.checked.model;
   const State state = some_state(system.checked);
   Derivation derivation(system.lagrangian);

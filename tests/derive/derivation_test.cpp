@@ -25,7 +25,7 @@ const FieldEquations& field(const Steps& steps, const std::string& output,
 }  // namespace
 
 TEST_CASE("the four directions differ in the variables that they move") {
-  Derived s(everything_text());
+  Derived s(read_model("everything"));
   const GiNaC::ex& x = s.source.masses.front().position[0];
   const GiNaC::ex whole = s.textbook.rate(s.textbook.write_out(x));
   GiNaC::ex still = whole;
@@ -38,7 +38,7 @@ TEST_CASE("the four directions differ in the variables that they move") {
 
 TEST_CASE(
     "graded energies sum to T and V without the point masses, and have their degree in the rates") {
-  Derived s(everything_text());
+  Derived s(read_model("everything"));
   const auto whole = [&](const Terms& terms) {
     GiNaC::ex sum = 0;
     for (const GiNaC::ex& term : terms) sum += term;
@@ -99,7 +99,7 @@ TEST_CASE("the derivation steps of every system agree with the textbook") {
 }
 
 TEST_CASE("positions and velocities in steps refer to their point or body") {
-  Derived s(cart_pole_text());
+  Derived s(read_model("cart_pole"));
   const Result<Steps> steps = derive_steps(s.source);
   REQUIRE(steps);
   REQUIRE(steps->masses.size() == 2);

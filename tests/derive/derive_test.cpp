@@ -62,7 +62,7 @@ TEST_CASE("every output of the default scene has entries of its shape") {
 }
 
 TEST_CASE("gravity alone needs no definitions with velocities or accelerations") {
-  const CheckedModel checked = checked_model(chain_text());
+  const CheckedModel checked = checked_model(read_model("chain"));
   const auto equations = derived(checked, {request(checked, OutputKind::gravity)});
   REQUIRE(equations);
   for (const Definition& definition : equations->definitions.list) {
@@ -73,7 +73,7 @@ TEST_CASE("gravity alone needs no definitions with velocities or accelerations")
 TEST_CASE("terms with a fixed zero disappear from the equations") {
   SceneOptions options;
   options.fixed = {make_source("command line", "g=0")};
-  const CheckedModel checked = checked_model(cart_pole_text(), options);
+  const CheckedModel checked = checked_model(read_model("cart_pole"), options);
   const Lagrangian lagrangian = *specialise(*formulate(checked.model), checked);
   const auto equations = derive(lagrangian, {request(checked, OutputKind::gravity)}, {});
   REQUIRE(equations);
@@ -85,7 +85,7 @@ TEST_CASE("terms with a fixed zero disappear from the equations") {
 TEST_CASE("the number of definitions grows linearly along a chain") {
   const auto count = [](int n) {
     const CheckedModel checked =
-        checked_model(replaced(chain_text(), "n = 3", "n = " + std::to_string(n)));
+        checked_model(replaced(read_model("chain"), "n = 3", "n = " + std::to_string(n)));
     const auto equations = derived(checked, {request(checked, OutputKind::inverse_dynamics)});
     REQUIRE(equations);
     return equations->definitions.list.size();
@@ -95,7 +95,7 @@ TEST_CASE("the number of definitions grows linearly along a chain") {
 }
 
 TEST_CASE("more definitions than the limit are refused with the name of the output") {
-  const CheckedModel checked = checked_model(chain_text());
+  const CheckedModel checked = checked_model(read_model("chain"));
   Limits limits;
   limits.derived_nodes = 10;
   const auto equations = derived(checked, checked.scene.outputs, limits);
@@ -144,11 +144,11 @@ TEST_CASE(
 }
 
 TEST_CASE("a dump lists definitions, then entries, and is deterministic") {
-  const CheckedModel checked = checked_model(cart_pole_text());
+  const CheckedModel checked = checked_model(read_model("cart_pole"));
   const std::string text = dump(*derived(checked, {request(checked, OutputKind::mass_matrix)}));
   CHECK(mentions(text, "; bob_x\n"));
   CHECK(mentions(text, "mass_matrix (2 x 2) ="));
-  CHECK(text == dump(*derived(checked_model(cart_pole_text()),
+  CHECK(text == dump(*derived(checked_model(read_model("cart_pole")),
                               {request(checked, OutputKind::mass_matrix)})));
 }
 

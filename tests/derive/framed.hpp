@@ -8,7 +8,7 @@
 #include "elgen/equations_of_motion.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/specialise.hpp"
-#include "support/frame_systems.hpp"
+#include "support/systems.hpp"
 
 namespace elgen::test {
 

@@ -64,7 +64,8 @@ TEST_CASE("derivatives of systems without frames agree with the oracle") {
 }
 
 TEST_CASE("derivatives by columns agree with differences of the inverse dynamics", "[frames]") {
-  for (const std::string& text : {two_turns_text(), turntable_text(), two_arms_text()}) {
+  for (const std::string& text :
+       {read_model("two_turns"), read_model("turntable"), read_model("two_arms")}) {
     Framed system(text);
     INFO(system.checked.model.name);
     const State state = some_state(system.checked);
@@ -84,7 +85,7 @@ TEST_CASE("derivatives by columns agree with differences of the inverse dynamics
 }
 
 TEST_CASE("two arms are coupled only through their base", "[frames]") {
-  Framed system(two_arms_text());
+  Framed system(read_model("two_arms"));
   const std::size_t n = system.size();
   const Vector mass = system.derived("mass_matrix");
   const Vector coriolis = system.derived("coriolis_matrix");

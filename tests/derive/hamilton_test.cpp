@@ -91,7 +91,7 @@ vector = ["0", "0", "-g"]
 }
 
 TEST_CASE("inputs, forces and dissipation change momenta, at the velocities of the momenta") {
-  Derived s(cart_pole_text() + "[energy]\nD = \"1/2*m*dot(x)^2\"\n");
+  Derived s(read_model("cart_pole") + "[energy]\nD = \"1/2*m*dot(x)^2\"\n");
   const Vector v = velocities_of_momenta(s.derivation);
   const Vector rates = hamilton_equations(s.derivation).momentum_rates;
   const ex& m = s.source.symbols.parameters[1];

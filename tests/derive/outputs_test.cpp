@@ -111,7 +111,7 @@ L = "1/2*m*dot(x)^2 + e*x*dot(x) - 1/2*k*x^2"
 }
 
 TEST_CASE("applied forces with and without inputs") {
-  Derived s(everything_text());
+  Derived s(read_model("everything"));
   const auto force = [&](std::size_t i) { return s.textbook.force(i); };
   const auto without = [&](std::size_t i) { return s.textbook.without_inputs(force(i)); };
   check_entries(s, applied_force(s.derivation, InputForces::acting), force);
@@ -121,7 +121,7 @@ TEST_CASE("applied forces with and without inputs") {
 }
 
 TEST_CASE("dissipation is the gradient of D with respect to the rates") {
-  Derived s(everything_text());
+  Derived s(read_model("everything"));
   const Vector force = dissipation(s.derivation);
   const GiNaC::ex D = s.textbook.write_out(s.source.dissipation.front().value);
   CHECK(s.agree(force[0], Textbook::derivative_by(D, s.source.symbols.v[0])));
@@ -129,19 +129,19 @@ TEST_CASE("dissipation is the gradient of D with respect to the rates") {
 }
 
 TEST_CASE("without time the drift is zero") {
-  Derived s(chain_text());
+  Derived s(read_model("chain"));
   for (const GiNaC::ex& entry : drift(s.derivation)) CHECK(entry.is_zero());
 }
 
 TEST_CASE("the mass matrix of a quadratic L contains no rates") {
-  Derived s(everything_text());
+  Derived s(read_model("everything"));
   for (const GiNaC::ex& entry : mass_matrix(s.derivation)) {
     CHECK_FALSE(dependence(s.derivation.definitions, entry).has_any(Opcode::velocity));
   }
 }
 
 TEST_CASE("input matrices are the derivatives of forces with respect to inputs") {
-  Derived s(everything_text());
+  Derived s(read_model("everything"));
   const Vector matrix = input_matrix(s.derivation);
   REQUIRE(matrix.size() == 4);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -153,7 +153,7 @@ TEST_CASE("input matrices are the derivatives of forces with respect to inputs")
 }
 
 TEST_CASE("Jacobians and second rates of declared outputs") {
-  Derived s(everything_text());
+  Derived s(read_model("everything"));
   const Terms& values = s.source.outputs.front().values;
   const Vector slopes = jacobian(s.derivation, values);
   const Vector rates = second_rate(s.derivation, values);
@@ -201,7 +201,7 @@ T = "1/2*m*dot(x)^2 + 3*m*dot(y)^2"
 }
 
 TEST_CASE("the second relative pivot is det M over the product of the diagonal") {
-  Derived s(cart_pole_text());
+  Derived s(read_model("cart_pole"));
   const ForwardDynamics solved = forward_dynamics(s.derivation);
   const GiNaC::ex m00 = s.textbook.mass(0, 0);
   const GiNaC::ex m11 = s.textbook.mass(1, 1);
@@ -211,7 +211,7 @@ TEST_CASE("the second relative pivot is det M over the product of the diagonal")
 }
 
 TEST_CASE("names of accelerations are identifiers, also for repeated coordinates") {
-  Derived s(chain_text());
+  Derived s(read_model("chain"));
   const auto solved = forward_dynamics(s.derivation);
   const auto& place = s.derivation.definitions.places.at(solved.acceleration.back());
   CHECK(s.derivation.definitions.list[place.index].name == "acceleration_q_3");
@@ -219,7 +219,7 @@ TEST_CASE("names of accelerations are identifiers, also for repeated coordinates
 
 TEST_CASE("the reaction of a locked cart is the force of the swinging bob") {
   const CheckedModel checked =
-      checked_scene(cart_pole_text(), "[lock]\nx = { value = 0, reaction = true }\n");
+      checked_scene(read_model("cart_pole"), "[lock]\nx = { value = 0, reaction = true }\n");
   Derivation d(*specialise(*formulate(checked.model), checked));
   const Vector before = gravity(d);
   const Vector force = reaction(d);

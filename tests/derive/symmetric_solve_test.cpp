@@ -75,9 +75,9 @@ TEST_CASE("M x = r holds in both orders of elimination", "[frames]") {
 
 TEST_CASE("the first relative pivot is 1, the second is its Schur complement over the diagonal",
           "[frames]") {
-  const Framed system(two_turns_text());
+  const Framed system(read_model("two_turns"));
   for (const bool last_first : {false, true}) {
-    Derivation derivation(derivation_in_order(two_turns_text(), last_first));
+    Derivation derivation(derivation_in_order(read_model("two_turns"), last_first));
     const Vector mass = mass_matrix(derivation);
     const Vector pivots = solve_of(derivation, mass).relative_pivots();
     const std::size_t first = last_first ? 1 : 0;
@@ -93,5 +93,5 @@ TEST_CASE("elimination from the limbs has no fill-in between them", "[frames]") 
   CHECK(system.lagrangian.eliminates_last_first);
   // With the base last 9 entries between the arms stay zero.
   CHECK(cost(branched_text(), true) + 9 < cost(branched_text(), false));
-  CHECK_FALSE(Framed(three_turns_text()).lagrangian.eliminates_last_first);
+  CHECK_FALSE(Framed(read_model("three_turns")).lagrangian.eliminates_last_first);
 }

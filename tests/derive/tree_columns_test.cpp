@@ -30,14 +30,14 @@ Pairs visited_pairs(Derivation& derivation) {
 
 TEST_CASE("a variable is paired with itself and its ancestors, never with another arm",
           "[frames]") {
-  Derivation derivation(Framed(two_arms_text()).lagrangian);
+  Derivation derivation(Framed(read_model("two_arms")).lagrangian);
   // Numbers of variables: 0 x, 1 a1, 2 a1 + a2, 3 b1, 4 b2.
   CHECK(visited_pairs(derivation) ==
         Pairs{{0, 0}, {1, 1}, {1, 0}, {2, 2}, {2, 0}, {3, 3}, {3, 0}, {4, 4}, {4, 3}, {4, 0}});
 }
 
 TEST_CASE("variables of one step are paired in both orders", "[frames]") {
-  Derivation derivation(Framed(sliders_text()).lagrangian);
+  Derivation derivation(Framed(read_model("sliders")).lagrangian);
   const Pairs pairs = visited_pairs(derivation);
   CHECK(pairs.count({0, 1}) == 1);
   CHECK(pairs.count({1, 0}) == 1);
@@ -46,7 +46,7 @@ TEST_CASE("variables of one step are paired in both orders", "[frames]") {
 }
 
 TEST_CASE("the inertia column of a rotation is the composite inertia about its axis", "[frames]") {
-  const Framed system(planar_text());
+  const Framed system(read_model("planar"));
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
@@ -62,7 +62,7 @@ TEST_CASE("the inertia column of a rotation is the composite inertia about its a
 }
 
 TEST_CASE("moving angles and components of offsets are variables", "[frames]") {
-  const Framed system(sliders_text());
+  const Framed system(read_model("sliders"));
   Derivation derivation(system.lagrangian);
   const TreeVariables variables = tree_variables(tree_of(derivation));
   CHECK(variables.is_complete);
@@ -76,7 +76,7 @@ TEST_CASE("moving angles and components of offsets are variables", "[frames]") {
 }
 
 TEST_CASE("a step moved only by time is no variable", "[frames]") {
-  const Framed system(turntable_text());
+  const Framed system(read_model("turntable"));
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
   const TreeVariables variables = tree_variables(tree);
@@ -90,15 +90,15 @@ TEST_CASE("a step moved only by time is no variable", "[frames]") {
 }
 
 TEST_CASE("derivatives by columns need variables that are linear in the coordinates", "[frames]") {
-  Derivation over_coordinates(Framed(quaternion_text()).lagrangian);
+  Derivation over_coordinates(Framed(read_model("quaternion")).lagrangian);
   CHECK_FALSE(tree_variables(tree_of(over_coordinates)).is_complete);
   const auto is_linear = [](const std::string& text) {
     Derivation derivation(Framed(text).lagrangian);
     return has_linear_variables(tree_of(derivation));
   };
-  CHECK(is_linear(two_turns_text()));
-  CHECK(is_linear(turntable_text()));
-  CHECK(is_linear(two_arms_text()));
-  CHECK_FALSE(is_linear(sliders_text()));
-  CHECK_FALSE(is_linear(quaternion_text()));
+  CHECK(is_linear(read_model("two_turns")));
+  CHECK(is_linear(read_model("turntable")));
+  CHECK(is_linear(read_model("two_arms")));
+  CHECK_FALSE(is_linear(read_model("sliders")));
+  CHECK_FALSE(is_linear(read_model("quaternion")));
 }

@@ -65,7 +65,7 @@ TEST_CASE("components in the world agree with the frame's rotation", "[frames]")
 }
 
 TEST_CASE("a transformation between arms takes only the steps between them", "[frames]") {
-  const Framed system(two_arms_text());
+  const Framed system(read_model("two_arms"));
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
   const ExVector3 same = tree.turned(some_vector, 0, std::nullopt);
@@ -98,7 +98,7 @@ TEST_CASE("the rate of a rotated unit vector is spin x vector", "[frames]") {
 }
 
 TEST_CASE("quarter turns are permutations without definitions", "[frames]") {
-  const Framed system(two_turns_text());
+  const Framed system(read_model("two_turns"));
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
   const std::size_t before = derivation.definitions.list.size();
@@ -115,7 +115,7 @@ TEST_CASE("quarter turns are permutations without definitions", "[frames]") {
 
 TEST_CASE("a force transformed before a translation has a moment about the new origin",
           "[frames]") {
-  const Framed system(planar_text());
+  const Framed system(read_model("planar"));
   Derivation derivation(system.lagrangian);
   Tree& tree = tree_of(derivation);
   for (std::size_t k = 0; k < tree.size(); ++k) {

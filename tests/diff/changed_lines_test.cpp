@@ -61,7 +61,7 @@ std::size_t changed_lines(const std::string& before, const std::string& after) {
 TEST_CASE("one term of a model changes only the functions whose entries differ") {
   for (const auto& [model, part, other, most] : one_terms) {
     INFO(model);
-    const std::string text = model_of(model);
+    const std::string text = model_file(model);
     const LoweredVersion before = lowered(text, "", Goal::emit);
     const LoweredVersion after = lowered(replaced(text, part, other), "", Goal::emit);
     const Header old = header_of(before.products, model);

@@ -153,7 +153,7 @@ TEST_CASE("edits of known models have the expected impact") {
   };
   for (const auto& [model, part, other, impact] : edits) {
     INFO(model << ": " << part << " -> " << other);
-    const std::string before = model_of(model);
+    const std::string before = model_file(model);
     CHECK(impact_row(compared(before, replaced(before, part, other)).impact).word ==
           impact_row(impact).word);
   }

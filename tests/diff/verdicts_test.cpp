@@ -197,7 +197,7 @@ const SceneEdit scene_edits[]{
 TEST_CASE("edits of scenes have the expected impact") {
   for (const auto& [model, scene, part, other, impact] : scene_edits) {
     INFO(model << ": " << part << " -> " << other);
-    const std::string text = model_of(model);
+    const std::string text = model_file(model);
     const Goal goal = std::string(scene) == stepped ? Goal::choose : Goal::lower;
     const LoweredVersion old = lowered(text, scene, goal);
     const LoweredVersion now = lowered(text, replaced(scene, part, other), goal);

@@ -78,67 +78,6 @@ inline void add_coordinate(Model& model, const std::string& name, const std::str
   append_coordinate(model, coordinate);
 }
 
-inline const char* const cart_pole_program = R"(parameters M m l g
-coordinates x theta
-inputs u
-function mass_matrix
-  0 = parameter M
-  1 = parameter m
-  2 = add 0 1
-  3 = parameter l
-  4 = multiply 3 1
-  5 = coordinate theta
-  6 = cos 5
-  7 = multiply 4 6
-  8 = multiply 3 3
-  9 = multiply 8 1
-  result 2 2 = 2 7 7 9
-function gravity
-  0 = constant 0
-  1 = parameter g
-  2 = parameter l
-  3 = multiply 1 2
-  4 = parameter m
-  5 = multiply 3 4
-  6 = coordinate theta
-  7 = sin 6
-  8 = multiply 5 7
-  9 = negate 8
-  result 2 1 = 0 9
-function kinetic_energy
-  0 = constant 1/2
-  1 = parameter M
-  2 = velocity x
-  3 = multiply 2 2
-  4 = multiply 0 1
-  5 = multiply 4 3
-  result 1 1 = 5
-function input_matrix
-  0 = constant 0
-  1 = constant 1
-  result 2 1 = 1 0
-function forward_dynamics
-  0 = input u
-  1 = parameter M
-  2 = divide 0 1
-  3 = constant 1/3
-  4 = parameter l
-  5 = square_root 4
-  6 = multiply 3 5
-  7 = constant 1
-  result acceleration 2 1 = 2 6
-  result relative_pivots 2 1 = 7 7
-function dynamics
-  0 = parameter M
-  1 = parameter m
-  2 = add 0 1
-  3 = constant 0
-  4 = velocity x
-  result mass_matrix 2 2 = 2 3 3 1
-  result gravity 2 1 = 3 4
-  result kinetic_energy 1 1 = 2
-)";
-
 inline Model cart_pole_model() {
   Model model;
   model.source = make_source("/somewhere/models/cart_pole.toml", "");
@@ -168,7 +107,7 @@ inline Subject cart_pole() {
   subject.model = cart_pole_model();
   subject.scene.base_name = "cart_pole";
   subject.scene.paths.model = "cart_pole.toml";
-  subject.program = read_program(cart_pole_program);
+  subject.program = read_program(read_text(ELGEN_SOURCE_DIR "/tests/models/cart_pole.program"));
   return subject;
 }
 

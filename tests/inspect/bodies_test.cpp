@@ -5,7 +5,7 @@
 #include "inspect/checks.hpp"
 #include "inspect/found.hpp"
 #include "oracle/samples.hpp"
-#include "support/arms.hpp"
+#include "support/systems.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -85,6 +85,6 @@ TEST_CASE("a spin with a curl in space or time is found") {
 TEST_CASE("a spatial spin need not be a rate") { CHECK(spin_findings("x*th_d", 3).empty()); }
 
 TEST_CASE("spins of bodies in nested frames follow from the frames", "[frames]") {
-  const CheckedModel planar = checked_model(planar_text());
+  const CheckedModel planar = checked_model(read_model("planar"));
   CHECK(text_of(inspect_spins({planar.model, planar.scene})).empty());
 }

@@ -5,7 +5,7 @@
 #include "elgen/references.hpp"
 #include "inspect/checks.hpp"
 #include "inspect/found.hpp"
-#include "support/frame_systems.hpp"
+#include "support/systems.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

@@ -49,16 +49,19 @@ on = "q"
 }  // namespace
 
 TEST_CASE("models without approximation and true equilibria pass") {
-  const CheckedModel exact = checked_model(cart_pole_text());
+  const CheckedModel exact = checked_model(read_model("cart_pole"));
   CHECK(inspect_equilibrium({exact.model, exact.scene}).empty());
-  CHECK(equilibrium_findings(cart_pole_text(), "order = 1\nabout = { x = 3, theta = 0 }").empty());
-  CHECK(equilibrium_findings(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi\" }")
+  CHECK(equilibrium_findings(read_model("cart_pole"), "order = 1\nabout = { x = 3, theta = 0 }")
             .empty());
-  CHECK(equilibrium_findings(cart_pole_text(), "order = 2\nabout = { theta = 0 }").empty());
+  CHECK(
+      equilibrium_findings(read_model("cart_pole"), "order = 1\nabout = { x = 0, theta = \"pi\" }")
+          .empty());
+  CHECK(equilibrium_findings(read_model("cart_pole"), "order = 2\nabout = { theta = 0 }").empty());
 }
 
 TEST_CASE("a leaning pole does not stay at rest") {
-  CHECK(equilibrium_findings(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }") ==
+  CHECK(equilibrium_findings(read_model("cart_pole"),
+                             "order = 1\nabout = { x = 0, theta = \"pi/2\" }") ==
         "E613: `theta` does not stay at rest there: bias - B u is -1.4715");
 }
 
@@ -117,13 +120,13 @@ V = "(q^2)^(5/2)"
 }
 
 TEST_CASE("equilibria of a model balance in every row for all free coordinates") {
-  CHECK(entry_findings(cart_pole_text(), "at = { theta = 0 }").empty());
-  CHECK(entry_findings(cart_pole_text(), "at = { theta = \"pi\", x = 2 }").empty());
-  CHECK(entry_findings(cart_pole_text(), "at = { theta = \"pi/2\" }") ==
+  CHECK(entry_findings(read_model("cart_pole"), "at = { theta = 0 }").empty());
+  CHECK(entry_findings(read_model("cart_pole"), "at = { theta = \"pi\", x = 2 }").empty());
+  CHECK(entry_findings(read_model("cart_pole"), "at = { theta = \"pi/2\" }") ==
         "E613: `theta` does not stay at rest there: bias - B u is -1.4715");
-  CHECK(entry_findings(cart_pole_text(), "at = { theta = 0 }\ninputs = { u = 1 }") ==
+  CHECK(entry_findings(read_model("cart_pole"), "at = { theta = 0 }\ninputs = { u = 1 }") ==
         "E613: `x` does not stay at rest there: bias - B u is -1");
-  CHECK_FALSE(entry_findings(cart_pole_text(), "at = { x = 0 }").empty());
+  CHECK_FALSE(entry_findings(read_model("cart_pole"), "at = { x = 0 }").empty());
 }
 
 TEST_CASE("an equilibrium is checked only if its condition holds") {

@@ -6,7 +6,7 @@
 
 #include "inspect/found.hpp"
 #include "oracle/samples.hpp"
-#include "support/frame_systems.hpp"
+#include "support/systems.hpp"
 
 using namespace elgen;
 using namespace elgen::test;

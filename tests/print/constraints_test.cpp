@@ -5,9 +5,9 @@
 
 #include "choose/chosen.hpp"
 #include "elgen/typeset.hpp"
-#include "print/constrained.hpp"
 #include "print/sections.hpp"
 #include "print/small_page.hpp"
+#include "support/models.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -32,9 +32,9 @@ const PageSection& section_titled(const Page& page, const std::string& title) {
 }  // namespace
 
 TEST_CASE("the line of a constraint has its sides, its kind and its gains") {
-  CHECK(constraint_lines(checked_model(rod_text()).model) ==
+  CHECK(constraint_lines(checked_model(read_model("rod")).model) ==
         Cells{"rod (position): (x^2 + y^2)/2 = l^2/2, omega = 2*omega, zeta = 1"});
-  CHECK(constraint_lines(checked_model(disc_text()).model) ==
+  CHECK(constraint_lines(checked_model(read_model("disc")).model) ==
         Cells{"roll_1 (velocity): dot(x) = R*cos(psi)*dot(phi)",
               "roll_2 (velocity): dot(y) = R*sin(psi)*dot(phi)"});
   CHECK(constraint_lines(checked_model(model_text("none",
@@ -69,16 +69,16 @@ equation = "x(P) = x(Q)"
 }
 
 TEST_CASE("the constraint equation has exactly the terms of its gains") {
-  CHECK(text_of(constraint_equation(checked_model(rod_text()).model)) ==
+  CHECK(text_of(constraint_equation(checked_model(read_model("rod")).model)) ==
         "A a = -gamma - 2 zeta omega r - omega^2 f");
-  CHECK(text_of(constraint_equation(checked_model(disc_text()).model)) == "A a = -gamma");
-  const std::string steady = disc_text() + "stabilise = { omega = 10, zeta = 1 }\n";
+  CHECK(text_of(constraint_equation(checked_model(read_model("disc")).model)) == "A a = -gamma");
+  const std::string steady = read_model("disc") + "stabilise = { omega = 10, zeta = 1 }\n";
   CHECK(text_of(constraint_equation(checked_model(steady).model)) ==
         "A a = -gamma - 2 zeta omega r");
 }
 
 TEST_CASE("a page has a table of constraints with the symbols of their multipliers") {
-  const Page page = typeset_page(rod_text());
+  const Page page = typeset_page(read_model("rod"));
   const PageSection& section = section_titled(page, "Constraints");
   CHECK(mentions(section.doc, " rod: massless."));
   CHECK(latex_of(section.definition) ==
@@ -89,13 +89,13 @@ TEST_CASE("a page has a table of constraints with the symbols of their multiplie
               "\\frac{x^{2} + y^{2}}{2} = \\frac{l^{2}}{2}", "2 \\omega", "1"});
   CHECK(latex_of(section_titled(page, "Forward dynamics").equations.back().left) ==
         "\\lambda_{\\mathrm{rod}}");
-  const Page other = typeset_page(disc_text());
+  const Page other = typeset_page(read_model("disc"));
   CHECK(section_titled(other, "Constraints").table.heads.size() == 4);
   CHECK(mentions(markdown_page(page), "| $\\lambda_{\\mathrm{rod}}$ | kg/s\u00b2 | position | $"));
 }
 
 TEST_CASE("a text page lists constraints below the variables") {
-  const ChosenForms c = chosen(rod_text());
+  const ChosenForms c = chosen(read_model("rod"));
   CHECK(mentions(text_page(c.checked.model, c.checked.scene, c.choice.program),
                  "  lambda = (lambda_rod [kg/s^2])\n"
                  "  A a = -gamma - 2 zeta omega r - omega^2 f, (f, r) = constraint_residual\n\n"
@@ -103,7 +103,7 @@ TEST_CASE("a text page lists constraints below the variables") {
 }
 
 TEST_CASE("statements that hold only without constraints are omitted in models with constraints") {
-  const ChosenForms c = chosen(rod_text());
+  const ChosenForms c = chosen(read_model("rod"));
   for (const Function& function : c.choice.program.functions) {
     if (function.kind == OutputKind::energy_function) {
       CHECK(mentions(output_doc(c.checked.model, function), "v.(B u + A^T lambda + Q - dD/dv)"));

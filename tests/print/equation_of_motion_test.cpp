@@ -4,10 +4,9 @@
 #include "choose/chosen.hpp"
 #include "emit/fixture.hpp"
 #include "model/symbols.hpp"
-#include "print/constrained.hpp"
 #include "print/sections.hpp"
 #include "print/small_page.hpp"
-#include "support/frame_systems.hpp"
+#include "support/models.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;
@@ -29,7 +28,7 @@ Lines lines_of(const std::string& text, const SceneOptions& options = {}) {
 }  // namespace
 
 TEST_CASE("terms that are zero or impossible in a model are omitted") {
-  const ChosenForms c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(read_model("cart_pole"));
   const Formula equation = equation_of_motion(c.checked.model, c.choice.program);
   CHECK(text_of(equation) == "M(q) a + C(q,v) v + g(q) = B(q) u");
   CHECK(latex_of(equation) ==
@@ -39,7 +38,7 @@ TEST_CASE("terms that are zero or impossible in a model are omitted") {
 }
 
 TEST_CASE("without functions of motion the equation at rest is printed") {
-  ChosenForms c = chosen(cart_pole_text());
+  ChosenForms c = chosen(read_model("cart_pole"));
   auto& functions = c.choice.program.functions;
   const auto moves = [](const Function& f) { return f.kind != OutputKind::gravity; };
   functions.erase(std::remove_if(functions.begin(), functions.end(), moves), functions.end());
@@ -52,7 +51,7 @@ TEST_CASE("without functions of motion the equation at rest is printed") {
 }
 
 TEST_CASE("with rotations the rates are v") {
-  const ChosenForms c = chosen(tumbler_text());
+  const ChosenForms c = chosen(read_model("tumbler"));
   CHECK(latex_of(equation_of_motion(c.checked.model, c.choice.program)) ==
         "M(\\mathbf{q}) \\mathbf{a} + C(\\mathbf{q},\\mathbf{v}) \\mathbf{v} = B(\\mathbf{q}) "
         "\\mathbf{u}");
@@ -91,16 +90,17 @@ TEST_CASE("an L that is not quadratic in the rates has a bias only") {
 }
 
 TEST_CASE("multipliers are on the right side, after the inputs") {
-  const ChosenForms rod = chosen(rod_text());
+  const ChosenForms rod = chosen(read_model("rod"));
   const Formula equation = equation_of_motion(rod.checked.model, rod.choice.program);
   CHECK(text_of(equation) == "M(q) a + g(q) = A(q)^T lambda");
   CHECK(mentions(latex_of(equation), "= A(\\mathbf{q})^{\\top} \\boldsymbol{\\lambda}"));
-  const ChosenForms disc = chosen(disc_text());
+  const ChosenForms disc = chosen(read_model("disc"));
   CHECK(text_of(equation_of_motion(disc.checked.model, disc.choice.program)) ==
         "M(q) a = B(q) u + A(q)^T lambda");
-  CHECK(lines_of(disc_text()) == Lines{"q = (x, y, phi, psi)", "v = dq/dt, a = dv/dt", "u = (tau)",
-                                       "lambda = (lambda_roll_1, lambda_roll_2)",
-                                       "A a = -gamma, (f, r) = constraint_residual"});
+  CHECK(lines_of(read_model("disc")) == Lines{"q = (x, y, phi, psi)", "v = dq/dt, a = dv/dt",
+                                              "u = (tau)",
+                                              "lambda = (lambda_roll_1, lambda_roll_2)",
+                                              "A a = -gamma, (f, r) = constraint_residual"});
 }
 
 TEST_CASE("time-independent constraints conserve E, and momenta that none of them changes") {
@@ -112,24 +112,25 @@ TEST_CASE("time-independent constraints conserve E, and momenta that none of the
     }
     return names;
   };
-  const std::string rod = rod_text();
+  const std::string rod = read_model("rod");
   CHECK(conserved(rod) == Lines{"E"});
   const auto with_equation = [&rod](const std::string& equation) {
     return replaced(rod, "(x^2 + y^2)/2 = l^2/2", equation);
   };
   CHECK(conserved(with_equation("y = l")) == Lines{"E", "p(x)"});
   CHECK(conserved(with_equation("y = omega*l*t")) == Lines{"p(x)"});
-  const std::string disc = disc_text();
+  const std::string disc = read_model("disc");
   const std::string input = "[[input]]\nname = \"tau\"\non = \"phi\"\n";
   CHECK(conserved(std::string(disc).erase(disc.find(input), input.size())) == Lines{"p(psi)"});
 }
 
 TEST_CASE("variable lines show coordinates, velocities as rates, and inputs") {
-  CHECK(lines_of(cart_pole_text()) == Lines{"q = (x, theta)", "v = dq/dt, a = dv/dt", "u = (u)"});
+  CHECK(lines_of(read_model("cart_pole")) ==
+        Lines{"q = (x, theta)", "v = dq/dt, a = dv/dt", "u = (u)"});
 }
 
 TEST_CASE("a long list of names is abbreviated to the first two and the last") {
-  const ChosenForms c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(read_model("cart_pole"));
   Model model = c.checked.model;
   for (int i = 0; i < 20; ++i) model.coordinates.push_back(model.coordinates[1]);
   CHECK(variable_lines(model, c.choice.program).front() == "q = (x, theta, ..., theta)");
@@ -138,18 +139,18 @@ TEST_CASE("a long list of names is abbreviated to the first two and the last") {
 TEST_CASE("without functions of motion the variables say `at rest`") {
   SceneOptions options;
   options.outputs = {make_source("command line", "gravity")};
-  CHECK(lines_of(cart_pole_text(), options).at(1) == "at rest");
+  CHECK(lines_of(read_model("cart_pole"), options).at(1) == "at rest");
 }
 
 TEST_CASE("velocities that are not rates have names") {
-  const Lines lines = lines_of(tumbler_text());
+  const Lines lines = lines_of(read_model("tumbler"));
   REQUIRE(lines.size() >= 3);
   CHECK(lines[1].rfind("v = (", 0) == 0);
   CHECK(lines[2] == "dq/dt = N(q) v: coordinate_rates");
 }
 
 TEST_CASE("every output of the table has a symbol and a sentence") {
-  const ChosenForms c = chosen(everything_text());
+  const ChosenForms c = chosen(read_model("everything"));
   for (const Function& function : c.choice.program.functions) {
     INFO(function.name);
     CHECK_FALSE(latex_of(elgen::heading(c.checked.model, function).symbol).empty());
@@ -175,12 +176,12 @@ TEST_CASE("with rotations definitions use v, a and N instead of rates") {
     FAIL("no such output");
     return std::string();
   };
-  const std::string plain = everything_text();
+  const std::string plain = read_model("everything");
   CHECK(definition_of(plain, OutputKind::gravity) ==
         "\\mathbf{g} = \\frac{\\partial V_{0}}{\\partial \\mathbf{q}}");
   CHECK(definition_of(plain, OutputKind::inverse_dynamics) ==
         "\\boldsymbol{\\tau} = M \\ddot{\\mathbf{q}} + \\mathbf{bias}");
-  const std::string body = tumbler_text();
+  const std::string body = read_model("tumbler");
   CHECK(definition_of(body, OutputKind::gravity) ==
         "\\mathbf{g} = N^{\\top} \\frac{\\partial V_{0}}{\\partial \\mathbf{q}}");
   CHECK(definition_of(body, OutputKind::inverse_dynamics) ==

@@ -13,7 +13,7 @@ using namespace elgen::test;
 namespace {
 
 std::vector<std::string> notes(const std::string& scene) {
-  const CheckedModel checked = checked_scene(cart_pole_text(), scene);
+  const CheckedModel checked = checked_scene(read_model("cart_pole"), scene);
   return scene_notes(checked.model, checked.scene);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("links and images in titles are plain text") {
 }
 
 TEST_CASE("a page has variables and parameters, but no drift and no struct of all outputs") {
-  const ChosenForms c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(read_model("cart_pole"));
   const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program);
   CHECK(page.coordinates.size() == 2);
   CHECK(latex_of(page.coordinates[1].symbol) == "\\theta");
@@ -134,7 +134,7 @@ TEST_CASE("a page has variables and parameters, but no drift and no struct of al
 }
 
 TEST_CASE("zeros are shown and long outputs omitted on request") {
-  const ChosenForms c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(read_model("cart_pole"));
   const auto count = [&](const PageOptions& options) {
     const Page page = model_page(c.checked.model, c.checked.scene, c.choice.program, options);
     std::size_t equations = 0;
@@ -146,7 +146,7 @@ TEST_CASE("zeros are shown and long outputs omitted on request") {
 }
 
 TEST_CASE("a text page is in the model language") {
-  const ChosenForms c = chosen(cart_pole_text());
+  const ChosenForms c = chosen(read_model("cart_pole"));
   const std::string page = text_page(c.checked.model, c.checked.scene, c.choice.program);
   CHECK(mentions(page, "  q = (x, theta)\n  v = dq/dt, a = dv/dt\n"));
   CHECK(mentions(page, "\nmass_matrix\n  mass_matrix[1,1] = M + m\n"));
@@ -221,17 +221,18 @@ TEST_CASE("notes list what a scene fixes and locks") {
 }
 
 TEST_CASE("exact equations have no note about an expansion") {
-  CHECK(expansion_text(checked_model(cart_pole_text()).model).empty());
+  CHECK(expansion_text(checked_model(read_model("cart_pole")).model).empty());
 }
 
 TEST_CASE("a note names the expansion point and order, and inputs if they are small") {
   const CheckedModel all =
-      approximated(cart_pole_text(), "order = 1\nabout = { x = 0, theta = \"pi/2\" }");
+      approximated(read_model("cart_pole"), "order = 1\nabout = { x = 0, theta = \"pi/2\" }");
   CHECK(scene_notes(all.model, all.scene) == std::vector<std::string>{expansion_text(all.model)});
   CHECK(expansion_text(all.model) ==
         "Expanded about x = 0, theta = pi/2, u = 0: correct to order 1 in the deviations, the "
         "rates and the accelerations together.");
-  const CheckedModel some = approximated(cart_pole_text(), "order = 2\nabout = { theta = 0 }");
+  const CheckedModel some =
+      approximated(read_model("cart_pole"), "order = 2\nabout = { theta = 0 }");
   CHECK(expansion_text(some.model) ==
         "Expanded about theta = 0: correct to order 2 in the equations of theta, and to order 3 in "
         "other equations. The order counts the deviations, their rates and their accelerations "

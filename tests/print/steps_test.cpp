@@ -6,8 +6,8 @@
 #include "choose/chosen.hpp"
 #include "elgen/steps.hpp"
 #include "elgen/typeset.hpp"
-#include "print/constrained.hpp"
 #include "print/small_page.hpp"
+#include "support/models.hpp"
 #include "support/systems.hpp"
 
 using namespace elgen;
@@ -35,7 +35,7 @@ struct Derivation {
 }  // namespace
 
 TEST_CASE("the steps are in the order of a textbook") {
-  const Derivation d(cart_pole_text());
+  const Derivation d(read_model("cart_pole"));
   const std::string text = d.text();
   std::size_t last = 0;
   for (const char* title :
@@ -53,7 +53,7 @@ TEST_CASE("the steps are in the order of a textbook") {
 }
 
 TEST_CASE("dissipation, forces and explicit time are separate steps") {
-  const Derivation d(everything_text());
+  const Derivation d(read_model("everything"));
   const std::string text = d.text();
   CHECK(mentions(text, "  dD/d(dot(r)) = "));
   CHECK(mentions(text, "L contains t, so E is not conserved\n"));
@@ -61,7 +61,7 @@ TEST_CASE("dissipation, forces and explicit time are separate steps") {
 }
 
 TEST_CASE("the page has one section per step") {
-  const std::vector<PageSection> sections = Derivation(cart_pole_text()).page().sections;
+  const std::vector<PageSection> sections = Derivation(read_model("cart_pole")).page().sections;
   REQUIRE(sections.size() == 8);
   CHECK(text_of(sections[0].title) == "Action");
   CHECK(latex_of(sections[5].title) == "\\text{Equation of } \\theta");
@@ -84,7 +84,7 @@ Action
 
 Energies
 )") == 0);
-  const Derivation driven(cart_pole_text());
+  const Derivation driven(read_model("cart_pole"));
   const std::string text = driven.text();
   CHECK(mentions(text,
                  "  delta W = (Q - dD/dv) * delta q is the virtual work of forces (d'Alembert)\n"));
@@ -92,7 +92,7 @@ Energies
 }
 
 TEST_CASE("a cyclic coordinate has a line about Noether's theorem, with symbols on a page") {
-  const Derivation d(cart_pole_text());
+  const Derivation d(read_model("cart_pole"));
   CHECK(mentions(d.text(),
                  "  L does not contain x, so p_x = dL/d(dot(x)) is conserved if no force and no "
                  "dissipation act on it\n"));
@@ -110,7 +110,7 @@ TEST_CASE("a cyclic coordinate has a line about Noether's theorem, with symbols 
 }
 
 TEST_CASE("a multiplier is added to L, and acts on coordinates in its equation") {
-  const Derivation d(rod_text());
+  const Derivation d(read_model("rod"));
   const std::string text = d.text();
   INFO(text);
   CHECK(mentions(text, "so d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda\n"));
@@ -129,7 +129,7 @@ TEST_CASE("a multiplier is added to L, and acts on coordinates in its equation")
 }
 
 TEST_CASE("velocity constraints do virtual work and do not change L") {
-  const Derivation d(disc_text());
+  const Derivation d(read_model("disc"));
   const std::string text = d.text();
   INFO(text);
   CHECK(mentions(
@@ -148,7 +148,7 @@ TEST_CASE("velocity constraints do virtual work and do not change L") {
 }
 
 TEST_CASE("a page of steps prints multipliers by their symbols, also in its heading") {
-  const Derivation d(rod_text());
+  const Derivation d(read_model("rod"));
   const Page page = d.page();
   CHECK(mentions(latex_of(page.equation_of_motion),
                  "= \\mathbf{Q} + A^{\\top} \\boldsymbol{\\lambda}"));

@@ -1,7 +1,7 @@
 // Two limbs of any length on a rotating trunk.
 #pragma once
 
-#include "support/arms.hpp"
+#include "support/systems.hpp"
 
 namespace elgen::test {
 

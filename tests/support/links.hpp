@@ -1,7 +1,7 @@
 // A chain of rotations about crossed axes, of any length.
 #pragma once
 
-#include "support/arms.hpp"
+#include "support/systems.hpp"
 
 namespace elgen::test {
 

@@ -44,4 +44,40 @@ inline std::string model_text(const std::string& name, const std::string& rest) 
   return "format = 1\n[model]\nname = \"" + name + "\"\n" + rest;
 }
 
+/// Parameters without units that several arms share.
+inline const std::string& frame_parameters() {
+  static const std::string text = R"toml(
+[parameters]
+m1 = 2
+m2 = "3/2"
+l = "7/10"
+A = "3/10"
+B = "2/5"
+C = "1/2"
+D = "1/20"
+E = "3/100"
+F = "-1/50"
+Omega = "2/5"
+g = 9.81
+[gravity]
+vector = ["g/10", "-g/7", "-g"]
+)toml";
+  return text;
+}
+
+inline std::string frame_model(const std::string& name, const std::string& coordinates,
+                               const std::string& rest) {
+  std::string text;
+  std::string word;
+  for (const char letter : coordinates + " ") {
+    if (letter != ' ') {
+      word += letter;
+      continue;
+    }
+    text += "[[coordinate]]\nname = \"" + word + "\"\n";
+    word.clear();
+  }
+  return model_text(name, text + frame_parameters() + rest);
+}
+
 }  // namespace elgen::test

@@ -75,8 +75,8 @@ std::string model_path(const std::string& name) {
 
 std::string model_file(const std::string& name) { return read_text(model_path(name)); }
 
-std::string read_model(const std::string& file) {
-  return read_text(ELGEN_SOURCE_DIR "/tests/models/" + file);
+std::string read_model(const std::string& name) {
+  return read_text(ELGEN_SOURCE_DIR "/tests/models/" + name + ".toml");
 }
 
 }  // namespace elgen::test

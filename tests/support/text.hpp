@@ -37,7 +37,7 @@ void write_text(const std::filesystem::path& path, const std::string& text);
 [[nodiscard]] std::string model_path(const std::string& name);
 [[nodiscard]] std::string model_file(const std::string& name);
 
-/// The text of tests/models/FILE; throws if it cannot be read.
-[[nodiscard]] std::string read_model(const std::string& file);
+/// The text of tests/models/NAME.toml; throws if it cannot be read.
+[[nodiscard]] std::string read_model(const std::string& name);
 
 }  // namespace elgen::test

@@ -80,7 +80,7 @@ void expect_right(const Inputs& inputs) {
 /// Cart and pole with an array of parameters, constants of every kind, a kink, atan2, a quotient
 /// and a Jacobian.
 std::string wide() {
-  std::string text = test::cart_pole_text();
+  std::string text = test::read_model("cart_pole");
   text.insert(text.find("M = {"), "k = { value = [0.7, 2], size = \"n\" }\nb = \"1/3\"\n");
   return text + R"toml([sizes]
 n = 2

@@ -35,7 +35,7 @@ Lagrangian formulate_model() {
 }  // namespace
 
 TEST_CASE("points with a mass become point masses, with gravity") {
-  const auto lagrangian = formulate(checked_model(cart_pole_text()).model);
+  const auto lagrangian = formulate(checked_model(read_model("cart_pole")).model);
   REQUIRE(lagrangian);
   const Symbols& s = lagrangian->symbols;
   REQUIRE(lagrangian->masses.size() == 2);
@@ -50,7 +50,7 @@ TEST_CASE("points with a mass become point masses, with gravity") {
 }
 
 TEST_CASE("bodies add 1/2 w.I w, with products of inertia as off-diagonal entries") {
-  const auto lagrangian = formulate(checked_model(gyroscope_text()).model);
+  const auto lagrangian = formulate(checked_model(read_model("gyroscope")).model);
   REQUIRE(lagrangian);
   CHECK(lagrangian->masses.empty());
   ex kinetic = 0;
@@ -73,7 +73,7 @@ TEST_CASE("bodies add 1/2 w.I w, with products of inertia as off-diagonal entrie
 }
 
 TEST_CASE("an armature adds 1/2 J v^2, and forces keep their inputs") {
-  const auto lagrangian = formulate(checked_model(everything_text()).model);
+  const auto lagrangian = formulate(checked_model(read_model("everything")).model);
   REQUIRE(lagrangian);
   const Symbols& s = lagrangian->symbols;
   const ex rate = s.v[1];

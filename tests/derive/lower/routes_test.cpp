@@ -45,7 +45,7 @@ TEST_CASE("with few velocities there is one route, which eliminates from the fir
   CHECK_FALSE(Framed(links_text(9)).lagrangian.eliminates_last_first);
   CHECK(Framed(links_text(10)).lagrangian.eliminates_last_first);
   CHECK(Routes(links_text(9)).equations.alternatives.empty());
-  CHECK(Routes(two_turns_text()).equations.alternatives.empty());
+  CHECK(Routes(read_model("two_turns")).equations.alternatives.empty());
 }
 
 TEST_CASE("a chain of twenty revolute joints is solved by articulated bodies, which cost less",

@@ -138,7 +138,7 @@ TEST_CASE("inputs near a value count as small, like coordinates") {
 }
 
 TEST_CASE("point masses, weights and forces at points become terms") {
-  const Expanded e = energies(cart_pole_text(), "order = 1\nabout = { x = 0, theta = 0 }");
+  const Expanded e = energies(read_model("cart_pole"), "order = 1\nabout = { x = 0, theta = 0 }");
   CHECK(e.lagrangian.masses.empty());
   CHECK(e.lagrangian.point_forces.empty());
   CHECK_FALSE(e.lagrangian.gravity);

@@ -68,12 +68,12 @@ Lagrangian locked(const std::string& text, const std::string& scene) {
 }  // namespace
 
 TEST_CASE("without fixed parameters nothing changes") {
-  CHECK(text_of(specialised(cart_pole_text(), {})) ==
-        text_of(*formulate(checked_model(cart_pole_text()).model)));
+  CHECK(text_of(specialised(read_model("cart_pole"), {})) ==
+        text_of(*formulate(checked_model(read_model("cart_pole")).model)));
 }
 
 TEST_CASE("a fixed parameter is an exact number everywhere") {
-  const Lagrangian lagrangian = specialised(cart_pole_text(), {"l=1/3", "M=4"});
+  const Lagrangian lagrangian = specialised(read_model("cart_pole"), {"l=1/3", "M=4"});
   CHECK(lagrangian.masses[0].mass.is_equal(4));
   const GiNaC::ex& x = lagrangian.masses[1].position[0];
   const Definition& bob = lagrangian.definitions.list[lagrangian.definitions.places.at(x).index];
@@ -83,8 +83,8 @@ TEST_CASE("a fixed parameter is an exact number everywhere") {
 }
 
 TEST_CASE("every part of a Lagrangian is specialised") {
-  const Lagrangian lagrangian =
-      specialised(everything_text(), {"m", "J", "k", "b", "c", "Omega", "A", "nu", "g", "e"});
+  const Lagrangian lagrangian = specialised(
+      read_model("everything"), {"m", "J", "k", "b", "c", "Omega", "A", "nu", "g", "e"});
   LeafSet depends;
   const auto look = [&](const std::vector<GiNaC::ex>& values) {
     for (const GiNaC::ex& value : values) depends |= dependence(lagrangian.definitions, value);
@@ -117,7 +117,7 @@ TEST_CASE("fixed values with undefined results are refused, naming the parameter
 }
 
 TEST_CASE("a locked coordinate disappears with its velocity and force") {
-  const Lagrangian l = locked(cart_pole_text(), "[lock]\nx = { value = \"2*t\" }\n");
+  const Lagrangian l = locked(read_model("cart_pole"), "[lock]\nx = { value = \"2*t\" }\n");
   REQUIRE(l.symbols.q.size() == 1);
   CHECK(l.symbols.v.size() == 1);
   CHECK(l.symbols.a.size() == 1);
@@ -129,7 +129,7 @@ TEST_CASE("a locked coordinate disappears with its velocity and force") {
 }
 
 TEST_CASE("positions are evaluated at the locked function of time") {
-  const Lagrangian l = locked(cart_pole_text(), "[lock]\nx = { value = \"2*t\" }\n");
+  const Lagrangian l = locked(read_model("cart_pole"), "[lock]\nx = { value = \"2*t\" }\n");
   const GiNaC::ex& x = l.masses[1].position[0];
   const Definition& bob = l.definitions.list[l.definitions.places.at(x).index];
   CHECK(bob.depends.has_any(Opcode::time));
@@ -137,7 +137,8 @@ TEST_CASE("positions are evaluated at the locked function of time") {
 }
 
 TEST_CASE("for a requested reaction the whole Lagrangian is kept") {
-  const Lagrangian l = locked(cart_pole_text(), "[lock]\ntheta = { value = 0, reaction = true }\n");
+  const Lagrangian l =
+      locked(read_model("cart_pole"), "[lock]\ntheta = { value = 0, reaction = true }\n");
   REQUIRE(l.reaction_source.has_value());
   CHECK(l.reaction_source->velocities == std::vector<std::uint32_t>{1});
   CHECK(l.reaction_source->whole->symbols.q.size() == 2);
@@ -146,7 +147,7 @@ TEST_CASE("for a requested reaction the whole Lagrangian is kept") {
 }
 
 TEST_CASE("a scene may fix parameters and lock coordinates") {
-  const Lagrangian l = locked(cart_pole_text(),
+  const Lagrangian l = locked(read_model("cart_pole"),
                               "[parameters]\nfixed = { l = \"1/3\" }\n"
                               "[lock]\ntheta = { value = \"l*t\" }\n");
   LeafSet depends;
@@ -158,7 +159,7 @@ TEST_CASE("a scene may fix parameters and lock coordinates") {
 }
 
 TEST_CASE("a leaf is replaced through definitions, and equal values share a definition") {
-  WholeLagrangian lagrangian = *formulate(checked_model(cart_pole_text()).model);
+  WholeLagrangian lagrangian = *formulate(checked_model(read_model("cart_pole")).model);
   const std::vector<Definition> old = lagrangian.definitions.list;
   replace(lagrangian, {{lagrangian.symbols.q[1], 0}});
   // With theta = 0 the bob is above the cart, so its x is the cart's.

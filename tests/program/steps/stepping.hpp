@@ -73,20 +73,7 @@ class StepProgram {
   Products products_;
 };
 
-/// Two coupled masses; the first hangs from a pivot shaken by time, the second has an input force.
-inline const std::string shaken = model_text("shaken", R"toml([[coordinate]]
-name = "x"
-[[coordinate]]
-name = "y"
-[parameters]
-k = 4
-[energy]
-T = "1/2*dot(x)^2 + 1/2*dot(y)^2"
-V = "1 - cos(x - 1/2*sin(3*t)) + k*x*y^2"
-[[input]]
-name = "u"
-on = "y"
-)toml");
+inline const std::string shaken = read_model("shaken");
 
 /// A generic state in motion, with inputs, at t = 2/7.
 inline State generic_state(const StepProgram& step) {

@@ -79,35 +79,7 @@ inline SimulationOptions steps_of(const std::string& method, double step, double
   return {.method = method, .time = time, .step = step};
 }
 
-/// q'' = -sin q, with q = 1 rad and rate 0 at the start.
-inline std::string pendulum_text() {
-  return model_text("pendulum", R"toml([[coordinate]]
-name = "q"
-start = { value = 1, rate = 0 }
-[energy]
-T = "1/2*dot(q)^2"
-V = "1 - cos(q)"
-)toml");
-}
-
 /// 2 pi / agm(1, cos(1/2)).
 inline constexpr double pendulum_period = 6.69997566437;
-
-/// x'' = u - k x, with x = 1, rate 0 at the start and k = 4.
-inline std::string spring_text() {
-  return model_text("spring", R"toml([[coordinate]]
-name = "x"
-start = { value = 1, rate = 0 }
-[parameters]
-k = 4
-[energy]
-T = "1/2*dot(x)^2"
-V = "1/2*k*x^2"
-[[input]]
-name = "u"
-on = "x"
-limits = [-1, 1]
-)toml");
-}
 
 }  // namespace elgen::test

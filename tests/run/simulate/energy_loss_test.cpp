@@ -78,18 +78,19 @@ V = "-7.3*cos(q) + 1/3"
 }
 
 TEST_CASE("the work of forces and inputs is not a loss") {
-  CHECK(loss_message(by_rk4(spring_text(), 0.01, 5, start_options("", "u=-dot(x)"))).empty());
+  CHECK(
+      loss_message(by_rk4(read_model("spring"), 0.01, 5, start_options("", "u=-dot(x)"))).empty());
 }
 
 TEST_CASE("a loss between 1 and 10 % is only reported") {
-  const auto run = by_rk4(spring_text(), 0.4, 10);
+  const auto run = by_rk4(read_model("spring"), 0.4, 10);
   CHECK(mentions(loss_message(run), " % of the largest |T| plus the range of V, "));
   CHECK_FALSE(run->loses_energy);
 }
 
 TEST_CASE("the energy of verlet and midpoint may oscillate but not drift") {
   const auto run = [](const std::string& method, double step, double time) {
-    const CompiledSystem spring(spring_text());
+    const CompiledSystem spring(read_model("spring"));
     return spring.run(steps_of(method, step, time));
   };
   const auto swings = run("verlet", 0.4, 1000);
@@ -104,7 +105,7 @@ TEST_CASE("the energy of verlet and midpoint may oscillate but not drift") {
 }
 
 TEST_CASE("a changed entry of `conserved` is reported, but the run does not fail") {
-  const std::string text = spring_text() + "[[expect]]\nconserved = [\"E\"]\n";
+  const std::string text = read_model("spring") + "[[expect]]\nconserved = [\"E\"]\n";
   CHECK(loss_message(by_rk4(text, 0.01, 5)).empty());
   const auto run = by_rk4(text, 0.01, 5, start_options("", "u=1"));
   CHECK(mentions(loss_message(run), "`E` of `conserved` deviates by up to "));

@@ -30,7 +30,7 @@ TEST_CASE("every method has its known order") {
   const std::map<std::string_view, double> orders{
       {"rk4", 4}, {"dopri5", 5}, {"verlet", 2}, {"midpoint", 2}};
   REQUIRE(orders.size() == method_table().size());
-  const CompiledSystem pendulum(pendulum_text());
+  const CompiledSystem pendulum(read_model("free_pendulum"));
   for (const MethodRow& method : method_table()) {
     INFO(method.name);
     const auto error = [&](double step) {
@@ -67,7 +67,7 @@ TEST_CASE("an order is accepted only if the method has it") {
 }
 
 TEST_CASE("compositions have the requested order") {
-  const CompiledSystem pendulum(pendulum_text());
+  const CompiledSystem pendulum(read_model("free_pendulum"));
   for (const std::string name : {"verlet", "midpoint"}) {
     for (const auto& [order, steps] : {std::pair{4U, 40}, std::pair{8U, 12}}) {
       INFO(name << " of order " << order);
@@ -112,7 +112,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a smaller tolerance gives a smaller error with more steps") {
-  const CompiledSystem pendulum(pendulum_text());
+  const CompiledSystem pendulum(read_model("free_pendulum"));
   const auto run = [&](double tolerance) {
     return pendulum.trajectory({.time = pendulum_period, .tolerance = tolerance});
   };
@@ -126,7 +126,7 @@ TEST_CASE("a smaller tolerance gives a smaller error with more steps") {
 }
 
 TEST_CASE("rk4 loses 9.03e-8 of the pendulum's energy per period of a hundred steps") {
-  const CompiledSystem pendulum(pendulum_text());
+  const CompiledSystem pendulum(read_model("free_pendulum"));
   const Trajectory run =
       pendulum.trajectory(steps_of("rk4", pendulum_period / 100, 100 * pendulum_period));
   CHECK(run.steps == 10000);

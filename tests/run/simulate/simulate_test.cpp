@@ -63,7 +63,7 @@ TEST_CASE("reference runs of fourteen systems end at their known states") {
 }
 
 TEST_CASE("rows are at their times, including the start and the end") {
-  const CompiledSystem pendulum(pendulum_text());
+  const CompiledSystem pendulum(read_model("free_pendulum"));
   const Trajectory run =
       pendulum.trajectory({.method = "rk4", .from = 2, .time = 1, .step = 0.04, .every = 0.3});
   REQUIRE(run.rows.size() == 5);
@@ -123,7 +123,7 @@ vector = ["0", "-9"]
 
 TEST_CASE("a sampled input is constant from one sampling time to the next") {
   // x'' = -1 until 1/4, then -31/32.
-  const CompiledSystem held(spring_text(), start_options("", "u=-x", "k=0"));
+  const CompiledSystem held(read_model("spring"), start_options("", "u=-x", "k=0"));
   SimulationOptions options{.method = "rk4", .time = 0.5, .step = 0.25};
   options.hold = 0.25;
   const Trajectory run = held.trajectory(options);
@@ -163,7 +163,7 @@ V = "-x^4"
 TEST_CASE("locks and fixed parameters of a scene apply to its runs") {
   SceneOptions options = start_options("x=1/2");
   options.fixed = {make_source("command line", "k=9")};
-  const CompiledSystem fixed(spring_text(), options);
+  const CompiledSystem fixed(read_model("spring"), options);
   const Trajectory run = fixed.trajectory({.time = M_PI, .tolerance = 1e-12});
   CHECK(run.last[1] == Approx(-0.5));
 }

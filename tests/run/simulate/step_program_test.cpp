@@ -11,7 +11,8 @@ using namespace elgen::test;
 
 TEST_CASE("one step of verlet has the values computed by hand") {
   // x = 1, v = 0, a = -4 x
-  const auto last = CompiledSystem(spring_text()).trajectory(steps_of("verlet", 0.5, 0.5)).last;
+  const auto last =
+      CompiledSystem(read_model("spring")).trajectory(steps_of("verlet", 0.5, 0.5)).last;
   CHECK(last[1] == 0.5);
   CHECK(last[2] == -1.5);
 }
@@ -27,7 +28,7 @@ TEST_CASE("a run calls the emitted step") {
 }
 
 TEST_CASE("verlet on an oscillator conserves p^2 + q^2 (1 - h^2/4)") {
-  const CompiledSystem spring(spring_text(), start_options("", "", "k=1"));
+  const CompiledSystem spring(read_model("spring"), start_options("", "", "k=1"));
   const Trajectory run = spring.trajectory(steps_of("verlet", 0.1, 1000));
   const double x = run.last[1];
   const double v = run.last[2];
@@ -37,7 +38,7 @@ TEST_CASE("verlet on an oscillator conserves p^2 + q^2 (1 - h^2/4)") {
 }
 
 TEST_CASE("the pendulum's energy oscillates without drift") {
-  const CompiledSystem pendulum(pendulum_text());
+  const CompiledSystem pendulum(read_model("free_pendulum"));
   for (const auto& [method, swing, drift] :
        {std::tuple{"verlet", 1.036e-3, 1e-5}, std::tuple{"midpoint", 8.591e-5, 1e-6}}) {
     INFO(method);
@@ -53,7 +54,7 @@ TEST_CASE("the pendulum's energy oscillates without drift") {
 }
 
 TEST_CASE("midpoint conserves an oscillator's energy: the rule rotates (q, p)") {
-  const CompiledSystem spring(spring_text());
+  const CompiledSystem spring(read_model("spring"));
   const Trajectory run = spring.trajectory(steps_of("midpoint", 0.1, 1000));
   CHECK(run.energy.worst < 1e-12);
 }
@@ -71,7 +72,8 @@ TEST_CASE(
 }
 
 TEST_CASE("midpoint evaluates forces and their work at the midpoint") {
-  const CompiledSystem damped(spring_text() + "[[force]]\non = \"x\"\nvalue = \"-1/2*dot(x)\"\n");
+  const CompiledSystem damped(read_model("spring") +
+                              "[[force]]\non = \"x\"\nvalue = \"-1/2*dot(x)\"\n");
   const auto run = [&](double step) { return damped.trajectory(steps_of("midpoint", step, 5)); };
   // x = exp(-t/4) (cos w t + sin(w t)/(4 w)), w^2 = 4 - 1/16
   const double w = std::sqrt(4 - 1.0 / 16);
@@ -84,7 +86,7 @@ TEST_CASE("midpoint evaluates forces and their work at the midpoint") {
 }
 
 TEST_CASE("the work of forces and of time has the order of the method") {
-  const CompiledSystem driven(spring_text(), start_options("", "u=sin(3*t)"));
+  const CompiledSystem driven(read_model("spring"), start_options("", "u=sin(3*t)"));
   const CompiledSystem stiffened(model_text("stiffened", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 0.3 }
@@ -103,7 +105,7 @@ V = "1/2*x^2*(1 + sin(t)/4)"
 
 TEST_CASE("during a step an input has its law's value at the start of the step") {
   // x'' = -1 in the first step, -31/32 in the second.
-  const CompiledSystem held(spring_text(), start_options("", "u=-x", "k=0"));
+  const CompiledSystem held(read_model("spring"), start_options("", "u=-x", "k=0"));
   for (const char* method : {"verlet", "midpoint"}) {
     INFO(method);
     const Trajectory run =
@@ -116,7 +118,7 @@ TEST_CASE("during a step an input has its law's value at the start of the step")
 }
 
 TEST_CASE("a law may depend on rates: it is a constant force during a step") {
-  const CompiledSystem damped(spring_text(), start_options("", "u=-dot(x)/2"));
+  const CompiledSystem damped(read_model("spring"), start_options("", "u=-dot(x)/2"));
   const Trajectory run = damped.trajectory(steps_of("verlet", 0.001, 5));
   CHECK(std::abs(run.last.back()) < 0.5);
   CHECK(run.energy.worst < 1e-4);

@@ -26,25 +26,4 @@ inline Products derived(const std::string& text, const std::string& output,
   return products;
 }
 
-/// m l^2 a + m g l sin q + k t q
-inline std::string pendulum_text() {
-  return model_text("pendulum", R"toml([[coordinate]]
-name = "q"
-unit = "rad"
-start = { value = "1/2", rate = 0 }
-[parameters]
-m = 2
-l = "sqrt(2)"
-g = 9.81
-k = 1
-[energy]
-T = "1/2*m*l^2*dot(q)^2"
-V = "-m*g*l*cos(q)"
-[[force]]
-name = "push"
-on = "q"
-value = "-k*t*q"
-)toml");
-}
-
 }  // namespace elgen::test

@@ -43,7 +43,7 @@ T = "m*dot(x)^2"
 }  // namespace
 
 TEST_CASE("polynomials of 1e-7 are planned only for packs of double") {
-  const TradeoffPlan plan = planned(pendulum_text(), "inverse_dynamics");
+  const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "inverse_dynamics");
   CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters"});
   CHECK(plan.designs.size() == 10);
   CHECK(has(plan, {"double", "packs", "1e-7", "fixed"}));
@@ -59,14 +59,14 @@ TEST_CASE("dimensions without a choice are omitted") {
 }
 
 TEST_CASE("a requested dimension multiplies the designs") {
-  const TradeoffPlan plan = planned(pendulum_text(), "gravity", {.more = {"order"}});
+  const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "gravity", {.more = {"order"}});
   CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "order"});
   CHECK(plan.designs.size() == 10 * 3);
   CHECK(has(plan, {"float", "one", "full", "fixed", "3"}));
 }
 
 TEST_CASE("wider scalars are planned on request, for single states in double") {
-  const TradeoffPlan plan = planned(pendulum_text(), "gravity", {.more = {"inner"}});
+  const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "gravity", {.more = {"inner"}});
   CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "inner"});
   CHECK(plan.designs.size() == 10 + 4);
   CHECK(has(plan, {"double", "one", "full", "arguments", "double-double"}));
@@ -79,25 +79,26 @@ TEST_CASE("wider scalars are planned on request, for single states in double") {
 }
 
 TEST_CASE("library calls are planned on request, for single states") {
-  const TradeoffPlan plan = planned(pendulum_text(), "gravity", {.more = {"trigonometry"}});
+  const TradeoffPlan plan =
+      planned(read_model("pushed_pendulum"), "gravity", {.more = {"trigonometry"}});
   CHECK(plan.designs.size() == 10 + 4);
   CHECK(has(plan, {"double", "one", "library", "arguments"}));
   CHECK(has(plan, {"float", "one", "library", "fixed"}));
   CHECK_FALSE(has(plan, {"double", "packs", "library", "fixed"}));
   const TradeoffPlan pinned =
-      planned(pendulum_text(), "gravity", {.pinned = {{"trigonometry", "library"}}});
+      planned(read_model("pushed_pendulum"), "gravity", {.pinned = {{"trigonometry", "library"}}});
   CHECK(pinned.dimensions == Texts{"scalar", "trigonometry", "parameters"});
   CHECK(pinned.designs.size() == 4);
   const TradeoffPlan wide =
-      planned(pendulum_text(), "gravity", {.more = {"trigonometry", "inner"}});
+      planned(read_model("pushed_pendulum"), "gravity", {.more = {"trigonometry", "inner"}});
   CHECK_FALSE(has(wide, {"double", "one", "library", "fixed", "long double"}));
   CHECK(refusal(mass, {.pinned = {{"trigonometry", "library"}}}) ==
         "no design fits `--trigonometry library`; the output has no sine and no cosine");
 }
 
 TEST_CASE("a pinned dimension has one value, and keeps its column") {
-  const TradeoffPlan plan =
-      planned(pendulum_text(), "gravity", {.pinned = {{"batch", "one"}, {"order", "3"}}});
+  const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "gravity",
+                                    {.pinned = {{"batch", "one"}, {"order", "3"}}});
   CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "order"});
   CHECK(plan.designs.size() == 4);
   CHECK(has(plan, {"float", "one", "fixed", "3"}));

@@ -14,7 +14,8 @@ namespace {
 /// The rows for the gravity of a pendulum with each value multiplied by `factor`, for the header as
 /// written and as users compile it.
 std::vector<CertificateRow> rows_of(const std::string& numeric, double factor) {
-  const Products products = derived(pendulum_text(), "gravity", "[numeric]\n" + numeric);
+  const Products products =
+      derived(read_model("pushed_pendulum"), "gravity", "[numeric]\n" + numeric);
   const Changed code(*products.program, "gravity", [factor](double x) { return factor * x; });
   CompiledHeaders headers;
   headers.push_back({"", false, std::make_unique<Changed>(code)});
@@ -87,6 +88,7 @@ V = "sqrt(x - 9/10)"
 
 TEST_CASE("without max_error or without compiled code there are no rows") {
   CHECK(rows_of("prefer = \"speed\"\n", 2).empty());
-  const Products products = derived(pendulum_text(), "gravity", "[numeric]\nmax_error = 1e-6\n");
+  const Products products =
+      derived(read_model("pushed_pendulum"), "gravity", "[numeric]\nmax_error = 1e-6\n");
   CHECK(check_max_error(*products.checked, *products.program, {}, {}).empty());
 }

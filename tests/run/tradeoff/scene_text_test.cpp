@@ -12,7 +12,7 @@ namespace {
 /// The scene text of a design, from the model or from a scene whose text after its name is `scene`.
 std::string text_of(const Design& design, const std::string& scene = {},
                     const std::string& output = "inverse_dynamics") {
-  const Products products = derived(pendulum_text(), output, scene);
+  const Products products = derived(read_model("pushed_pendulum"), output, scene);
   if (scene.empty()) return scene_text({*products.checked}, design, "test.toml");
   const SourcePointer source = make_source(
       "test.scene.toml", "format = 1\nmodel = \"test.toml\"\nname = \"given\"\n" + scene);
@@ -23,9 +23,9 @@ std::string text_of(const Design& design, const std::string& scene = {},
 
 /// Runs the pipeline with the text as a scene.
 Products run(const std::string& text) {
-  Products products = run_pipeline(
-      {make_source("test.toml", pendulum_text()), make_source("design.scene.toml", text)},
-      {.goals = {Goal::emit}});
+  Products products = run_pipeline({make_source("test.toml", read_model("pushed_pendulum")),
+                                    make_source("design.scene.toml", text)},
+                                   {.goals = {Goal::emit}});
   INFO(text);
   INFO(format(products.diagnostics));
   REQUIRE(products.files);
@@ -119,7 +119,7 @@ TEST_CASE("the step of a run is a scene with its method and order, and a doc of 
 }
 
 TEST_CASE("a scene contains max_error, its own ranges and the given ranges") {
-  const Products products = derived(pendulum_text(), "inverse_dynamics");
+  const Products products = derived(read_model("pushed_pendulum"), "inverse_dynamics");
   const SourcePointer source = make_source("test.scene.toml",
                                            "format = 1\nmodel = \"test.toml\"\nname = \"given\"\n"
                                            "[numeric]\nmax_error = 1e-3\n"
@@ -142,7 +142,7 @@ TEST_CASE("a scene contains max_error, its own ranges and the given ranges") {
 }
 
 TEST_CASE("the path of a model is escaped as in TOML") {
-  const Products products = derived(pendulum_text(), "inverse_dynamics");
+  const Products products = derived(read_model("pushed_pendulum"), "inverse_dynamics");
   CHECK(mentions(scene_text({*products.checked}, {}, "a\t\"b\".toml"),
                  R"(model = "a\u0009\"b\".toml")"));
 }

@@ -76,7 +76,7 @@ Gap widest_gap(const TradeoffStates& states) {
 }  // namespace
 
 TEST_CASE("the search climbs a peak between the states, reproducibly") {
-  const Searched searched(pendulum_text(), "gravity");
+  const Searched searched(read_model("pushed_pendulum"), "gravity");
   const Gap gap = widest_gap(searched.states());
   const DesignValues peak = searched.with([gap](double q) {
     const double x = 40 * (q - gap.middle) / gap.width;
@@ -93,8 +93,9 @@ TEST_CASE("the search climbs a peak between the states, reproducibly") {
 }
 
 TEST_CASE("the search reaches the ends of ranges but not further, and keeps parameters") {
-  const Searched searched(
-      replaced(pendulum_text(), "g = 9.81", "g = { value = 9.81, min = 1, max = 20 }"), "gravity");
+  const Searched searched(replaced(read_model("pushed_pendulum"), "g = 9.81",
+                                   "g = { value = 9.81, min = 1, max = 20 }"),
+                          "gravity");
   const FoundErrors found =
       searched.found(searched.with([](double q) { return 1e-3 * std::abs(q); }));
   CHECK(std::abs(found.where.q[0]) == searched.states().high.q[0]);
@@ -103,7 +104,7 @@ TEST_CASE("the search reaches the ends of ranges but not further, and keeps para
 }
 
 TEST_CASE("the number of visited states is proportional to the sample") {
-  const Products products = derived(pendulum_text(), "inverse_dynamics");
+  const Products products = derived(read_model("pushed_pendulum"), "inverse_dynamics");
   const auto visited = [&products](std::size_t count) {
     const auto states = tradeoff_states(*products.checked, *products.program, {.count = count});
     std::size_t all = 0;
@@ -119,7 +120,7 @@ TEST_CASE("the number of visited states is proportional to the sample") {
 }
 
 TEST_CASE("rounding of the state to float counts as error") {
-  const Searched searched(pendulum_text(), "gravity");
+  const Searched searched(read_model("pushed_pendulum"), "gravity");
   const auto right = [](double) { return 0.0; };
   const double in_float = searched.found(searched.with<float>(right)).worst;
   CHECK(in_float > 1e-8);
@@ -142,6 +143,6 @@ V = "sqrt(x)"
 }
 
 TEST_CASE("an output that depends on no state has its constant error") {
-  const Searched searched(pendulum_text(), "mass_matrix");
+  const Searched searched(read_model("pushed_pendulum"), "mass_matrix");
   CHECK(searched.found(searched.with([](double) { return 1e-5; })).worst == Approx(1e-5));
 }

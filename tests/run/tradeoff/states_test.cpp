@@ -11,8 +11,8 @@ using namespace elgen::test;
 namespace {
 
 Result<TradeoffStates> states_in(const std::string& ranges, std::size_t count = 50) {
-  const Products products =
-      derived(pendulum_text(), "inverse_dynamics", {}, {make_source("command line", ranges)});
+  const Products products = derived(read_model("pushed_pendulum"), "inverse_dynamics", {},
+                                    {make_source("command line", ranges)});
   return tradeoff_states(*products.checked, *products.program, {.count = count});
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("states are inside the ranges, and exact values have more digits than 
 }
 
 TEST_CASE("the scene's ranges narrow the model's, and given ranges narrow the scene's") {
-  const Products products = derived(pendulum_text(), "inverse_dynamics",
+  const Products products = derived(read_model("pushed_pendulum"), "inverse_dynamics",
                                     "[numeric]\nranges = { q = [-0.2, 0.1], t = [2, 2] }\n",
                                     {make_source("command line", "q=-0.1..0.3")});
   const auto states = tradeoff_states(*products.checked, *products.program, {.count = 5});

@@ -59,17 +59,6 @@ class Vectors {
   Result<ValueTable> table;
 };
 
-inline const std::string block = model_text("block", R"(
-[[coordinate]]
-name = "x"
-start = { value = 2, rate = -1 }
-[parameters]
-m = { value = 4 }
-[energy]
-T = "1/2*m*dot(x)^2"
-[[input]]
-name = "u"
-on = "x"
-)");
+inline const std::string block = read_model("block");
 
 }  // namespace elgen::test
