@@ -2,8 +2,7 @@
 // reports this and does not blame the generated module.
 #include <catch2/catch.hpp>
 
-#include "cli/cli_testing.hpp"
-#include "support/installed.hpp"
+#include "cli/modules.hpp"
 
 namespace elgen::test {
 namespace {
@@ -20,20 +19,8 @@ Outcome verify_with_python(const std::string& python) {
 
 }  // namespace
 
-// Models with constraints, rotations, kinks, open functions, series.
 TEST_CASE("python: ten models agree with the program bit by bit") {
-  if (!is_installed("python3", "python3 --version")) return;
-  std::string models;
-  for (const std::string name :
-       {"cart_pole", "chain", "central_force_open", "foucault_pendulum", "four_bar", "free_body",
-        "panda7", "pendulum_in_lift", "quadrotor", "rolling_disc"}) {
-    models += " " ELGEN_SOURCE_DIR "/models/" + name + ".toml";
-  }
-  const Outcome judged = run("elgen verify --samples 4 --language python" + models);
-  INFO(judged.output + judged.errors);
-  CHECK(judged.status == 0);
-  CHECK(count(judged.output, " 0 fail, ") == 10);
-  CHECK_FALSE(mentions(judged.output, "could not be run"));
+  if (is_installed("python3", "python3 --version")) check_interpreted_models("python");
 }
 
 TEST_CASE("an interpreter that is missing, too old or fails to start is a skipped row") {

@@ -2,8 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "cli/cli_testing.hpp"
-#include "support/installed.hpp"
+#include "cli/modules.hpp"
 
 namespace elgen::test {
 namespace {
@@ -11,14 +10,10 @@ namespace {
 bool has_node() { return is_installed("node", "node --version"); }
 
 /// A folder with scenes in JavaScript.
-class JavaScript : public Workspace {
+class JavaScript : public ModuleFolder {
  public:
-  /// Writes a scene of a model file; the module of a model NAME is NAME_m.
-  void write_scene(const std::string& name, const std::string& model,
-                   const std::string& more = "") const {
-    write(name + ".scene.toml", "format = 1\nmodel = \"" + model + "\"\nname = \"m\"\n" + more +
-                                    "[emit]\nlanguage = \"javascript\"\n");
-  }
+  JavaScript() : ModuleFolder("javascript") {}
+
   /// Runs statements in node, in the folder of a module.
   [[nodiscard]] Outcome node(const std::string& name, const std::string& statements) const {
     write("generated/" + name + "/asked.mjs", statements + "\n");
@@ -58,24 +53,10 @@ const std::string odd_outputs =
     "[outputs]\nmass_matrix = true\ngravity = true\napplied_force = true\n"
     "momentum = { rename = \"await\" }\n";
 
-const std::string rk4 = "import * as cart from \"./cart_pole.mjs\";\n";
-
 }  // namespace
 
 TEST_CASE("javascript: ten models agree with the program") {
-  if (!has_node()) return;
-  const JavaScript folder;
-  std::string scenes;
-  for (const std::string name :
-       {"cart_pole", "simple_pendulum", "acrobot", "foucault_pendulum", "four_bar", "free_body",
-        "kepler_polar", "motor_pendulum", "rolling_disc", "two_link_arm"}) {
-    folder.write_scene(name, models + "/" + name + ".toml");
-    scenes += " " + name + ".scene.toml";
-  }
-  const Outcome judged = folder.run("elgen verify --samples 4" + scenes);
-  INFO(judged.output + judged.errors);
-  CHECK(judged.status == 0);
-  CHECK_FALSE(mentions(judged.output, "could not be run"));
+  if (has_node()) check_interpreted_models("javascript");
 }
 
 // At equal angles of 1000 rad the bars are parallel, so the pivot of `projected` is a rounding
@@ -84,9 +65,7 @@ TEST_CASE("javascript: NaN is accepted if a pivot is only a rounding error") {
   if (!has_node()) return;
   const JavaScript folder;
   folder.write_scene("four_bar", models + "/four_bar.toml", "[outputs]\nprojected = true\n");
-  const Outcome judged = folder.run("elgen verify four_bar.scene.toml");
-  INFO(judged.output);
-  CHECK(judged.status == 0);
+  CHECK(failure_of(folder.run("elgen verify four_bar.scene.toml")) == "");
 }
 
 TEST_CASE("javascript: a changed module is found, and a missing node is a skipped row") {
@@ -98,9 +77,7 @@ TEST_CASE("javascript: a changed module is found, and a missing node is a skippe
   CHECK(without.status == 0);
   CHECK(mentions(without.output, "`/nonexistent/node` could not be run"));
   if (!has_node()) return;
-  const Outcome right = folder.run("elgen verify --samples 4 cart_pole.scene.toml");
-  INFO(right.output + right.errors);
-  CHECK(right.status == 0);
+  CHECK(failure_of(folder.run("elgen verify --samples 4 cart_pole.scene.toml")) == "");
   // Runs node with the sign of the first cosine reversed.
   folder.write("wrong",
                "#!/bin/sh\nmodule=\"$(dirname \"$1\")/cart_pole_m.mjs\"\n"
@@ -133,9 +110,7 @@ TEST_CASE(
   }
   if (!has_node()) return;
   folder.prepare("node --check generated/odd_m/odd_m.mjs");
-  const Outcome judged = folder.run("elgen verify --samples 4 odd.scene.toml");
-  INFO(judged.output + judged.errors);
-  CHECK(judged.status == 0);
+  CHECK(failure_of(folder.run("elgen verify --samples 4 odd.scene.toml")) == "");
   const Outcome said =
       folder.node("odd_m",
                   "import * as m from './odd_m.mjs';\n"
@@ -186,18 +161,12 @@ TEST_CASE("javascript: vectors are typed arrays, matrices arrays of rows, also i
 }
 
 TEST_CASE("javascript: rk4 runs as templates/README.md shows") {
-  const std::string page = read_text(std::string(ELGEN_SOURCE_DIR) + "/templates/README.md");
-  const std::size_t first = page.find(rk4);
-  REQUIRE(first != std::string::npos);
+  const std::string code = readme_code("import * as cart from \"./cart_pole.mjs\";\n");
   if (!has_node()) return;
   const JavaScript folder;
   folder.prepare("elgen generate -q --language javascript -o generated " + models +
                  "/cart_pole.toml");
-  const Outcome said =
-      folder.node("cart_pole", page.substr(first, page.find("```", first) - first));
-  INFO(said.errors);
-  CHECK(mentions(said.output, "theta(1) = "));
-  CHECK(mentions(page, "prints `" + said.output.substr(0, said.output.find('\n')) + "`"));
+  check_readme_output(folder.node("cart_pole", code));
 }
 
 TEST_CASE("javascript: an output may not have the name of a member of the module") {

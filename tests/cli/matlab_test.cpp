@@ -2,8 +2,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "cli/cli_testing.hpp"
-#include "support/installed.hpp"
+#include "cli/modules.hpp"
 
 namespace elgen::test {
 namespace {
@@ -11,14 +10,10 @@ namespace {
 bool has_octave() { return is_installed("octave", "octave-cli --version"); }
 
 /// A folder with scenes in MATLAB.
-class Matlab : public Workspace {
+class Matlab : public ModuleFolder {
  public:
-  /// Writes a scene of a model file; the module of a model NAME is NAME_m.
-  void write_scene(const std::string& name, const std::string& model,
-                   const std::string& more = "") const {
-    write(name + ".scene.toml", "format = 1\nmodel = \"" + model + "\"\nname = \"m\"\n" + more +
-                                    "[emit]\nlanguage = \"matlab\"\n");
-  }
+  Matlab() : ModuleFolder("matlab") {}
+
   /// Runs statements in Octave, in the folder of a module.
   [[nodiscard]] Outcome octave(const std::string& name, const std::string& statements) const {
     write("generated/" + name + "/asked.m", "1;\n" + statements + "\n");
@@ -47,19 +42,7 @@ std::string odd_model(const std::string& angle) {
 }  // namespace
 
 TEST_CASE("matlab: ten models agree with the program") {
-  if (!has_octave()) return;
-  const Matlab folder;
-  std::string scenes;
-  for (const std::string name :
-       {"cart_pole", "simple_pendulum", "acrobot", "foucault_pendulum", "four_bar", "free_body",
-        "kepler_polar", "motor_pendulum", "rolling_disc", "two_link_arm"}) {
-    folder.write_scene(name, models + "/" + name + ".toml");
-    scenes += " " + name + ".scene.toml";
-  }
-  const Outcome judged = folder.run("elgen verify --samples 4" + scenes);
-  INFO(judged.output + judged.errors);
-  CHECK(judged.status == 0);
-  CHECK_FALSE(mentions(judged.output, "could not be run"));
+  if (has_octave()) check_interpreted_models("matlab");
 }
 
 TEST_CASE("matlab: a changed module is found, and a missing octave is a skipped row") {
@@ -100,9 +83,7 @@ TEST_CASE("matlab: reserved words get an underscore, and long names of values ar
     CHECK_FALSE(mentions(line, "sin_" + name + " ="));
   }
   if (!has_octave()) return;
-  const Outcome judged = folder.run("elgen verify --samples 4 odd.scene.toml");
-  INFO(judged.output + judged.errors);
-  CHECK(judged.status == 0);
+  CHECK(failure_of(folder.run("elgen verify --samples 4 odd.scene.toml")) == "");
 }
 
 TEST_CASE("matlab: functions that a module or its driver calls may name values, but no module") {
@@ -160,17 +141,11 @@ TEST_CASE(
 }
 
 TEST_CASE("matlab: ode45 integrates as templates/README.md shows") {
-  const std::string page = read_text(std::string(ELGEN_SOURCE_DIR) + "/templates/README.md");
-  const std::size_t first = page.find("p = cart_pole.parameters();\n");
-  REQUIRE(first != std::string::npos);
+  const std::string code = readme_code("p = cart_pole.parameters();\n");
   if (!has_octave()) return;
   const Matlab folder;
   folder.prepare("elgen generate -q --language matlab -o generated " + models + "/cart_pole.toml");
-  const Outcome said =
-      folder.octave("cart_pole", page.substr(first, page.find("```", first) - first));
-  INFO(said.errors);
-  CHECK(mentions(page, "prints `" + said.output.substr(0, said.output.find('\n')) + "`"));
-  CHECK(mentions(said.output, "theta(1) = "));
+  check_readme_output(folder.octave("cart_pole", code));
 }
 
 TEST_CASE("matlab: keys of compiled code and names of members of the module are refused") {
