@@ -147,7 +147,7 @@ at = ["X + l*sin(th)", "-l*cos(th)"]
 mass = "m"
 )toml");
   CHECK(mentions(point, "error[E319]: `X` is an open function, but a position takes none"));
-  CHECK(mentions(point, "`[[function]]` for the slope may stand in `[energy] T`"));
+  CHECK(mentions(point, "`[[function]]` for the slope is allowed in `[energy] T`"));
   const std::string energy = found(rail + "[energy]\nT = \"m*dot(X)^2 + m*l^2*dot(th)^2\"\n");
   CHECK(mentions(energy, "the rate is slope*dot(argument)"));
   CHECK(disproved(rail + R"toml([[function]]
@@ -175,7 +175,7 @@ kind = "velocity"
 equation = "dot(dot(x)) = acc"
 )toml");
   CHECK(mentions(text, "error[E502]: `dot(dot(x))` is a second derivative"));
-  CHECK(mentions(text, "leave the coordinate out, and give each mass the force -m*a"));
+  CHECK(mentions(text, "omit the coordinate and give each mass the force -m*a"));
   CHECK_FALSE(mentions(found(pendulum + "[energy]\nV = \"dot(dot(theta))\"\n"), "-m*a"));
   CHECK(disproved(pendulum + R"toml([gravity]
 vector = ["0", "-g"]

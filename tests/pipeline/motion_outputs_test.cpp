@@ -89,7 +89,7 @@ TEST_CASE("multipliers are allowed only in outputs of the motion") {
              Contains("did you mean `rod`?"));
   CHECK_THAT(said(model_file("snakeboard") +
                   "[[output]]\nname = \"pose\"\nframe = \"board\"\nmotion = true\n"),
-             Contains("E112") && Contains("`motion` is of a `value`"));
+             Contains("E112") && Contains("`motion` needs a `value`"));
 }
 
 }  // namespace elgen::test

@@ -150,8 +150,8 @@ TEST_CASE("derivatives that do not exist are refused") {
                  "`gyro_jacobian` needs an output of positions; an output of rates, accelerations "
                  "or inputs has `gyro_derivatives`"));
   CHECK(mentions(refusal("largest_derivatives"),
-                 "`largest_derivatives` needs outputs with derivatives; `abs`, `sign`, `min` and "
-                 "`max` have none"));
+                 "`largest_derivatives` needs outputs with derivatives, but `abs`, `sign`, `min` "
+                 "and `max` have none"));
   CHECK(refusal("largest,gyro,gyro_derivatives").empty());
 }
 

@@ -170,7 +170,7 @@ TEST_CASE("regressor parameters in which the forces are not affine are refused")
   using Catch::Contains;
   CHECK_THAT(message("[\"k\", \"l\"]"), Contains("E649") && Contains("not affine in `l`"));
   CHECK_THAT(message("[\"c\", \"b\"]"), Contains("a product of `c` and `b`"));
-  CHECK_THAT(message("[\"J\"]"), Contains("`J` stands in a mass, an inertia"));
+  CHECK_THAT(message("[\"J\"]"), Contains("`J` occurs in a mass, an inertia"));
   CHECK_THAT(message("[\"q\"]"), Contains("E602"));
   CHECK_THAT(message("[\"k\"]", "[parameters]\nfixed = \"all\"\n"), Contains("`k` is fixed"));
   const std::string bare = R"toml(format = 1

@@ -167,8 +167,9 @@ TEST_CASE("independent velocities that do not determine the others are refused")
               "as many independent velocities as the constraints leave free, 2, but 1 is named"));
   CHECK_THAT(refusal(linkage, completing("[\"a1\", \"a3\"]")),
              Contains("E612") && Contains("unknown coordinate `a3`"));
-  CHECK_THAT(refusal(linkage, "[outputs]\ncompleted = true\n"),
-             Contains("E603") && Contains("needs independent velocities, which a scene names"));
+  CHECK_THAT(
+      refusal(linkage, "[outputs]\ncompleted = true\n"),
+      Contains("E603") && Contains("needs independent velocities: name them in `[outputs]`"));
   CHECK_THAT(refusal(linkage, "[outputs]\nbias = { independent = [\"a1\"] }\n"),
              Contains("E103") && Contains("`completed` has it"));
   CHECK_THAT(refusal(model_file("rolling_disc"), completing("[\"x\", \"y\"]")),

@@ -118,9 +118,8 @@ TEST_CASE("components that act only on locked coordinates are removed, with a no
           "\"g\"\nat = \"toe\"\n");
   const std::string found_messages = messages(model, "[lock]\nhip = { value = 0.4 }\n");
   using Catch::Contains;
-  CHECK_THAT(
-      found_messages,
-      Contains("E616") && Contains("`w[1]`, `w[2]`, `w[3]` act on what the scene locks alone"));
+  CHECK_THAT(found_messages,
+             Contains("E616") && Contains("`w[1]`, `w[2]`, `w[3]` act only on locked coordinates"));
   CHECK_THAT(found_messages, !Contains("`g[1]` acts on what"));
 }
 
@@ -140,14 +139,14 @@ TEST_CASE("invalid wrenches are refused") {
              Contains("E112") && Contains("one of `on`, `wrench` and `at`"));
   CHECK_THAT(input("wrench = \"shank\"\nat = \"toe\"\n"), Contains("E112"));
   CHECK_THAT(input("wrench = \"shank\"\nunit = \"N\"\n"),
-             Contains("components of a wrench are in N*m"));
+             Contains("torques are in N*m and forces in N"));
   CHECK_THAT(input("wrench = \"shank\"\nfor = \"i in 1..2\"\n"),
-             Contains("a wrench is not repeated"));
+             Contains("a wrench cannot be repeated"));
   const std::string rod =
       "[[constraint]]\nname = \"floor\"\nequation = \"y(toe) = -l\"\n[[input]]\nname = \"motor\"\n"
       "unit = \"N*m\"\non = \"hip\"\n[[input]]\nname = \"w\"\nwrench = \"shank\"\n";
   CHECK_THAT(messages(leg(rod), "[outputs]\nconstrained_inverse_dynamics = true\n"),
-             Contains("E603") && Contains("needs inputs that are motors"));
+             Contains("E603") && Contains("needs motors as inputs"));
 }
 
 }  // namespace elgen::test

@@ -274,9 +274,10 @@ TEST_CASE("for a wrong closed form the hint names the terms that differ") {
                   "the term m*g*l^2 is superfluous"},
         std::pair{"gravity = [\"0\"]\n", "the term m*g*l*sin(theta) is missing"},
         std::pair{"gravity = [\"m*g*l*sin(theta)\"]\n", ""},
-        std::pair{"gravity = [\"2*g*l*sin(theta)\"]\n",
-                  "2*g*l*sin(theta) replaces m*g*l*sin(theta); it holds for the values of the "
-                  "parameters in the file"},
+        std::pair{
+            "gravity = [\"2*g*l*sin(theta)\"]\n",
+            "2*g*l*sin(theta) replaces m*g*l*sin(theta); it holds for the parameter values of "
+            "the file"},
         std::pair{"conserved = [\"theta\"]\n", ""}}) {
     INFO(expect);
     CHECK(DerivedPendulum(expect).hint() == words);

@@ -197,9 +197,10 @@ equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
   const CompiledSystem torn(disc, start_options("dot(roll)=6, dot(x)=1"));
   const Result<CheckedModel> refused = assemble_model(torn.checked(), 0);
   REQUIRE_FALSE(refused);
-  CHECK(refused.diagnostics.front().message ==
-        "with the values of `--state`, no rates near the start meet the constraints: the left is "
-        "1.35 of `grip_1`, 0 of `grip_2`");
+  CHECK(
+      refused.diagnostics.front().message ==
+      "with the values of `--state`, no rates near the start meet the constraints: the residual is "
+      "1.35 of `grip_1`, 0 of `grip_2`");
 }
 
 TEST_CASE("a printed state is accepted despite its rounded digits") {
@@ -384,7 +385,7 @@ TEST_CASE("E539: symplectic methods and their compositions do not support constr
       const auto refused = std::ranges::find(run.diagnostics, Code::E539, &Diagnostic::code);
       REQUIRE(refused != run.diagnostics.end());
       CHECK(mentions(refused->message, "`" + method + "` does not support constraints"));
-      CHECK(mentions(refused->hint, "`rk4`, with `projected` after each step"));
+      CHECK(mentions(refused->hint, "`rk4` with `projected` after each step"));
     }
   }
 }

@@ -46,7 +46,7 @@ TEST_CASE("an orbit ejected from its well by large steps loses energy, for any o
     INFO(offset);
     const auto run = by_rk4(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)" + offset + "\"\n"), 0.01, 5);
     CHECK(mentions(loss_message(run),
-                   "E - E0 deviates by up to 1.9e+02, 74.8 % of the largest |T| and the "));
+                   "E - E0 deviates by up to 1.9e+02, 74.8 % of the largest |T| plus the "));
     CHECK(run->loses_energy);
     CHECK(run->last.front() == 5);
   }

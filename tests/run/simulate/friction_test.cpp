@@ -292,7 +292,7 @@ on = "x"
     const Diagnostic& end = ended.diagnostics.front();
     CHECK(end.code == Code::E624);
     CHECK(mentions(end.message, "the motion slides along the kink of `" + kink + "` after t = "));
-    CHECK(mentions(end.hint, "tanh(x/width), and `--method rk4 --step` goes on"));
+    CHECK(mentions(end.hint, "tanh(x/width); `--method rk4 --step` continues over the kink"));
   };
   slides(free, "-10*sign(x + dot(x))", "sign(x + dot(x))");
   // The start is on the kink itself.
