@@ -9,8 +9,7 @@
 #include "support/models.hpp"
 #include "support/systems.hpp"
 
-using namespace elgen;
-using namespace elgen::test;
+namespace elgen::test {
 
 namespace {
 
@@ -189,3 +188,5 @@ TEST_CASE("with rotations definitions use v, a and N instead of rates") {
   CHECK(mentions(definition_of(body, OutputKind::coriolis_matrix),
                  "[\\boldsymbol{\\omega}]_{\\times}"));
 }
+
+}  // namespace elgen::test
