@@ -5,9 +5,8 @@
 // velocities, parameters, definitions and points by index, so common subexpressions are shared.
 // Operands precede their users.
 //
-// q lists the coordinates, v the velocities. A plain coordinate has one velocity, its rate. The
-// four components of a rotation have three velocities: the angular velocity in the axes of the
-// body.
+// q lists the coordinates, v the velocities: the rate of a plain coordinate, and for the quaternion
+// of a rotation its angular velocity in the axes of the body.
 #pragma once
 
 #include <cln/real.h>

@@ -17,47 +17,50 @@ namespace elgen {
 namespace {
 
 /// Both sides of an equation; `<v>` is replaced by the symbol of the velocities.
-struct EquationRow {
+struct RecursionEquation {
   std::string_view left;
   std::string_view right;
 };
 
 constexpr std::array motion_rows{
-    EquationRow{R"(\omega_{i})", R"(R_{i}^{\top} \omega_{p} + s_{i})"},
-    EquationRow{R"(\nu_{i})", R"(R_{i}^{\top} (\nu_{p} + \omega_{p} \times o_{i} + \dot{o}_{i}))"},
-    EquationRow{R"(\dot{\omega}_{i})", R"(R_{i}^{\top} \dot{\omega}_{p} + )"
-                                       R"((R_{i}^{\top} \omega_{p}) \times s_{i} + \dot{s}_{i})"},
-    EquationRow{R"(\gamma_{i})", R"(R_{i}^{\top} (\gamma_{p} + \dot{\omega}_{p} \times o_{i} + )"
-                                 R"(\omega_{p} \times (\omega_{p} \times o_{i}) + )"
-                                 R"(2 \omega_{p} \times \dot{o}_{i} + \ddot{o}_{i}))"}};
+    RecursionEquation{R"(\omega_{i})", R"(R_{i}^{\top} \omega_{p} + s_{i})"},
+    RecursionEquation{R"(\nu_{i})",
+                      R"(R_{i}^{\top} (\nu_{p} + \omega_{p} \times o_{i} + \dot{o}_{i}))"},
+    RecursionEquation{R"(\dot{\omega}_{i})",
+                      R"(R_{i}^{\top} \dot{\omega}_{p} + )"
+                      R"((R_{i}^{\top} \omega_{p}) \times s_{i} + \dot{s}_{i})"},
+    RecursionEquation{R"(\gamma_{i})",
+                      R"(R_{i}^{\top} (\gamma_{p} + \dot{\omega}_{p} \times o_{i} + )"
+                      R"(\omega_{p} \times (\omega_{p} \times o_{i}) + )"
+                      R"(2 \omega_{p} \times \dot{o}_{i} + \ddot{o}_{i}))"}};
 
 constexpr std::array force_rows{
-    EquationRow{R"(F_{b})", R"(m_{b} (\gamma_{i} + \dot{\omega}_{i} \times c_{b} + )"
-                            R"(\omega_{i} \times (\omega_{i} \times c_{b})))"},
-    EquationRow{R"(f_{i})", R"(\sum_{b} F_{b} + \sum_{j} R_{j} f_{j})"},
-    EquationRow{R"(n_{i})",
-                R"(\sum_{b} (I_{b} \dot{\omega}_{i} + \omega_{i} \times I_{b} \omega_{i} )"
-                R"(+ c_{b} \times F_{b}) + )"
-                R"(\sum_{j} (R_{j} n_{j} + o_{j} \times R_{j} f_{j}))"}};
+    RecursionEquation{R"(F_{b})", R"(m_{b} (\gamma_{i} + \dot{\omega}_{i} \times c_{b} + )"
+                                  R"(\omega_{i} \times (\omega_{i} \times c_{b})))"},
+    RecursionEquation{R"(f_{i})", R"(\sum_{b} F_{b} + \sum_{j} R_{j} f_{j})"},
+    RecursionEquation{R"(n_{i})",
+                      R"(\sum_{b} (I_{b} \dot{\omega}_{i} + \omega_{i} \times I_{b} \omega_{i} )"
+                      R"(+ c_{b} \times F_{b}) + )"
+                      R"(\sum_{j} (R_{j} n_{j} + o_{j} \times R_{j} f_{j}))"}};
 
 constexpr std::array inertia_rows{
-    EquationRow{R"(m^{c}_{i})", R"(\sum_{b} m_{b} + \sum_{j} m^{c}_{j})"},
-    EquationRow{R"(h^{c}_{i})", R"(\sum_{b} m_{b} c_{b} + )"
-                                R"(\sum_{j} (R_{j} h^{c}_{j} + m^{c}_{j} o_{j}))"},
-    EquationRow{R"(I^{c}_{i})",
-                R"(\sum_{b} (I_{b} - m_{b} [c_{b}]_{\times}^{2}) + )"
-                R"(\sum_{j} (R_{j} I^{c}_{j} R_{j}^{\top} - )"
-                R"([o_{j}]_{\times} [R_{j} h^{c}_{j}]_{\times} - )"
-                R"([R_{j} h^{c}_{j} + m^{c}_{j} o_{j}]_{\times} [o_{j}]_{\times}))"},
-    EquationRow{R"(G_{i}(x, y))", R"((I^{c}_{i} x + h^{c}_{i} \times y, )"
-                                  R"(m^{c}_{i} y + x \times h^{c}_{i}))"}};
+    RecursionEquation{R"(m^{c}_{i})", R"(\sum_{b} m_{b} + \sum_{j} m^{c}_{j})"},
+    RecursionEquation{R"(h^{c}_{i})", R"(\sum_{b} m_{b} c_{b} + )"
+                                      R"(\sum_{j} (R_{j} h^{c}_{j} + m^{c}_{j} o_{j}))"},
+    RecursionEquation{R"(I^{c}_{i})",
+                      R"(\sum_{b} (I_{b} - m_{b} [c_{b}]_{\times}^{2}) + )"
+                      R"(\sum_{j} (R_{j} I^{c}_{j} R_{j}^{\top} - )"
+                      R"([o_{j}]_{\times} [R_{j} h^{c}_{j}]_{\times} - )"
+                      R"([R_{j} h^{c}_{j} + m^{c}_{j} o_{j}]_{\times} [o_{j}]_{\times}))"},
+    RecursionEquation{R"(G_{i}(x, y))", R"((I^{c}_{i} x + h^{c}_{i} \times y, )"
+                                        R"(m^{c}_{i} y + x \times h^{c}_{i}))"}};
 
 constexpr std::array twist_rows{
-    EquationRow{R"(S_{ik})",
-                R"(\left( \frac{\partial s_{i}}{\partial <v>_{k}}, )"
-                R"(R_{i}^{\top} \frac{\partial \dot{o}_{i}}{\partial <v>_{k}} \right))"},
-    EquationRow{R"(V_{ik})", R"(\left( \frac{\partial \omega_{i}}{\partial <v>_{k}}, )"
-                             R"(\frac{\partial \nu_{i}}{\partial <v>_{k}} \right))"}};
+    RecursionEquation{R"(S_{ik})",
+                      R"(\left( \frac{\partial s_{i}}{\partial <v>_{k}}, )"
+                      R"(R_{i}^{\top} \frac{\partial \dot{o}_{i}}{\partial <v>_{k}} \right))"},
+    RecursionEquation{R"(V_{ik})", R"(\left( \frac{\partial \omega_{i}}{\partial <v>_{k}}, )"
+                                   R"(\frac{\partial \nu_{i}}{\partial <v>_{k}} \right))"}};
 
 constexpr std::string_view mass_entry =
     R"(\sum_{i} (S_{ik} \cdot G_{i}(V_{il}) + V_{ik} \cdot G_{i}(S_{il}) - )"
@@ -193,7 +196,8 @@ PageEquation part(const Model& model, std::string_view left, std::string_view ri
 template <class Rows>
 PageSection recursion_section(const Model& model, const std::string& doc, const Rows& rows) {
   PageSection result{.doc = doc};
-  for (const EquationRow& row : rows) result.equations.push_back(part(model, row.left, row.right));
+  for (const RecursionEquation& row : rows)
+    result.equations.push_back(part(model, row.left, row.right));
   return result;
 }
 

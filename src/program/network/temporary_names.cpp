@@ -140,7 +140,7 @@ bool is_trigonometric(const Instruction& i) {
   return i.opcode == Opcode::call && is_circular(i.function);
 }
 
-struct UsedNames {
+struct UsedIdentifiers {
   std::set<std::string, std::less<>> all;
 
   std::string unique(const std::string& wanted) {
@@ -298,7 +298,7 @@ class TemporaryNamer {
 
   const Program& program_;
   const Function& function_;
-  UsedNames used_names_;
+  UsedIdentifiers used_names_;
   const std::vector<std::size_t> uses_;
   std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< functions called with each angle
   const std::vector<std::uint64_t> hashes_;
