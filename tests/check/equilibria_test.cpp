@@ -80,7 +80,7 @@ TEST_CASE("refused equilibria") {
           {"at = { u = 0 }\n", "E612 19:8 `u` is no coordinate\n"},
           {"at = {}\ninputs = { x = 0 }\n", "E201 20:12 `x` is no input\n"},
           {"at = { x = \"x\" }\n",
-           "E319 19:13 `x` is a coordinate, and a value of `at` takes none\n"},
+           "E319 19:13 `x` is a coordinate, but a value of `at` takes none\n"},
           {"at = { x = \"m\" }\n", "E403 19:13 `m` is in kg, but a value of `at` is in m\n"},
           {"at = {}\nwhen = \"k > m\"\n", "E401 20:13 `m` is in kg, but the sum is in kg/s^2\n"},
           {"at = {}\nwhen = \"t > 0\"\n", "E319 20:9 `t` is time, but a condition takes none\n"},

@@ -90,7 +90,7 @@ TEST_CASE("a file of a revision that was moved or removed is reported if named")
   CHECK(folders.diff("--against HEAD nothing.toml").status == 2);
 }
 
-TEST_CASE("--allow sets the differences that exit with 0") {
+TEST_CASE("option --allow sets the differences that exit with 0") {
   const TwoFolders folders;
   const std::string pair = "old/cart_pole.toml new/cart_pole.toml ";
   CHECK(folders.diff(pair + "--allow extended").status == 1);
@@ -272,7 +272,7 @@ TEST_CASE("a report has the format of messages, unless diff has its own --format
   CHECK(starts_with(output("diff --format markdown"), "### elgen diff: different"));
 }
 
-TEST_CASE("--only hides other outputs, but they count for the verdict") {
+TEST_CASE("option --only hides other outputs, but they count for the verdict") {
   const TwoFolders folders;
   const Outcome mass = folders.diff("--only mass_matrix old/cart_pole.toml new/cart_pole.toml");
   CHECK(mentions(mass.output, "follows      0 of 4 entries differ, 0 rewritten\n"));

@@ -72,7 +72,7 @@ TEST_CASE("code of a constrained model is compared at states on the constraints"
   const Outcome length = compared("p['l']", accelerations);
   INFO(length.output);
   CHECK(length.status == 1);
-  CHECK(mentions(length.output, "only where parameters are varied"));
+  CHECK(mentions(length.output, "only if parameters are varied"));
 }
 
 TEST_CASE("multipliers are compared, also with the gains of `stabilise`") {

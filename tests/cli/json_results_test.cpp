@@ -100,10 +100,10 @@ TEST_CASE("JSON has the rows of a run, at the interval of --every") {
   CHECK(run.at("rows").size() == 3);
   const Outcome lost = workspace.run(simulate);
   CHECK(lost.status == 2);
-  CHECK(mentions(lost.errors, "`--every` is of rows"));
+  CHECK(mentions(lost.errors, "`--every` applies to rows"));
 }
 
-TEST_CASE("--as sets the format of the result, whatever the format of messages") {
+TEST_CASE("option --as sets the format of the result, whatever the format of messages") {
   const Workspace workspace;
   const std::string show = "elgen show --what gravity " + pendulum;
   CHECK(workspace.run(show + " --as text --format json").output == workspace.run(show).output);

@@ -276,7 +276,7 @@ TEST_CASE(
   CHECK(mentions(lines.output, " checks hold, 0 fail, 0 skipped\n"));
   CHECK_FALSE(mentions(lines.output, "tolerance"));
   const Outcome full = workspace.run(verify + "-v");
-  CHECK(mentions(full.output, "           tolerance  50 digits of E + |x*|"));
+  CHECK(mentions(full.output, "           tolerance  1e-50 (E + |x*|)"));
   CHECK(mentions(full.output, "           decided    for every state, by proof"));
   const Outcome verdict = workspace.run(verify + "-q");
   CHECK(starts_with(verdict.output, "simple_pendulum: "));

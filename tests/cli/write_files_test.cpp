@@ -75,7 +75,7 @@ TEST_CASE(
   write_text(depfile, "main.o: main.c\n");
   const Outcome refused = workspace.run(command);
   CHECK(refused.status == 4);
-  CHECK(mentions(refused.errors, "error[E703]: `cart_pole.d` exists and has no rules of these"));
+  CHECK(mentions(refused.errors, "error[E703]: `cart_pole.d` exists and its rules are for other files"));
   CHECK(read_text(depfile) == "main.o: main.c\n");
   CHECK(workspace.run(command + " --force").status == 0);
   CHECK(read_text(depfile) == rules);
@@ -158,7 +158,7 @@ TEST_CASE("waiting for a lock ends at the limit") {
       workspace.run("flock generated/cart_pole elgen generate -q --limit seconds=1 " + models +
                     "/cart_pole.toml");
   CHECK(outcome.status == 4);
-  CHECK(mentions(outcome.errors, "could not be written: another process writes there"));
+  CHECK(mentions(outcome.errors, "could not be written: another process keeps writing there"));
   CHECK(workspace.files().empty());
 }
 

@@ -92,8 +92,8 @@ std::vector<double> rounded(const std::vector<cln::cl_R>& values) {
 
 /// The diagnostics for a request of these outputs.
 std::string refusal(const std::string& outputs) {
-  const Products products = run_pipeline(
-      inputs_of(carried(sensors)), {.scene = {.outputs = {make_source("--outputs", outputs)}}});
+  const PipelineOptions options{.scene = {.outputs = {make_source("--outputs", outputs)}}};
+  const Products products = run_pipeline(inputs_of(carried(sensors)), options);
   return format(products.diagnostics);
 }
 

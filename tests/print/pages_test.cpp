@@ -198,7 +198,7 @@ TEST_CASE("a cost page lists both forms and marks the emitted form") {
   row.recursive_loss = std::numeric_limits<double>::infinity();
   CHECK(mentions(cost_page({row}), "     all\n"));
   row.is_demanded = true;
-  CHECK(mentions(cost_page({row}), "  asked for\n"));
+  CHECK(mentions(cost_page({row}), "  requested\n"));
 }
 
 TEST_CASE("notes list outputs left out of full, and how to get them") {
