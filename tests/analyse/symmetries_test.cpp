@@ -217,7 +217,8 @@ L = "m*dot(x)^2/2 + a*sqrt(x)*dot(x)"
   CHECK_FALSE(found.symmetry_with("p(x)").total);
   CHECK_FALSE(found.symmetry_with("t*p(x)").total);
   CHECK(count(found.page(), " - F, F has no closed form\n") == 2);
-  CHECK(mentions(found.page(), "  conserved: dL = dF/dt is proved; these are all symmetries of this form"));
+  CHECK(mentions(found.page(),
+                 "  conserved: dL = dF/dt is proved; these are all symmetries of this form"));
   CHECK(mentions(found.page(), "  conserved = [\"E\"]\n"));
 }
 

@@ -116,7 +116,8 @@ TEST_CASE("a symplectic step of a rotation is refused before the derivation") {
         flying_top("", sliding),
         {.scene = "format = 1\nmodel = \"m.toml\"\nname = \"s\"\n[outputs]\n" + method + more});
   };
-  const std::string hint = " does not apply to this system: `e` is a rotation | `rk4` takes any model\n";
+  const std::string hint =
+      " does not apply to this system: `e` is a rotation | `rk4` takes any model\n";
   const std::string midpoint = "step = { method = \"midpoint\" }\n";
   CHECK(step_messages(midpoint).find("E622 5:1 `midpoint`" + hint) == 0);
   CHECK(step_messages("step_derivatives = { method = \"verlet\" }\n")

@@ -58,8 +58,8 @@ TEST_CASE("explain accepts codes in any case, outputs and functions") {
     CHECK(mentions(run("elgen explain " + std::string(row.name)).output, std::string(row.doc)));
   }
   CHECK(run("elgen explain sin").output == "sin: a function of 1 argument\n");
-  CHECK(
-      mentions(run("elgen explain max").output, "max: a function of 2 arguments, only allowed in forces"));
+  CHECK(mentions(run("elgen explain max").output,
+                 "max: a function of 2 arguments, only allowed in forces"));
   CHECK(mentions(run("elgen explain E").output, "E: a name in [[expect]]\n\nIn `conserved`"));
   CHECK(mentions(run("elgen explain p").output, "`p(NAME)` is the momentum dL/d(dot(NAME))"));
   const auto json = nlohmann::json::parse(run("elgen explain atan2 --format json").output);

@@ -153,7 +153,8 @@ TEST_CASE("a scene does not replace files of another model or scene of the same 
   CHECK(workspace.run("elgen generate -q one.scene.toml").status == 0);
   const Outcome refused = workspace.run("elgen generate -q two.scene.toml");
   CHECK(refused.status == 2);
-  CHECK(mentions(refused.errors, "was generated from `one.scene.toml`, and `two.scene.toml` has the"));
+  CHECK(mentions(refused.errors,
+                 "was generated from `one.scene.toml`, and `two.scene.toml` has the"));
   workspace.prepare("sed 's/\"simple_pendulum\"/\"simple_pendulum_fast\"/' swing.toml > fast.toml");
   CHECK(workspace.run("elgen generate -q fast.toml").status == 2);
   CHECK(workspace.run("rm one.scene.toml && elgen generate -q two.scene.toml").status == 0);

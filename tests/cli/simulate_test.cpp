@@ -126,7 +126,8 @@ TEST_CASE("a constant input may exceed its limits, a law is clipped to them") {
   CHECK(last("-3*m") == -6);
   CHECK(last("5 + x") == 1);
   CHECK(last("5 + t") == 1);
-  const std::string said = "warning[E518]: `3*m` is beyond [-1, 1], the limits of `u`, but is applied unchanged";
+  const std::string said =
+      "warning[E518]: `3*m` is beyond [-1, 1], the limits of `u`, but is applied unchanged";
   CHECK(mentions(workspace.run(command + "--input 'u=3*m'").errors, said));
   CHECK(workspace.run(command + "--input 'u=m/2'").errors.empty());
   CHECK(workspace.run(command + "--input 'u=5 + x'").errors.empty());

@@ -75,7 +75,8 @@ TEST_CASE(
   write_text(depfile, "main.o: main.c\n");
   const Outcome refused = workspace.run(command);
   CHECK(refused.status == 4);
-  CHECK(mentions(refused.errors, "error[E703]: `cart_pole.d` exists and its rules are for other files"));
+  CHECK(mentions(refused.errors,
+                 "error[E703]: `cart_pole.d` exists and its rules are for other files"));
   CHECK(read_text(depfile) == "main.o: main.c\n");
   CHECK(workspace.run(command + " --force").status == 0);
   CHECK(read_text(depfile) == rules);

@@ -80,7 +80,8 @@ TEST_CASE("the GitHub workflow summarises, annotates and checks a pull request")
   CHECK(machine.step("Summarise the equations").status == 0);
   const Outcome broken = machine.step("Annotate the models");
   CHECK(broken.status == 1);
-  CHECK(mentions(broken.output, "title=elgen diff%3A breaks::cart_pole: the inputs or their order changed"));
+  CHECK(mentions(broken.output,
+                 "title=elgen diff%3A breaks::cart_pole: the inputs or their order changed"));
 }
 
 TEST_CASE("the GitLab job compares and checks a merge request") {
