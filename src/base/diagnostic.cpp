@@ -32,6 +32,17 @@ constexpr Code all_codes[]{
 };
 static_assert(is_in_order() && std::size(codes_of_texts) == std::size(all_codes));
 
+struct ReasonRow {
+  Code code;
+  std::string_view text;
+};
+
+constexpr ReasonRow reason_rows[]{
+#define ELGEN_REASON(code, id, text) {Code::code, text},
+#include "base/error_reasons.def"
+#undef ELGEN_REASON
+};
+
 }  // namespace
 
 const std::vector<CodeRow>& code_table() {
@@ -54,10 +65,9 @@ const CodeRow* find_code(std::string_view name) {
 
 std::vector<std::string_view> reasons_of(Code code) {
   std::vector<std::string_view> texts;
-#define ELGEN_REASON(of, id, text) \
-  if (Code::of == code) texts.emplace_back(text);
-#include "base/error_reasons.def"
-#undef ELGEN_REASON
+  for (const ReasonRow& row : reason_rows) {
+    if (row.code == code) texts.push_back(row.text);
+  }
   return texts;
 }
 
