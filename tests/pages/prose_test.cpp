@@ -4,8 +4,9 @@
 #include <cctype>
 #include <sstream>
 
+#include "formula/drawing.hpp"
 #include "pages/page.hpp"
-#include "support/shell.hpp"
+#include "support/text.hpp"
 
 namespace elgen::test {
 
@@ -17,13 +18,6 @@ constexpr std::size_t most_columns = 120;
 constexpr std::size_t most_of_a_cell = 160;
 // Readability research counts longer sentences as difficult (Plain English Campaign: 15 to 20).
 constexpr double most_words = 25;
-
-/// Characters as a reader counts them: bytes that do not continue one in UTF-8.
-std::size_t columns_of(const std::string& line) {
-  return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
 
 bool is_row(const std::string& line) { return starts_with(line, "|"); }
 
