@@ -1,4 +1,4 @@
-// How pages are written: columns, cells of tables, and the length of sentences.
+// The prose of pages: columns of lines, lengths of cells and of sentences.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cctype>
@@ -14,7 +14,7 @@ namespace {
 
 // Two pages stand side by side on a screen of 240 columns.
 constexpr std::size_t most_columns = 120;
-// A cell is one line where a reader looks for one; GitHub wraps longer cells to paragraphs.
+// Readers expect one line in a cell; GitHub wraps longer cells to paragraphs.
 constexpr std::size_t most_of_a_cell = 160;
 // Readability research counts longer sentences as difficult (Plain English Campaign: 15 to 20).
 constexpr double most_words = 25;
