@@ -160,7 +160,7 @@ class TradeoffPlot {
                                 fmt::format("{}", fmt::join(table_.dimensions, ", ")));
     std::size_t line = 1;
     for (; line <= rows_.size(); ++line) svg += legend_line(line);
-    std::vector<std::string> notes{"black: the front, beyond noise better than all cheaper",
+    std::vector<std::string> notes{"black: the front; no cheaper design is as accurate",
                                    "line: error of the front at each cost"};
     if (std::ranges::any_of(table_.rows, &TradeoffRow::is_below_reference)) {
       notes.emplace_back("grey: error below the error of the reference");
