@@ -128,7 +128,7 @@ TEST_CASE("rational numbers are recovered from their residues") {
     const cln::cl_RA number = cln::the<cln::cl_RA>(exact(text));
     CHECK(rational_of(residue_of(number)) == number);
   }
-  // This power has a numerator and denominator too large to be recovered.
+  // The numerator and the denominator of (3/7)^1000 are too large to be recovered from a residue.
   CHECK_FALSE(rational_of(cln::expt_pos(residue_of(cln::cl_RA(3) / 7), 1000)));
 }
 

@@ -1,5 +1,5 @@
-// The [[expect]] lines at the end of a page of symmetries: pasted into the model they are proved,
-// with the sign of F reversed they are refused, and a run conserves the integrals.
+// The [[expect]] lines at the end of a page of symmetries: they are proved if pasted into the
+// model, and refused if the sign of F is reversed. A run conserves the integrals.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,7 +26,7 @@ std::string with_pasted_integrals(const FoundSymmetries& found) {
   return ending(found.text(), page.substr(end));
 }
 
-/// The report of the check that `elgen verify` runs.
+/// The report on the [[expect]] tables of the model `text`, as `elgen verify` computes it.
 ExpectationReport expectations_of(const std::string& text) {
   Products products = derived(inputs_of(text), "forward_dynamics,momentum,energy_function");
   REQUIRE(products.closed_forms);
@@ -34,7 +34,7 @@ ExpectationReport expectations_of(const std::string& text) {
   return check_expectations({model, scene, *products.program}, &*products.closed_forms, 1);
 }
 
-/// One line for each model with an integral on its page that is not pasted or not proved.
+/// A line for each model whose page lists too few integrals, and for each unproved integral.
 std::string unproved_integrals(const std::vector<std::string>& models) {
   std::string lines;
   for (const std::string& model : models) {
@@ -56,7 +56,7 @@ bool all_are_proved(const ExpectationReport& report) {
   });
 }
 
-/// I with the sign of F reversed, for every symmetry that has an F.
+/// `integral` + F instead of the conserved I = `integral` - F, for every symmetry with F != 0.
 std::vector<std::string> negated_integrals(const FoundSymmetries& found) {
   std::vector<std::string> result;
   const nlohmann::json page = found.json();

@@ -1,6 +1,6 @@
 // Sixty systems whose equilibria were counted by an independent search or by hand. The number found
-// and the completeness claimed must stay. The limits are counts, so that the result does not depend
-// on the speed of the machine.
+// and the completeness claimed must not change. The limits are counts, so that the result does not
+// depend on the speed of the machine.
 #include <array>
 #include <string_view>
 
@@ -35,7 +35,7 @@ constexpr auto models = std::to_array<ExpectedCount>({
     {"two_mass_damper", 1},
 });
 
-/// `kinds`: one letter for each of x, y and z: L is a length in [-2, 2], A an angle.
+/// The letters of `kinds` are the kinds of x, y and z: L is a length in [-2, 2], A is an angle.
 struct PotentialRow {
   std::string_view kinds;
   ExpectedCount counted;

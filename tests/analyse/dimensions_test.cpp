@@ -22,7 +22,7 @@ struct Dimension {
   std::vector<std::string> fixed = {};
 };
 
-/// Counted by hand, and by an independent program that computes the null space of the conditions.
+/// Symmetries counted by hand and, as a null space of the conditions, by an independent program.
 std::vector<Dimension> dimensions() {
   return {
       {"line", 3},
@@ -104,8 +104,8 @@ std::string name_of_row(const Dimension& row) {
   return fmt::format("{} {}", row.model, fmt::join(row.fixed, " "));
 }
 
-/// One line for each row with another number of symmetries or without a proof. panda7 has no closed
-/// forms.
+/// A line for each row with another number of symmetries, and a line for each row without proofs.
+/// Only panda7, which has no closed forms, must be without proofs.
 std::string differing_rows(const std::vector<Dimension>& rows) {
   std::string lines;
   for (const Dimension& row : rows) {
@@ -140,7 +140,7 @@ TEST_CASE("closed forms and samples find the same number of symmetries") {
   std::size_t exact = 0;
   for (const std::filesystem::path& path : paths) {
     const std::string name = path.stem();
-    if (mentions(symmetric_model(name), "[[constraint]]")) continue;  // E539
+    if (mentions(symmetric_model(name), "[[constraint]]")) continue;  // refused with E539
     const FoundSymmetries of_model(symmetric_model(name));
     const Symmetries& found = of_model.found();
     exact += found.is_exact ? 1 : 0;

@@ -135,7 +135,7 @@ V = "m*g*z"
   CHECK(shown(fall).ends_with(
       "  x is cyclic: a scene with [routh] x = true holds its momentum and may have steady motions"
       "\n"));
-  // V depends on z; x is damped, driven or forced.
+  // V depends on z. x is damped, driven or forced, or the force on z depends on the rate of x.
   for (const char* const acting :
        {"D = \"1/2*d*dot(x)^2\"\n", "[[input]]\nname = \"u\"\non = \"x\"\n",
         "[[force]]\non = \"x\"\nvalue = \"-d*dot(z)\"\n",
@@ -302,8 +302,8 @@ TEST_CASE("double roots are exact at simple numbers, and undecided elsewhere") {
 }
 
 TEST_CASE("a line of equilibria that cannot be listed is reported as undecided near a box") {
-  // A load held by a force: theta = 0 with any l is a double zero. The second potential has the
-  // line x = y.
+  // A load held by a force: theta = 0 with any l is a double zero. The equilibria of the second
+  // potential are the line x = y.
   const std::string load = R"toml(format = 1
 [model]
 name = "hang"

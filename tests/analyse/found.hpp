@@ -45,7 +45,7 @@ inline Analysed analyse_model(const std::string& text, const AnalysisOptions& wo
   return {std::move(*products.checked), std::move(*products.equilibria)};
 }
 
-/// The normal modes about the state `at`, or about all stable equilibria if it is empty.
+/// The normal modes about the state `at`, or about all stable equilibria if `at` is empty.
 inline Products modes_products(const Inputs& inputs, const std::string& at = {},
                                const std::vector<std::string>& sizes = {}) {
   PipelineOptions options;

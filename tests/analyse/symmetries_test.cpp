@@ -1,4 +1,4 @@
-// Symmetries: kind, integral, F and rate of each, by value; the effect of forces; the exact text of
+// Symmetries: kind, integral, F and rate of each symmetry; the effect of forces; the exact text of
 // the page around the formulas; JSON.
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ void check_all(const std::string& model, const std::vector<ExpectedSymmetry>& ex
   }
 }
 
-/// Checks I + F written out along the motion.
+/// Checks that the symmetry with this `integral` has I + F = `closed`, written out in q and v.
 void check_closed(const std::string& model, const std::string& integral,
                   const std::string& closed) {
   FoundSymmetries found(symmetric_model(model));
@@ -47,8 +47,8 @@ void check_closed(const std::string& model, const std::string& integral,
   CHECK(found.equals(found.symmetry_with(integral).closed, closed));
 }
 
-/// A page without its formulas: rows end after the generator, and the list of integrals after its
-/// first line.
+/// `page` without its formulas: each row ends after the generator, and the list of integrals ends
+/// after its first line.
 std::string without_formulas(const std::string& page) {
   const std::string gap = "   ";
   std::string result;
@@ -65,7 +65,7 @@ std::string without_formulas(const std::string& page) {
   return result;
 }
 
-/// Checks a symmetry as JSON: its formulas, parsed again, equal its closed forms.
+/// Checks that the formulas in the JSON `row`, parsed again, equal the closed forms of `symmetry`.
 void check_row(FoundSymmetries& found, const Symmetry& symmetry, const nlohmann::json& row) {
   CHECK(found.equals(symmetry.by_names, row.at("integral")));
   CHECK(found.equals(symmetry.closed, row.at("closed_form")));
@@ -301,7 +301,7 @@ TEST_CASE("the integral of dL gets a name that no value of the model has") {
   CHECK(mentions(named, "d/dt = t*F"));
   CHECK_FALSE(mentions(named, "F = m*x"));
   CHECK(mentions(pushed("u", "1").page(), " - F,   F = m*x"));
-  // The LaTeX names differ from names of the model, too.
+  // The LaTeX name of F differs from the LaTeX names of the model, too.
   const FoundSymmetries drawn = pushed("u", "{ value = 1, latex = \"F\" }");
   CHECK(mentions(latex_document(symmetries_page(drawn.checked(), drawn.found())), "F' = F x"));
 }

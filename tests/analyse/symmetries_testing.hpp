@@ -17,7 +17,7 @@
 
 namespace elgen::test {
 
-/// A model of tests/analyse/symmetries/, or else of the project.
+/// The text of the model `name` in tests/analyse/symmetries/, or in models/ if it is not there.
 inline std::string symmetric_model(const std::string& name) {
   const std::filesystem::path own =
       std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/analyse/symmetries" / (name + ".toml");

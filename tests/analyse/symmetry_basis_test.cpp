@@ -14,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// n coordinates q1 ... qn with armature 1, and optionally a rotation.
+/// The generators of a model with `scalars` coordinates of armature 1, and optionally a rotation.
 GeneratorClass class_of(std::size_t scalars, bool has_rotation = false) {
   std::string text;
   for (std::size_t i = 1; i <= scalars; ++i) {

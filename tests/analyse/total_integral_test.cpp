@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Formulas over x, y, their rates, t, k and w, and an open function V(x, t).
+/// Parses formulas over x, y, their rates, t, k and w, and an open function V(x, t).
 class PlaneForms {
  public:
   Fraction operator()(const std::string& formula) {

@@ -58,7 +58,7 @@ TEST_CASE("codes are unique, ordered and explained") {
   CHECK(find_code("E000") == nullptr);
 }
 
-// A code with reasons names one of them at each call site, so that `elgen explain` covers the site.
+// Each call site of a code with reasons names a reason, so that `elgen explain` covers the site.
 TEST_CASE("every reason has a call site, and every call site of its code a reason") {
   const std::set<std::string> reasons = words_behind("Reason::");
   const std::set<std::string> codes = words_behind("Code::");

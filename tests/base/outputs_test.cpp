@@ -51,8 +51,7 @@ std::size_t size_of(Extent extent) {
   return 0;
 }
 
-/// The number of scalars in a C++ type of the table, from the meaning of the type's name in the
-/// header.
+/// The number of scalars in the C++ type `type` of the table, as emitted headers define the type.
 std::size_t size_of(const std::string& type) {
   static const std::map<std::string, std::size_t> known{{"Scalar", 1},
                                                         {"Coordinates<Scalar>", 7},

@@ -1,4 +1,4 @@
-// Code points, malformed bytes, and classes of ASCII characters with their neighbours in the code.
+// Code points, malformed bytes, and the limits of classes of ASCII characters.
 #include "base/utf8.hpp"
 
 #include <algorithm>

@@ -54,7 +54,7 @@ struct JointRotation {
   Scalar s, c;
 };
 
-/// Rz(q)^T Rx(Sign * 90 degrees)^T: from the axes of the parent to the axes of the link.
+/// Rz(q)^T Rx(Sign * 90 degrees)^T a: from the axes of the parent to the axes of the link.
 template <int Sign, class Scalar>
 [[gnu::always_inline]] inline Vector<Scalar> outward(const JointRotation<Scalar>& q,
                                                      const Vector<Scalar>& a) {
@@ -65,7 +65,7 @@ template <int Sign, class Scalar>
   }
 }
 
-/// Rx(Sign * 90 degrees) Rz(q): from the axes of the link to the axes of its parent.
+/// Rx(Sign * 90 degrees) Rz(q) a: from the axes of the link to the axes of its parent.
 template <int Sign, class Scalar>
 [[gnu::always_inline]] inline Vector<Scalar> inward(const JointRotation<Scalar>& q,
                                                     const Vector<Scalar>& a) {
@@ -120,7 +120,7 @@ template <class Scalar>
   return {link.mass * sum.x, link.mass * sum.y, link.mass * sum.z};
 }
 
-/// Moment about the origin of the link: I w' + w x I w, written with entries of U, plus c x f.
+/// I w' + w x I w + c x f: the moment about the origin of the link, computed with the entries of U.
 template <class Scalar>
 [[gnu::always_inline]] inline Vector<Scalar> moment(const PandaLink<Scalar>& link,
                                                     const Rotation<Scalar>& r,

@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// Throws runtime_error unless the robot is panda7.
+/// The hand-written arm with the numbers of `robot`. Throws runtime_error unless `robot` is panda7.
 inline Panda<double> panda_of(const elgen::test::Robot& robot) {
   if (robot.name != "panda7") throw std::runtime_error("not the Panda");
   Panda<double> panda{};

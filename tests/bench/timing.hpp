@@ -15,7 +15,7 @@ void keep(const Value& value) {
   asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// Alternatives that take a state cycle through this number of states.
+/// The number of states through which an alternative cycles if its function takes a state.
 inline constexpr int state_count = 16;
 
 /// Nanoseconds per call of each alternative in every repetition. A repetition calls each

@@ -15,7 +15,7 @@ using Pair = std::array<double, 2>;
 
 using Terms = emitted::Dynamics<double>;
 
-/// Siciliano et al. (2009), section 7.3.2, with the usual abbreviations.
+/// M, C and g by Siciliano et al. (2009), section 7.3.2, with the usual abbreviations.
 Terms by_hand(const Parameters& p, const Pair& q, const Pair& v) {
   const double a = p.I1 + p.I2 + p.m1 * p.c1 * p.c1 + p.m2 * (p.l1 * p.l1 + p.c2 * p.c2);
   const double b = p.m2 * p.l1 * p.c2;

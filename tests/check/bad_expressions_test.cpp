@@ -1,5 +1,5 @@
-// Every row of bad_expressions.tsv gives its code and column, or its value to 20 digits, within 1 s
-// and 256 MiB.
+// Every expression of bad_expressions.tsv gives the code and the column in its row, or the value to
+// 20 digits, within 1 s and 256 MiB.
 #include <cln/cln.h>
 #include <sys/resource.h>
 
@@ -88,7 +88,7 @@ FileSyntax model_with_force(const ExpressionSyntax& value) {
   return syntax;
 }
 
-/// The value at the state of the table, with enough digits to reduce the largest angle.
+/// The value of `id` at the state of the table, with enough digits to reduce the largest angle.
 EnclosedNumber value_at_state(const Model& model, ExpressionId id) {
   static const std::map<std::string, cln::cl_RA> state{
       {"x", cln::cl_RA(3) / 4}, {"y", cln::cl_RA(5) / 4}, {"z", cln::cl_RA(-1) / 2},

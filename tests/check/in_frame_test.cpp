@@ -14,7 +14,7 @@ constexpr double m = 2;
 constexpr double J = 0.2;
 
 /// Frames `f` (translated by s, rotated by q about z) and `g` (rotated by 0.4 about x), on lines 16
-/// to 23.
+/// to 24.
 std::string with_two(const std::string& entries) {
   return with_frames(R"([[frame]]
 name = "f"

@@ -19,7 +19,7 @@ struct Moving {
   double rate = 0;
 };
 
-/// Parameters have their declared values, rates are given, t = 1/2.
+/// Evaluates expressions at q and v; accelerations are 0, t = 1/2, parameters as declared.
 class ModelNumbers {
  public:
   ModelNumbers(const Model& model, std::vector<double> q, std::vector<double> v)
@@ -166,7 +166,7 @@ inline std::vector<double> listed(const Triple& x) { return {x.begin(), x.end()}
 /// An angle q, a length s, parameters and an energy in fifteen lines; `entries` start on line 16.
 inline std::string with_frames(const std::string& entries) { return read_model("arm") + entries; }
 
-/// A state of the model of `with_frames`, and the value of its parameter l.
+/// A state of the model `with_frames`, and the value of the parameter l.
 inline constexpr double q = 0.3;
 inline constexpr double s = 0.8;
 inline constexpr double l = 0.7;

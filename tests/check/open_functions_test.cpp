@@ -31,8 +31,8 @@ gravity = ["V_1", "V_2"]
 potential_energy = "V"
 )toml");
 
-/// A mass in a plane, and two sliding masses, with a function U of `arguments`; its sample is on
-/// line 14. `far` is a definition that uses y, P is the point (x, y), s a function of t.
+/// A mass in a plane, and two sliding masses, with a function U of `arguments` and the `sample` of
+/// U on line 14. `far` is a definition that uses y, P the point (x, y), s a function of t.
 std::string sampled(const std::string& arguments, const std::string& sample) {
   return model_text("sampled", R"toml([[coordinate]]
 name = "x"
@@ -70,14 +70,14 @@ std::string sample_messages(const std::string& arguments, const std::string& sam
   return all.starts_with("E520") ? "" : all;
 }
 
-/// The message about a sample at this position that depends on a leaf outside the arguments of U.
+/// The error that `sample` at `place` depends on `leaf`, although no argument of U does.
 std::string unlisted_leaf_message(const std::string& sample, const std::string& leaf,
                                   const std::string& place = "14:11") {
   return "E319 " + place + " `" + sample + "` depends on `" + leaf +
          "`, but no argument of `U` does | `of` lists every argument of the function\n";
 }
 
-/// A list such as "V [J], V_1 [N], …".
+/// The open values of `model`, such as "V [J], V_1 [N], …".
 std::string open_values(const Model& model) {
   std::string text;
   for (const OpenValue& value : model.open_values) {
@@ -86,7 +86,7 @@ std::string open_values(const Model& model) {
   return text;
 }
 
-/// The only definition, such as "V = k*x*y", and the number of closed forms.
+/// The only definition and the number of expectations, such as "V = k*x*y, 2 expected".
 std::string closed_text(const CheckedModel& closed) {
   const Model& model = closed.model;
   REQUIRE(model.functions.empty());

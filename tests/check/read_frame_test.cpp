@@ -15,8 +15,8 @@ std::vector<double> pose_of(const std::string& keys) {
   return ModelNumbers(model, {q, s}, {0, 0}).pose(0);
 }
 
-/// The rotation by `angle` about the unit vector n, by Rodrigues' formula: 1 + sin K + (1 - cos) K
-/// K with K = S(n).
+/// The rotation by `angle` about the unit vector n, by Rodrigues' formula: 1 + sin(angle) K + (1 -
+/// cos(angle)) K K with K = S(n).
 Rotation3 rotation_about(const Triple& n, double angle) {
   const Rotation3 k{0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0};
   const Rotation3 square = k * k;
@@ -27,7 +27,7 @@ Rotation3 rotation_about(const Triple& n, double angle) {
   return result;
 }
 
-/// The entries in row-major order, such as "1 0 0 0 0 -1 0 1 0".
+/// The rotation of the frame in row-major order, such as "1 0 0 0 0 -1 0 1 0".
 std::string rotation_text(const Model& model, std::size_t frame) {
   std::string text;
   for (const ExpressionId id : model.frames[frame].rotation) {

@@ -47,8 +47,8 @@ SceneOptions options(const std::string& starts, const std::string& laws = {},
   return result;
 }
 
-/// The error with its column, such as "E612 12 unknown coordinate `y` | did you mean `x`?"; empty
-/// if none.
+/// The first error with its column, such as "E612 12 unknown coordinate `y` | did you mean `x`?";
+/// empty if there is no error.
 std::string answer(const SceneOptions& given) {
   const Limits limits;
   const Result<FileSyntax> syntax = parse_model(make_source("m.toml", flying_hull), limits);

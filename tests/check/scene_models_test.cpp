@@ -162,7 +162,7 @@ TEST_CASE("a locked coordinate is removed from coordinates and velocities", "[lo
 
 TEST_CASE("inputs and forces on a locked coordinate are removed with it", "[lock]") {
   const Model& model = locked_model().model;
-  REQUIRE(model.inputs.size() == 1);  // without the input of the lock
+  REQUIRE(model.inputs.size() == 1);  // without the input on the locked coordinate
   CHECK(model.inputs[0].on == 1U);
   REQUIRE(model.forces.size() == 1);
   CHECK(model.forces[0].on == 0U);

@@ -82,7 +82,7 @@ TEST_CASE("expressions with a name without unit are not checked, with one note")
       "[parameters.d]\nvalue = 2\n[[input]]\nname = \"u\"\n");
   CHECK(messages(model) ==
         "E520 13:13 `c`, `d`, `u`: no unit, so expressions with it are not checked\n");
-  // An error suppresses the note.
+  // An error suppresses the note E520.
   CHECK(messages(block("V = \"c*x + k + m\"\n[parameters.c]\nvalue = 1\n")) ==
         "E401 12:16 `m` is in kg, but the sum is in kg/s^2\n");
 }

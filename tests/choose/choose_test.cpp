@@ -54,7 +54,7 @@ TEST_CASE("the preference speed chooses the cheaper form, on a tie the closed fo
       INFO(costs.function);
       const bool is_closed = costs.chosen == Form::closed;
       const bool is_cheaper = costs.closed && cost(*costs.closed) <= cost(costs.recursive);
-      // The costs compared exclude guards of pivots, which may reverse the order of the totals.
+      // The choice compares costs without guards of pivots; guards may reverse the order.
       const bool has_pivots = c.choice.program.functions[i].kind == OutputKind::forward_dynamics;
       CHECK((has_pivots || is_closed == is_cheaper));
       CHECK(c.choice.program.functions[i].form == costs.chosen);
@@ -138,8 +138,8 @@ vector = ["0", "-9.81"]
     if (!costs.closed) continue;
     INFO(costs.function);
     ++closed;
-    // Calls for at most q1, q2 and q2/2. Next to q2/2 the call for q2 is kept, because it has all
-    // digits.
+    // Calls for at most q1, q2 and q2/2. The call for q2 is kept besides the call for q2/2, because
+    // sin(q2) and cos(q2) of a call have all digits.
     CHECK(costs.closed->sincos <= 3);
   }
   CHECK(closed > 1);

@@ -28,7 +28,7 @@ struct TypedEnergy {
   std::vector<std::string> near = {};  ///< places such as "x ~ y, y = 0.7"
 };
 
-/// The items without surrounding blanks.
+/// The items of `list`, without surrounding blanks.
 inline std::vector<std::string> items_of(const std::string& list, char separator) {
   std::vector<std::string> items;
   std::istringstream stream(list);
@@ -172,8 +172,8 @@ class StatesNear {
     }
   }
 
-  /// The coordinates of up to four states at this distance inside the ranges, on both sides if both
-  /// are inside.
+  /// The coordinates of up to four states, about `distance` away from the places, on both sides.
+  /// States outside the ranges are left out.
   [[nodiscard]] std::vector<std::vector<double>> at(double distance) const {
     const std::vector<std::vector<double>> shares{{1, -0.8125, 0.59375, -1.15625},
                                                   {0.71875, 0.90625, -1.0625, -0.65625}};

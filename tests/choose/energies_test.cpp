@@ -31,7 +31,7 @@ constexpr double max_error_ratio = 64;
 constexpr double max_stable_error = 32;
 constexpr std::size_t min_near_stable = 88;
 
-/// x to a multiple of 1/2, computed by multiplications and a square root.
+/// x to the power `exponent`, a multiple of 1/2, computed by multiplications and a square root.
 double power_in_double(double x, const cln::cl_RA& exponent) {
   const long halves = cln::cl_I_to_long(cln::numerator(exponent * 2));
   double result = 1;
@@ -110,7 +110,7 @@ void update_maxima(std::vector<EntryErrors>& worst, const std::vector<EntryError
   }
 }
 
-/// The ratio of two errors, the denominator at least 1; 0 if `other` is infinite.
+/// error/max(other, 1); 0 if `other` is infinite.
 double error_ratio(double error, double other) {
   return std::isinf(other) ? 0 : error / std::max(other, 1.0);
 }
@@ -168,9 +168,9 @@ std::vector<EntryErrors> errors_at(const ChosenForms& chosen, const std::vector<
 
 struct EnergyErrors {
   std::vector<EntryErrors> entries = {};  ///< gravity, then V: the maximum over all states
-  /// The maximum ratio of the emitted program's error to the other's. Each error is the maximum
-  /// over the states at one distance from one place, since a single state may have a small error by
-  /// chance.
+  /// The maximum ratio of the emitted program's error to the error of the text or of the stable
+  /// form. Each error is the maximum over the states at one distance from one place, since a single
+  /// state may have a small error by chance.
   double ratio_to_text = 0;
   double ratio_to_stable = 0;
 };

@@ -1,5 +1,5 @@
-// The two programs of an energy, and the states in which their errors are measured. All coordinates
-// are doubles, which the oracle takes exactly.
+// The recursive and the chosen program of an energy, and the states at which their errors are
+// measured. All coordinates of these states are doubles, which the oracle takes exactly.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,15 @@
 
 namespace elgen::test {
 
-/// Gravity and V, without the stable forms.
+/// The forms chosen for gravity and V of `energy`, without the stable forms.
 inline ChosenForms chosen_energy(const TypedEnergy& energy) {
   SceneOptions options;
   options.outputs = {make_source("command line", "gravity,potential_energy")};
   return chosen(model_of(energy), options);
 }
 
-/// Rounds parameters to double, so that equal parameters stay equal and no value is rounded again.
+/// The nominal state with coordinates `q` and with parameters rounded to double, so that equal
+/// parameters stay equal and no value is rounded again.
 inline State state_in_double(const CheckedModel& checked, const std::vector<double>& q) {
   State state = nominal_state(checked.model, checked.scene);
   for (cln::cl_R& p : state.parameters) p = exact_value(to_double(p));
@@ -31,8 +32,8 @@ inline State state_in_double(const CheckedModel& checked, const std::vector<doub
   return state;
 }
 
-/// Distinct states inside the ranges: zeros of typed sums and the origin, states near these and
-/// near the places of the file, at distances down to 1e-150, and random states.
+/// Distinct states inside the ranges: the origin and zeros of typed sums; states near the origin,
+/// the zeros and the places of the file, at distances down to 1e-150; the domain; random states.
 class SampleStates {
  public:
   SampleStates(const TypedEnergy& energy, const ChosenForms& c)
@@ -67,7 +68,7 @@ class SampleStates {
     if (std::ranges::find(all, q) == all.end()) all.push_back(q);
   }
 
-  /// Adds states with one coordinate displaced, and one with all coordinates displaced.
+  /// Adds states with one coordinate displaced, and a state with all coordinates displaced.
   void add_displaced(const std::vector<double>& zero, double step) {
     std::vector<double> moved = zero;
     for (std::size_t i = 0; i < zero.size(); ++i) {

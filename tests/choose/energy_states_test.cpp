@@ -47,8 +47,8 @@ std::optional<double> error_multiple(double x, const cln::cl_R& exact, const Rea
   return to_double(multiple.value());
 }
 
-/// Updates `worst`; false if the text of the function has no value, in double or exactly, or no
-/// bound.
+/// Updates `worst`. False if the text of the function has no bound, or no value in double or in
+/// exact arithmetic.
 bool update_worst(const ChosenForms& c, std::size_t index, const State& state, WorstEntry& worst) {
   const Function& text = c.recursive.functions.at(index);
   const Subject subject{c.checked.model, c.checked.scene, c.choice.program};

@@ -43,11 +43,12 @@ std::vector<Running<Real>> entries_at(const Program& program, const Function& fu
   return entries_of(function, fold<Running<Real>>(rules, program, function));
 }
 
-/// The bound at other states than the points that the choice compares; at those points the bound is
-/// 64.
+/// The largest ratio of the code's loss to the text's loss at states that the choice does not
+/// compare; at its comparison points the largest ratio is 64.
 constexpr int max_ratio_elsewhere = 512;
 
-/// True if no entry loses more than this multiple of the text's loss.
+/// True if each entry has an error of at most max_ratio_elsewhere * max(error, |value|) in the
+/// text.
 bool keeps_text(const ChosenForms& c, const std::string& name, const std::vector<double>& q) {
   const Arguments<double> point = state_at_rest(c, q);
   const std::size_t i = number_of(c, name);

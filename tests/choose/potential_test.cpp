@@ -91,8 +91,8 @@ TEST_CASE("with a rewritten V every function has the values of its text") {
 }
 
 TEST_CASE("a sum of squares stays whole for any anchor") {
-  // When multiplied out, one anchor loses all digits and another none, depending on the rounding of
-  // its numbers.
+  // If the squares were multiplied out, V would lose all digits at some anchors and none at others,
+  // depending on how the numbers are rounded.
   const std::vector<std::vector<double>> anchors{{1, 2}, {1, 0.75}, {1.25, 0.6875}, {-0.5, 1}};
   for (const std::vector<double>& anchor : anchors) {
     const std::string x = std::to_string(anchor[0]);

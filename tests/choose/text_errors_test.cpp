@@ -73,7 +73,7 @@ std::size_t index_of(const Program& program, const std::string& name) {
                                   program.functions.begin());
 }
 
-/// The largest error of the force at x, in u of its magnitude.
+/// The bound on the error of the force at x, in u of the magnitude of the force.
 double error_of_force(const ChosenForms& model, double x) {
   const Program& program = model.choice.program;
   const Function& gravity = program.functions[index_of(program, "gravity")];

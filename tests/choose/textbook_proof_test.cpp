@@ -37,7 +37,7 @@ const std::map<OutputKind, Entry> vectors{
 const std::map<OutputKind, MatrixEntry> matrices{
     {OutputKind::mass_matrix, &Textbook::mass}, {OutputKind::coriolis_matrix, &Textbook::coriolis}};
 
-/// Empty if the textbook derivation has no such output.
+/// The entries of the output `kind`; empty if the textbook derivation has no such output.
 std::vector<ex> textbook_entries(const Textbook& book, OutputKind kind, std::size_t n) {
   std::vector<ex> entries;
   if (numbers.count(kind) > 0) entries.push_back((book.*numbers.at(kind))());

@@ -1,5 +1,5 @@
-// Every command of the table is in the help, in order, with its own help; in the completions of
-// shells, and in the manual.
+// Commands: the help lists every command of the table, in order. Every command has its own help, a
+// section in the manual, and completions in shells.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"

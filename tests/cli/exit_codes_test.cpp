@@ -17,8 +17,8 @@ struct ExitRow {
   std::string why_not = {};  ///< the reason if `line` is empty
 };
 
-/// In a folder with a pendulum `good`, a copy `other` with another parameter value, a model with an
-/// error, one with a wrong expectation, and one with a force that grows without bound.
+/// Commands in a folder with a pendulum `good`, a copy `other` with another parameter value, and
+/// models with an error, with a wrong expectation, and with a force that grows without bound.
 const std::vector<ExitRow> exit_rows{
     {"generate", 0, "elgen generate good.toml"},
     {"generate", 1, "elgen generate --check -o none good.toml"},
@@ -130,7 +130,7 @@ TEST_CASE("every command line ends with its exit code") {
   }
 }
 
-/// Each step is a constant, or exceeds 10^10000 in some state.
+/// Definitions with 64th powers of earlier definitions: constants, bounded and unbounded values.
 TEST_CASE("absurd powers end with a limit or are emitted, without internal errors") {
   const Workspace workspace;
   const auto status = [&](const std::string& leaf, const std::string& step, int steps) {

@@ -35,8 +35,8 @@ equation = "x^2 + y^2 = l^2"
 )toml" + stabilise;
 }
 
-/// A program that prints `answer` for each state, with p, x, y and vx, vy defined; `length` is the
-/// square of the rod's length.
+/// A program that prints `answer`, an expression in p, x, y, vx, vy and k, for each state. k is
+/// computed with `length`, an expression for the square of the rod's length.
 std::string on_the_rod(const std::string& length, const std::string& answer) {
   return "import json, sys\n"
          "for line in sys.stdin:\n"

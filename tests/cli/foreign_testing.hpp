@@ -43,19 +43,19 @@ for line in sys.stdin:
 /// A folder with models and foreign code.
 class Foreign : public Workspace {
  public:
-  /// Compiles C code for the cart and compares it.
+  /// Compiles `text`, C code for the cart, and compares it with the model.
   [[nodiscard]] Outcome compare_c(const std::string& text, const std::string& options = "") const {
     write("mine.c", text);
     prepare("cc -std=c99 -D_DEFAULT_SOURCE -O1 -fPIC -shared mine.c -o mine.so -lm");
     return run("elgen verify --foreign ./mine.so --function forward_dynamics=my_fd " + options +
                " " + models + "/cart_pole.toml");
   }
-  /// Compares the C code of the cart with `part` replaced by `other`.
+  /// Compares the C code of the cart, with `part` replaced by `other`, with the model.
   [[nodiscard]] Outcome compare_changed(const std::string& part, const std::string& other,
                                         const std::string& options = "") const {
     return compare_c(replaced(cart, part, other), options);
   }
-  /// Runs Python code as a command and compares it.
+  /// Runs `text`, a Python program, as a command and compares it with `model`.
   [[nodiscard]] Outcome compare_command(const std::string& text, const std::string& functions,
                                         const std::string& model = models +
                                                                    "/cart_pole.toml") const {

@@ -10,7 +10,7 @@ namespace {
 const std::string verify_command =
     " elgen verify --samples 2 --language python " ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
 
-/// Verifies with a shell script in place of `python`.
+/// Verifies a model with `python`, lines of a shell script, in place of the interpreter.
 Outcome verify_with_python(const std::string& python) {
   const Workspace workspace;
   write_text(workspace.path() / "mine", "#!/bin/sh\n" + python + "\n");

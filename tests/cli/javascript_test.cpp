@@ -21,8 +21,8 @@ class JavaScript : public ModuleFolder {
   }
 };
 
-/// Names that are words of strict mode and of modules, or an object of the library; an array
-/// parameter, kinks, a series; texts that could end strings, comments and scripts.
+/// A model whose names are words of strict mode and of modules or an object of the library, with an
+/// array parameter, kinks, a series, and texts that could end strings, comments and scripts.
 const std::string model_of_words = R"text(format = 1
 [model]
 name = "odd"
@@ -48,7 +48,7 @@ on = "let"
 value = "-eval*sign(dot(let)) - eval*max(sin(theta), 0.5)"
 )text";
 
-/// Without accelerations, because their sums lose digits by cancellation.
+/// Outputs of model_of_words without accelerations, whose sums lose digits by cancellation.
 const std::string odd_outputs =
     "[outputs]\nmass_matrix = true\ngravity = true\napplied_force = true\n"
     "momentum = { rename = \"await\" }\n";
@@ -60,7 +60,7 @@ TEST_CASE("javascript: ten models agree with the program") {
 }
 
 // At equal angles of 1000 rad the bars are parallel, so the pivot of `projected` is a rounding
-// error. With sines of the C library the result is a number, with sines of node 0/0.
+// error. The result is a number with sines of the C library, and 0/0 with sines of node.
 TEST_CASE("javascript: NaN is accepted if a pivot is only a rounding error") {
   if (!has_node()) return;
   const JavaScript folder;

@@ -8,7 +8,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Independent masses; a large system that is derived quickly.
+/// A model of `count` independent masses: a large system that is derived quickly.
 std::string masses(int count, const std::string& more = {}) {
   std::string text = "format = 1\n[model]\nname = \"row\"\n[energy]\nT = \"";
   for (int i = 1; i <= count; ++i) {

@@ -21,8 +21,8 @@ class Matlab : public ModuleFolder {
   }
 };
 
-/// Names that are words of MATLAB and of Octave, an array parameter, kinks, a series, and an angle
-/// whose sine has a name of more than 63 characters.
+/// A model with names that are words of MATLAB and of Octave, an array parameter, kinks, a series,
+/// and a coordinate `angle`. The sine of a long `angle` has a name of more than 63 characters.
 std::string odd_model(const std::string& angle) {
   return "format = 1\n[model]\nname = \"odd\"\n"
          "[[coordinate]]\nname = \"" +

@@ -40,7 +40,7 @@ inline void check_interpreted_models(const std::string& language) {
   CHECK_FALSE(mentions(outcome.output, "could not be run"));
 }
 
-/// The code block of templates/README.md from the line `start` to its end.
+/// The code block of templates/README.md from the line `start` to the end of the block.
 inline std::string readme_code(const std::string& start) {
   const std::string page = read_text(ELGEN_SOURCE_DIR "/templates/README.md");
   const std::size_t first = page.find(start);

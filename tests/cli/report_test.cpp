@@ -13,7 +13,7 @@
 namespace elgen::test {
 namespace {
 
-/// Three commands with errors, one without messages, and one ended by the time limit.
+/// Three commands with errors, a command without messages, and a command ended by the time limit.
 constexpr std::array end_rows{
     std::pair{"elgen generate $broken/near_miss_name.toml $broken/unknown_unit.toml", 2},
     std::pair{"elgen generate -o /dev/null/out $models/simple_pendulum.toml", 4},

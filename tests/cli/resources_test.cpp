@@ -1,4 +1,4 @@
-// Limits of time and memory, and interrupts: the process ends in order and leaves no files.
+// Limits of time and memory, and interrupts: the process exits with its code and leaves no files.
 #include <catch2/catch.hpp>
 #include <regex>
 
@@ -50,7 +50,7 @@ TEST_CASE("the limit and interrupts end a sleeping compiler and remove its folde
   CHECK(mentions(late.output, "1 skipped"));
   for (const std::string signal : {"INT", "TERM", "HUP"}) {
     INFO(signal);
-    // A shell starts background processes with SIGINT ignored; timeout restores it.
+    // A shell starts background processes with SIGINT ignored; timeout restores SIGINT.
     const Outcome outcome =
         workspace.run("export TMPDIR=$PWD/tmp CXX=./slow; timeout --preserve-status -s " + signal +
                       " 3 elgen verify "

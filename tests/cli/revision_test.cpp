@@ -10,7 +10,7 @@ namespace {
 const std::string commit = "git add -A . && git -c user.name=a -c user.email=a@b commit -q -m x";
 const std::string turned = "sed -i 's/\"-g\"/\"g\"/' ";
 
-/// A repository with the cart below `folder`; its gravity was reversed after the commit.
+/// A repository with the cart below `folder`; gravity was reversed after the commit.
 class Repository : public Workspace {
  public:
   explicit Repository(const std::string& folder = "repository", const std::string& before = "true")

@@ -265,7 +265,7 @@ TEST_CASE("outputs of a model have a cost and a time") {
 TEST_CASE("a scene is compared with its full model") {
   const std::string text = costs("scenes/two_link_arm_elbow.scene.toml");
   CHECK(mentions(text, "cost  full model   share"));
-  // One entry of four: 3 operations instead of 10 and a sine with its cosine.
+  // M has one entry of four: 3 operations replace 10 operations and a sine with its cosine.
   CHECK(mentions(text, "\nmass_matrix              3  "));
   CHECK(mentions(text, "reaction                41           -"));
   CHECK(mentions(text, "ms, the full model in "));
@@ -297,7 +297,7 @@ TEST_CASE("the page names the limit that ended the search, by default from the s
     const std::size_t at = text.find("; the limit ");
     return at == std::string::npos ? text : text.substr(at, text.find(':', at) - at);
   };
-  // A second suffices for 28e6 enclosures without a sanitizer.
+  // A second suffices for 28e6 enclosures without a sanitizer, so no search is ended by its time.
   CHECK(ending("--limit seconds=60 --limit enclosures=1000000") ==
         "; the limit enclosures=1000000 ended the search");
   CHECK(ending("--limit enclosures=1000000 --limit seconds=60") ==

@@ -28,7 +28,7 @@ const std::string cart_row =
     "\"(M + m)*dot(dot(x)) + m*l*cos(theta)*dot(dot(theta)) - m*l*sin(theta)*dot(theta)^2 = u\"";
 const std::string pole_row = "\"l*dot(dot(theta)) + cos(theta)*dot(dot(x)) = g*sin(theta)\"";
 
-/// Twelve equations, four of them wrong.
+/// Ten answers of students, four of them wrong.
 const std::vector<StudentEquations> students{
     {"simple_pendulum", "equations = \"m*l^2*dot(dot(theta)) + m*g*l*sin(theta) = 0\"\n", {}},
     {"simple_pendulum", "equations = \"-g*sin(theta)/l = dot(dot(theta))\"\n", {}},
@@ -237,7 +237,7 @@ TEST_CASE("verify: numbers at a state may differ by a fraction of the largest en
                  "0.00101937 of the largest entry, more than 1e-12, at q = (1.5708)"));
 }
 
-/// A potential that equals 1 everywhere, written with terms in x^2, with this expectation at x.
+/// Verifies `keys` at `x` for a potential that equals 1 everywhere, written with terms in x^2.
 Outcome verify_at(const std::string& x, const std::string& keys) {
   const Workspace workspace;
   workspace.write("model.toml", R"toml(format = 1

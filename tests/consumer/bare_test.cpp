@@ -47,7 +47,7 @@ class BareDebian : public Workspace {
   [[nodiscard]] long megabytes() const { return std::stol(run("du -sm root").output); }
 };
 
-/// Runs the fences of README.md between two lines, in a folder of the root.
+/// Runs the fences of README.md in the lines [begin, end), in `folder` of the root.
 void replay_in(const BareDebian& debian, const std::string& folder, std::size_t begin,
                std::size_t end) {
   const auto run = [&](const std::string& command) { return debian.run_inside(command, folder); };

@@ -57,8 +57,8 @@ class Project : public Workspace {
     prepare("cmake -S . -B build -G '" + generator + "' " + finding_elgen(prefix));
   }
 
-  /// The row of the build after an edit. A successful build is repeated and must do nothing, except
-  /// for a file dated in the future: then CMake and elgen run once and nothing is compiled.
+  /// The row of the build after an edit. A successful build is repeated: the second build must do
+  /// nothing or, if the edit dates a file in the future, only run CMake and elgen once.
   [[nodiscard]] std::string row(const Edit& edit) const {
     prepare(edit.command);
     const Outcome built = run("cmake --build build");

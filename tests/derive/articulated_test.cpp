@@ -12,8 +12,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// A boom on a turntable, a slide along an inclined line that depends on its position, a reel with
-/// an armature about an oblique axis, a spring, damping, and a separate limb.
+/// A boom on a turntable, a carriage on a parabola of the boom, a reel with an armature about an
+/// oblique axis, a spring, damping, and a lamp on a separate limb.
 const std::string& crane_text() {
   static const std::string text = frame_model("crane", "q r s p", R"toml(
 [[input]]
@@ -210,7 +210,7 @@ TEST_CASE("articulated bodies do not apply to every Lagrangian", "[frames]") {
   CHECK_FALSE(
       applies(read_model("two_arms")));         // T couples rates, and a mass is outside the frames
   CHECK_FALSE(applies(read_model("sliders")));  // a mass is outside the frames
-  // In the other order of elimination articulated bodies would give other pivots.
+  // M of this model is eliminated first to last; articulated bodies have pivots from last to first.
   Derivation derivation(Framed(read_model("three_turns")).lagrangian);
   CHECK_FALSE(articulated_dynamics(derivation));
 }

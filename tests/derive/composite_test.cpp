@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Transforms a twist from the axes before a transform to the axes after it.
+/// The twist `before`, taken from the axes before the transform `step` to the axes after `step`.
 Twist after(Tree& tree, std::size_t step, const Twist& before) {
   Twist result = before;
   if (tree.transform(step).kind == TransformKind::translation) {

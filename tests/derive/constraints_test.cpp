@@ -48,7 +48,7 @@ class ConstrainedText {
   [[nodiscard]] std::string any() { return q(draw(coordinates_)); }
   [[nodiscard]] std::string number() { return std::to_string(1 + draw(7)) + "/5"; }
 
-  /// Random numbers are drawn in a fixed order, independent of the compiler.
+  /// A random expression. Its numbers are drawn in a fixed order, independent of the compiler.
   [[nodiscard]] std::string expression() {
     const std::string a = number();
     const std::string b = number();
@@ -66,8 +66,8 @@ class ConstrainedText {
     }
   }
 
-  /// Each constraint contains its own coordinate linearly, so that no constraint depends on the
-  /// others.
+  /// A constraint on positions or velocities. The term 3 q(i) or 3 dot(q(i)) makes it independent
+  /// of the other constraints.
   [[nodiscard]] std::string constraint(std::size_t i) {
     const std::string left = expression();
     const std::string right = expression();
@@ -88,7 +88,7 @@ class ConstrainedText {
   std::size_t equations_;
 };
 
-/// Compares all fields of an output that the oracle has.
+/// Compares the output `name` with the oracle, in all fields except `diagonal`.
 void check_against_oracle(const CheckedModel& checked, const std::string& name) {
   const OutputRequest request = *find_request(checked.model, name);
   const Lagrangian lagrangian = *specialise(*formulate(checked.model), checked);

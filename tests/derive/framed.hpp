@@ -145,7 +145,7 @@ class Framed {
     for (std::size_t i = 0; i < size(); ++i) values.push_back(mass[i * (size() + 1)]);
   }
 
-  /// The slopes of a twist in v; subtracts the part caused by time.
+  /// The derivatives of `twist` by v: values at v_j = 1 minus the value at v = 0, caused by time.
   [[nodiscard]] Reals twist_slopes(const std::vector<ExpressionId>& twist, State state) const {
     Reals result;
     for (const ExpressionId entry : twist) {

@@ -1,4 +1,4 @@
-// Hamiltonian functions with closed forms from textbooks: velocities of momenta, b, and rotations.
+// Hamiltonian functions of textbooks, velocities of momenta, b = p - M v, and rotations.
 #include <catch2/catch.hpp>
 
 #include "derive/outputs/outputs.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 using GiNaC::ex;
 
-/// True if both agree for all positions and momenta.
+/// True if `derived` and `expected` agree for all positions and momenta.
 bool agree(const Derived& s, const ex& derived, const ex& expected) {
   std::vector<ex> leaves = s.source.symbols.momenta;
   for (const auto* list :

@@ -1,6 +1,6 @@
-// Regrouped numeric inertias: the same functions of the state with fewer numbers. Masses moved
-// across the rotation of a quaternion give the same functions also for quaternions of other lengths
-// than 1.
+// Regrouped numeric inertias: the same functions of the state with fewer numbers. The functions
+// stay the same for quaternions of any length if masses are moved across the rotation of a
+// quaternion.
 #include <catch2/catch.hpp>
 
 #include "derive/tree/tree.hpp"
@@ -130,7 +130,7 @@ TEST_CASE("inertia that acts equally on the parent of a rotation moves to the pa
   Framed system(model_text("two_links", two_links));
   Derivation derivation(system.lagrangian);
   std::vector<RigidBody> bodies = tree_of(derivation).bodies();
-  // The world comes first: a body that does not move only has a weight.
+  // The first body is the world: a body that does not move has only a weight.
   REQUIRE(bodies.size() == 3);
   CHECK_FALSE(bodies[0].transform.has_value());
   CHECK(bodies[0].mass.is_equal(8));

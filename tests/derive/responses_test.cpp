@@ -21,7 +21,7 @@ Program program_of(const Framed& system, const std::string& output) {
   return compose_outputs(*lower(*derive(system.lagrangian, requests, {}), requests, {}));
 }
 
-/// Compares the composed output with directly derived entries.
+/// Compares the composed `output` with the entries that `longer` derives directly.
 void check_composed(const std::string& text, const std::string& output,
                     const std::function<Vector(Derivation&)>& longer) {
   const Framed system(text);

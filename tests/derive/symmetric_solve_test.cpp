@@ -91,7 +91,7 @@ TEST_CASE("the first relative pivot is 1, the second is its Schur complement ove
 TEST_CASE("elimination from the limbs has no fill-in between them", "[frames]") {
   const Framed system(branched_text());
   CHECK(system.lagrangian.eliminates_last_first);
-  // With the base last 9 entries between the arms stay zero.
+  // If the base is eliminated last, 9 entries between the arms stay zero.
   CHECK(cost(branched_text(), true) + 9 < cost(branched_text(), false));
   CHECK_FALSE(Framed(read_model("three_turns")).lagrangian.eliminates_last_first);
 }

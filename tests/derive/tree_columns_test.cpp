@@ -66,7 +66,7 @@ TEST_CASE("moving angles and components of offsets are variables", "[frames]") {
   Derivation derivation(system.lagrangian);
   const TreeVariables variables = tree_variables(tree_of(derivation));
   CHECK(variables.is_complete);
-  // Cabin: x, x/3; arm: q; bead: s, s^2/3; nozzle: 2 s, s q.
+  // x and x/3 of the cabin, q of the arm, s and s^2/3 of the bead, 2 s and s q of the nozzle.
   REQUIRE(variables.list.size() == 7);
   CHECK(variables.list[0].velocity[0].is_equal(1));
   CHECK(variables.list[1].velocity[1].is_equal(1));

@@ -28,7 +28,7 @@ constexpr std::array different_beyond{
     Forms{"max(x, -{})", "x"},
 };
 
-/// Different on one side of a point, at many points of [-1, 1] or at one point.
+/// Pairs that differ on one side of a point, at many points of [-1, 1], or at one point.
 constexpr std::array different_somewhere{
     Forms{"-k*max(x - pi/2, 0)", "-2*k*max(x - pi/2, 0)"},
     Forms{"atan2(sin(x), cos(x))", "x"},

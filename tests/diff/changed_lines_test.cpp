@@ -1,4 +1,4 @@
-// A change of one term in a model changes only the functions in the header whose entries differ.
+// A change of one term in a model changes the header only in the functions whose entries differ.
 #include <catch2/catch.hpp>
 #include <map>
 #include <regex>
@@ -31,7 +31,7 @@ struct Header {
   std::map<std::string, std::string> functions = {};  ///< function name -> its lines
 };
 
-/// Functions are paragraphs with their comments.
+/// The header `name`, split into functions: a function is a paragraph with its comment.
 Header header_of(const Products& products, const std::string& name) {
   Header header{products.files->files.at(name + "/" + name + ".hpp")};
   static const std::regex signature(R"((\w+)\(const Parameters<Scalar>&)");

@@ -35,7 +35,7 @@ std::vector<MatchedEntry> matched(const LoweredVersion& old, const LoweredVersio
                          renames);
 }
 
-/// A model whose entries may be declared in reverse order.
+/// A model with `constraints`. If `is_reversed`, its entries are declared in reverse order.
 std::string plate(const std::vector<std::string>& constraints, bool is_reversed) {
   const auto listed = [is_reversed](std::vector<std::string> entries) {
     if (is_reversed) std::ranges::reverse(entries);
@@ -57,7 +57,7 @@ std::string plate(const std::vector<std::string>& constraints, bool is_reversed)
                                  "value = [\"x*z\", \"y\"]\njacobian = true\n");
 }
 
-/// Every entry of the newer version equals its match.
+/// Checks that every entry of the newer version equals its match.
 void check_values_meet(const std::string& scene, const std::vector<std::string>& constraints) {
   const LoweredVersion old = lowered(plate(constraints, false), scene);
   const LoweredVersion now = lowered(plate(constraints, true), scene);

@@ -26,7 +26,7 @@ struct LoweredVersion {
   }
 };
 
-/// `scene` is the text after the scene's name.
+/// The model `text` after the stage `goal`; `scene` is the text after the scene's name.
 inline LoweredVersion lowered(const std::string& text, const std::string& scene = {},
                               Goal goal = Goal::lower) {
   PipelineOptions options;

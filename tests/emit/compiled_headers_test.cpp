@@ -1,6 +1,6 @@
-// Compiles every function of every header below generated/ and of a model of this test, for every
-// scalar type, with both compilers and strict warnings. One driver instantiates all; values are
-// compared with 50-digit values, operation counts with the sidecar.
+// Compiles every function of every header below generated/ and of a model of this test, with both
+// compilers and strict warnings. The exhaustive tests use every scalar type, but skip long headers.
+// Values are compared with 50-digit values, operation counts with the sidecar.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -46,8 +46,8 @@ void add_folder(std::vector<Header>& headers, const fs::path& folder, bool is_ex
   }
 }
 
-/// Packs and arrays have neither comparisons nor atan2; AutoDiffScalar has neither atan nor the
-/// inverse hyperbolic functions.
+/// The scalar types of the functions of `header`. Packs and arrays have neither comparisons nor
+/// atan2; AutoDiffScalar has neither atan nor the inverse hyperbolic functions.
 std::vector<std::string> scalars_of(const Header& header) {
   std::vector<std::string> scalars = {"float", "double", "long double"};
   if (!header.is_exhaustive) return scalars;
@@ -62,7 +62,7 @@ std::vector<std::string> scalars_of(const Header& header) {
   return scalars;
 }
 
-/// A lambda over h::name whose parameters can be inspected, except open values.
+/// A lambda that calls h::NAME. Its parameters can be inspected; it supplies open values itself.
 std::string lambda(const Header& header, const std::string& name) {
   const char* const given =
       header.sidecar.contains("open_values") ? "p, open_values(p), y..." : "p, y...";
@@ -78,7 +78,7 @@ auto open_values(const h::Parameters<Scalar>&) {
 }
 )";
 
-/// Appends the outputs of equations; steps have no numbers to compare.
+/// Code that appends the entries of `result` to `to`; steps have no entries to compare.
 std::string append_statements(const Json& output, const std::string& result) {
   std::string text;
   if (output.contains("entries")) text = fmt::format("    append(to, {});\n", result);
@@ -165,8 +165,8 @@ std::vector<Header> all_headers(const fs::path& folder, bool is_exhaustive) {
   return headers;
 }
 
-/// Groups of headers, so that a driver needs at most about a gigabyte to compile. panda7 and ur5
-/// would need four and are skipped; other scalars would show nothing new in them.
+/// Groups of headers, so that a driver needs at most about a gigabyte to compile. Longer headers
+/// need more and are skipped; other scalars would show nothing new in them.
 std::vector<std::vector<Header>> header_groups(const std::vector<Header>& headers) {
   constexpr std::size_t most_text =
       100'000;  // bytes; 20 kB of equations in eight scalar types need 300 MB
@@ -184,7 +184,7 @@ std::vector<std::vector<Header>> header_groups(const std::vector<Header>& header
   return groups;
 }
 
-/// Uses ccache if installed, so that unchanged headers are not compiled again.
+/// Compiles and runs a driver; ccache, if installed, skips unchanged headers.
 void compile_and_run(const std::string& compiler, const fs::path& folder,
                      const std::vector<Header>& headers) {
   write_text(folder / "driver.cpp", driver(headers));

@@ -12,8 +12,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// A chain of statements: each named value is used by the next two; the last entry is instruction
-/// `entry`.
+/// A chain of sums, each of the two values before it. The entries are the last sum and the value of
+/// the instruction `entry`.
 Subject long_function(std::size_t statements, std::size_t entry = 1) {
   Subject subject = cart_pole();
   std::string text =
@@ -68,7 +68,7 @@ TEST_CASE("one call writes a sine and cosine that parts share") {
   const std::size_t sine = 1;
   const FunctionDefinition parts = function_of(long_function(longest_body, sine));
   REQUIRE(parts.parts.size() == 3);
-  // The sine is an entry of the first part, and later parts need neither.
+  // The sine is an entry of the first part; later parts need neither the sine nor the cosine.
   CHECK(parts.parts[0].body.find("  const auto [sin_x, cos_x] = ") == 0);
   Subject subject = long_function(longest_body);
   Function& gravity = subject.program.functions.front();

@@ -51,7 +51,7 @@ inline void add_parameter_array(Model& model, const std::string& name,
   model.parameter_arrays.push_back(declared);
 }
 
-/// Makes the first function read a parameter, so that it is emitted.
+/// Makes the first function read the parameter `leaf`, so that the parameter is emitted.
 inline void read_parameter(Subject& subject, const std::string& leaf) {
   std::vector<std::string>& leaves = subject.program.leaves.parameters;
   const auto index = static_cast<std::uint32_t>(leaves.size());
@@ -61,7 +61,7 @@ inline void read_parameter(Subject& subject, const std::string& leaf) {
   subject.program.functions.front().names.emplace_back();
 }
 
-/// Makes the first function load a constant, so that it is emitted.
+/// Makes the first function load `constant`, so that the constant is emitted.
 inline void load_constant(Subject& subject, const Constant& constant) {
   const std::uint32_t index = position_of(constant, subject.program.constants);
   subject.program.functions.front().instructions.push_back(

@@ -12,7 +12,7 @@ namespace {
 
 const std::string programs = std::string(ELGEN_SOURCE_DIR) + "/tests/emit/compiled/";
 
-/// A command that finds the header with the same include path.
+/// A command that succeeds if the include path of `Swing::compiled` has the header of Ceres.
 const std::string has_ceres =
     "echo '#include <ceres/jet.h>' | g++ -std=c++17 -isystem /usr/include/eigen3 -E -x c++ -";
 

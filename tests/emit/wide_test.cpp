@@ -52,7 +52,7 @@ struct Call {
 
 class Arguments {
  public:
-  /// All magnitudes up to 1e5, also near multiples of pi/2 and near 1.
+  /// A random argument of any magnitude up to 1e5, near a multiple of pi/2, or near 1.
   Parts next() {
     const double kind = uniform();
     double high = std::exp2(57 * uniform() - 40);

@@ -59,7 +59,7 @@ void append(std::string& text, const std::string& title, const std::string& body
   text += std::string(marker) + title + "\n" + body;
 }
 
-/// Throws std::invalid_argument if the text has another form.
+/// The parts of a case file. Throws std::invalid_argument if the text has another form.
 CaseFile parse_case(std::string_view text) {
   CaseFile parsed;
   bool has_exit = false;

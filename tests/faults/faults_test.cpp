@@ -34,7 +34,7 @@ V = "-k*cos(q)"
 const std::set<int> documented_codes{0, 1, 2, 3, 4, 70, 130};
 constexpr int killed = 128 + SIGKILL;
 
-/// Only every n-th call of this kind is visited; this is n.
+/// The stride n: every n-th call of `kind` is visited; n is `usual` without ELGEN_FAULTS.
 long stride(const std::string& kind, long usual) {
   if (std::getenv("ELGEN_FAULTS") == nullptr) return usual;
   return kind == "memory" ? 97 : 1;
@@ -103,8 +103,8 @@ class FaultScenario {
     workspace.prepare("mkdir tmp && " + preparation_);
   }
 
-  /// SIGKILL prevents any cleaning up. Every file is complete, old or new, and the next run cleans
-  /// up.
+  /// Checks the files after SIGKILL, which prevents any cleaning up: every file is complete, old or
+  /// new, and the next run cleans up.
   void check_killed(const Workspace& workspace, const Files& found) const {
     for (const auto& [name, text] : before_) {
       CHECK(found.count(name) == 1);
@@ -122,7 +122,7 @@ class FaultScenario {
   std::map<std::string, long> counts_;
 };
 
-/// Replaces files of an older model and writes some files for the first time.
+/// A scenario that replaces files of an older model and writes some files for the first time.
 FaultScenario generation() {
   return FaultScenario(
       "sed 's/-k/-2*k/' rotor.toml > old.toml && elgen generate -q old.toml && rm old.toml"

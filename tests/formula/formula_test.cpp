@@ -79,7 +79,7 @@ Formulas operations_and_numbers() {
   return all;
 }
 
-/// The tolerance is far above rounding errors; a missing bracket changes the first digits.
+/// True if x and y agree to 1e-10; a missing bracket changes the first digits.
 bool is_near(const Value& x, const Value& y) {
   return std::abs(x - y) <= 1e-10 * std::max(1.0, std::abs(x));
 }

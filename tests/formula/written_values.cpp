@@ -25,8 +25,8 @@ Value value_of_symbol(std::string_view name) {
   throw std::invalid_argument(what + " at: " + std::string(where));
 }
 
-/// Rounding may give a negative real number the imaginary part -0 or a tiny one; this moves it to
-/// one side of the branch cut.
+/// `x` with imaginary part 0 if the imaginary part is only a rounding error or -0. A negative real
+/// number is then always on the same side of the branch cut.
 Value on_branch(const Value& x) {
   const bool is_real = std::abs(x.imag()) <= 1e-14 * std::abs(x.real());
   return {x.real(), is_real ? 0.0 : x.imag()};

@@ -15,11 +15,11 @@ using Value = std::complex<double>;
 /// Accepts numbers, symbols, signs, sums, products, quotients, powers, roots and sines.
 [[nodiscard]] Value value_of_tree(const Formula& formula);
 
-/// Parsed by the parser of models. This and the next function throw if the text is no formula.
+/// The value by the parser of models. This and the next function throw if the text is no formula.
 [[nodiscard]] Value value_of_text(const std::string& text);
 
-/// Parses LaTeX, or its ASCII drawing on one line. Adjacent factors are multiplied; a function
-/// without brackets applies to all factors up to the next function, sign or dot.
+/// The value of `line`, LaTeX or its ASCII drawing on one line. Adjacent factors are multiplied; a
+/// function without brackets applies to all factors up to the next function, sign or dot.
 [[nodiscard]] Value value_of_line(std::string_view line);
 
 }  // namespace elgen::test

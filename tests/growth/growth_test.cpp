@@ -123,8 +123,8 @@ TEST_CASE("operations of a stage grow no faster than the chain") {
   for (auto many = std::next(counts.begin()); many != counts.end(); ++many) {
     const auto few = std::prev(many);
     const double growth = static_cast<double>(many->first) / few->first;
-    // All goals but steps, claims and the analyses have a stage; the energy's magnitude is one
-    // more.
+    // Every goal except steps, claims and the analyses is a stage here; the energy's magnitude is
+    // an additional stage.
     REQUIRE(many->second.size() == goal_names.size() - analysis_table.size() - 1);
     for (const auto& [stage, count] : many->second) {
       const Operations& before = few->second.at(stage);
@@ -139,8 +139,7 @@ TEST_CASE("operations of a stage grow no faster than the chain") {
 }
 
 TEST_CASE("pages of nested sums do not double with every sum") {
-  // n^5: n sums of n terms, each a product of n factors; each is searched among n and compared with
-  // n.
+  // n^5: n sums, n terms, n factors, n candidates of a search, n comparisons of a candidate.
   const double most = std::pow(2, 5);
   const auto check = [most](const Operations& few, const Operations& many) {
     INFO(few.bytes << " and " << many.bytes << " bytes, " << few.blocks << " and " << many.blocks

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int state_count = 200;
 
-/// Uniform random numbers. The distributions of <random> differ between standard libraries; these
-/// do not.
+/// Uniform random numbers, the same with every standard library, unlike the distributions of
+/// <random>.
 class RandomNumbers {
  public:
   [[nodiscard]] double between(double low, double high) {

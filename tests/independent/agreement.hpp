@@ -27,7 +27,7 @@ struct Differences {
 [[nodiscard]] Differences differences(const Oracle& oracle, const Oracle& reference,
                                       const std::vector<State>& states);
 
-/// Fixed seed. Angles within one turn, rates up to 3 and accelerations up to 5, in SI units.
+/// Random states from a fixed seed: angles within one turn, |v_i| <= 3, |a_i| <= 5, in SI units.
 [[nodiscard]] std::vector<State> random_states(std::size_t joints, bool floating);
 
 }  // namespace elgen::test

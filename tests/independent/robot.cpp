@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A row of "joints": alpha in degrees, translation, mass, centre of mass, inertia.
+/// The link in a row of "joints": alpha in degrees, translation, mass, centre of mass, inertia.
 Link read_link(const Json& row, int parent) {
   const int degrees = row.at(0).get<int>();
   if (degrees % 90 != 0) throw std::runtime_error("only right angles between axes");

@@ -41,7 +41,7 @@ struct Robot {
 
 inline constexpr double gravity_of_earth = 9.81;  ///< along -z of the base
 
-/// "parents" names the parent of each link, depth first. Without it the links form a chain.
+/// Reads a robot; "parents" has the parent of each link, depth first, or is absent for a chain.
 [[nodiscard]] Robot read_robot(const std::filesystem::path& path, bool floating = false);
 
 /// True if the parent of every link is the link before it.

@@ -22,8 +22,8 @@ std::string constant_findings(const std::string& definitions, const std::string&
   return text_of(inspect_constants({checked.model, checked.scene}));
 }
 
-/// A definition c0 = `first`, then `count` definitions; `next` is each one's value, with `c`
-/// replaced by the previous name.
+/// The definition c0 = `first`, then c1, c2, ..., `count` in number. Each has the text `next`, with
+/// `c` replaced by the previous name.
 std::string chain(const std::string& first, const std::string& next, int count) {
   std::string text = "c0 = \"" + first + "\"\n";
   for (int i = 1; i <= count; ++i) {

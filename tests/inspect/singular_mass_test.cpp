@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-/// Empty if M is to blame, because another message reports M.
+/// The message about a singular `kind`; empty if M is to blame, because another message reports M.
 std::string message_of(OutputKind kind, const std::optional<std::size_t>& row) {
   LeafNames names;
   names.multipliers = {"loop", "rod"};

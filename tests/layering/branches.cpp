@@ -37,7 +37,7 @@ Places output_branches(const SourceTree& tree) { return branches(tree, "OutputKi
 Places extent_branches(const SourceTree& tree) { return branches(tree, "Extent", R"(\w+)"); }
 Places need_branches(const SourceTree& tree) { return branches(tree, "Need", R"(\w+)"); }
 
-/// Leaf kinds are the opcodes listed in leaves.def, and all enumerators of LeafKind.
+/// Branches on the opcodes listed in leaves.def, and on the enumerators of LeafKind.
 Places leaf_branches(const SourceTree& tree) {
   const auto table = tree.find("include/elgen/leaves.def");
   if (table == tree.end()) return {};

@@ -130,7 +130,7 @@ bool declares_method(const std::string& line, const std::string& name) {
   return !mentions(line.substr(0, opening + 1), name + "(");
 }
 
-/// Structs of data may have many members, because each is accessed by name.
+/// Large classes. Structs of data may have many members, because each is accessed by name.
 Places large_classes(const SourceTree& tree) {
   constexpr std::size_t most_members = 12;
   constexpr std::size_t most_methods = 20;
@@ -168,7 +168,7 @@ Places function_objects(const SourceTree& tree) {
   });
 }
 
-/// A comparison with a list of goals is a mode that belongs in a table.
+/// Comparisons with a list of goals: a mode that belongs in a table.
 Places goal_lists(const SourceTree& tree) {
   return matching_lines(tree, "Goal",
                         R"((==|!=) (std::vector(<Goal>)?|Goals)? ?[({]+ ?(\w+::)?Goal::)");
@@ -178,7 +178,7 @@ Places thread_locals(const SourceTree& tree) {
   return matching_lines(tree, "thread_local", R"(^ *(static |inline )*thread_local )");
 }
 
-/// Literals 0, 1 and 2 in tables and mathematical constants need no reason.
+/// Numeric constants without a comment above them that gives a reason.
 Places bare_constants(const SourceTree& tree) {
   static const std::regex constant(
       R"(^ *(inline |static )*constexpr (inline |static )*[\w:]+ \w+ = -?[0-9][^;]*;$)");
@@ -196,7 +196,7 @@ Places random_generators(const SourceTree& tree) {
                         R"(^(?! *//)(?!.*explicit).*\bRandom( \w+( =|[;({])|[({]))");
 }
 
-/// Formulas are trees; only tables of formulas are typed in LaTeX.
+/// LaTeX in code. Formulas are trees; only tables of formulas are typed in LaTeX.
 Places latex_commands(const SourceTree& tree) {
   return matching_lines(
       tree, "\\",
@@ -226,7 +226,7 @@ bool has_noun_clause(const std::string& comment) {
                      [&](const char* phrase) { return mentions(words, phrase); });
 }
 
-/// Unlike other rules, this one counts the tests too.
+/// Comments with noun clauses. Unlike the other rules, this rule counts the tests, too.
 Places noun_clauses(const SourceTree& tree) {
   Places found;
   for (const auto& [path, text] : tree) {
@@ -294,7 +294,7 @@ struct Count {
   Places places = {};
 };
 
-/// The tolerance avoids an edit of the row with every change.
+/// The number of lines. Its tolerance avoids an edit of the row with every change.
 Count line_count(const SourceTree& tree) {
   std::size_t lines = 0;
   for (const std::string& path : governed(tree)) lines += count(tree.at(path), "\n");

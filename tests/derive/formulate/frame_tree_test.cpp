@@ -1,5 +1,4 @@
-// Frames become elementary transforms ("transforms") in order from the root; frames without
-// contents are omitted.
+// Frames become elementary transforms in order from the root; frames without contents are omitted.
 #include <catch2/catch.hpp>
 
 #include "derive/formulate/expressions.hpp"
@@ -42,8 +41,8 @@ std::string text(const Lagrangian& lagrangian, const GiNaC::ex& value) {
   return out.str();
 }
 
-/// Steps such as "shift(l,0,0) turn(z,q)"; a number gives the parent if it is not the previous
-/// transform.
+/// The transforms, such as "shift(l,0,0) turn(0,0,1;q)". "^world", or "^" and a number, is the
+/// parent of a transform that does not follow its parent.
 std::string steps(const Lagrangian& lagrangian) {
   std::string result;
   const std::vector<TreeTransform>& list = lagrangian.tree.transforms;
@@ -108,7 +107,7 @@ TEST_CASE("a translation along the axis of a rotation comes after the rotation",
                  "translate = [\"l\", \"s\", \"0\"]\nrotate = [[\"x\", \"pi/2\"], [\"z\", "
                  "\"q\"]]\n" +
                  body) == "shift(l,0,0) turn(1,0,0;1/2*Pi) turn(0,0,1;q) shift(0,0,-s)");
-  // A translation does not pass a rotation by other than a quarter turn.
+  // A translation passes only rotations by quarter turns.
   CHECK(steps_of(frame +
                  "translate = [\"l\", \"s\", \"0\"]\nrotate = [[\"x\", \"1\"], [\"z\", "
                  "\"q\"]]\n" +

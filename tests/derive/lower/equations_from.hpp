@@ -32,7 +32,7 @@ inline EquationsOfMotion leaves(std::size_t rotation = 0) {
   return equations;
 }
 
-/// Appends a definition; `uses` follow from its symbols.
+/// Appends a definition and returns its symbol; `uses` follow from the symbols in `value`.
 inline GiNaC::ex define_as(EquationsOfMotion& equations, const std::string& name,
                            const GiNaC::ex& value) {
   Definition definition;

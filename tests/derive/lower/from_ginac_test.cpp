@@ -148,7 +148,7 @@ TEST_CASE("a program has the value GiNaC gives") {
     for (std::size_t i = 0; i < 2; ++i) {
       const ex exact = copy.outputs[0].fields[0].entries[i].subs(point).evalf();
       const ex difference = GiNaC::abs(exact - GiNaC::numeric(cln::cl_N(values[i].value())));
-      // Of 60 digits, cancellation of terms up to 1e10 may lose some.
+      // Of the 60 digits, some may be lost if terms up to 1e10 cancel.
       RC_ASSERT(GiNaC::ex_to<GiNaC::numeric>(difference.evalf()).to_double() < 1e-40);
     }
   }));

@@ -22,7 +22,7 @@ ModelLeaves leaves_of(const Symbols& s) {
 
 using Strings = std::vector<std::string>;
 
-/// Parses the texts by GiNaC.
+/// The expressions of `texts`, parsed by GiNaC with the symbols m, l, x, y and vx.
 std::vector<ex> expressions(const Symbols& s, const Strings& texts) {
   const auto [m, l, x, y, vx, vy, ax, u, t] = leaves_of(s);
   GiNaC::parser reader({{"m", m}, {"l", l}, {"x", x}, {"y", y}, {"vx", vx}}, true);

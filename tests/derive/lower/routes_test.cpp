@@ -18,7 +18,7 @@ struct Routes {
 
   [[nodiscard]] Function lowered() const { return lowered(equations); }
 
-  /// Lowered by elimination of M only.
+  /// The function without its alternatives: lowered by elimination of M.
   [[nodiscard]] Function lowered_by_elimination() const {
     EquationsOfMotion usual = equations;
     usual.alternatives.clear();
@@ -89,7 +89,7 @@ TEST_CASE("without pivots M_ii is not computed, and accelerations are the only f
   REQUIRE(alone.fields.size() == 1);
   CHECK(alone.fields.front().name.empty());
   CHECK(alone.fields.front().entries.size() == 20);
-  // Composite inertias cost more than a twentieth of the function.
+  // M_ii needs composite inertias, which cost more than a twentieth of the function with pivots.
   CHECK(20 * cost_of(alone) < 19 * cost_of(usual.lowered()));
 }
 

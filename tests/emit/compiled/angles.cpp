@@ -1,6 +1,6 @@
-// detail::SineCosine. In-line sines have errors up to 1.5 ulp in double and 0.9 ulp in float, 0.5
-// ulp near multiples of pi/2, and equal the library's beyond the domain. Other scalars, and all
-// scalars if arithmetic is reordered, have the bits of std::sin and std::cos.
+// detail::SineCosine. In-line sines have errors up to 1.5 ulp in double and 0.9 ulp in float; near
+// multiples of pi/2 the errors are up to 0.5 ulp. Sines of angles beyond the domain, of other
+// scalars, and of all scalars if arithmetic is reordered, have the bits of std::sin and std::cos.
 #include <cstdio>
 #include <limits>
 #include <random>
@@ -57,7 +57,7 @@ int differences(const char* type) {
   return count;
 }
 
-/// The error in ulp of a reference value with more digits.
+/// |value - truth| in ulp; `truth` has more digits than Scalar.
 template <class Scalar>
 double error(Scalar value, long double truth) {
   const int last = std::ilogb(truth) + 1 - std::numeric_limits<Scalar>::digits;

@@ -68,7 +68,7 @@ bool is_outside(T angle) {
   return std::isnan(sin(x).native[0]) && std::isnan(cos(x).native[0]);
 }
 
-/// True if std::tie works: functions in parts keep sine and cosine as two numbers.
+/// True if std::tie splits a SineCosine, as functions in parts do to keep two numbers.
 template <class T>
 bool is_tied() {
   const arm::batch::Pack<T> x(T(0.5));

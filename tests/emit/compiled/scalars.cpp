@@ -146,7 +146,7 @@ struct Strict {
   friend Strict sqrt(const Strict& x) { return Strict(sqrt(x.dual)); }
 };
 
-/// `made(x, slope)` is a number of the type, `split` its inverse.
+/// Checks slopes in Scalar. `made(x, slope)` is a Scalar; `split` is the inverse of `made`.
 template <class Scalar, class Make, class Split>
 void check_slopes(const Make& made, const Split& split) {
   const emitted::Parameters<double> p{};
@@ -199,7 +199,7 @@ void check_jet() {
 #endif
 }
 
-/// Uses order 2, so that an fvar has elements beyond the first derivative.
+/// Checks derivatives by fvar of order 2, which has elements beyond the first derivative.
 void check_fvar() {
   using Fvar = boost::math::differentiation::autodiff_fvar<double, 2>;
   check_slopes<Fvar>(
@@ -217,7 +217,7 @@ void check_autodiff() {
                          [](const AutoDiff& x) { return Dual(x.value(), x.derivatives()[0]); });
 }
 
-/// An interval must contain the double value and be narrow.
+/// Checks that every interval contains the value in double and is narrow.
 void check_interval() {
   namespace policy = boost::numeric::interval_lib;
   using Interval = boost::numeric::interval<

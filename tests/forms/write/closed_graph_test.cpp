@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// The entry of a function with one entry in a layout, as text.
+/// The only entry of `function`, written in `layout`, as text.
 std::string written_text(const std::string& function, Layout layout) {
   const Program program = read_program("parameters m l\ncoordinates x y\n" + function);
   const ClosedForms forms = present(program);

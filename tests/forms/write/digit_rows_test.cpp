@@ -22,8 +22,8 @@ Arguments<Real> letters(Random& random, const Real& most) {
   return point;
 }
 
-/// Checks that both are equal wherever the first has a value, at letters of both signs and several
-/// magnitudes; returns the number of comparisons.
+/// Checks that `to` equals `from` at all letters at which `from` has a value. The letters have both
+/// signs and several magnitudes. Returns the number of comparisons.
 int equal_values(const Expressions& from, const Expressions& to) {
   int compared = 0;
   Random random(7);
@@ -41,7 +41,7 @@ int equal_values(const Expressions& from, const Expressions& to) {
   return compared;
 }
 
-/// The value in double at five values of the letters.
+/// The value in double at `letters`, five numbers.
 double value_in_double(const Expressions& expressions, const std::vector<double>& letters) {
   Arguments<double> point;
   point.q = letters;

@@ -24,13 +24,13 @@ std::string written_text(const std::string& expression) {
 const std::vector<std::string> names{"a", "b", "c", "d", "e"};
 const LeafNames leaves{{{}, {}, names, names, {}, {}, names, {}, {}, "t"}, false};
 
-/// Uses two separate graphs, so that equal parts of the two expressions are not shared.
+/// True if `rewriting` is as precise as `reference`; their two graphs share no equal parts.
 bool is_precise(const char* rewriting, const char* reference, Leaves kind) {
   return is_as_precise(expressions_of({rewriting}), expressions_of({reference}),
                        mixed_points(leaves), kind);
 }
 
-/// Functions whose emitted closed form is less precise than the reference form.
+/// The entries whose emitted closed form is less precise than the reference form, such as "bias 0".
 std::vector<std::string> imprecise(const std::string& text) {
   const Program program = chosen(text).choice.program;
   const Points points = mixed_points(program.leaves);
@@ -43,8 +43,8 @@ std::vector<std::string> imprecise(const std::string& text) {
     for (std::size_t e = 0; e < entries.size(); ++e) {
       const Expressions emitted = from_program(program, function, {entries_of(function)[e]});
       const Expressions judge = from_program(program, readable, {entries[e]});
-      // The bound for rounded leaves includes the rounding of angles in sums; satisfying one of the
-      // two suffices.
+      // The bound for rounded leaves, unlike the bound for exact leaves, includes the rounding of
+      // angles in sums. An entry must satisfy one of the two bounds.
       const bool is_precise = is_as_precise(emitted, judge, points, Leaves::exact) ||
                               is_as_precise(emitted, judge, points, Leaves::rounded);
       if (!is_precise) result.push_back(function.name + " " + std::to_string(e));
@@ -147,7 +147,7 @@ TEST_CASE("the code of a closed form is as precise as the reference form") {
     INFO(name);
     CHECK(imprecise(text) == std::vector<std::string>());
   }
-  // The shortest form of the second velocity force is the derived one, in which c cos(y) x' y'
+  // The shortest form of the second velocity force is the derived form, in which c cos(y) x' y'
   // cancels; in the other forms the constant angle 1 + sqrt(2) is added to y.
   CHECK(imprecise(model_text("phase", R"toml(
 [[coordinate]]

@@ -11,7 +11,7 @@ namespace elgen::test {
 
 namespace {
 
-/// A trial with a shell script in place of elgen.
+/// The fault of a trial that runs the shell script `script` in place of elgen; empty if none.
 std::string fault_of_script(const std::string& script) {
   const Trial trial{{"m.toml", {{"m.toml", "x"}}}, {"/bin/sh", "-c", script}};
   return run_trial(trial, false).fault;

@@ -148,8 +148,8 @@ std::string line_with(const std::string& text, const std::string& part) {
   return text.substr(begin, text.find('\n', at) - begin);
 }
 
-/// A failed check other than [[expect]], which is a fault of elgen; empty if none. The definiteness
-/// of M is exempt, because the M of a mutated model may be indefinite.
+/// The failed check of a certificate, which is a fault of elgen; empty if none. A failed [[expect]]
+/// is no fault. Neither is an indefinite M, because the M of a mutated model may be indefinite.
 std::string false_alarm(const std::string& certificate) {
   const auto parsed = nlohmann::json::parse(certificate, nullptr, false);
   if (!parsed.is_object() || !parsed.contains("checks")) return {};

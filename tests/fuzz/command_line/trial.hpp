@@ -34,7 +34,7 @@ struct Trial {
   std::vector<std::string> command = {};
 };
 
-/// Deterministic for a seed and a corpus.
+/// A command on a mutated input of the corpus; the same for the same seed and corpus.
 [[nodiscard]] Trial random_trial(const Corpus& corpus, std::uint64_t seed);
 
 struct Verdict {
