@@ -10,7 +10,7 @@
 namespace elgen::test {
 namespace {
 
-/// One line each: "bob origin" for a rod to the world origin, "bob ~ anchor" for a spring.
+/// The shown lines: "bob origin" for a rod to the world origin, "bob ~ anchor" for a spring.
 std::string lines_of(const Model& model) {
   const std::vector<ShownPlace> places = shown_places(model);
   std::string text;

@@ -25,7 +25,7 @@ using Exact = LargestPivot<cl_RA>;
 using ReducedExact = LargestPivot<cl_RA, EchelonForm::reduced>;
 using Rationals = std::vector<cl_RA>;
 
-/// Row-major, entries -3 ... 3: singular minors are frequent.
+/// A random row-major matrix of the integers -3 ... 3. Singular minors are frequent.
 Rationals random_matrix(Random& random, std::size_t rows, std::size_t columns) {
   Rationals matrix;
   for (std::size_t k = 0; k < rows * columns; ++k) {
@@ -49,7 +49,7 @@ bool is_zero_matrix(const Rationals& matrix) {
   return std::ranges::all_of(matrix, [](const cl_RA& x) { return cln::zerop(x); });
 }
 
-/// The kernel has (columns - rank) vectors, and A x = 0 for each.
+/// Checks that the kernel has columns - rank vectors x, and that A x = 0 for each x.
 template <class Field>
 void check_kernel(const Rationals& matrix, std::size_t columns) {
   Field field;

@@ -29,7 +29,7 @@ bool holds(const Enclosure& enclosure, const Real& value) {
 
 Real real_of(double x) { return Real(exact_value(x)); }
 
-/// Widths range from one ulp to many turns.
+/// A random enclosure with lower end in [-160, 160] and width between 2^-54 and 16.
 Enclosure random_enclosure(Random& random) {
   const double first = random.uniform(-4, 4) * (random.next() % 8 == 0 ? 40 : 1);
   const double width = std::abs(random.log_uniform(-54, 3));

@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Equal to 62 of 64 digits, absolutely if |y| < 1.
+/// True if |x - y| < 1e-62 max(|y|, 1).
 bool near(const Real& x, const Real& y) {
   const cln::cl_F scale = cln::max(cln::abs(y.value()), cln::cl_float(1, Real::format()));
   return x.is_defined() &&

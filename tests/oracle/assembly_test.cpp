@@ -13,7 +13,7 @@ using cln::cl_R;
 using cln::cl_RA;
 using Values = std::vector<cl_R>;
 
-/// A point with mass 2 and coordinates x and y. Each equation is a constraint `= 0` on positions.
+/// A point of mass 2 in x and y. Each entry e of `equations` is a position constraint e = 0.
 Model constrained_point(const std::vector<std::string>& equations) {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").parameter("l", "1").T("x_d^2 + y_d^2");

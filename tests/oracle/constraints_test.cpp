@@ -1,4 +1,4 @@
-// Constrained dynamics: by hand, along motions, and against their defining equations.
+// Constrained dynamics: values by hand, changes along motions, and the defining equations.
 #include "oracle/constraints.hpp"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ Numbers rates_at(const Model& model, const State& state) {
               model.constraints.size());
 }
 
-/// Turns the quaternion by a small rotation vector in body axes, correct to second order.
+/// Turns the quaternion by the small rotation vector `by` in body axes, correct to second order.
 void turn(State& state, const Rotation& rotation, const Numbers& by) {
   const std::size_t first = rotation.first_coordinate;
   const Numbers e = part(state.q, first, quaternion_size);
@@ -129,7 +129,7 @@ State with_acceleration(const Model& model, State state) {
   return state;
 }
 
-/// Adds h to one coordinate, rate or input (field 0, 1, 2 of the derivatives).
+/// The state with h added to entry j of q, v or u (`field` 0, 1, 2). A quaternion turns by h.
 State displaced(const Model& model, State state, std::size_t field, std::size_t j, const cl_R& h) {
   Numbers& moved = field == 0 ? state.q : field == 1 ? state.v : state.u;
   const std::optional<std::uint32_t> rotation =

@@ -1,5 +1,5 @@
-// Every output: by hand, by contractions, and its derivatives against differences and related
-// outputs.
+// Every output against values by hand and against contractions. Derivatives against differences and
+// related outputs.
 #include "oracle/output_values.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ ModelBuilder polar() {
   return b;
 }
 
-/// r = 2, ph = 3, dr/dt = 5, dph/dt = 7 and their momenta, accelerations 11 and 13, u = 17, t = 19
+/// r = 2, ph = 3, dr/dt = 5, dph/dt = 7, p = (10, 56), a = (11, 13), u = 17, t = 19
 State polar_state(const ModelBuilder& b) {
   State state = nominal_state(b.model, {});
   state.q = {2, 3};
@@ -52,7 +52,7 @@ ModelBuilder everything() {
   return b;
 }
 
-/// w.x or w.X y, from the entries of a field that starts at `first`.
+/// w.x or w.X y for `by` = (w, y); x or X is the field of `values` that starts at `first`.
 cl_R contracted(const Values& values, std::size_t first, const Contraction& by) {
   cl_R sum = 0;
   for (std::size_t i = 0; i < by.w.size(); ++i) {
@@ -69,7 +69,7 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
   const State state = random_state(b.model, 3);
   OutputRequest request;
   request.kind = kind;
-  if (output_row(kind).steps) {  // midpoint has all fields
+  if (output_row(kind).steps) {  // only midpoint has all fields
     request.step = StepSpec{.method = StepMethod::midpoint, .iterations = 2};
   }
   const auto values = oracle_values(b.model, request, state);

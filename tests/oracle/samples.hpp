@@ -14,7 +14,7 @@ inline OracleValues value_of(const Model& model, OutputKind kind, const State& s
   return oracle_values(model, request, state);
 }
 
-/// Parameters have their values; all other numbers are random fractions in [-2, 2].
+/// A state with parameters at their values, h = 1/9, and q, v, a, u, t and p random in [-2, 2].
 inline State random_state(const Model& model, unsigned seed) {
   std::mt19937 random(seed);
   const auto fraction = [&] {
@@ -43,7 +43,7 @@ inline ModelBuilder pendulum() {
   return b;
 }
 
-/// The pole's angle is measured from the upward vertical.
+/// Cart and pole; th is the angle of the pole from the upward vertical.
 inline ModelBuilder cart_pole() {
   ModelBuilder b;
   b.coordinate("x", "m").coordinate("th", "rad").input("u", 0).parameter("M", "1");

@@ -115,7 +115,7 @@ TEST_CASE("precision grows until a small value is known") {
 }
 
 TEST_CASE("a value that seems settled is not accepted while a term is still unresolved") {
-  // In 155 and 215 digits 1 - cos(1e-150) is 0, so the sum k seems settled.
+  // In 155 and in 215 digits 1 - cos(1e-150) is 0, so the whole sum seems to be settled at k.
   check_relative(value_at("1e310*(1 - cos(x)) + k", power_of_ten(-150)), 5'000'000'004);
   const StableValues untold = value_at("log(exp(x)) - x", power_of_ten(-300));
   CHECK_FALSE(untold.is_decided);

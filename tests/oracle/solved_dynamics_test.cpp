@@ -24,7 +24,7 @@ Model coupled() {
   return b.model;
 }
 
-/// A frame with two child frames, so that elimination starts with the last velocity.
+/// The model with two frames on a common parent, so that elimination starts with the last velocity.
 Model branched(Model model) {
   model.frames.resize(3);
   model.frames[1].parent = model.frames[2].parent = 0;

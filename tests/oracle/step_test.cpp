@@ -79,7 +79,7 @@ TEST_CASE("a projected step ends on the constraints at its end time") {
 
 TEST_CASE("midpoint iterates as often as requested and returns the residual") {
   const ModelBuilder b = spring();
-  // w = 0, -1/4, -15/64. x at the midpoint is 241/256; the residual is w + 1/4 241/256.
+  // w = 0, -1/4, -15/64. x at the midpoint is 241/256; the residual is w + (241/256)/4 = 1/1024.
   const Values expected{exact("113/128"), exact("-241/512"), exact("1/1024")};
   CHECK(step_of(b, StepMethod::midpoint, at_one(b), 2) == expected);
 }
@@ -102,8 +102,8 @@ TEST_CASE("midpoint evaluates forces, dampers and time at the midpoint") {
   state.u = {3};
   state.t = 1;
   state.h = 2;
-  // w = 1/2 2 (t_m^2 + u - w), from w = 0: 7, then 0. x = 0, p = 2 (7 - 0), residual w - (7 - w) =
-  // -7.
+  // w = h/2 (t_m^2 + u - w), iterated from 0: 7, then 0. At the end x = h w = 0, p = h (7 - 0) and
+  // the residual is w - (7 - w) = -7.
   CHECK(step_of(b, StepMethod::midpoint, state, 2) == Values{0, 14, -7});
 }
 

@@ -42,7 +42,7 @@ std::string text_of(const Syntax& syntax, const std::string& entry, const std::s
   throw std::runtime_error("no [" + entry + "]");
 }
 
-/// "x [m]; theta, phi [rad]": neighbours with the same unit share it.
+/// The coordinates of a model, "x [m]; theta, phi [rad]". Equal units of neighbours are merged.
 std::string coordinates_of(const std::string& name) {
   const auto json =
       nlohmann::json::parse(read_text(source / "generated" / name / (name + ".equations.json")));
@@ -66,7 +66,7 @@ const Endings variant_endings{{"_eigen.hpp", "Eigen"}, {"_batch.hpp", "batch"}};
 const Endings page_endings{{".md", "page"}};
 const Endings sidecar_endings{{".equations.json", "JSON"}};
 
-/// "[Eigen](a/a_eigen.hpp), [batch](a/a_batch.hpp)": the files that exist.
+/// Links to the files that exist: "[Eigen](a/a_eigen.hpp), [batch](a/a_batch.hpp)".
 std::string file_links(const std::string& name, const Endings& endings) {
   std::string links;
   for (const auto& [ending, word] : endings) {

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Commands run in a copy of the project's files, so that they cannot change the originals.
+/// Copies the project's files to `folder`, so that commands cannot change the originals.
 void copy_project(const fs::path& folder) {
   for (const char* part :
        {"models", "generated", "include", "src", "templates", "tests", "recipes"}) {
@@ -77,7 +77,7 @@ bool leads_somewhere(const Page& page, const std::string& link) {
   return fs::exists(target) && (hash == link.size() || has_anchor(target, link.substr(hash + 1)));
 }
 
-/// True for a path such as "src/check/". A path with a placeholder is none: "models/NAME.toml".
+/// True for a path such as "src/check/", false for a path with a placeholder: "models/NAME.toml".
 bool is_path(const std::string& code) {
   static const std::regex path(
       R"((src|include|tests|models|templates|recipes|examples|packaging|cmake|\.ci)/[\w./-]*)");

@@ -44,8 +44,8 @@ std::vector<std::string> paragraphs(const std::string& prose) {
   return all;
 }
 
-/// A sentence ends with a full stop or a mark before a blank, not at a colon. Code and
-/// targets of links are no words of a sentence: `a b.c` counts as one word.
+/// The sentences of the paragraphs. A sentence ends with a full stop or a mark before a blank, not
+/// at a colon. `a b.c` counts as one word, the target of a link as no word.
 std::vector<std::string> sentences(const std::string& prose) {
   static const std::regex code("`[^`]*`");
   static const std::regex target(R"(\]\([^)]*\))");

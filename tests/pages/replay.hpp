@@ -14,7 +14,7 @@ namespace elgen::test {
 /// Runs a command of a page in the folder of the page's files.
 using Runner = std::function<Outcome(const std::string& command)>;
 
-/// `folder` contains the files that the commands read and write.
+/// Replays a fence. `folder` contains the files that the commands read and write.
 void replay(const Fence& fence, const std::filesystem::path& folder, const Runner& run);
 
 }  // namespace elgen::test

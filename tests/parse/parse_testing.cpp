@@ -38,7 +38,7 @@ std::string scene_answer(std::string_view text) {
 
 namespace {
 
-/// The source of a test's diagnostic does not outlive the call, so the span loses its source.
+/// The first diagnostic, without a source, because the source of a test does not outlive the call.
 Diagnostic without_source(const Diagnostics& diagnostics) {
   REQUIRE_FALSE(diagnostics.empty());
   Diagnostic result = diagnostics.front();

@@ -17,7 +17,7 @@ std::string coordinate_with(std::string_view line) {
          "\n";
 }
 
-/// The dump of that key, or the places of the errors.
+/// The dump of the key in `line`, or the places of the errors.
 std::string key_answer(std::string_view line) {
   const std::string all = model_answer(coordinate_with(line));
   const std::size_t begin = all.find("  name = x\n  ");

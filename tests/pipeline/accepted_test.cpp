@@ -44,8 +44,8 @@ std::string awkward_model(const EnergyTexts& energies) {
          energies.T + "\"\nV = \"" + energies.V + "\"\n";
 }
 
-/// A frame rotated by an angle; the acceleration vanishes on paper. The potential exceeds every
-/// number at large negative times.
+/// A frame that rotates about its fixed origin, whose acceleration is 0 on paper. The potential
+/// exceeds every number at large negative times.
 constexpr const char* boundless_drive = R"toml(format = 1
 [model]
 name = "swing"

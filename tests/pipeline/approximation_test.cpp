@@ -38,7 +38,7 @@ std::vector<Real> values(const Products& products, const Arguments<Real>& at) {
   return evaluate(*products.program, products.program->functions.front(), at);
 }
 
-/// M a + bias without definitions, through the whole derivation.
+/// The rows M a + bias of a whole derivation, with all definitions substituted.
 struct WrittenOut {
   explicit WrittenOut(const CheckedModel& checked)
       : lagrangian(*specialise(*formulate(checked.model), checked)) {
@@ -55,7 +55,7 @@ struct WrittenOut {
   std::vector<GiNaC::ex> rows;
 };
 
-/// Joint Taylor polynomial in q, v and a about zero.
+/// The Taylor polynomial of `row` at q = v = a = 0, of total degree `order` in q, v and a.
 GiNaC::ex truncated(const GiNaC::ex& row, const Symbols& symbols, int order) {
   const GiNaC::symbol s("s");
   GiNaC::exmap scaled;

@@ -1,5 +1,5 @@
-// The step of a scene, which follows the chosen functions and costs its executed operations; and
-// the derivation as text.
+// Stages that combine others: the step of a scene with its cost, pages with the forms of code, and
+// derivations as text.
 #include "pipeline/combined_stages.hpp"
 
 #include <algorithm>

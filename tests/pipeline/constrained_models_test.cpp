@@ -27,8 +27,8 @@ const std::string symbols_of_rod =
     "m = { value = 1.5, assume = \"positive\" }\nl = { value = 1.3, assume = \"positive\" }\n"
     "g = { value = 9.81, assume = \"positive\" }\n";
 
-/// A rolling wheel of radius r, with inertia J about its axle and K about the vertical. Its names
-/// differ from the disc in models/.
+/// A rolling wheel of radius r, with inertia J about its axle and K about the vertical. The disc in
+/// models/ has other names of coordinates and parameters.
 const std::string wheel = R"toml(format = 1
 [model]
 name = "wheel"
@@ -144,7 +144,7 @@ ExactNumbers two_factors(const cl_R& k, const cl_R& omega, const cl_R& zeta) {
   return {k * square, k * damping, k + square, damping, 1};
 }
 
-/// Solves A (0, db, dc) = right for the second and third coordinate; A is 2 x 3.
+/// The (db, dc) that solve A (0, db, dc) = right; `a` is the row-major 2 x 3 matrix A.
 std::array<cl_R, 2> followers(const ExactNumbers& a, const ExactNumbers& right) {
   const cl_R determinant = a[1] * a[5] - a[2] * a[4];
   return {(right[0] * a[5] - a[2] * right[1]) / determinant,
@@ -173,7 +173,7 @@ State closed_loop(const Constrained& system, State state) {
   return state;
 }
 
-/// Compares with the 18 digits after the point in the texts.
+/// Checks that the numbers agree with the texts to 18 digits after the point.
 void check_places(const ExactNumbers& found, const std::vector<std::string>& texts) {
   REQUIRE(found.size() == texts.size());
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -1,5 +1,5 @@
-// A model with constraints after the pipeline. Fields of its outputs are computed by the program,
-// in double and in 64 digits, and by the oracle.
+// A model with constraints that has been through the pipeline. Fields of its outputs are computed
+// by the program, in double and in 64 digits, and by the oracle.
 #pragma once
 
 #include <array>
@@ -31,13 +31,13 @@ class Constrained {
     return *found;
   }
 
-  /// Evaluates the program in double at the rounded state.
+  /// The field in double, from the program at the rounded state.
   [[nodiscard]] std::vector<double> double_field(OutputKind kind, const std::string& field,
                                                  const State& state) const {
     return part(kind, field, evaluate(program(), function(kind), arguments_at<double>(state)));
   }
 
-  /// Evaluates the program in 64 digits.
+  /// The field in 64 digits, from the program.
   [[nodiscard]] ExactNumbers exactly(OutputKind kind, const std::string& field,
                                      const State& state) const {
     const OracleValues values =
@@ -45,7 +45,7 @@ class Constrained {
     return part(kind, field, values.value());
   }
 
-  /// Asks the oracle.
+  /// The field from the oracle.
   [[nodiscard]] ExactNumbers truth(OutputKind kind, const std::string& field,
                                    const State& state) const {
     const OutputRequest request{.kind = kind, .independent = function(kind).independent};
@@ -68,7 +68,7 @@ class Constrained {
   Products products_;
 };
 
-/// Reproducible rational numbers of magnitude 1; quaternions have length 1.
+/// A reproducible state of rational numbers of magnitude 1; quaternions have length 1.
 inline State random_state(const Constrained& system) {
   State state = system.nominal();
   const auto fill = [](std::vector<cln::cl_R>& leaves, int first) {
@@ -90,7 +90,7 @@ inline State random_state(const Constrained& system) {
   return state;
 }
 
-/// Compares with a tolerance relative to the largest expected entry.
+/// Checks that each error is at most `tolerance` times the largest expected |entry|.
 inline void check_close(const std::vector<double>& found, const ExactNumbers& expected,
                         double tolerance) {
   REQUIRE(found.size() == expected.size());
@@ -101,7 +101,7 @@ inline void check_close(const std::vector<double>& found, const ExactNumbers& ex
   }
 }
 
-/// Compares to this number of digits of the largest expected entry.
+/// Checks that each error is at most 10^-digits times the largest expected |entry|.
 inline void check_digits(const ExactNumbers& found, const ExactNumbers& expected, int digits) {
   REQUIRE(found.size() == expected.size());
   const cln::cl_R tolerance = largest_of(expected) * power_of_ten(-digits);
@@ -111,7 +111,7 @@ inline void check_digits(const ExactNumbers& found, const ExactNumbers& expected
   }
 }
 
-/// Checks the oracle and the program in 64 digits to 40 digits, and in double to 1e-13.
+/// Compares `expected` with the oracle and the program to 40 digits, and with double to 1e-13.
 inline void check_field(const Constrained& system, OutputKind kind, const std::string& field,
                         const State& state, const ExactNumbers& expected) {
   INFO(output_row(kind).name << " " << field);

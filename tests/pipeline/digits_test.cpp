@@ -42,7 +42,7 @@ Generated generated(const std::string& text, const std::string& scene = {}) {
   return {derived(inputs_of(text, scene), {.goals = {Goal::choose}})};
 }
 
-/// The same, with `prefer = "speed"`.
+/// The products of the model in a scene with `prefer = "speed"`.
 Generated generated_for_speed(const std::string& text) {
   return generated(text, "[numeric]\nprefer = \"speed\"\n");
 }

@@ -1,5 +1,5 @@
-// Models with constraints against equivalent models in minimal coordinates, with their own numbers
-// and names: accelerations and energies.
+// Accelerations and energies of models with constraints against equivalent models in minimal
+// coordinates. Names and numbers differ from the models in models/.
 #include <algorithm>
 #include <catch2/catch.hpp>
 
@@ -164,7 +164,7 @@ T = """1/2*mass*(dot(east)^2 + dot(north)^2) + 1/2*axle*dot(rolled)^2
   + 1/2*vertical*dot(heading)^2"""
 )toml";
 
-/// The forces that hold the wheel do no work and have no moment.
+/// The wheel in two angles: the force across the wheel does no work and has no vertical moment.
 const std::string wheel_of_two_angles = R"toml(format = 1
 [model]
 name = "two_angles"

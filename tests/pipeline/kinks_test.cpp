@@ -104,7 +104,7 @@ const std::vector<KinkedEnergy> kinked_energies{
 
 struct KinkedForce {
   const char* value;
-  Curve force;  ///< of x, with v = 2 x
+  Curve force;  ///< as a function of x, with v = 2 x
 };
 
 const std::vector<KinkedForce> forces{

@@ -1,5 +1,5 @@
-// An arm with all joints but one locked gives the numbers of the whole arm at this pose, in a
-// fraction of its operations.
+// An arm with all joints locked except one gives the numbers of the whole arm at the locked pose,
+// in a fraction of the operations.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -129,7 +129,7 @@ q2 = { value = "t^2", reaction = true }
   CHECK(shown.status == 0);
   CHECK(mentions(shown.output, "1/2*J1*cos(t)^2"));
   CHECK(mentions(shown.output, "2*J2*t^2"));
-  // Rows of the full Lagrangian: J1 times the acceleration of q1, J2 times the acceleration of q2.
+  // The reactions contain the rows of the full model: J1 q1'' = -J1 sin(t) and J2 q2'' = 2 J2.
   CHECK(mentions(shown.output, "J1*sin(t)"));
   CHECK(mentions(shown.output, "2*J2"));
   CHECK(workspace.run("elgen generate -q held.scene.toml -o out").status == 0);
@@ -144,7 +144,7 @@ TEST_CASE("an arm with a locked elbow costs as much as the hand-written formula"
                 {.scene = {.fixed = {make_source("--fix", "all")}}, .goals = {Goal::choose}});
     return count_operations(*find_function(*products.program, kind));
   };
-  // M a + A cos(q1) - B sin(q1)
+  // tau = M a + A cos(q1) - B sin(q1) with the numbers M, A and B
   const std::string elbow = "q2 = { value = \"0.7\" }\n";
   CHECK(counts(elbow, OutputKind::inverse_dynamics) ==
         OperationCounts{.add = 2, .mul = 3, .sincos = 1});
@@ -164,7 +164,7 @@ TEST_CASE("locked joints cost nothing", "[lock]") {
   };
   INFO("of the whole arm: M " << share(OutputKind::mass_matrix) << ", tau "
                               << share(OutputKind::inverse_dynamics));
-  // M has 1 entry instead of 49; tau has 1 row instead of 7, with 1 moving joint.
+  // With 1 moving joint, M has 1 entry instead of 49, and tau has 1 row instead of 7.
   CHECK(share(OutputKind::mass_matrix) < 0.35);
   CHECK(share(OutputKind::inverse_dynamics) < 0.5);
 }

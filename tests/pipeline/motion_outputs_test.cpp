@@ -50,7 +50,7 @@ TEST_CASE("the force in a rod is a function of the state") {
   const std::size_t l = 1;
   REQUIRE(system.model().parameters[l].name == "l");
   check_field(system, OutputKind::user_value, "", state, {2 * state.parameters[l] * lambda[0]});
-  // lambda = -m (v.v - g y)/(2 q.q) - m (zeta omega q.v/q.q + ...)
+  // At q.q = l^2 = 1: lambda = -m (v.v - g y)/2 - m zeta omega q.v
   const cl_R m = state.parameters[0];
   const cl_R gain = state.parameters[3] * state.parameters[4];
   const auto slope = [&](std::size_t i) {

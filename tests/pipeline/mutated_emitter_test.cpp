@@ -8,7 +8,7 @@
 namespace elgen::test {
 namespace {
 
-/// A fault replaces the first match in the header after the kernels, which are not compiled.
+/// A fault replaces the first match after the CUDA kernels of a header. No kernel is compiled.
 struct Fault {
   const char* what;
   const char* pattern;
@@ -90,7 +90,7 @@ bool passes(const Products& products, const EmittedFiles& files,
   return holds(verify(model, scene, *products.program, *compiled, options).certificate);
 }
 
-/// The files with a fault in each file of this ending.
+/// The files, with `fault` in each file whose name ends in `ending`.
 EmittedFiles files_with(const Products& products, const std::string& ending, const Fault& fault) {
   EmittedFiles files = *products.files;
   for (auto& [path, text] : files.files) {
@@ -106,7 +106,7 @@ Products products_in_packs() {
                       {});
 }
 
-/// The code without faults passes; with each fault in the file of this ending it fails.
+/// Checks that the code passes without faults, and fails with each fault in files with `ending`.
 void expect_all_caught(const Products& products, const std::string& ending,
                        const std::vector<Fault>& list) {
   REQUIRE(products.files);

@@ -1,5 +1,5 @@
-// Open functions in whole models: proofs, pages, and code in all languages that is called with the
-// values of a potential.
+// Open functions in whole models: proofs, pages, and code in all languages. Callers of the code
+// pass the values of a potential.
 #include <catch2/catch.hpp>
 
 #include "pipeline/pipeline_testing.hpp"
@@ -12,7 +12,7 @@ constexpr const char* wanted_outputs =
     "[outputs]\ninverse_dynamics = true\npotential_energy = true\n"
     "inverse_dynamics_derivatives = true\n";
 
-/// Compares V = -k/r by hand with the closed model and prints `equal` or not for each language.
+/// Passes V = -k/r to the open model. Prints for each language whether it equals the closed model.
 constexpr const char* comparison = R"source(
 #include "central_force_open_c/central_force_open_c.h"
 #include "central_force_open_closed/central_force_open_closed.hpp"

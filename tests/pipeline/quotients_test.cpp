@@ -1,5 +1,5 @@
-// Quotients that are 0/0 at a coordinate of 0: they have values at 0, outputs have values too, and
-// pages print the quotients as typed.
+// Quotients that are 0/0 at a coordinate of 0: quotients and outputs have values at 0, and pages
+// print quotients as typed.
 #include <cmath>
 
 #include "elgen/oracle.hpp"
@@ -128,7 +128,7 @@ TEST_CASE("quotients of sines and cosines have values at 0 and do not change els
     for (const cln::cl_RA& q : {cln::cl_RA(-7) / 5, cln::cl_RA(3) / 10}) {
       const auto right = potential_at(typed, q);
       REQUIRE(right);
-      // 60 digits, then rounded once more to double.
+      // 60 digits of the oracle, rounded to double
       CHECK(potential_at(model, q).value_or(nothing) == Approx(*right).epsilon(1e-15).margin(0));
     }
     const std::string text = to_string(model, *model.energies.V);
@@ -166,7 +166,7 @@ TEST_CASE("pages print quotients if quotients are typed, and functions if functi
   CHECK_FALSE(mentions(typed, "stumpff"));
   const std::string named = steps_of(by_functions);
   CHECK(mentions(named, "tip = (L*q*cosc(q), -L*sinc(q))"));
-  // A function that only an [[output]] names would otherwise be printed as its quotient.
+  // The [[output]] names a function, so the page prints functions: stumpff(q, 3) is no quotient.
   const std::string in_output = "\n[[output]]\nname = \"s\"\nvalue = \"stumpff(q, 3)\"";
   const std::string mixed = steps_of(by_quotients + in_output);
   CHECK(mentions(mixed, "tip = (L*q*cosc(q), -L*sinc(q))"));

@@ -1,7 +1,7 @@
 // Random energies of 2 to 12 nodes over 1 to 3 coordinates: all functions, parameters of value 1, 0
 // and others, irrational constants. Each gives code and a page, or an error with a place. None
-// crashes. $ELGEN_SEEDS sets their number, $ELGEN_FIRST_SEED the first seed. $ELGEN_ALL_OUTPUTS
-// requests all outputs.
+// crashes. $ELGEN_SEEDS sets the number of energies, $ELGEN_FIRST_SEED the first seed.
+// $ELGEN_ALL_OUTPUTS requests all outputs.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -95,7 +95,7 @@ class EnergyText {
   std::uint64_t coordinate_count_;
 };
 
-/// Empty if the products are right: files, or an error with a place.
+/// The message of an error without a place, or "no files and no error"; empty for right products.
 std::string fault_of(const Products& products) {
   for (const Diagnostic& diagnostic : products.diagnostics) {
     if (code_row(diagnostic.code).severity != Severity::error) continue;

@@ -156,7 +156,7 @@ TEST_CASE("a momentum has its start value, the value in the scene, or the option
         cln::cl_RA(3) / 5);
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = \"0.7\"\n"})).value ==
         cln::cl_RA(7) / 10);
-  // m = 1 is twice its value in the file.
+  // p_phi doubles to 6/5, because m = 1 is twice the value in the file.
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"}, "m=1")).value ==
         cln::cl_RA(6) / 5);
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"}, "p_phi=2")).value == 2);

@@ -1,6 +1,6 @@
-// Derivatives of a step: powers of A for linear systems, symplectic for symplectic methods, and
-// along rotation vectors for rotations. Every self-check compares them with differences of the
-// oracle's steps in 205 digits.
+// Derivatives of a step: polynomials in A for linear systems, symplectic matrices for symplectic
+// methods, and along rotation vectors for rotations. Every self-check compares the derivatives with
+// differences of the oracle's steps in 205 digits.
 #include <catch2/catch.hpp>
 
 #include "numbers/exact_number.hpp"
@@ -61,7 +61,7 @@ TEST_CASE("the derivatives of a linear system's step are a polynomial of its mat
   state.v = {2};
   state.u = {3};
   state.h = cln::cl_RA(1) / 10;
-  // A = [0 1; -k/m -d/m]: I + hA + (hA)^2/2 + (hA)^3/6 + (hA)^4/24. B: its integral times [0; 1/m].
+  // A = [0 1; -k/m -d/m], b = [0; 1/m]: d/dx = sum_0^4 (hA)^k/k!, d/du = sum_1^4 h^k A^(k-1) b/k!
   const cln::cl_RA c = cln::cl_RA(-3) / 2;
   const cln::cl_RA e = cln::cl_RA(-1) / 4;
   std::array<cln::cl_RA, 4> power{1, 0, 0, 1};

@@ -39,8 +39,8 @@ constexpr const char* lengths = R"cpp(
 )cpp";
 
 /// At |q| = 1.1 prints the largest of p - M v, 2 T - v.p, tau(a) - tau(0) - M a and the weight at
-/// rest minus m g, in units of 64 epsilon. 64 epsilon is about twenty rounding errors of numbers up
-/// to 40.
+/// rest minus m g, in units of 64 epsilon. 64 epsilon is four rounding errors of numbers from
+/// 32 to 64.
 constexpr const char* drifted = R"cpp(
 #include <algorithm>
 #include <cmath>

@@ -32,7 +32,7 @@ constexpr const char* furuta = R"cpp(
   }
 )cpp";
 
-/// Prints the largest diagonal entry of C. All of them vanish.
+/// Prints the largest diagonal entry of C, which is 0 on paper, and an entry that is not 0.
 constexpr const char* chain = R"cpp(
 #include <algorithm>
 #include <cmath>
@@ -111,11 +111,11 @@ constexpr const char* regular = R"cpp(
   int main() { std::printf("%d%d%d %d%d", cart(1), cart(1e-100), cart(0), orbit(2), orbit(0)); }
 )cpp";
 
-/// For an arm with the centre c2 multiplied by 10^k, k = 0 to 9: prints at how many of 2000 states
-/// the accelerations are off by more than 20 * 10^-digits_left, if any digits are left. For k = 8
-/// prints whether more than 1600 states are regular and off by more than 1 %, and whether all of
-/// these have fewer than two digits left. Then prints the digits of pivots (1, NaN), (1, 0) and (1,
-/// 100 n epsilon).
+/// Multiplies the centre c2 of an arm by 10^k, k = 0 ... 9. For each k prints at how many of 2000
+/// states the relative error of accelerations exceeds 20 * 10^-digits_left, if digits_left > 0. For
+/// k = 8 prints whether more than 1600 regular states are off by more than 1 %, and whether all of
+/// these have digits_left < 2. Then prints digits_left for the pivots (1, NaN), (1, 0) and
+/// (1, 200 epsilon).
 constexpr const char* digits = R"cpp(
 #include <algorithm>
 #include <cmath>
@@ -168,7 +168,7 @@ constexpr const char* digits = R"cpp(
   }
 )cpp";
 
-/// Prints the change of an expanded cart and pole's accelerations with the speed of the cart.
+/// Prints how the speed of the cart changes the accelerations of an expanded cart and pole.
 constexpr const char* expanded = R"cpp(
 #include <cstdio>
 

@@ -16,8 +16,8 @@ FunctionEquations equations_of(const Program& program) {
   return equations(program, function, temporary_names(program, function));
 }
 
-/// Instructions 0 ... 7 are: 0 = m, 1 = x, 2 = y, 3 = dot(x), 4 = dot(dot(x)), 5 = u, 6 = t, 7 =
-/// 1/2.
+/// The text of instruction `result`. Instructions 0 ... 7 are m, x, y, dot(x), dot(dot(x)), u, t
+/// and 1/2; `instructions` are the next.
 std::string entry(const std::string& instructions, int result) {
   const Program program = read_program(
       "parameters m\ncoordinates x y\ninputs u\ntime\n"

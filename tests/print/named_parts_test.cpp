@@ -1,5 +1,5 @@
-// Named parts: their names follow from their content. If equations are too long to read, pages
-// describe how bodies in frames move instead.
+// Named parts: each name follows from the content of the part. If equations are too long to read,
+// pages describe how bodies in frames move instead.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
@@ -70,7 +70,7 @@ std::string recursive_page() {
   return text_page(c.checked.model, c.checked.scene, c.recursive);
 }
 
-/// For each named part: the leaves that it depends on, with "dot" for rates.
+/// The leaves on which each named part depends, with "dot" for rates.
 std::map<std::string, std::set<std::string>> leaves_of_parts(const std::string& page) {
   static const std::regex word("[A-Za-z_]\\w*");
   std::map<std::string, std::set<std::string>> parts;
@@ -118,7 +118,7 @@ TEST_CASE("a part is named after its frame and its kind, as in code") {
     if (std::regex_match(name, std::regex("part(_[0-9]*)?"))) ++counted;
     if (!mentions(name, "_lower_")) continue;
     ++named_texts;
-    // Other parts contain accelerations due to forces.
+    // A motion depends on no inertia. Parts with other names contain accelerations due to forces.
     const bool moves = std::regex_match(name, std::regex("(minus_)?motion_lower_[xyz]"));
     if (moves) CHECK_FALSE(has_any(leaves, {"m1", "m2", "c1", "c2", "d2", "A", "B", "C", "D"}));
   }

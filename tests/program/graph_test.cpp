@@ -15,7 +15,7 @@ struct EqualRow {
   const char* same;
 };
 
-/// All rows share one graph.
+/// Checks in one graph for all rows that both texts of a row have the same value.
 void check_equal(const std::vector<EqualRow>& rows) {
   Graph graph;
   for (const EqualRow& row : rows) {

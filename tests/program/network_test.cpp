@@ -29,7 +29,7 @@ TEST_CASE("powers are repeated factors, and denominators form one division") {
   const Network network = network_of({"a^2*b*c^(-1)*d^(-2)"});
   CHECK(texts_of(network) == Texts{"a^2*b/(c*d^2)"});
   CHECK(counts_of(network) == OperationCounts{.mul = 4, .div = 1});
-  // A divisor of two products becomes a reciprocal.
+  // A divisor that two products share becomes a reciprocal.
   CHECK(counts_of(network_of({"a*c^(-1)", "b*c^(-1)"})) == OperationCounts{.mul = 2, .div = 1});
   // High powers use repeated squaring: a * ((a^2)^2)^3.
   CHECK(counts_of(network_of({"a^13"})).mul == 5);
@@ -108,9 +108,9 @@ TEST_CASE("common sub-sums and sub-products are computed once without changing v
   };
   const SharedRow row = GENERATE(values<SharedRow>({
       {{"a*b*c", "a*b*d", "a*b*e"}, 0, 4},
-      // b - c occurs in the first and the last; the second has b + c and c - d.
+      // First and last share b - c, the last two c - d: only one pair, because the last has one c.
       {{"a + b - c", "b + c - d", "-b - d + c + e"}, 6, 0},
-      // An operation that equals the pair serves the others.
+      // If a whole operation equals the shared pair, the other operations use its value.
       {{"a*c", "a*b*c"}, 0, 2},
       {{"a^2", "a^2*b", "a^4"}, 0, 3},
       {{"a*b + c - d", "d - a*b + e", "c - d + a*b + e", "(a*b)*c*d"}, 4, 3},
@@ -224,8 +224,7 @@ TEST_CASE("the cheapest form collects factors, and expands sums of angles whose 
   CHECK(cheapest_cost({"a*b*c + a*b*d"}) == 3);  // a*b*(c + d)
   CHECK(cheapest_cost({"cos(a + b)"}) == 1 + 20);
   CHECK(cheapest_cost({"cos(a + b)", "cos(a)", "cos(b)"}) == 3 + 2 * 20);
-  // A number is one of the parts. 5*cos(a) + 2*cos(a + 7/10) = (5 + 2*cos(7/10))*cos(a) -
-  // ...*sin(a).
+  // A part may be a number: 2*cos(a + 7/10) = 2*cos(7/10)*cos(a) - 2*sin(7/10)*sin(a).
   CHECK(cheapest_cost({"cos(a + 7/10)", "cos(a)"}) == 3 + 20);
   CHECK(cheapest_cost({"5*cos(a) + 2*cos(a + 7/10)"}) == 3 + 20);
 }

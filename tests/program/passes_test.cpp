@@ -133,7 +133,7 @@ TEST_CASE("angle_sums: an angle is expanded into other angles that occur") {
 }
 
 TEST_CASE("angle_sums: some angles are not expanded") {
-  // Parts that do not occur, parts with cancelling terms, and differences, which may be small.
+  // Angles whose parts do not occur, parts that cancel, and differences, which may be small.
   CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + b)", "sin(a)"})));
   CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + 5*c)", "sin(a - b)", "cos(b + 5*c)"})));
   const Expressions difference = expressions_of({"sin(a - b)", "sin(a)", "sin(b)"});
@@ -144,7 +144,7 @@ TEST_CASE("angle_sums: some angles are not expanded") {
 TEST_CASE("angle_sums: a chain of splits grows with its length, not with its number of paths") {
   ExpressionLeaves l;
   const auto cosine = [&l](Ref x) { return l.graph.call(FunctionId::cos, {x}); };
-  // S_k = S_(k-1) + x^k, and each part is an angle too: 2^19 paths lead from the last to the first.
+  // S_k = S_(k-1) + b^k. sin S_k and cos S_k both use sin and cos of S_(k-1): 2^19 paths.
   constexpr int length = 20;
   Ref sum = l.a;
   l.expressions.values = {cosine(l.a)};

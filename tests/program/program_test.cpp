@@ -79,7 +79,7 @@ TEST_CASE("adding an existing instruction returns it, a new instruction is appen
 
 namespace {
 
-/// Breaks a valid function in one place, and the message that it must cause.
+/// A change that breaks a valid function in one place, and the message that it must cause.
 struct BrokenRow {
   void (*damage)(Function& function);
   const char* broken;

@@ -13,7 +13,7 @@ bool is_number(const Expression& e, const char* text) {
   return e->kind == NodeKind::number && e->text == text;
 }
 
-/// Sums and products omit zeros and ones, so that claims stay readable.
+/// a + b. Sums and products omit zeros and ones, so that claims stay readable.
 Expression sum(const Expression& a, const Expression& b) {
   if (is_number(a, "0")) return b;
   return is_number(b, "0") ? a : a + b;
@@ -60,7 +60,7 @@ Expression second_derivative(const Expression& T, const Expression& a, const Exp
   return derivative(derivative(T, a), b);
 }
 
-/// Flips the sign of a sum of constants: the `countdown`-th such sum from the left.
+/// The expression with + and - swapped in one sum of constants: number `countdown` from the left.
 Expression with_flipped_sign(const Expression& expression, int& countdown) {
   const bool is_sum =
       expression->kind == NodeKind::addition || expression->kind == NodeKind::subtraction;

@@ -61,8 +61,8 @@ std::string compared(const Trial& trial, const std::string& output, bool by_colu
   const ShownOutput& shown = trial.shown.at(output);
   if (printed.size() != truth.size()) return "another number of entries\n";
   const Number epsilon = trial.system.scene.is_float ? 0x1p-23 : 0x1p-52;
-  // Terms that cancel completely in the shown equations may round in compiled code; states have
-  // magnitude 1.
+  // Terms that cancel completely in the shown equations may round in compiled code. The scale is at
+  // least 1, the magnitude of states.
   Number scale = 1;
   for (const ScaledValue& entry : shown.entries) scale = std::max(scale, entry.size);
   const std::size_t rows = truth.size() / std::max<std::size_t>(shown.columns, 1);

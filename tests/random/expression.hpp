@@ -74,11 +74,11 @@ struct Node {
 /// True if the expression depends on a name, a point or time.
 [[nodiscard]] bool has_names(const Expression& expression);
 
-/// Values of names. Infinitesimal 0 belongs to time: dot(e) is its coefficient in e.
+/// Values of names. Infinitesimal 0 is a change of time; its coefficient in e is dot(e).
 class Scope {
  public:
   virtual ~Scope() = default;
-  /// `element` is resolved: empty, or a number.
+  /// `element` is empty or a number; variables of `for` and `sum` have been replaced.
   virtual Jet value_of(const std::string& name, const std::string& element) = 0;
   virtual Jet component_of(const std::string& point, const std::string& element, int axis) = 0;
   virtual int dimension_of(const std::string& point) = 0;

@@ -66,7 +66,7 @@ TEST_CASE("jets support every function and its derivatives") {
     const Number difference =
         value_at(function, x + step, y).value() - value_at(function, x - step, y).value();
     CHECK(abs(result.along(0).value() - difference / (2 * step)) < Number("1e-35"));
-    if (function.arity == 1 || function.name == "stumpff") continue;  // its k is a number
+    if (function.arity == 1 || function.name == "stumpff") continue;  // stumpff: k is a number
     const Number across =
         value_at(function, x, y + step).value() - value_at(function, x, y - step).value();
     const Jet turning = value_at(function, x, Jet(y) + Jet::infinitesimal(0));

@@ -187,7 +187,7 @@ void Generator::add_body(const std::string& called, const std::string& frame) {
   if (draw_.chance(85)) body.mass = positive_constant();
   if (draw_.chance(70)) body.com = offset(3, false);
   if (draw_.chance(80) || !body.mass) {
-    // Shifting to the origin subtracts up to 30: mass at most 10, each component of com at most 1.
+    // The shift from the origin to com subtracts at most m |com|^2 = 30: m <= 10, |com_i| <= 1.
     body.is_about_origin = body.mass && draw_.chance(25);
     for (Expression& entry : body.com) {
       if (body.is_about_origin) entry = draw_.positive() / number(10);
@@ -228,7 +228,7 @@ void Generator::make_spatial(bool turns) {
                               .turn = Turn::rotation,
                               .rotation = "att"});
       add_body("B" + std::to_string(i + 1), called);
-      // The rotation needs an inertia about every axis, whatever its bodies are.
+      // The rotation needs an inertia about every axis, whatever other bodies the frame has.
       model.bodies.push_back(
           {.name = "rotor",
            .inertia = {positive_constant(), positive_constant(), draw_.positive()},

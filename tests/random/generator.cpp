@@ -121,17 +121,17 @@ void Generator::make_quiet() {
   }
 }
 
-/// Time; in a model with units multiplied by the unitless parameter w.
+/// The time t, in a model with units multiplied by the unitless parameter w.
 Expression Generator::clock() { return has_units_ ? name("w") * time() : time(); }
 
-/// Multiplies by w, because expressions with a unitless parameter have no checked units.
+/// `constant` times w, because units in expressions with the unitless w are not checked.
 Expression Generator::without_unit(const Expression& constant) const {
   const bool is_zero = printed(constant) == "0";
   return is_zero || has_names(constant) ? constant : name("w") * constant;
 }
 
-/// Removes the units of masses, lengths and inertias in a model with a rotation: w is 1 and has no
-/// unit.
+/// Multiplies constant masses, lengths, inertias and gravity by w, so that they need no unit: in a
+/// model with a rotation w is 1 and has no unit.
 void Generator::leave_units_out() {
   const auto all = [&](std::vector<Expression>& list) {
     for (Expression& expression : list) expression = without_unit(expression);

@@ -40,8 +40,8 @@ class Jet {
   Jet& operator+=(const Jet& other);
   Jet& operator-=(const Jet& other);
 
-  /// Higher powers of s are dropped. One value for all jets, because only one computation runs at a
-  /// time.
+  /// The highest power of s that is kept. One value for all jets, because only one computation runs
+  /// at a time.
   static int order;
 
  private:
@@ -60,7 +60,7 @@ class Jet {
 [[nodiscard]] Jet operator*(const Jet& a, const Jet& b);
 [[nodiscard]] Jet operator/(const Jet& a, const Jet& b);
 
-/// Throws std::domain_error if there is no real value.
+/// base^(numerator/denominator). Throws std::domain_error if there is no real value.
 [[nodiscard]] Jet power(const Jet& base, int numerator, int denominator);
 /// A function of the model language: sin, atan2, abs, ... Throws std::domain_error like `power`.
 [[nodiscard]] Jet call(std::string_view function, const std::vector<Jet>& arguments);

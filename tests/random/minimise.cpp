@@ -10,7 +10,7 @@ namespace elgen::test::random {
 namespace {
 
 using Fails = std::function<bool(const System&)>;
-/// Makes the k-th change of its kind. Returns false if there are not so many.
+/// Makes the k-th change of its kind, from 0. Returns false if there are only k changes or fewer.
 using Change = std::function<bool(System&, std::size_t)>;
 
 template <class Entries>
@@ -90,8 +90,7 @@ bool drop_expression(System& system, std::size_t k) {
   return true;
 }
 
-/// All expressions with one node less: 0 or 1, an operand, or the expression with a simpler
-/// operand.
+/// All simpler expressions: 0, 1, an operand, or the expression with one simpler operand.
 std::vector<Expression> simplifications(const Expression& expression) {
   if (!expression || expression->kind == NodeKind::sum) return {};
   const Node& node = *expression;

@@ -10,7 +10,7 @@ namespace {
 
 Matrix identity() { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; }
 
-/// Rodrigues' formula; the axis may have any length.
+/// The rotation matrix by Rodrigues' formula; `axis` may have any length except 0.
 Matrix turn_about(const Vector& axis, const Jet& angle) {
   const Jet length = power(dot(axis, axis), 1, 2);
   const Vector n{axis[0] / length, axis[1] / length, axis[2] / length};

@@ -8,8 +8,8 @@ namespace elgen::test::random {
 
 namespace {
 
-/// The name and component of a rate: "attitude[2]" of a rotation gives ("attitude", 1), another
-/// coordinate (name, 0).
+/// The name and component of the rate `on`: ("attitude", 1) for "attitude[2]" of a rotation, and
+/// (`on`, 0) for other coordinates.
 std::pair<std::string, std::size_t> rate_named(const Layout& layout, const std::string& on) {
   const auto bracket = on.find('[');
   if (bracket == std::string::npos) return {on, 0};

@@ -1,4 +1,4 @@
-// Long searches: numbers of a range are shared by processes.
+// Long searches: the numbers of a range are distributed to processes.
 #pragma once
 
 #include <sys/wait.h>

@@ -1,9 +1,9 @@
 // Searches for seeds on which elgen is wrong: elgen_random [SEEDS [FIRST_SEED [PROCESSES]]].
-// Defaults: 1000 seeds from 1000, in as many processes as cores. $ELGEN_SEEDS, $ELGEN_FIRST_SEED
-// and $ELGEN_PROCESSES set them too. Prints every failure with its seed and the smallest model
-// found with the same failure, and writes that model to random_findings/SEED/. $ELGEN_MINIMISE
-// limits the runs of elgen for the search; 0 disables it. The exit code is 1 if there was a
-// failure.
+// $ELGEN_SEEDS, $ELGEN_FIRST_SEED and $ELGEN_PROCESSES replace absent arguments. Defaults: 1000
+// seeds from 1000, in as many processes as cores. Prints every failure with its seed and the
+// smallest model found with the same failure, and writes that model to random_findings/SEED/.
+// $ELGEN_MINIMISE limits the runs of elgen for the search; 0 disables it. The exit code is 1 if
+// there was a failure.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -36,7 +36,7 @@ bool shows(const System& system, std::uint64_t seed, const std::string& kind) {
       if (finding.kind == kind) return true;
     }
   } catch (const std::exception&) {
-    // A system without true values does not fail in the same way.
+    // A system whose definition gives no values does not fail in the same way.
   }
   return false;
 }

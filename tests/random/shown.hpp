@@ -17,7 +17,7 @@ struct ScaledValue {
 
 using Names = std::map<std::string, ScaledValue>;
 
-/// Throws std::runtime_error for a syntax error or an unknown name.
+/// The value of `text`. Throws std::runtime_error for a syntax error or an unknown name.
 [[nodiscard]] ScaledValue read_expression(const std::string& text, const Names& names);
 
 /// The names in the shown equations for the numbers of a state and the parameters.

@@ -1,5 +1,5 @@
-// A trial: a random system generated, shown, compiled and verified by elgen, each compared with the
-// truth.
+// A trial: elgen generates, shows, compiles and verifies a random system. Every result is compared
+// with the truth.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace elgen::test::random {
 
 /// A disagreement between elgen and the truth.
 struct Finding {
-  /// For example "shown mass_matrix". A smaller system fails in the same way if it has the same
-  /// kind.
+  /// For example "shown mass_matrix". Two systems fail in the same way if their findings have the
+  /// same kind.
   std::string kind;
   std::string text;  ///< numbers, or the output of elgen
 };
@@ -31,14 +31,14 @@ struct Trial {
   Shown shown = {};  ///< with the files' parameter values; empty if unreadable
 };
 
-/// Draws a state and evaluates the definition. Throws std::domain_error if there is no value.
+/// The trial of a drawn state, with its true values. Throws std::domain_error if there are none.
 [[nodiscard]] Trial make_trial(const System& system, std::uint64_t seed);
 
 /// Generates into `folder` and compares the shown equations.
 [[nodiscard]] std::vector<Finding> compare_shown(Trial& trial, const std::filesystem::path& folder);
 
-/// Generates again, which must give the same bytes. Verifies the model with true claims if it has
-/// any, then with a false claim.
+/// Generates again: the bytes must be the same. `verify` must accept the model with all its true
+/// claims, and must reject a false claim.
 [[nodiscard]] std::vector<Finding> compare_verdicts(const Trial& trial,
                                                     const std::filesystem::path& folder);
 

@@ -101,7 +101,7 @@ Truth::Truth(const System& system, ParameterValues parameters, State state)
   }
 }
 
-/// Multiplies the deviations of small coordinates and their rates by the scale.
+/// Scales deviations and rates of small coordinates, and the inputs if all coordinates are small.
 State Truth::small(const Layout& layout, State state) const {
   const Jet scale = Jet::scale();
   const bool all = system_.scene.about.size() == layout.places.size();
@@ -118,7 +118,7 @@ State Truth::small(const Layout& layout, State state) const {
   return state;
 }
 
-/// An energy or the power of a force, truncated after power order + 1 of the scale.
+/// The result of `read`, truncated after power order + 1 of the scale; exact if order is 0.
 Jet Truth::read(const Layout& layout, const State& state, const Read& read) const {
   const int order = system_.scene.order;
   if (order == 0) {
@@ -280,7 +280,7 @@ Matrix Truth::coriolis_matrix(const Matrix& M) const {
   return C;
 }
 
-/// C, C v and g. Drift is the rest of the inertial forces.
+/// Adds C, C v, g and the drift, which is the rest of the inertial forces.
 void Truth::add_velocity_terms(const Matrix& M) {
   const Matrix C = coriolis_matrix(M);
   const Vector h = product(C, free_entries(state_.v));

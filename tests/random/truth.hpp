@@ -3,8 +3,8 @@
 //     d/dt dL/dv - dL/dq = B u + Q - dD/dv
 //
 // Rotations add [w]x dL/dw, and dL/dq is taken along N. L is evaluated on jets along the motion. M,
-// C, g, ... are derivatives and parts of it, as models/README.md defines them. Approximations
-// truncate L after power order + 1 of the scale of small quantities.
+// C, g, ... are terms of this equation or their derivatives, as models/README.md defines them.
+// Approximations truncate L after power order + 1 of the scale of small quantities.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace elgen::test::random {
 
-// Infinitesimal 0 belongs to Motion.
+// Indices of infinitesimals; index 0 belongs to Motion.
 inline constexpr unsigned moment = 1;     ///< of time
 inline constexpr unsigned direction = 2;  ///< of dL/dv and dL/dq
 inline constexpr unsigned second = 3;     ///< of second derivatives

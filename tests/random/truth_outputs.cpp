@@ -99,7 +99,7 @@ void Truth::add_derivatives(const Matrix& M) {
   keep("linearization.B", by_input);
 }
 
-/// Rows of the whole model's equations for the locked coordinates, which move by their laws.
+/// Adds the reactions: rows of the whole model for locked coordinates, which move by their laws.
 void Truth::add_reaction() {
   State held = state_;
   State moved = state_;

@@ -27,7 +27,7 @@ Outcome verify(const std::string& file, const std::filesystem::path& folder) {
   return test::shell("timeout 300 elgen verify --quick " + file, folder);
 }
 
-/// The first failed check is part of the kind, so that a smaller model must fail in the same check.
+/// A finding with the first failed check in its kind: smaller models must fail in the same check.
 Finding verdict_finding(const std::string& kind, const Outcome& outcome) {
   constexpr std::size_t name = 60;
   const std::string rows = failed_rows(outcome.output);

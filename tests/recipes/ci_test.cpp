@@ -1,6 +1,6 @@
 // Runs every command of the recipes for CI and containers in a repository, except commands that
-// need a server. There curl copies a file, apt-get records its arguments, and installing the
-// package of elgen creates a link.
+// need a server. On the machine of the test curl copies a file, apt-get records its arguments, and
+// the installation of elgen's package creates a link.
 #include <catch2/catch.hpp>
 
 #include "recipes/repository.hpp"

@@ -1,4 +1,4 @@
-// Scripts that need optional Python packages; the tests of pages run the others.
+// Scripts that need optional Python packages; the tests of pages run all other scripts.
 #include <catch2/catch.hpp>
 
 #include "support/installed.hpp"

@@ -19,7 +19,7 @@ class Repository : public Workspace {
     run("git init -q && " + generate + " && git add . && git commit -q -m first");
   }
 
-  /// Throws if the command fails.
+  /// Runs a command; throws if it fails.
   void run(const std::string& command) const { prepare(environment() + command); }
   [[nodiscard]] Outcome outcome(const std::string& command) const {
     return Workspace::run(environment() + command);

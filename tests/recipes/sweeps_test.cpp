@@ -12,7 +12,7 @@ namespace {
 const std::string sweeps = ELGEN_SOURCE_DIR "/recipes/sweeps/";
 const std::string pendulum = ELGEN_SOURCE_DIR "/models/simple_pendulum.toml";
 
-/// Every joined row comes from both seeds.
+/// Checks that every joined row comes from both seeds.
 void check_joined(const Workspace& workspace) {
   const Outcome joined = workspace.run("jq -s -f " + sweeps + "join.jq certificates/*.json");
   INFO(joined.errors);

@@ -7,14 +7,14 @@
 
 namespace compiled {
 
-/// `number` in every component. It is dyadic, so all types represent it exactly.
+/// `number` in every component. Dyadic numbers are exact in all types.
 template <class Scalar>
 Scalar made(double number) {
   Scalar result;
   result = static_cast<Scalar>(number);
   return result;
 }
-/// start, start + 11/64, ...: all entries, sums and differences differ.
+/// start, then x + 11/64 + x/1024 after each x: all entries, sums and differences differ.
 template <class Scalar, std::size_t Size>
 std::array<Scalar, Size> state(double start) {
   std::array<Scalar, Size> result{};

@@ -1,5 +1,5 @@
-// The limits are raised: the text may be nested as deeply as the parser permits, with literals of
-// any length.
+// read_constant, with raised limits: the text may be nested as deeply as the parser permits, with
+// literals of any length.
 #include "support/graph_reader.hpp"
 
 #include "parse/expression_parser.hpp"

@@ -8,8 +8,8 @@
 
 namespace elgen::test {
 
-/// Empty if the text is not an expression of numbers, pi and functions, or has no value. The graph
-/// restores the form that was printed.
+/// The constant in its printed form. Empty if the text is not an expression of numbers, pi and
+/// functions, or has no value.
 [[nodiscard]] std::optional<Constant> read_constant(const std::string& text);
 
 }  // namespace elgen::test

@@ -19,7 +19,7 @@ inline std::string link(const std::string& name, const std::string& parent,
 
 }  // namespace limbs
 
-/// 1 + 2 n velocities, or 6 + 2 n if the trunk floats; one input, a force on the end of one limb.
+/// 1 + 2 n velocities, or 6 + 2 n if the trunk floats; one input, in the torque on the link left1.
 inline std::string limbs_text(int n, bool floats = false) {
   std::string coordinates;
   const auto coordinate = [&](const std::string& name, const std::string& more = "") {

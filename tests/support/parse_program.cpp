@@ -110,7 +110,7 @@ class ProgramReader {
     return "";
   }
 
-  /// Velocities have the names of the coordinates unless a line of their own follows.
+  /// Reads coordinates. Velocities get the same names unless a line for velocities follows.
   std::string read_coordinates(const Words& words) {
     read_names(words, LeafOwner::velocities);
     return read_names(words, LeafOwner::coordinates);

@@ -1,6 +1,6 @@
 // The formulas of equilibria and modes in the output of `--as text`: the parser of models reads
-// each, and its value must agree with the number found. Inputs are all committed models and 200
-// random ones. The numbers are printed with six digits, enough to notice a missing bracket.
+// each formula, and the value must agree with the number found. Inputs are all committed models and
+// 200 random models. The numbers are printed with six digits, enough to notice a missing bracket.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -71,7 +71,7 @@ class FormulaReader {
       if (!is_title && motions != nullptr) read_motion_line(line, *motions);
       if (!is_title) continue;
       motions = &all.at(next);
-      next += mentions(line, "+-") ? 2 : 1;  // of a mirrored pair one is printed
+      next += mentions(line, "+-") ? 2 : 1;  // one point of a mirrored pair is printed
     }
   }
 
@@ -112,7 +112,7 @@ class FormulaReader {
     return syntax ? fold_expression(*syntax, NumberRules{{}, names}) : Real::undefined();
   }
 
-  /// Columns are separated by at least three blanks.
+  /// The cells of a line, separated by at least three blanks.
   static std::vector<std::string> cells_of(const std::string& line) {
     std::vector<std::string> cells;
     std::size_t start = line.find_first_not_of(' ');
@@ -124,7 +124,7 @@ class FormulaReader {
     return cells;
   }
 
-  /// In "+-acos(g/(R*Omega^2)) = +-0.697569" and "l + m*g/k = 0.7" both sides have the same value.
+  /// Compares both sides of "+-acos(g/(R*Omega^2)) = +-0.697569" or of "l + m*g/k = 0.7".
   void read_cell(const std::string& cell, const RestPoint& point) {
     const std::size_t sign = cell.find(" = ");
     if (sign == std::string::npos) return;
@@ -150,7 +150,7 @@ class FormulaReader {
     }
   }
 
-  /// "(m1 + m2) eta'' + K eta = 0,   K = k + c"
+  /// Compares "(m1 + m2) eta'' + K eta = 0,   K = k + c" with the mass and stiffness of `point`.
   void read_equation(const std::string& line, const RestPoint& point) {
     const std::size_t comma = line.find(",   K = ");
     if (comma == std::string::npos) return;
@@ -225,7 +225,7 @@ std::string drawn_formula(Random& random) {
   return "(" + formulas[random.next() % formulas.size()] + ")";
 }
 
-/// One or two coordinates on springs, or one that rotates in a quartic potential.
+/// One or two coordinates on springs, or one coordinate that rotates in a quartic potential.
 std::string drawn_model(std::uint64_t seed) {
   Random random(seed);
   std::string coordinates = "[[coordinate]]\nname = \"x\"\n";

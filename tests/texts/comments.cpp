@@ -137,13 +137,13 @@ Lines join_continuations(const Lines& comment, std::size_t first) {
   return result;
 }
 
-/// "1231 definitions and 294 entries: see panda7.equations.json."
+/// True for "1231 definitions and 294 entries: see panda7.equations.json."
 bool is_reference(const std::string& text, const Function& function, const Scene& scene) {
   return text.ends_with(fmt::format(" definitions and {} entries: see {}.equations.json.",
                                     entry_count(function), scene.base_name));
 }
 
-/// The heading contains the shape if there is one field.
+/// True if the heading contains the shape. A struct or a single column needs no shape.
 bool names_shape(const std::string& heading, const Function& function, const Scene& scene) {
   const Field& field = function.fields.front();
   if (returns_struct(function) || field.columns == 1) return true;

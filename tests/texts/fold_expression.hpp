@@ -62,7 +62,7 @@ class ExpressionFold {
  private:
   static constexpr long largest_power = 10'000;
 
-  /// A sum or a product.
+  /// The value of a sum or a product.
   Value all(const ExpressionSyntax& e) {
     Value total = (*this)(e.operands[0]);
     for (std::size_t i = 1; i < e.operands.size(); ++i) {
@@ -72,7 +72,7 @@ class ExpressionFold {
     return total;
   }
 
-  /// The exponent must be an integer, because roots are written as `sqrt`.
+  /// The value of a power with an integer exponent; roots are written as `sqrt`.
   Value power(const ExpressionSyntax& e) {
     const ExpressionSyntax& written = e.operands[1];
     const bool is_negative = written.kind == SyntaxKind::negate;

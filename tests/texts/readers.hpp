@@ -11,17 +11,17 @@ namespace elgen::test {
 /// The first difference between a text and the Program.
 using Mistake = std::runtime_error;
 
-/// The comments above the functions of a header in C++ or C.
+/// Reads the comments above the functions of a header in C++ or C.
 ///
 ///     ///     [ M + m,          m*l*cos(theta) ]     entries 0 and 1
 ///     ///     [ m*l*cos(theta), m*l^2          ]     entries 2 and 3
 void read_comments(const std::string& header, WrittenEquations& equations);
 
-/// The JSON file of equations. Everything in it is read except hashes and the line that names the
+/// Reads the JSON file of equations: everything except hashes and the line that names the
 /// generator.
 void read_sidecar(const std::string& json, WrittenEquations& equations);
 
-/// The text page that `show` prints. A function without a section has only zero entries.
+/// Reads the text page that `show` prints. A function without a section has only zero entries.
 ///
 ///     named parts
 ///       cos_theta = cos(theta)

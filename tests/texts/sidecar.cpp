@@ -195,7 +195,7 @@ class SidecarReader {
     }
   }
 
-  /// A name that is a reserved word of a language gets an underscore in that language.
+  /// Checks that the name gets an underscore in each language in which it is a reserved word.
   void spellings(Json& json, const std::string& name) {
     if (!json.contains("spelt")) return;
     Json spelt = take(json, "spelt");
@@ -261,8 +261,8 @@ class SidecarReader {
     }
   }
 
-  /// The names of rows or columns, all different. Only lines without another list of names have
-  /// them.
+  /// Checks the names of rows or columns: `count` names, all different. Names that are in another
+  /// list of the file are absent.
   void line_names(Json& json, const std::string& key, std::size_t count) {
     if (!json.contains(key)) return;
     const Json names = take(json, key);

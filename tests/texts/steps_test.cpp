@@ -31,7 +31,7 @@ bool is_expression(const std::string& text) {
   return static_cast<bool>(parse_expression(make_source("", text), written_limits()));
 }
 
-/// The lines of the section, without their margin.
+/// The lines of the section "Equations of motion", without their margin.
 std::vector<std::string> motion_lines(const std::string& text) {
   const std::string margin = "  ";
   std::vector<std::string> lines;
@@ -43,8 +43,8 @@ std::vector<std::string> motion_lines(const std::string& text) {
   return lines;
 }
 
-/// Substitutes the definitions ("where b = m*l"), starting with the last, which may use earlier
-/// ones.
+/// The equations with all definitions ("where b = m*l") substituted. The last definition is the
+/// first to be substituted, because it may use earlier definitions.
 std::vector<PrintedEquation> motion_equations(const std::string& text) {
   const std::string mark = "where ";
   std::vector<PrintedEquation> equations;
@@ -68,8 +68,8 @@ std::vector<PrintedEquation> motion_equations(const std::string& text) {
   return equations;
 }
 
-/// The expected value at each state, and the size of the largest term. Undefined where the model
-/// has no value.
+/// The expected value at each state, and the size of the largest term. A value is undefined if the
+/// model has none.
 struct ReferenceRow {
   std::vector<Real> values = {};
   std::vector<Real> sizes = {};
@@ -84,7 +84,7 @@ State exact_leaves(const Arguments<Real>& state) {
   return map_leaves([](const Real& value) -> cln::cl_R { return value.value(); }, state);
 }
 
-/// The values of an output at a state, row by row. An empty output is not requested.
+/// The values of an output at a state, row by row. If `count` is 0, there are none.
 OracleValues matrix_at(const Model& model, OutputKind kind, std::size_t count, const State& state) {
   if (count == 0) return std::vector<cln::cl_R>{};
   return oracle_values(model, request_of(model, kind, 0), state);
@@ -124,7 +124,7 @@ std::vector<ReferenceRow> defined_rows(const Model& model,
   return rows;
 }
 
-/// f or phi of each constraint, on velocity level with its rate.
+/// The value of each constraint at each state: f(q, t) of a position, phi(q, v, t) of a velocity.
 std::vector<ReferenceRow> defined_constraints(const Model& model,
                                               const std::vector<Arguments<Real>>& states) {
   std::vector<ReferenceRow> rows(model.constraints.size());
@@ -149,7 +149,7 @@ ReferenceRow defined_acceleration(const Model& model, const std::vector<Argument
   return row;
 }
 
-/// True if the model has a value at some state.
+/// True if the row has a value at some state.
 bool has_values(const ReferenceRow& row) {
   return std::ranges::any_of(row.values, [](const Real& value) { return value.is_defined(); });
 }
@@ -163,8 +163,8 @@ void expect_solved(const Model& model, const PrintedEquation& equation,
   CHECK(equation.left == "dot(dot(" + model.velocities[0].name + "))");
 }
 
-/// True if every velocity has a row in book form. The invariants and accelerations follow these
-/// rows.
+/// True if every velocity has a row in book form. The last two functions are not rows but the
+/// invariants and accelerations.
 bool all_rows_readable(const ReadableSteps& steps, std::size_t velocities) {
   const std::vector<Function>& read = steps.program.readable;
   const auto end = read.end() - 2;
@@ -172,8 +172,8 @@ bool all_rows_readable(const ReadableSteps& steps, std::size_t velocities) {
                      [](const Function& row) { return !row.fields.empty(); });
 }
 
-/// Compares the equation of every velocity in order, then the equations of constraints or, if there
-/// is only one velocity, the solved equation.
+/// Compares the equations of motion and of constraints, and the equation solved for a single
+/// velocity. False if an equation of motion is not in book form or the first has no value.
 bool expect_rows(const SourcePointer& source) {
   const Products products =
       products_with(&Products::steps, {source, nullptr}, {.goals = {Goal::steps}});
@@ -205,7 +205,7 @@ bool expect_rows(const SourcePointer& source) {
 }  // namespace
 
 TEST_CASE("the printed equations of motion of all committed models are correct") {
-  // These have so many terms that the page shows them in parts.
+  // These models have so many terms that the page shows the equations in parts.
   const std::set<std::string> large{"andrews.toml", "bicycle.toml", "body_on_springs.toml",
                                     "panda7.toml", "ur5.toml"};
   const std::filesystem::path root(ELGEN_SOURCE_DIR);

@@ -54,8 +54,8 @@ Written written(const Inputs& inputs) {
   return result;
 }
 
-/// The first mistake that `read` finds in the text, empty if there is none.
 using Reader = void (*)(const std::string& text, WrittenEquations& equations);
+/// The first mistake that `read` finds in the text, empty if there is none.
 std::string mistake(Reader read, const std::string& text, WrittenEquations& equations) {
   try {
     read(text, equations);
@@ -105,7 +105,7 @@ const Written& wide_system() {
 /// True if the line contains equations. Called for each line in order.
 using Places = std::function<bool(const std::string& line)>;
 
-/// Replaces each sign, digit and operator of the equations once, one at a time.
+/// Changes signs, digits and operators one at a time; `read` must find each. Returns their number.
 std::size_t expect_changes_seen(Reader read, const std::string& text,
                                 const Places& has_equations_in) {
   WrittenEquations equations(wide_system().origin());

@@ -1,5 +1,5 @@
-// WrittenEquations: the parser of models reads the text. Its names are leaves, rates of leaves, or
-// definitions read before.
+// WrittenEquations: the parser of models reads the text. Names in the text are leaves, rates of
+// leaves, or definitions read before.
 #include "texts/written_equations.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ std::string short_value(const Real& value) {
   return literal_text(rounded_decimal(value.value(), digits));
 }
 
-/// Parameters at their values, everything else at random inside its range, multipliers at random.
+/// States with parameters at their values, random multipliers, and all else random in its range.
 std::vector<Arguments<Real>> comparison_states(const Model& model) {
   std::vector<Arguments<Real>> states;
   Sampler draw(1);

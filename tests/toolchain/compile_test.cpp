@@ -49,7 +49,7 @@ elgen::Scene eigen_scene() {
   return scene;
 }
 
-/// Its inverse dynamics subtracts 5 v.
+/// The files of the sample with an Eigen header, whose inverse dynamics subtracts l[1] v = 5 v.
 elgen::EmittedFiles eigen_files() {
   elgen::EmittedFiles files = sample::files(sample::header());
   files.files["sample/sample_eigen.hpp"] = R"(#pragma once

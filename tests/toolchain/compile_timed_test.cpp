@@ -25,7 +25,7 @@ Result<TimedFunctions> compiled(const std::string& text, const std::vector<Scala
                        options);
 }
 
-/// The header's parameter values are 2, 3 and 5.
+/// The header of the sample with the parameter values 2, 3 and 5.
 std::string header_with_values() {
   std::string text = sample::header();
   const auto replace = [&text](const std::string& written, const std::string& other) {
@@ -40,7 +40,7 @@ std::string header_with_values() {
   return text;
 }
 
-/// All states in packs, and one call per state.
+/// The batch of the sample, timed for all states in packs and for one call per state.
 Result<TimedFunctions> compiled_batch() {
   TimingOptions options{.limits = {.seconds = 600}};
   options.variants = {{ScalarKind::double_precision, true, false},

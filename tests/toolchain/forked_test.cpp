@@ -1,5 +1,5 @@
-// The parent waits for children by id and ends them with their owner. Forked work is completed or
-// its failure is reported, and no process is left running.
+// The parent waits for children by id. A child ends with the object that owns it. Forked work is
+// completed or its failure is reported, and no process is left running.
 #include "toolchain/forked.hpp"
 
 #include <sys/resource.h>

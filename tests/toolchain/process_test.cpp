@@ -32,7 +32,7 @@ bool is_zombie(pid_t process) {
   return mentions(text, ") Z ");
 }
 
-/// Waits until a killed process is gone or a zombie.
+/// True if a killed process is gone or a zombie within a second.
 bool ends(pid_t process) {
   const auto has_ended = [process] { return kill(process, 0) != 0 || is_zombie(process); };
   for (int i = 0; i < 1000 && !has_ended(); ++i) usleep(1000);

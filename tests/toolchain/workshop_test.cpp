@@ -1,4 +1,4 @@
-// A workshop builds drivers beside the headers that they include. Its directory is private and
+// A workshop builds drivers next to the headers that they include. Its directory is private and
 // unique, and is removed with its owner.
 #include "toolchain/workshop.hpp"
 

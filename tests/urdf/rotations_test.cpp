@@ -27,7 +27,7 @@ urdf::RollPitchYaw rotation(const urdf::Vector& rpy) {
   return urdf::rotation_of(rpy, urdf::AngleDigits::rounded);
 }
 
-/// "x", "-z", or "oblique".
+/// The direction of an axis: "x", "-z", "y rounded" or "oblique".
 std::string axis(const std::string& x, const std::string& y, const std::string& z) {
   const urdf::Axis result = urdf::axis_of(vector(x, y, z), urdf::AngleDigits::rounded);
   if (!result.along) return "oblique";
@@ -35,7 +35,7 @@ std::string axis(const std::string& x, const std::string& y, const std::string& 
          (result.is_rounded ? " rounded" : "");
 }
 
-/// The first digits of the rotated inertia. Without rotation they are 123456.
+/// The entries of the rotated inertia, one after another. Without rotation they are 123456.
 std::string rotated_digits(const std::string& roll, const std::string& pitch,
                            const std::string& yaw) {
   const std::array<urdf::FileNumber, 6> inertia{decimal("1"), decimal("2"), decimal("3"),
@@ -47,7 +47,7 @@ std::string rotated_digits(const std::string& roll, const std::string& pitch,
   return text;
 }
 
-/// The arm's centre of mass is 0.1 m from its origin, which is 2 m from the base.
+/// An arm with its origin 2 m from the base, and its centre of mass 0.1 m from the origin.
 std::string model_with_angles(const std::string& rpy, const std::string& axis = "0 0 1") {
   return arm_on("revolute",
                 "<origin xyz=\"0 2 0\" rpy=\"" + rpy + "\"/><axis xyz=\"" + axis + "\"/>");

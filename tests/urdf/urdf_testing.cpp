@@ -8,7 +8,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Keeps the source alive, because diagnostics point to it without owning it.
+/// A source that lives until the process ends, because diagnostics point to it without owning it.
 const SourceText& kept_source(const std::string& text) {
   static std::vector<SourcePointer> sources;
   return *sources.emplace_back(make_source("folder/r.urdf", text));

@@ -26,7 +26,7 @@ constexpr const char* all_outputs =
     "linearization,forward_dynamics_derivatives,constraint_residual,constraint_jacobian,"
     "constraint_bias,projected,constrained_inverse_dynamics";
 
-/// The derived outputs of a model, without the field that programs do not store.
+/// The derived outputs of a model without `diagonal_field`, which programs do not store.
 System constrained(const std::string& model, const std::string& outputs = all_outputs) {
   SceneOptions options;
   options.outputs = {make_source("--outputs", outputs)};
@@ -145,7 +145,7 @@ coincide = ["P", "Q"]
 )toml");
 }
 
-/// With extreme states. If `quick`, one projection of a field is compared instead of all entries.
+/// The certificate with extreme states. If `quick`, one projection of a field replaces its entries.
 Certificate certificate_of(const System& system, std::size_t samples, bool quick = true) {
   const VerifyOptions options{.samples = samples, .quick = quick};
   return verify(system.model, system.scene, system.program, {}, options).certificate;

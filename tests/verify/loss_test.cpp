@@ -144,7 +144,7 @@ TEST_CASE("losses are relative to the effect of the inputs' rounding") {
   const double x = 9.81 * (1 - std::cos(1.0));
   const double reference = 4 * x + 9.81 * std::sin(1.0);
   CHECK(loss_of(system, at(1), 100 * x).of_entry.figure == Approx(100 * x / reference));
-  // R >= |x|, which allows up to two roundings.
+  // Up to an error of 2 u |x| the loss is computed with R = |x|, without K.
   CHECK(loss_of(system, at(1), 2 * x).of_entry.figure == Approx(2));
   CHECK(loss_of(system, at(1), 100 * x).of_field.figure == Approx(100));
 }

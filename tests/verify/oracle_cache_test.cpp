@@ -1,4 +1,4 @@
-// Cached values are the oracle's. Also tests the rule for when numbers of program and oracle agree.
+// Cached values are the oracle's. Also tests the rule by which numbers of program and oracle agree.
 #include "verify/bounds/oracle_cache.hpp"
 
 #include <catch2/catch.hpp>
@@ -69,7 +69,7 @@ TEST_CASE("an undefined value agrees with nothing, and is reported as undefined"
 
 TEST_CASE(
     "exact zeros agree within the rounding of energy and forces, whatever the outputs' names") {
-  // Only the drift, with another name. No other output gives the size of the forces.
+  // The program has only the drift, with another name. No output gives the size of the forces.
   ModelBuilder builder = cart_pole().parameter("c", "0.3");
   System system = system_of(builder.model,
                             "parameters M m l g c\ncoordinates x th\ninputs u\n"

@@ -15,7 +15,7 @@ SelfCheck check(const System& system) {
   return self_check(system.model, system.scene, system.program);
 }
 
-/// Entries 1 and 2 of the mass matrix depend on a sampled zero; `dynamics` repeats them.
+/// Cart and pole; entries 0 and 1 of M rely on sampled zeros, in `mass_matrix` and in `dynamics`.
 System with_sampled_zeros() {
   System system = cart_pole_system();
   for (Function& function : system.program.functions) {

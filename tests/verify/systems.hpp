@@ -108,7 +108,7 @@ inline std::string cart_pole_forces() {
                        "  result 2 1 = 14 13\n");
 }
 
-/// Its dynamics and outputs.
+/// The dynamics and outputs of cart_pole_model.
 inline std::string cart_pole_motion() {
   using namespace instructions;
   return function_text("inverse_dynamics",

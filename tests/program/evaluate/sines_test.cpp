@@ -82,7 +82,7 @@ double worst_ulps(const Sines<Scalar>& numbers, Scalar angle) {
   return std::max(in_ulps(sine, sin(exact)), in_ulps(cosine, cos(exact)));
 }
 
-/// The largest error next to multiples of pi/4 in the domain, from the `first`, every `stride`th.
+/// The largest error in ulps next to k pi/4 in the domain, k = first, first + stride, ...
 template <class Scalar>
 double worst_beside(std::size_t first, std::size_t stride) {
   const Sines<Scalar> numbers(scene_for<Scalar>(), SineArithmetic::numbers);
@@ -172,13 +172,13 @@ TEST_CASE("multiples of all but the last part of pi/2 are exact on the domain") 
     for (std::size_t i = 0; i + 1 < known.parts.size(); ++i) {
       const cl_RA part = exact_value(known.parts[i]);
       rest = rest - part;
-      // A part is odd in its last bit. Its bits and the bits of k must fit the significand.
+      // k times a part is exact if the bits of both fit the significand (no trailing zeros).
       cln::cl_I significand = cln::numerator(part);
       while (cln::evenp(significand)) significand = cln::exquo(significand, 2);
       CHECK(cln::integer_length(significand) + cln::integer_length(most) <=
             static_cast<std::uintptr_t>(bits));
     }
-    // The smallest distance of an angle to a multiple is 2^-61 (float 2^-28), for k below 256.
+    // No angle is closer than 2^-61 (float 2^-28) to a multiple k pi/2; the closest has k < 256.
     const double nearest = std::ldexp(1.0, (bits == 53 ? -61 : -28) - bits);
     CHECK(cln::abs(rest) * 256 < exact_value(nearest));
     const cl_R inverse = 2 / cln::pi(digits) - exact_value(known.inverse);

@@ -51,7 +51,7 @@ class LinearSolution {
   Program program_ = {};
 };
 
-/// An arrow matrix and its right side: the first velocity is coupled with both others only.
+/// An arrow matrix and its right side: x2 and x3 are coupled with x1, but not with each other.
 const std::vector<double> arrow{5, 2, 1, 2, 3, 0, 1, 0, 4, 9, 8, 13};
 
 void check_arrow(const std::vector<double>& x) {
@@ -72,8 +72,8 @@ TEST_CASE("x solves M x = r in both orders of elimination") {
 TEST_CASE("zeros between branches stay zero and cost nothing") {
   const OperationCounts filled = LinearSolution(model_of(3, false), arrow, 3).counts();
   const OperationCounts kept = LinearSolution(model_of(3, true), arrow, 3).counts();
-  // Three reciprocals 1/D_i; products for each L_ij and W_ij of L_21 and L_31, and for two
-  // substitutions. On a chain L_32 fills in.
+  // Three reciprocals 1/D_i and 11 products: for two entries L_ij 2 in L, 2 in D and 4 in the
+  // substitutions, and 3 with 1/D_i. On a chain L_32 fills in.
   CHECK(kept.div == 3);
   CHECK(kept.mul == 11);
   CHECK(filled.mul > kept.mul);
@@ -87,8 +87,8 @@ TEST_CASE("a diagonal matrix only needs divisions") {
 
 namespace {
 
-/// Solves M x = column for many columns of the integers -2 ... 6, which are parameters. M has 4, 5,
-/// 6 on its diagonal.
+/// Solves M x = c for many columns c. M has 4, 5, 6 on its diagonal and `coupling` elsewhere. The
+/// integers -2 ... 6 in M and c are parameters.
 struct Columns {
   Columns(const std::vector<std::vector<int>>& columns, int coupling) {
     for (int i = -2; i <= 6; ++i) numbers.push_back(i);

@@ -16,7 +16,7 @@
 
 namespace elgen::test {
 
-/// A model with a step, as a scene.
+/// A model, and a scene that requests a step.
 struct StepScene {
   std::string model;
   std::string method = {};
@@ -45,7 +45,7 @@ class StepProgram {
   [[nodiscard]] const Model& model() const { return products_.checked->model; }
   [[nodiscard]] const Program& program() const { return *products_.program; }
   [[nodiscard]] const Function& function() const { return program().functions.back(); }
-  /// Parameters have their values; all other numbers are 0.
+  /// The state with the parameters' values; other numbers are 0, quaternions (1, 0, 0, 0).
   [[nodiscard]] State origin() const { return nominal_state(model(), products_.checked->scene); }
 
   /// The new q and v, then the residual of an implicit method.

@@ -79,7 +79,7 @@ inline SimulationOptions steps_of(const std::string& method, double step, double
   return {.method = method, .time = time, .step = step};
 }
 
-/// 2 pi / agm(1, cos(1/2)).
+/// The period 2 pi/agm(1, cos(1/2)) of q'' = -sin(q) from rest at 1 rad.
 inline constexpr double pendulum_period = 6.69997566437;
 
 }  // namespace elgen::test

@@ -148,7 +148,7 @@ TEST_CASE("an input law overcomes friction as soon as it exceeds the friction") 
   const std::vector<double> rest = end_of(block, {.time = 9}, start_options("", "u=0.49*sin(t)"));
   CHECK(rest[1] == 0);
   CHECK(rest[2] == 0);
-  // Sampled inputs (`hold`) overcome it at a sampling time.
+  // Sampled inputs (`hold`) overcome the friction at a sampling time.
   const std::vector<double> held =
       end_of(block, {.time = 2, .hold = 0.8}, start_options("", "u=t"));
   CHECK(held[2] == Approx(0.8 * 0.3 + 0.4 * 1.1).margin(1e-8));

@@ -131,7 +131,7 @@ TEST_CASE("rk4 loses 9.03e-8 of the pendulum's energy per period of a hundred st
       pendulum.trajectory(steps_of("rk4", pendulum_period / 100, 100 * pendulum_period));
   CHECK(run.steps == 10000);
   CHECK(run.energy.worst == Approx(9.03e-6).epsilon(0.01));
-  // The mean of the last tenth minus the mean of the first: nine tenths of the loss.
+  // The mean of the last tenth minus the mean of the first tenth: nine tenths of the loss.
   CHECK(run.energy.secular == Approx(-0.9 * 9.03e-6).epsilon(0.01));
 }
 

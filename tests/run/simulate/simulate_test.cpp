@@ -14,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// The refusal of a start of a point on a sphere; `singular` is a line of the coordinate.
+/// The message that refuses a start on a sphere; `singular` is a line of the coordinate theta.
 std::string start_refusal(const std::string& start, const std::string& singular) {
   const CompiledSystem compiled(model_text("sphere", R"toml([[coordinate]]
 name = "theta"
@@ -36,8 +36,8 @@ TEST_CASE("reference runs of fourteen systems end at their known states") {
   const auto cases = nlohmann::json::parse(
       read_text(std::string(ELGEN_SOURCE_DIR) + "/tests/run/simulate/trajectories.json"));
   REQUIRE(cases.size() == 14);
-  // The smallest error of a step is amplified by the largest sensitivity up to this time. The
-  // number of steps multiplies it by another hundred, plus one per second.
+  // The error of a step is amplified by the largest sensitivity up to this time. At most 100 + t
+  // such errors add up.
   const double tolerance = 3e-15;
   for (const auto& one : cases) {
     const CompiledSystem compiled(one["model"], start_options(one["start"]));

@@ -33,7 +33,7 @@ TEST_CASE("verlet on an oscillator conserves p^2 + q^2 (1 - h^2/4)") {
   const double x = run.last[1];
   const double v = run.last[2];
   CHECK(v * v + x * x * (1 - 0.0025) == Approx(1 - 0.0025).epsilon(1e-12));
-  // The bound on |E - E0| / E0 from q = 1, p = 0.
+  // From q = 1, p = 0 the bound on |E - E0|/E0 is h^2/4.
   CHECK(run.energy.worst == Approx(0.0025).epsilon(1e-3));
 }
 
@@ -46,8 +46,8 @@ TEST_CASE("the pendulum's energy oscillates without drift") {
         pendulum.trajectory(steps_of(method, pendulum_period / 100, 1000 * pendulum_period));
     CHECK(run.steps == 100000);
     CHECK(run.energy.worst == Approx(swing).epsilon(0.02));
-    // A tenth of the run is a whole number of periods except for a phase of one step. So in 1e2
-    // periods the mean is accurate to 1e-2 of the oscillation. A single run of 1e6 periods gave
+    // A tenth of the run is 100 periods, except for a phase of one step. The mean of a tenth is
+    // therefore accurate to 1e-2 of the oscillation. A single run of 1e6 periods gave a drift of
     // 1.2e-10.
     CHECK(std::abs(run.energy.secular) < drift);
   }

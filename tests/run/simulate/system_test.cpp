@@ -1,5 +1,4 @@
-// Queries about a system that steps need, and expressions of a model at a state, against values by
-// hand.
+// Queries of steps to a system, and expressions of a model at a state, against values by hand.
 #include "run/steps/system.hpp"
 
 #include <catch2/catch.hpp>

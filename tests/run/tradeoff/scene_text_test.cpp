@@ -9,7 +9,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// The scene text of a design, from the model or from a scene whose text after its name is `scene`.
+/// The scene text of a design of the model or, if `scene` is not empty, of a scene with this text.
 std::string text_of(const Design& design, const std::string& scene = {},
                     const std::string& output = "inverse_dynamics") {
   const Products products = derived(read_model("pushed_pendulum"), output, scene);

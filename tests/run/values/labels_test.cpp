@@ -13,7 +13,7 @@ namespace elgen::test {
 
 namespace {
 
-/// The count, the list and single lines along an extent agree, and all texts differ.
+/// Checks that count, list and single lines along an extent agree, and that all texts differ.
 void check_lines(const Model& model, Extent extent, std::uint32_t user) {
   const std::vector<Line> lines = lines_along(model, extent, user);
   CHECK(lines.size() == extent_of(model, extent, user));
