@@ -51,16 +51,17 @@ struct CosineAndSine {
   Fraction sine = {};
 };
 
-/// The value of a coordinate at an equilibrium, in 64 digits. `form` is present if it is valid for
-/// all parameters at which it is defined. If `is_any` is set, no equation at rest contains the
-/// coordinate, and `value` is its start.
+/// The value of a coordinate at an equilibrium, in 64 digits. `form` is a closed form of the value,
+/// valid at all values of the parameters at which the form is defined; none if no closed form was
+/// found. If `is_any` is set, no equation at rest contains the coordinate, and `value` is the start
+/// of the coordinate.
 struct CoordinateAtRest {
   bool is_any = false;
   cln::cl_R value = 0;
   std::optional<Fraction> form = {};
-  /// If `form` is an acos or asin: its argument, which has to be in [-1, 1].
+  /// If `form` contains acos or asin: the argument of this function, which has to be in [-1, 1].
   std::optional<Fraction> sinusoid = {};
-  /// If `form` is an acos or asin: the cosine and sine of the coordinate.
+  /// If `form` contains acos or asin: the cosine and sine of the coordinate.
   std::optional<CosineAndSine> sinusoids = {};
 };
 
@@ -70,7 +71,7 @@ enum class Stability : std::uint8_t {
   degenerate_minimum,  ///< stable: as `minimum`, but K is 0 along one coordinate
   decaying,            ///< stable: all poles have negative real parts
   unstable,            ///< unstable: a pole has a positive real part
-  open,                ///< the linear part does not decide
+  open,                ///< undecided: the linear equations do not determine the stability
 };
 
 [[nodiscard]] inline bool is_stable(Stability kind) {
@@ -92,7 +93,7 @@ struct StabilityVerdict {
 };
 
 /// A point of rest with its linear equations M x'' + (G + D) x' + K x = B du. For n velocities, M,
-/// G + D and K are n x n, and B is n x inputs. All are row-major, in 64 digits.
+/// G + D and K are n x n, and B is n x inputs. All matrices are row-major, in 64 digits.
 struct RestPoint {
   State state = {};  ///< v = 0, a = 0, u as in Equilibria::inputs
   std::vector<CoordinateAtRest> coordinates = {};
@@ -110,7 +111,8 @@ struct ChartBreak {
   CoordinateAtRest at = {};
 };
 
-/// Intervals of coordinates that share equations. The list may lack an equilibrium inside them.
+/// A box that the search leaves undecided: intervals of some coordinates that share equations. The
+/// list of equilibria may lack an equilibrium inside the box.
 using UndecidedBox = std::map<std::uint32_t, Interval>;
 
 /// Whether a list of equilibria is complete at the values of the parameters.
@@ -128,8 +130,8 @@ struct Equilibria {
   std::vector<ChartBreak> breaks = {};  ///< inside and outside the ranges
   Completeness completeness = Completeness::proved;
   std::vector<UndecidedBox> undecided = {};
-  std::uint64_t boxes = 0;   ///< boxes that the search examined
-  std::uint64_t starts = 0;  ///< starts of Newton's method
+  std::uint64_t boxes = 0;   ///< number of boxes that the search examined
+  std::uint64_t starts = 0;  ///< number of starts of Newton's method
   std::string limit = {};    ///< the limit that ended the search: "enclosures=420000000"
   std::vector<cln::cl_R> inputs = {};
   /// True: AnalysisInput::about gave the only point, and no other was searched.
@@ -142,17 +144,17 @@ struct Equilibria {
 /// All equilibria with a regular M at the parameter values of the scene, or only the given point.
 /// `recursive` has the functions of outputs_of_equilibria(). Inputs are 0 or the values of their
 /// laws. Errors: E530, E531, E606 (a law that is no number at rest), E910 (more than 256
-/// equilibria). For a given point: E201, and E532 if the forces do not balance. Cost: at most
-/// limits.boxes boxes and limits.enclosures.
+/// equilibria). For a given point: E201, and E532 if the point has no value or the forces do not
+/// balance. Cost: at most limits.boxes boxes and limits.enclosures.
 [[nodiscard]] Result<Equilibria> find_equilibria(const AnalysisInput& input);
 
-/// A motion x = shape sin(w t + phase) about a point of rest. If w^2 < 0, it grows or decays
-/// instead.
+/// A motion x = shape sin(w t + phase) about a point of rest. If w^2 < 0, the motion grows or
+/// decays instead.
 struct NormalMode {
   cln::cl_R omega_squared = 0;  ///< 1/s^2
   /// By velocity. Scaled so that the largest component is 1 (the first, if several are largest).
   std::vector<double> shape = {};
-  std::size_t multiplicity = 1;  ///< number of modes with this w^2; their shapes span a space
+  std::size_t multiplicity = 1;  ///< modes with this w^2; only the span of their shapes is unique
 };
 
 /// The linear motions about a point of rest: d(dx)/dt = A dx + B du, x = (q, v).
@@ -190,7 +192,8 @@ enum class SymmetryKind : std::uint8_t {
 };
 
 /// A change dq = A q + b + c t of the coordinates, with a constant dt, for which dL = dF/dt. A
-/// rotation of the model turns by R^T s + b in its axes. By Noether's theorem,
+/// rotation of the model, with the matrix R from body to world axes, turns by R^T s + b in body
+/// axes. By Noether's theorem,
 ///
 ///     I = dL/dv.dq - E dt - F,   dI/dt = (dq - v dt).(B u + Q - dD/dv)
 ///
@@ -198,10 +201,10 @@ enum class SymmetryKind : std::uint8_t {
 /// `closed`, `total`, `loss` and `rate`.
 struct Symmetry {
   SymmetryKind kind = SymmetryKind::other;
-  std::vector<Fraction> generator = {};     ///< A by rows, c, b, s and b of each rotation, dt
+  std::vector<Fraction> generator = {};     ///< A by rows; c; b; s and b of each rotation; dt
   std::vector<Fraction> displacement = {};  ///< dq of every velocity
   Fraction by_names = {};                   ///< I + F, over the leaves p and E instead of v
-  std::optional<Fraction> closed = {};      ///< I + F in closed form; none if it has none
+  std::optional<Fraction> closed = {};      ///< I + F in closed form; none if no form is known
   std::optional<Fraction> total = {};       ///< F (for `time` -F); none if it has no closed form
   std::optional<Fraction> loss = {};        ///< dI/dt at u = 0; none if it has no closed form
   std::optional<Fraction> rate = {};        ///< dI/dt; none if it has no closed form
@@ -214,13 +217,13 @@ struct Symmetries {
   ClosedForms forms = {};    ///< all forms below refer to this algebra
   std::size_t unknowns = 0;  ///< entries of a generator
   bool is_exact = false;     ///< found by closed forms, for generic parameters
-  /// Exact, and every relation between functions is known: the list is complete.
+  /// True: the list is complete, because it is exact and every relation between functions is known.
   bool is_complete = false;
   std::size_t states = 0;  ///< states at which Lagrange's equations were sampled
   /// Number of symmetries found by samples at the parameter values of the scene.
   std::size_t sampled = 0;
-  /// The least number of symmetries found by samples at one of several random sets of parameters.
-  /// None if the list is complete.
+  /// The number of symmetries found by samples at random parameters, the least over several sets of
+  /// parameters. None if the list is complete.
   std::optional<std::size_t> sampled_elsewhere = {};
   bool loses_energy = false;  ///< E is conserved, but T + V is not
   std::vector<Symmetry> all = {};
@@ -243,8 +246,8 @@ enum class ClaimStatus : std::uint8_t {
   open,  ///< undecided: the claim has no value at any parameters that were tried
 };
 
-/// The verdict on an [[equilibrium]]: bias(q, 0) = B u at the point, and det(x M - K)/det M is the
-/// product of x - w^2 over its frequencies.
+/// The verdicts on the two claims of an [[equilibrium]]: bias(q, 0) = B u at the point; and
+/// det(x M - K)/det M is the product of x - w^2 over the stated frequencies w.
 struct EquilibriumVerdict {
   std::string name = {};
   ClaimStatus balance = ClaimStatus::open;

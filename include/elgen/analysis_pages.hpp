@@ -14,7 +14,7 @@ namespace elgen {
 [[nodiscard]] Page modes_page(const CheckedModel& checked, const Modes& modes);
 [[nodiscard]] Page symmetries_page(const CheckedModel& checked, const Symmetries& symmetries);
 
-/// One equation for each base parameter, and its value.
+/// The page with the equation and the value of each base parameter.
 [[nodiscard]] Page base_parameters_page(const CheckedModel& checked, const BaseParameters& found);
 
 /// The analyses as JSON. Each number has enough digits to read back the same double.
@@ -27,8 +27,8 @@ namespace elgen {
 [[nodiscard]] std::string base_parameters_json(const CheckedModel& checked,
                                                const BaseParameters& found);
 
-/// The shortest form of `form` in the symbols of a model; none if `form` is none or too long to
-/// read.
+/// `form` in its shortest notation, in the symbols of `model`. None if `form` is none, or if the
+/// notation is too long to read.
 [[nodiscard]] std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
                                                const std::optional<Fraction>& form);
 

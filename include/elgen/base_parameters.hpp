@@ -1,6 +1,7 @@
-// BaseParameters: the combinations of inertial parameters pi that measured forces can identify. Y
-// is stacked at many states. A column Y_j that is a linear combination of earlier columns Y_k is
-// eliminated: pi_j is added to the parameters of these columns:
+// BaseParameters: the combinations of inertial parameters pi that measured forces can identify. The
+// regressor Y of tau = Y pi + rest is stacked at many states. A column Y_j that is a linear
+// combination of earlier columns Y_k is eliminated: multiples of pi_j are added to the parameters
+// pi_k of these columns:
 //
 //     Y pi = sum over kept columns k of  Y_k (pi_k + sum_j factor_kj pi_j)
 //
@@ -48,10 +49,10 @@ struct BaseParameters {
 [[nodiscard]] std::vector<OutputRequest> outputs_of_base_parameters(const Model& model);
 
 /// The base parameters, from Y at random states with the geometric parameters of the model. Y is
-/// computed in the finite field of 2^521 - 1 elements, in which ranks are exact: the sine and
-/// cosine of an angle are a random point of the unit circle over this field. If a constant is
-/// neither rational nor the sine of a multiple of pi/2, numbers have 160 digits instead. E603: the
-/// model has no regressor. E521: the regressor has no value at any state.
+/// computed in the finite field of 2^521 - 1 elements, in which ranks are exact. There the sine and
+/// cosine of an angle are a random point of the unit circle. If a constant is neither rational nor
+/// the sine of a multiple of pi/2, numbers have 160 digits instead. E603: the model has no
+/// regressor. E521: the regressor has no value at any state.
 [[nodiscard]] Result<BaseParameters> find_base_parameters(const AnalysisInput& input);
 
 }  // namespace elgen

@@ -1,5 +1,5 @@
-// Benches of a trade-off. A bench derives, compiles and times the designs of one output, or runs
-// with each method of `step`. It compares the results with exact values.
+// Benches of a trade-off. A bench derives, compiles and times either the designs of one output, or
+// the runs by each method of `step`. The bench compares the results with exact values.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ struct BenchProcess {
 
 /// A model, and its scene if any, reduced to one output.
 struct OutputBase {
-  CheckedModel checked = {};               ///< its scene requests only the output
+  CheckedModel checked = {};               ///< checked.scene requests only the output
   std::optional<FileSyntax> scene = {};    ///< none: no scene file
   std::vector<SourcePointer> ranges = {};  ///< in addition to the ranges of the scene
 
@@ -30,8 +30,9 @@ struct OutputBase {
   [[nodiscard]] DesignBase base() const { return {checked, scene ? &*scene : nullptr, {}, ranges}; }
 };
 
-/// `output` "" selects inverse_dynamics, or the first output if the scene lacks it. Notes on the
-/// model are among the diagnostics. Errors: E601, E606, E630, E633, and the errors of check().
+/// The model and scene of `inputs`, reduced to `output`. If `output` is empty, the output is
+/// inverse_dynamics or, if the scene lacks it, the first output; warnings and notes on the model
+/// are then among the diagnostics. Errors: E601, E606, E630, E633, and the errors of check().
 [[nodiscard]] Result<OutputBase> read_output_base(const Inputs& inputs, const std::string& output,
                                                   const std::vector<SourcePointer>& ranges,
                                                   const Limits& limits);
@@ -42,7 +43,7 @@ void keep_outputs(const std::vector<std::string>& outputs, Products& products);
 
 struct DesignRequest {
   Inputs inputs = {};
-  std::string output = {};  ///< "": inverse_dynamics, or the first output
+  std::string output = {};  ///< "": as for read_output_base()
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
 };
@@ -52,8 +53,9 @@ struct MeasuredTable {
   Diagnostics not_compiled = {};  ///< compiler errors of designs that the table lists as failed
 };
 
-/// Costs and errors of the designs of one output. Warnings of the model are among the diagnostics.
-/// Errors: E601, E603, E630, E631, E633, E644, E645, E704, and the errors of the pipeline.
+/// Costs and errors of the designs of one output. If request.output is empty, warnings of the model
+/// are among the diagnostics. Errors: E601, E603, E630, E631, E633, E644, E645, E704, and the
+/// errors of the pipeline.
 [[nodiscard]] Result<MeasuredTable> measure_designs(const DesignRequest& request,
                                                     const BenchProcess& process);
 

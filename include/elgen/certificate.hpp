@@ -59,9 +59,9 @@ struct CertificateRow {
   std::size_t samples = 0;                  ///< number of states (or numbers) that were compared
   std::vector<SkippedStates> skipped = {};  ///< numbers of skipped states, by reason
   std::size_t skipped_inside = 0;  ///< states inside the ranges, in double, that were skipped
-  /// The largest error, in u R, R the scale of an entry; at most 10^digits of the scalar.
+  /// max |x - x*| / (u R) over the entries x, R the scale of x; at most 10^(digits of the scalar).
   std::optional<double> loss = {};
-  /// The largest error, in u times the largest entry of the field.
+  /// max |x - x*| / (u max |x*|), with the largest exact entry |x*| of the field of x.
   std::optional<double> loss_of_field = {};
   std::string worst = {};      ///< the worst value as text, or the reason why nothing was compared
   std::string where = {};      ///< the state of the worst value; empty without samples
@@ -81,13 +81,13 @@ struct VerifyOptions {
   /// Number of random states per output. Up to 64 of them are also moved near zeros of typed sums.
   /// None: 256, fewer for long programs.
   std::optional<std::size_t> samples = {};
-  /// Check 16 random states and all extremes, fewer for long programs. Per output, check one
-  /// contraction instead of all entries. Compile no code.
+  /// True: check only 16 random states and all extremes (fewer for long programs), check one
+  /// contraction per output instead of all entries, and compile no code.
   bool quick = false;
   std::uint64_t seed = 1;
   std::size_t jobs = 1;  ///< number of processes; the certificate does not depend on it
-  /// Closed forms that prove [[expect]], parallel to the functions of the program. If they are null
-  /// or prove nothing, samples decide.
+  /// Closed forms that prove [[expect]], parallel to the functions of the program. If the pointer
+  /// is null, or if the forms prove nothing, samples decide.
   ClosedForms* forms = nullptr;
   /// True: lost digits are also measured outside the declared ranges. False: only inside them, and
   /// near zeros of typed sums.
@@ -98,12 +98,12 @@ struct VerifyOptions {
   std::function<void(const std::string&)> on_step = {};
 };
 
-/// Compares oracle, program and compiled code, and checks the structure of M, C and the energies.
-/// If `compiled` is empty (quick), the certificate has no rows on compiled code. Headers of
-/// Build::user_flags must agree with the program within its running errors, all other headers bit
-/// by bit. Lost digits never fail a check; they are only reported. A value fails if it is NaN or
-/// infinite although all exact intermediate values are inside the range of the scalar. Each wrong
-/// [[expect]] has a diagnostic with a state as witness.
+/// The result of verify(), which compares oracle, program and compiled code, and checks the
+/// structure of M, C and the energies. If `compiled` is empty (quick), the certificate has no rows
+/// on compiled code. Headers of Build::user_flags must agree with the program within its running
+/// errors, all other headers bit by bit. Lost digits never fail a check; they are only reported. A
+/// value fails if it is NaN or infinite although all exact intermediate values are inside the range
+/// of the scalar. Each wrong [[expect]] has a diagnostic with a state as witness.
 struct Verification {
   Certificate certificate;
   Diagnostics diagnostics;
@@ -122,12 +122,13 @@ struct Verification {
 [[nodiscard]] std::string to_full_text(const Certificate& certificate);
 [[nodiscard]] std::string to_json(const Certificate& certificate);
 
-/// The check before files are written. It compares random rational projections of every output
-/// with the oracle at 4 to 32 states, fewer for long programs. A state outside the domain is
-/// replaced by another draw, at most eight times.
+/// The result of the check before files are written. The check compares random rational projections
+/// of every output with the oracle at 4 to 32 states, fewer for long programs. A state outside the
+/// domain is replaced by another draw, at most eight times.
 struct SelfCheck {
   std::size_t states = 0;  ///< states at which an output was compared
-  /// Lost decimal digits of the worst entry, inside the ranges; none if no state determines them.
+  /// The most decimal digits that an entry loses inside the ranges; none if no state determines the
+  /// loss.
   std::optional<double> digits_lost = {};
   std::string failure = {};  ///< empty: passed; otherwise the output, the state and both values
   std::size_t sampled_zeros = 0;      ///< entries that depend on a zero found only by sampling

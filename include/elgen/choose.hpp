@@ -34,12 +34,12 @@ struct FormCosts {
   OperationCounts recursive = {};
   /// None: over budget, or far more expensive than recursive.
   std::optional<OperationCounts> closed = {};
-  /// The largest error of the recursive form at points at which sums cancel, in u, divided by |x|
-  /// or, if larger, by the least error of all known rewritings (choose/text_errors.hpp). x is the
-  /// largest entry of the field; for V and its derivatives x is the entry. None if it was not
-  /// computed.
+  /// The largest loss E / max(E0, |x|) of the recursive form at points at which sums cancel. E is
+  /// the error of an entry in u, E0 the least error of all known rewritings
+  /// (choose/text_errors.hpp). x is the largest entry of the field; for V and its derivatives x is
+  /// the entry. None if the loss was not computed.
   std::optional<double> recursive_loss = {};
-  /// The same of the closed form.
+  /// The same loss of the closed form.
   std::optional<double> closed_loss = {};
   /// The number of the first entry that every closed form computes inaccurately although the
   /// recursive form keeps its digits (choose/text_errors.hpp).
@@ -57,9 +57,9 @@ struct Choice {
 using SumZeros = std::vector<std::vector<double>>;
 
 /// Chooses the form of every function of `recursive`; `forms` are its closed forms. A form that
-/// keeps a quarter of the digits more may cost a quarter more. If `zeros` is given, forms are also
-/// compared near these states, and a form that keeps more digits may cost four times as much. E608:
-/// the demanded closed form is over budget.
+/// avoids the loss of a quarter of the digits may cost a quarter more than the cheapest form. If
+/// `zeros` is given, forms are also compared near these states, and a form that keeps more digits
+/// may cost four times as much. E608: the demanded closed form is over budget.
 [[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
                                     const Domain& domain, const Scene& scene,
                                     const SumZeros* zeros = nullptr);
@@ -90,14 +90,14 @@ struct RewrittenPotential {
                                                                   const Domain& domain,
                                                                   const Scene& scene);
 
-/// The domain of functions in which V and its derivatives are open values (with_open_potential() of
-/// equations_of_motion.hpp). Their values follow the open values of the model.
+/// `domain` for functions in which V is open (with_open_potential() of equations_of_motion.hpp). In
+/// each state, the values of V and its derivatives follow the open values of the model.
 [[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
 
-/// Replaces the open values of V in the functions of `open` by V and its derivatives. The resulting
-/// functions replace the functions of the same names in `choice`, except their readable forms.
-/// `choice` does not change if one of them would lose digits that it keeps now, for example if V
-/// cancels the weight of bodies.
+/// Replaces the open values of V in the functions of `open` by V and its derivatives. These
+/// functions then replace the functions of the same names in `choice`, except their readable forms.
+/// `choice` does not change if a new function would lose digits that the old function keeps, for
+/// example if V cancels the weight of bodies.
 void insert_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
                       Choice& choice);
 

@@ -57,15 +57,15 @@ struct Atom {
 struct Algebra {
   std::vector<Atom> atoms = {};
   std::unordered_multimap<std::size_t, AtomId> known = {};  ///< atoms by their hash
-  /// `shown`: the factor as first found. `normal`: the same without its common monomial, scaled to
-  /// the leading coefficient 1.
+  /// `shown`: the factor as first found. `normal`: the factor without its common monomial, scaled
+  /// to the leading coefficient 1.
   struct Factor {
     Polynomial shown = {};
     Polynomial normal = {};
   };
   std::vector<Factor> factors = {};
-  /// The typed sums that are not expanded, each a function of one entry, as typed, because the
-  /// canonical form of a^2 sin^2 + b^2 cos^2 is unreadable. Null if no sum stays unexpanded.
+  /// The typed sums that are not expanded, each a function of one entry, as typed. Example: the
+  /// expanded form of a^2 sin^2 + b^2 cos^2 is unreadable. Null if all sums are expanded.
   std::shared_ptr<const Program> sums = {};
   /// True: stumpff(x, k) with k > 0 is written as its quotient over powers of x, which has no value
   /// at x = 0.
@@ -80,14 +80,14 @@ struct ClosedField {
   std::vector<std::optional<Fraction>> entries = {};  ///< none: over budget
 };
 
-/// Parallel to Program::functions; `dynamics` has no fields, since it repeats other outputs.
+/// The closed forms of one function. `dynamics` has no fields, because it repeats other outputs.
 struct ClosedFunction {
   std::vector<ClosedField> fields = {};
 };
 
 struct ClosedForms {
   Algebra algebra = {};
-  std::vector<ClosedFunction> functions = {};
+  std::vector<ClosedFunction> functions = {};  ///< parallel to Program::functions
 };
 
 /// Limits beyond which a form is dropped. `products`: products of two terms.
@@ -102,12 +102,13 @@ struct PresentBudget {
 [[nodiscard]] ClosedForms present(const Program& program, const PresentBudget& budget = {});
 
 /// Closed forms in which stumpff(x, k), k > 0, is written as a quotient, valid for x != 0:
-/// sin(x)/x, (1 - cos(x))/x^2, and so on. The quotients reveal its relations to sines and cosines.
+/// sin(x)/x, (1 - cos(x))/x^2, and so on. The quotients reveal how stumpff depends on sines and
+/// cosines.
 [[nodiscard]] ClosedForms present_quotients(const Program& program,
                                             const PresentBudget& budget = {});
 
 /// Closed forms for proofs only: present_quotients() with exp, sinh, cosh and tanh written as
-/// powers of a few exponentials. These reveal the relations
+/// powers of a few exponentials. The exponentials reveal the relations
 ///
 ///     exp(a + b) = exp(a) exp(b),  1/exp(-a) = exp(a),  tanh(a) = (exp(2 a) - 1)/(exp(2 a) + 1)
 [[nodiscard]] ClosedForms present_for_proofs(const Program& program,
@@ -117,8 +118,8 @@ struct PresentBudget {
 [[nodiscard]] bool is_rewritten_for_proofs(FunctionId function);
 
 /// The sums of a program that may stay unexpanded, each a function of one entry, without
-/// duplicates: bases of powers; arguments of roots, of quotients and of functions other than sin,
-/// cos and tan; factors of these. Only sums with a coordinate or t count.
+/// duplicates. These sums contain a coordinate or t. Each sum is, or is a factor of, the base of a
+/// power, a radicand, a denominator, or an argument of a function other than sin, cos and tan.
 ///
 ///     before    F*sqrt((x - 1)^2 + (y - 3/10)^2)
 ///     after     (x - 1)^2 + (y - 3/10)^2,   x - 1,   y - 3/10
@@ -181,8 +182,8 @@ struct LeafRates {
 [[nodiscard]] std::optional<Fraction> rate_along(ClosedForms& forms, const Fraction& x,
                                                  const LeafRates& rates);
 
-/// dx/dq_k with k = `coordinate`; `coordinates` is their number, and x contains no velocities. None
-/// as for rate_along().
+/// dx/dq_k, k = `coordinate`. `coordinates` is the number of coordinates; x must not contain
+/// velocities. None as for rate_along().
 [[nodiscard]] std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
                                                          std::uint32_t coordinate,
                                                          std::size_t coordinates);

@@ -39,9 +39,9 @@ struct Constraint {
   std::string equality = {};  ///< "z(P[i]) = z(Q)" for coincident points
 };
 
-/// For a `row` of `coincide`: the hint to write `equation` instead, with the rows of the same entry
-/// that are not marked in `without` as constraining nothing. Empty if `row` is a row of `equation`,
-/// or if all rows are marked.
+/// The hint to write `equation` instead of `coincide`, if `row` is a row of `coincide`. The
+/// equation keeps the rows of the same entry, except the rows that `without` marks as having no
+/// effect. Empty if `row` is a row of `equation`, or if all rows are marked.
 ///
 ///     coincide = ["P", "Q"], y marked  ->  "`equation = ["x(P) = x(Q)", "z(P) = z(Q)"]` is enough"
 [[nodiscard]] std::string equation_hint(const std::vector<Constraint>& rows,
@@ -79,7 +79,7 @@ struct Cyclic : Held {
   /// The declared momentum, which contains only numbers and parameters; none: the momentum at the
   /// start.
   std::optional<ExpressionId> form = {};
-  /// The value of this parameter, from the scene, an option or find_momenta().
+  /// The value of `parameter`, from the scene, an option or find_momenta().
   std::optional<cln::cl_R> momentum = {};
 };
 
@@ -95,7 +95,7 @@ struct Variant {
 /// The new positions of the entries of a list after some entries are removed.
 class RemainingPositions {
  public:
-  /// For a list of `size` entries; none is removed yet.
+  /// The positions in a list of `size` entries; at first no entry is removed.
   explicit RemainingPositions(std::size_t size) : places_(size, 0) { remove(0, 0); }
 
   void remove(std::uint32_t first, std::uint32_t count) {
@@ -106,7 +106,7 @@ class RemainingPositions {
     }
   }
 
-  /// None for a removed entry.
+  /// The new position of entry `i`; none if the entry is removed.
   [[nodiscard]] const std::optional<std::uint32_t>& operator[](std::size_t i) const {
     return places_[i];
   }
@@ -121,7 +121,8 @@ class RemainingPositions {
     list = std::move(left);
   }
 
-  /// The list `left` of remaining entries at its old size, with 0 for each removed entry.
+  /// A list of the old size: the entries of `left` at their old positions, 0 for each removed
+  /// entry.
   template <class List>
   [[nodiscard]] List with_zeros(const List& left) const {
     List list(places_.size());

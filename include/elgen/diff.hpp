@@ -107,7 +107,7 @@ struct EntryChange {
   std::optional<Witness> witness = {};
 };
 
-/// One output of either version.
+/// The changes of one output, which may exist in only one of the versions.
 struct OutputChange {
   std::string name = {};
   std::size_t entry_count = 0;            ///< number of entries in the version with more entries
@@ -170,7 +170,7 @@ struct SystemChange {
   std::string extension = {};
   /// Entries of [[expect]] that held before and fail now: "gravity[2,1]".
   std::vector<std::string> broken_expectations = {};
-  Diagnostics warnings = {};  ///< only new ones
+  Diagnostics warnings = {};  ///< only warnings that the older version lacks
 };
 
 /// Compares two versions. `impact` considers all outputs, even if options.only hides some.
@@ -194,18 +194,19 @@ struct DiffReport {
   std::vector<UnreadableSystem> unreadable = {};
 };
 
-/// True if something was compared, or nothing was unreadable.
+/// False if `report` contains unreadable systems and nothing else, so that the report has no
+/// impact.
 [[nodiscard]] bool has_verdict(const DiffReport& report);
 
-/// The worst impact of all readable systems; at least `extended` if one was added, `breaks` if one
-/// was removed.
+/// The worst impact of all readable systems; at least `extended` if a system was added, `breaks` if
+/// a system was removed.
 [[nodiscard]] Impact impact_of(const DiffReport& report);
 
 /// About a dozen lines for people. A change that several systems share is listed once, with the
 /// names of the systems. `lists_all`: also every key and every entry.
 [[nodiscard]] std::string to_text(const DiffReport& report, bool lists_all);
 
-/// A comment for a pull request: the same lines, then every entry in a collapsed block.
+/// A comment for a pull request: the lines of to_text(), then every entry in a collapsed block.
 [[nodiscard]] std::string to_markdown(const DiffReport& report);
 
 /// Workflow commands of GitHub. First an error, with its reason, for every system that breaks, is

@@ -1,5 +1,5 @@
-// Domain: the ranges and typical states of the arguments of a program. Parameters have their
-// values; states are inside the declared ranges of the model and the scene.
+// Domain: the ranges and typical states of the arguments of a program. Parameters have the values
+// of the scene; states are inside the declared ranges of the model and the scene.
 #pragma once
 
 #include <vector>
@@ -33,7 +33,7 @@ struct Domain {
   std::vector<LeafValues<double>> states = {};
 };
 
-/// Refers to space.model. Cost: eight states.
+/// The ranges of `space`, and eight random states inside them. Refers to space.model.
 [[nodiscard]] Domain domain_of(const StateSpace& space);
 
 }  // namespace elgen

@@ -21,12 +21,13 @@ struct EmittedFiles {
   std::map<std::string, std::string> files = {};  ///< "cart_pole/cart_pole.hpp" -> text, UTF-8, LF
 };
 
-/// The files that the scene requests; `book` is used only if one of them is a page. Errors: E7xx,
-/// for example a name that C++ cannot use, or a parameter that overflows in a requested scalar.
+/// The files that the scene requests; `book` is used only if one of them is a page. E701: the
+/// target language cannot use a name. E702: a number does not fit a requested scalar, see fits().
 [[nodiscard]] Result<EmittedFiles> emit(const Model& model, const Scene& scene,
                                         const Program& program, const Book& book);
 
-/// True if no number of the emitted code overflows or underflows in this scalar (else E702).
+/// True if every number of the emitted code is inside the range of `scalar`: no value overflows,
+/// and no value except 0 becomes 0.
 [[nodiscard]] bool fits(const Model& model, const Program& program, ScalarKind scalar);
 
 /// The functions of a JavaScript scene as the text of a <script> element; it contains no markup.

@@ -22,8 +22,8 @@ struct OutputEquations {
   OutputRequest request = {};
   std::vector<FieldEquations> fields = {};
   ExpressionMap<std::string> value_names = {};  ///< names of definitions, by their symbols
-  /// For a function of parts (elgen/compose.hpp): the velocities in the order in which M is
-  /// eliminated.
+  /// If the fields are the parts of an output (elgen/compose.hpp): the velocities in the order in
+  /// which M is eliminated.
   std::vector<std::uint32_t> elimination = {};
 };
 
@@ -32,8 +32,9 @@ struct EquationsOfMotion {
   LeafNames leaves = {};
   Definitions definitions = {};
   std::vector<OutputEquations> outputs = {};  ///< in the order of the scene; without `dynamics`
-  /// Forward dynamics by the articulated-body algorithm, with separate definitions, if its code may
-  /// be shorter. If it is certainly shorter, `outputs` does not contain forward dynamics.
+  /// Forward dynamics by the articulated-body algorithm, with separate definitions, if this code
+  /// may be shorter. If this code is certainly shorter, `outputs` does not contain forward
+  /// dynamics.
   std::vector<EquationsOfMotion> alternatives = {};
 };
 
@@ -42,8 +43,8 @@ struct EquationsOfMotion {
                                                const std::vector<OutputRequest>& outputs,
                                                const Limits& limits);
 
-/// V of [energy] at zero rates, and its derivatives by its variables x (coordinates and t). There
-/// are three outputs: V, all dV/dx_i, all d2V/dx_i dx_j with i <= j.
+/// V of [energy] at zero rates, and its derivatives by the variables x of V (coordinates and t).
+/// There are three outputs: V, all dV/dx_i, all d2V/dx_i dx_j with i <= j.
 struct PotentialEquations {
   std::vector<GiNaC::ex> variables = {};  ///< x
   std::vector<OutputRequest> requests = {};

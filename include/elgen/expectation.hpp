@@ -43,7 +43,7 @@ struct Expectation {
   std::vector<ExpressionId> entries = {};
   std::vector<Span> spans = {};                 ///< of each entry
   std::vector<std::optional<Unit>> units = {};  ///< of each entry; empty: not checked
-  /// The only state at which the claim holds; none: every state.
+  /// The only state about which the claim is made; none: the claim is about every state.
   std::optional<StatedState> at = {};
   Span span = {};
 

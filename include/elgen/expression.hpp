@@ -18,15 +18,15 @@ using ExpressionId = std::uint32_t;
 enum class ExpressionKind : std::uint8_t {
   number,  ///< the value of member `number`
   pi,
-  leaf,    ///< leaf `index` of its kind; forces may contain inputs, [[expect]] also a, p and E; the
-           ///< operands of an open value are the arguments of its function
-  named,   ///< the value of entry `index` of the kind `named`
-  negate,  ///< -operands[0]
-  add,     ///< n-ary
-  multiply,         ///< n-ary
-  divide,           ///< operands[0] / operands[1]
-  power,            ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
-  function,         ///< function(operands…)
+  leaf,      ///< leaf `index` of the kind in member `leaf`; for an open value, the operands are the
+             ///< arguments of its function
+  named,     ///< the value of entry `index` of the NamedKind in member `named`
+  negate,    ///< -operands[0]
+  add,       ///< n-ary
+  multiply,  ///< n-ary
+  divide,    ///< operands[0] / operands[1]
+  power,     ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
+  function,  ///< function(operands…)
   time_derivative,  ///< d/dt operands[0] along the motion: q -> v, v -> a, t -> 1
 };
 
@@ -39,7 +39,8 @@ enum class NamedKind : std::uint8_t {
   frame,       ///< a number of frames[index], see FrameComponent
 };
 
-/// `component` of an expression that refers to a frame: the first number of each vector or matrix.
+/// `component` of an expression that refers to a frame: the position of the first number of a
+/// vector or matrix.
 enum FrameComponent : std::uint32_t {
   frame_rotation = 0,  ///< Frame::rotation, row-major
   frame_origin = 9,

@@ -1,4 +1,4 @@
-// Foreign code: calls functions that elgen did not write at states of a model.
+// Foreign code: calls foreign functions, which elgen did not write, at states of a model.
 #pragma once
 
 #include <cstdint>

@@ -28,7 +28,7 @@ enum class Alphabet : std::uint8_t {
 };
 
 enum class FormulaKind : std::uint8_t {
-  number,    ///< the member `number`, or the decimal digits in `text` if `number` is 0
+  number,    ///< the decimal digits in `text`, or the member `number` if `text` is empty
   symbol,    ///< the member `symbol`
   negative,  ///< -x; as a term of a sum it is subtracted
   either,    ///< +-x
@@ -68,12 +68,13 @@ using Formulas = std::vector<Formula>;
 /// A number by its decimal digits, with or without exponent: "1.5e-07".
 [[nodiscard]] Formula digits_formula(std::string digits);
 
-/// A name of the model language, for which no other notation exists.
+/// A symbol without glyphs: text_of() prints `name`, all other notations print nothing.
 [[nodiscard]] Formula name_formula(std::string name);
-/// A symbol with its name. `is_long`: it needs brackets in powers, for example V'(r).
+/// A symbol: `name` in the model language, `glyphs` in all other notations. `is_long`: the symbol
+/// needs brackets in powers, for example V'(r).
 [[nodiscard]] Formula symbol_formula(std::string name, Glyphs glyphs, bool is_long = false);
-/// Parses a formula in LaTeX, as the tables of elgen contain it. text_of() prints it in ASCII on
-/// one line.
+/// A symbol with the glyphs of `latex`, which is in the subset of LaTeX that the tables of elgen
+/// use. text_of() prints the symbol in ASCII on one line.
 [[nodiscard]] Formula latex_formula(std::string_view latex);
 
 [[nodiscard]] Formula pi_formula();

@@ -41,7 +41,7 @@ struct FunctionRow {
   FunctionDomain domain;
   FunctionUnits units;
   std::uint32_t roundings;    ///< error bound of the library's value, in u
-  std::string_view own_name;  ///< "sign_of": its name if emitted code defines it; "" if never
+  std::string_view own_name;  ///< "sign_of": its name if emitted code defines the function; else ""
   std::string_view latex;     ///< "\\sin"
   int exact_at;
   int exact_value;

@@ -53,13 +53,13 @@ struct InertialParameter : InertialPlace {
 /// The entries of pi of a model.
 [[nodiscard]] std::vector<InertialParameter> inertial_parameters(const Model& model);
 
-/// Two parameters whose product an expression contains. If the expression is not affine in a single
-/// parameter, first and second are this parameter.
+/// Two parameters whose product an expression contains. If the expression is not affine in one
+/// parameter alone (p^2, for example), `first` and `second` are both this parameter.
 struct CoupledParameters {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
 };
-/// Such a pair among `parameters`; none if `expression` is jointly affine in them.
+/// A coupled pair among `parameters`; none if `expression` is jointly affine in `parameters`.
 [[nodiscard]] std::optional<CoupledParameters> find_coupled_parameters(
     const Model& model, ExpressionId expression, const std::vector<std::uint32_t>& parameters);
 

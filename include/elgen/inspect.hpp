@@ -18,7 +18,8 @@
 
 namespace elgen {
 
-/// Errors, warnings and notes of E501 to E522, E613, E614 and E619. The model is not changed.
+/// The errors, warnings and notes on a model: E312 to E314, E501, E507, E508, E511, E512, E522 to
+/// E527, E536 to E538, E603, E613, E614, E616, E619, E627 and E910.
 [[nodiscard]] Diagnostics inspect(const Model& model, const Scene& scene);
 
 /// The exact states of rest at which inspect() checks an [[equilibrium]]: at up to four parameter
@@ -33,8 +34,8 @@ namespace elgen {
 [[nodiscard]] Diagnostics find_momenta(CheckedModel& checked);
 
 /// True if `[routh]` can eliminate the coordinate (see E635): L does not depend on it, no force of
-/// an input, of an entry [[force]] or of D acts on it, and no such force contains it. Cost: as
-/// find_momenta().
+/// an input, of an entry [[force]] or of D acts on it, and none of these forces depends on it.
+/// Cost: as find_momenta().
 [[nodiscard]] bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate);
 
 /// A hint that recommends `sinc` and `cosc`: "`sin(c)/c` is 0/0 there; …". Empty if no quotient of

@@ -1,5 +1,5 @@
 // integrate: the output `step`, one step of an integration method, as straight-line code. The
-// instructions of each output that it calls are copied, in the chosen form of the output.
+// instructions of each output that the step calls are copied, in the chosen form of the output.
 //
 //     x' = f(x, u, t), x = (q, v)     ->     x(t + h), u held
 //
@@ -31,9 +31,10 @@ namespace elgen {
 [[nodiscard]] std::vector<OutputRequest> outputs_for_step(const Model& model,
                                                           const OutputRequest& step);
 
-/// The reason why verlet is not symplectic or not explicit for this system; "" if it is both. The
-/// decision depends on the leaves that the instructions of mass_matrix, momentum and bias load;
-/// `program` must contain these outputs. The model must not have rotations (E622).
+/// The reason why verlet is not symplectic or not explicit for this system; "" if verlet is
+/// symplectic and explicit. The decision depends on the leaves that the instructions of
+/// mass_matrix, momentum and bias load; `program` must contain these outputs. The model must not
+/// have rotations (E622).
 [[nodiscard]] std::string nonseparable_reason(const CheckedModel& checked, const Program& program);
 
 /// Appends the function of the request `step` to `program`. `calls` contains the outputs of

@@ -1,4 +1,4 @@
-// Lagrangian: T, V, D and Q over a list of definitions; it owns all symbols.
+// Lagrangian: T, V, D and Q over a list of definitions. The Lagrangian owns all symbols.
 //
 // A definition is a *small* GiNaC expression over leaves (q, v, a, u, t, parameters) and earlier
 // definitions. Definitions are never substituted into one big expression. The chain rule is applied
@@ -222,8 +222,8 @@ struct HeldVariable : Held {
 struct Lagrangian;
 
 /// The data from which the forces that hold locked coordinates are derived: the Lagrangian in which
-/// these coordinates still move, and their motion. It shares its list of definitions with the
-/// Lagrangian without them.
+/// these coordinates still move, and their motion. `whole` and the Lagrangian without these
+/// coordinates share one list of definitions.
 struct ReactionSource {
   std::shared_ptr<const Lagrangian> whole = {};
   ExpressionMap<GiNaC::ex> values = {};        ///< q, v, a -> functions of time
@@ -237,8 +237,8 @@ struct SmallLeaf {
 };
 
 /// The expansion that specialise() makes in the deviations of all small leaves. Energies are
-/// expanded to the joint order `order` + 1, forces to `order`; forces on coordinates that are not
-/// small to `order` + 1.
+/// expanded to the joint order `order` + 1. Forces on small coordinates are expanded to `order`,
+/// all other forces to `order` + 1.
 struct Expansion {
   std::uint32_t order = 1;
   std::vector<SmallLeaf> small = {};
@@ -250,7 +250,7 @@ enum class EnergyOrigin : std::uint8_t {
   spin,      ///< 1/2 w.I w of a body outside frames
   armature,  ///< 1/2 J v^2
   mass,      ///< 1/2 m |dp/dt|^2 and -m gravity.p, written by specialise
-  momentum   ///< -1/2 w.v_c, written by specialise for `[routh]`
+  momentum   ///< -1/2 w.v_c of Routh's function (derive/specialise/routh.cpp)
 };
 
 struct EnergyTerm {
@@ -282,7 +282,7 @@ struct Lagrangian {
   std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};
   std::vector<GiNaC::ex> cyclic_rates = {};  ///< rates of the eliminated cyclic coordinates
-  std::optional<ReactionSource> reaction_source = {};  ///< for the output `reaction`; none without
+  std::optional<ReactionSource> reaction_source = {};  ///< for the output `reaction`, else none
   std::optional<Expansion> expansion = {};
   bool quadratic = true;
   bool eliminates_last_first = false;  ///< elimination order of M, see model/elimination.hpp
@@ -295,13 +295,13 @@ struct WholeLagrangian : Lagrangian {
   std::vector<HeldVariable> cyclic = {};
 };
 
-/// Sets the name of the definition of `symbol`, unless it has a name.
+/// Sets the name of the definition of `symbol`, unless the definition has a name.
 void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
-/// Builds the Lagrangian of a checked model. E502: dot() of something that contains rates.
+/// Builds the Lagrangian of a checked model. E502: dot() of an expression that contains rates.
 [[nodiscard]] Result<WholeLagrangian> formulate(const Model& model);
 
-/// A value of an open function f or of its derivative, as a GiNaC function. Operands: the leaf
+/// A value of an open function f or of a derivative of f, as a GiNaC function. Operands: the leaf
 /// number of f; the number of arguments of f; the derivative as digits in ascending order (0: f,
 /// 1: df/dx_1, 12: d2f/dx_1 dx_2); the arguments of f, padded with 0 to four.
 // NOLINTNEXTLINE(readability-function-size): GiNaC takes every operand by itself.

@@ -37,7 +37,7 @@ struct LeafNames : LeafValues<std::string> {
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
 
-/// Names the leaves of those kinds in `takes` that have Passed::if_used. The leaves of a list get
+/// Names the leaves of each kind in `takes`, if the kind has Passed::if_used. A list of leaves gets
 /// the names of the velocities; a single leaf gets its symbol.
 void name_optional_leaves(LeafSet takes, LeafNames& leaves);
 

@@ -106,8 +106,8 @@ template <class T>
 }
 
 /// True if emitted functions may take leaves of this kind (see Passed). For the kinds if_any and
-/// if_used: true if the list is not empty. True for h, which has no list; functions take h only if
-/// it has a name.
+/// if_used: true if the list is not empty. True for h, which is a single leaf; functions take h
+/// only if h has a name.
 template <class T>
 [[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
   const Passed passed = leaf_row(kind).passed;

@@ -17,9 +17,9 @@ namespace elgen {
 
 struct EquationsOfMotion;
 
-/// One Function per requested output except `step`; for composed outputs their function of parts
-/// (elgen/compose.hpp). A requested `dynamics` has one field per requested output that takes
-/// neither a nor u. E908: more than limits.derived_nodes nodes.
+/// One Function per requested output except `step`. For a composed output, the function computes
+/// the parts of the output (elgen/compose.hpp). A requested `dynamics` has one field per requested
+/// output that takes neither a nor u. E908: more than limits.derived_nodes nodes.
 [[nodiscard]] Result<Program> lower(const EquationsOfMotion& equations,
                                     const std::vector<OutputRequest>& outputs,
                                     const Limits& limits);

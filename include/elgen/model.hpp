@@ -5,8 +5,9 @@
 // velocities, parameters, definitions and points by index, so common subexpressions are shared.
 // Operands precede their users.
 //
-// q lists the coordinates, v the velocities: the rate of a plain coordinate, and for the quaternion
-// of a rotation its angular velocity in the axes of the body.
+// q lists the coordinates, v the velocities. A plain coordinate has the velocity v_i = dq_i/dt. A
+// rotation has four coordinates, its quaternion, and three velocities: the angular velocity in body
+// axes.
 #pragma once
 
 #include <cln/real.h>
@@ -209,7 +210,7 @@ struct Body {
 struct Input {
   std::string name;
   std::string identifier;
-  std::optional<std::uint32_t> on = {};  ///< the velocity, if it is a generalised force
+  std::optional<std::uint32_t> on = {};  ///< for a generalised force: the velocity on which it acts
   bool is_external = false;  ///< a component of an external force or torque, not a motor
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
@@ -231,7 +232,7 @@ struct Force {
   std::optional<std::uint32_t> from = {};
   std::optional<std::uint32_t> frame = {};
   std::optional<std::uint32_t> from_frame = {};
-  std::vector<ExpressionId> reaction = {};  ///< the torque `value` in the axes of from_frame
+  std::vector<ExpressionId> reaction = {};  ///< the torque in the axes of from_frame, not negated
   /// The components as declared, and their frame (none: the world).
   std::vector<ExpressionId> written = {};
   std::optional<std::uint32_t> axes = {};
@@ -250,7 +251,7 @@ struct UserOutput {
   bool jacobian = false;
   bool motion = false;    ///< true: a and multipliers solve the equations of motion; false: a is an
                           ///< argument
-  bool is_wanted = true;  ///< the scene requests it: locks then keep the inputs that it contains
+  bool is_wanted = true;  ///< requested by the scene; locks then keep the inputs in `values`
   LeafSet takes = {};     ///< kinds of leaves in the values, of v, a, u and t
   std::string doc = {};
   Span span = {};
@@ -291,11 +292,12 @@ struct Equilibrium : StatedPoint {
 /// `[approximate]` of a scene: the expansion point and the small coordinates. The expansion
 /// variables are the deviations, rates and accelerations of the small coordinates, and with
 /// small_inputs the deviations of the inputs. Energies become polynomials of joint degree order + 1
-/// in these variables, forces of degree `order`.
+/// in these variables. Forces on small coordinates become polynomials of degree `order`, all other
+/// forces of degree order + 1.
 struct Approximation : StatedPoint {
   std::uint32_t order = 1;
   std::vector<bool> small = {};  ///< by coordinate
-  bool small_inputs = false;     ///< every coordinate that is not locked is small
+  bool small_inputs = false;     ///< true if every coordinate that is not held is small
   Span span = {};                ///< of the key `about`
 };
 
@@ -351,7 +353,7 @@ struct Model {
   bool may_drift = false;
 };
 
-/// True for a coordinate in rad. The unit rad equals 1, so its declared text decides.
+/// True for a coordinate in rad. The unit rad equals 1, so the declared text of the unit decides.
 [[nodiscard]] inline bool is_angle(const Coordinate& coordinate) {
   return coordinate.unit_text == "rad";
 }
@@ -375,8 +377,8 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
 }
 
 /// The new positions of the variables of the whole model after the held variables are removed.
-/// Inputs that act only on locked variables are removed too, with the inputs of the same wrench
-/// that do no work, unless a requested output contains them.
+/// Inputs that act only on locked variables are removed too. An input that does no work is removed
+/// if another input of the same wrench is removed. Inputs in a requested output are kept.
 [[nodiscard]] RemainingVariables remaining_variables(const Model& whole);
 
 /// True if the Lagrangian is Routh's function R: cyclic coordinates are eliminated.

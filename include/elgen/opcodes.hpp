@@ -62,7 +62,7 @@ inline constexpr std::size_t leaf_kind_count = leaf_kinds.size();
   return static_cast<LeafKind>(static_cast<int>(opcode) - static_cast<int>(Opcode::constant) - 1);
 }
 
-/// opcodes.def lists the leaves between `constant` and `negate`.
+/// True for a leaf. opcodes.def lists the leaves between `constant` and `negate`.
 [[nodiscard]] constexpr bool is_leaf(Opcode opcode) {
   return opcode > Opcode::constant && opcode < Opcode::negate;
 }

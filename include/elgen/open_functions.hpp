@@ -1,7 +1,7 @@
 // Open functions: functions f(x_1, ..., x_n) without an expression; a model declares only their
 // arguments. The numbers
 //
-//     f,  df/dx_i,  d2f/dx_i dx_j  (i <= j)      for two arguments V, V_1, V_2, V_11, V_12, V_22
+//     f,  df/dx_i,  d2f/dx_i dx_j  (i <= j)      for V(x_1, x_2): V, V_1, V_2, V_11, V_12, V_22
 //
 // at the current arguments, called open values, are leaves. The caller of emitted code computes
 // them and passes them as the argument `f`, in this order, function after function.
@@ -44,12 +44,13 @@ struct OpenValue {
 
 struct Model;
 
-/// The open value that is the derivative of `value` by one more argument of its function; none
-/// beyond second order.
+/// The number of the open value that is the derivative of `value` by one more argument of its
+/// function; none beyond second order.
 [[nodiscard]] std::optional<std::uint32_t> derivative_of(const Model& model, std::uint32_t value,
                                                          std::uint32_t argument);
 
-/// The open value of a function differentiated by these arguments.
+/// The number of the open value that is the derivative of `function` by the arguments `by`, in any
+/// order; none beyond second order.
 [[nodiscard]] std::optional<std::uint32_t> open_value(const Model& model, std::uint32_t function,
                                                       std::vector<std::uint32_t> by);
 

@@ -86,7 +86,8 @@ enum class Need : std::uint8_t {
 };
 
 /// The fault to report if a matrix other than M, with which an output solves, is singular at every
-/// state. Outputs that solve only with M ignore it. src/inspect/singular_mass.hpp has the messages.
+/// state. Outputs that solve only with M do not use this member. src/inspect/singular_mass.hpp has
+/// the messages.
 enum class WhenSingular : std::uint8_t {
   redundant_constraint,  ///< A M^-1 A^T: a constraint follows from the others
   redundant_inputs,      ///< B^T G B: the force of an input depends linearly on other inputs
@@ -157,8 +158,8 @@ struct FieldRow {
   Extent rows = Extent::one;
   Extent columns = Extent::one;
   UnitRule unit = UnitRule::none;
-  /// Its C++ type: `{0}` is the number of rows, `{1}` the number of entries. The type of a single
-  /// number is Scalar.
+  /// The C++ type of the field: `{0}` is the number of rows, `{1}` the number of entries, `{2}` the
+  /// number of pivots. The type of a single number is Scalar.
   std::string_view type = "Scalar";
   std::string_view latex = {};  ///< symbol of the field, if it has a name
   /// True for the residual of an iteration, whose terms cancel down to rounding error. Only
@@ -166,14 +167,14 @@ struct FieldRow {
   bool is_remainder = false;
 };
 
-/// True if the field is a matrix even with one column: the mass matrix of one coordinate. The
-/// extent of the columns of a pose is user_columns, which may be 1.
+/// True if the field is a matrix even with one column, for example the mass matrix of one
+/// coordinate. False for user_columns: an [[output]] with one column is a list.
 [[nodiscard]] constexpr bool has_columns(const FieldRow& field) {
   return field.columns != Extent::one && field.columns != Extent::user_columns;
 }
 
-/// True if the field may be a plain number. It is one if it has a single row without a name;
-/// otherwise a single entry is a list of length 1.
+/// True if a single entry of the field is a plain number. False if a single entry is a list of
+/// length 1, because its row belongs to a coordinate, an input or another named entry.
 [[nodiscard]] constexpr bool may_be_scalar(const FieldRow& field) {
   const bool is_of_user = field.rows == Extent::user || field.rows == Extent::task;
   return (is_of_user || field.rows == Extent::one) && !has_columns(field);

@@ -60,9 +60,10 @@ struct ConservedQuantity {
   std::string name = {};
   Formula definition = {};
 };
-/// The energy function and the momenta of cyclic coordinates that are constant along every motion,
-/// if the outputs of the program prove it. Conditions: L does not contain t, or the coordinate, and
-/// no input, force, dissipation or constraint acts. Empty if the scene expands the equations.
+/// The energy function and the momenta that are constant along every motion, if the outputs of the
+/// program prove it. The energy function: L does not contain t, no input, force or dissipation
+/// acts, and constraints do no work. A momentum: L does not contain the coordinate, and no input,
+/// force, dissipation or constraint acts on it. Empty if the scene expands the equations.
 [[nodiscard]] std::vector<ConservedQuantity> conserved_quantities(const Model& model,
                                                                   const Program& program);
 
@@ -84,7 +85,7 @@ struct PageEquation {
   bool is_definition = false;  ///< it defines a name that preceding equations contain
 };
 
-/// A table as a list of rows. All column heads may be empty.
+/// A table: `cells` row by row, with one column for each head. All heads may be empty.
 struct PageTable {
   Formulas heads = {};
   Formulas cells = {};
@@ -93,7 +94,7 @@ struct PageTable {
 /// A section of a page: one or more paragraphs.
 struct PageSection {
   Formula title = {};         ///< "Mass matrix"; may be empty
-  std::string function = {};  ///< name in code: "mass_matrix"; printed as the title
+  std::string function = {};  ///< name in code: "mass_matrix"; an equal title is printed as code
   std::optional<OutputKind> kind = {};
   std::string doc = {};     ///< one sentence on its meaning
   Formula definition = {};  ///< may be empty

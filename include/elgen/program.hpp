@@ -37,13 +37,13 @@ struct Instruction {
   FunctionId function = FunctionId::sin;
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  /// True for an operation of an acceleration that a `step` calls. InnerScalar::single_precision
-  /// applies to no other operation.
+  /// True if the instruction belongs to the accelerations that a `step` evaluates.
+  /// InnerScalar::single_precision applies only to such instructions.
   bool is_inner = false;
   friend bool operator==(const Instruction&, const Instruction&) = default;
 };
 
-/// A hash for value numbering, in which equal instructions have the same value.
+/// A hash of instructions for value numbering: equal instructions compute the same value.
 struct InstructionHash {
   [[nodiscard]] std::size_t operator()(const Instruction& i) const;
 };
@@ -97,15 +97,15 @@ struct Function {
   /// Name of each instruction ("sin_theta", "~moment_link5_y"), or "". Parallel to instructions.
   std::vector<std::string> names = {};
   std::vector<Field> fields = {};
-  /// Entries, numbered over all fields, that depend on a value replaced by 0 without a proof: it
-  /// vanishes at `zero_sample_count` random points.
+  /// Entries, numbered over all fields, that depend on a value replaced by 0 without a proof: the
+  /// value vanishes at `zero_sample_count` random points.
   std::vector<std::uint32_t> sampled_zeros = {};
   /// Entries, numbered over all fields, whose code differs from their readable form, because the
   /// readable form loses digits in cancelling sums.
   std::vector<std::uint32_t> rewritten = {};
   Repetition repeated = {};  ///< count 0: no repetitions
-  /// For a function of parts (elgen/compose.hpp): the velocities in the order in which M is
-  /// eliminated.
+  /// If the fields are the parts of an output (elgen/compose.hpp): the velocities in the order in
+  /// which M is eliminated.
   std::vector<std::uint32_t> elimination = {};
 };
 
@@ -226,8 +226,8 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 ///     after     0 = parameter m   1 = multiply 0 0                     result = 1
 [[nodiscard]] Function pruned(const Function& function);
 
-/// A function whose only field has the instructions `entries` as entries. All other instructions
-/// that they do not need are removed.
+/// A function whose only field has the instructions `entries` as entries. Instructions that these
+/// entries do not need are removed.
 [[nodiscard]] Function with_entries(Function function, const std::vector<std::uint32_t>& entries);
 
 /// Empty if all invariants hold; else the first violation with function and instruction.
@@ -239,7 +239,7 @@ void require_invariants(const Program& program);
 
 [[nodiscard]] std::string dump(const Program& program);
 
-/// The name of a value without a meaning: a hash of its content in code, a number on pages
+/// The name of a value without a meaning: in code a hash of its content, on pages a number
 /// ("part_2").
 enum class FallbackName : std::uint8_t { hash, number };
 
@@ -250,8 +250,9 @@ enum class FallbackName : std::uint8_t { hash, number };
                                                        const Function& function,
                                                        FallbackName last = FallbackName::hash);
 
-/// The names of the instructions that remain meaningful if the function is called with other
-/// arguments. "" replaces names composed from leaves, names of values in frames, and hashes.
+/// For each instruction its name, if the name keeps its meaning when the function is called with
+/// other arguments; else "". Excluded are names composed from leaves, names of values in frames,
+/// and hashes.
 [[nodiscard]] std::vector<std::string> context_free_names(const Program& program,
                                                           const Function& function);
 

@@ -1,5 +1,5 @@
 // Real: floats of at least 64 digits. ScalarTraits: conversion of exact numbers to a scalar type.
-// interpreter: the functions of functions.def for built-in floats that the standard library lacks.
+// interpreter: for built-in floats, the functions of functions.def that the standard library lacks.
 #pragma once
 
 #include <cln/float.h>

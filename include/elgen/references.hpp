@@ -65,7 +65,7 @@ struct Root {
 };
 
 /// The expressions that entries contain, entry by entry: first the equations of motion, then
-/// outputs, then definitions and prescribed functions. References are not followed. Omitted are
+/// outputs, then definitions and prescribed functions. References are not followed. The list omits
 /// duplicates (transforms of frames, positions in frame axes, forces as declared), claims about the
 /// model (stated points, expected closed forms) and laws of inputs.
 [[nodiscard]] std::vector<Root> roots_of(const Model& model);

@@ -79,7 +79,7 @@ struct OutputRequest {
   Span span = {};                     ///< of the request in the scene or an option
   std::optional<Form> form = {};      ///< the form that the scene demands; none: choose() decides
   std::optional<StepSpec> step = {};  ///< for `step` and its derivatives
-  bool without_pivots = false;        ///< for outputs that return relative pivots by default
+  bool without_pivots = false;        ///< true: relative pivots are not returned
   /// For `completed`: the velocities that determine the other velocities, ascending.
   std::vector<std::uint32_t> independent = {};
 };
@@ -103,7 +103,7 @@ struct Numerics {
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
   /// Unless `same`: a further header is emitted that computes in this scalar.
   InnerScalar inner = InnerScalar::same;
-  /// Largest error of sines and cosines in batches.
+  /// Largest error of sines and cosines in batches; none: see trigonometry_error().
   std::optional<cln::cl_RA> trigonometry_error = {};
   /// True: functions of one state call sin and cos of the library instead of polynomials.
   bool has_library_sines = false;
@@ -139,7 +139,7 @@ inline constexpr std::uint64_t entries_in_full = 4096;
 /// Why the built-in scene `full` omits an output.
 enum class OmissionReason : std::uint8_t {
   too_many_entries,  ///< more than entries_in_full
-  kinked_force,      ///< needs derivatives of a force with kinks, which jump; no scene can have it
+  kinked_force,      ///< needs derivatives of a force, which jump at kinks; no scene can have it
 };
 
 [[nodiscard]] std::string_view name_of(OmissionReason reason);

@@ -26,7 +26,7 @@ struct SimulationOptions {
   double time = 0;  ///< duration
   std::optional<double> step =
       {};  ///< upper bound; each interval has a whole number of equal steps
-  std::optional<double> tolerance = {};  ///< 1e-9 if neither is set
+  std::optional<double> tolerance = {};  ///< none: 1e-9 if `step` is not set either
   std::optional<double> every = {};      ///< time between rows; none: no rows
   std::optional<double> hold = {};       ///< inputs are constant for this time; none: continuous
   bool project = true;                   ///< project onto the constraints after each step
@@ -100,9 +100,9 @@ struct Trajectory {
   ///
   ///     E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt - int v.A^T lambda dt
   ///
-  /// where the last term counts only for constraints that contain t.
+  /// The last term counts only for constraints that contain t.
   Drift energy = {};
-  bool loses_energy = false;  ///< with a fixed step, the loss exceeds 10 % of the scale of E648
+  bool loses_energy = false;  ///< with a fixed step: the loss exceeds 10 % of the scale of E648
   std::vector<Drift> momenta = {};  ///< of cyclic coordinates without forces and constraints
   /// Drifts of `conserved` entries of the model, which are constant at u = 0. Empty if the scene
   /// locks variables or expands the equations.
@@ -137,12 +137,13 @@ struct Trajectory {
 /// not change. E538: no values of the other variables satisfy the constraints.
 [[nodiscard]] Result<CheckedModel> assemble_model(const CheckedModel& checked, const cln::cl_R& t);
 
-/// Runs from the assembled start of the model (assemble_model()), by `compiled` or, if it is null,
-/// in the interpreter. The run ends early if M or the constraints lose rank, or if the motion
-/// slides along a kink. E648 warns if the loss of energy exceeds the tolerance, or with a fixed
-/// step 1 % of max |T| + (max V - min V). Errors: E201 of `show` and `path`, E518, E538, E620,
-/// E621, E623, E624, E647, E648. Cost per step: one `step` or a few calls of the equations of
-/// motion, and one call of the energies.
+/// Runs from the assembled start of the model (assemble_model()), by `compiled` or, if `compiled`
+/// is null, in the interpreter. E624: M or the constraints lose rank, the motion slides along a
+/// kink, or a number is not finite. Other errors: E201 of `show` and `path`, E538, E620, E621,
+/// E623, E647. Warning E518: a constant law is beyond the limits of its input. Warning E648: the
+/// energy balance (Trajectory::energy) deviates by more than the tolerance allows; or, with a fixed
+/// step, by more than 1 % of max |T| + (max V - min V), or an entry of `conserved` drifts. Cost per
+/// step: one `step` or a few calls of the equations of motion, and one call of the energies.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);

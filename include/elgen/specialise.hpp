@@ -8,9 +8,10 @@
 
 namespace elgen {
 
-/// `lagrangian` must be formulated from `checked`. E312, E313, E314: because of a fixed parameter,
-/// a lock or `[routh]`, an expression is divided by zero, undefined or complex at every state. The
-/// error has the span of the declaration.
+/// `lagrangian` with the scene of `checked` applied. `lagrangian` must be formulated from the model
+/// of `checked`. E312, E313, E314: because of a fixed parameter, a lock or `[routh]`, an expression
+/// is divided by zero, undefined or complex at every state. The error has the span of the
+/// declaration.
 [[nodiscard]] Result<Lagrangian> specialise(WholeLagrangian lagrangian,
                                             const CheckedModel& checked);
 

@@ -59,7 +59,7 @@ struct SourceSpelling {
   /// Characters written as \u003c, because they would be markup on a page.
   std::string_view coded_in_texts;
   std::string_view escaped_in_docs;  ///< characters that need a backslash in documentation
-  std::string_view end_of_docs;   ///< ends documentation; inside, a blank separates its characters
+  std::string_view end_of_docs;  ///< ends documentation; inside docs, a blank splits its characters
   std::string_view own_function;  ///< a call of a function that the module defines
   /// The name of a constant; {0}: its number; "": constants are written as literals.
   std::string_view named_number;

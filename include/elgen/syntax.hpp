@@ -166,7 +166,7 @@ struct EntryRow {
 [[nodiscard]] std::string header_text(const EntryRow& row);
 /// All entries and keys in Markdown: the text of models/REFERENCE.md.
 [[nodiscard]] std::string key_reference();
-/// The word that replaces a former word; empty for any other word.
+/// The word that replaces the former word `word`; empty if `word` is not a former word of the key.
 [[nodiscard]] std::string_view replacement_of_choice(const KeyRow& row, std::string_view word);
 
 /// The key table as a JSON Schema, with which editors check TOML files. Every file that the parser
@@ -196,8 +196,8 @@ struct EntryRow {
 
 /// The words of options as keys of a table: NAME=VALUE; for expression_or_list also NAME=[A, B];
 /// for range NAME=LOW..HIGH; for boolean_or_expression a bare NAME means true. Blanks around names
-/// are removed. Returns the keys that can be read, and errors for the others: E606 (no value, no
-/// range, a duplicate name) and the errors of expressions.
+/// are removed. Returns the keys that can be read, and errors for all other words: E606 (no value,
+/// no range, a duplicate name) and the errors of expressions.
 [[nodiscard]] Result<std::vector<KeySyntax>> parse_options(
     const std::vector<SourcePointer>& options, KeyType type, const Limits& limits);
 

@@ -86,8 +86,8 @@ class CompiledModel {
 enum class Build : std::uint8_t {
   as_written,  ///< strict flags, no contraction: bit-identical to the written arithmetic
   native,      ///< -O3 -march=native, no contraction: also bit-identical
-  user_flags,  ///< -O3 -march=native, contraction on; not for Eigen headers; for batch headers only
-               ///< their sine and cosine functions
+  user_flags,  ///< -O3 -march=native, contraction on; no Eigen headers; of batch headers only
+               ///< the sine and cosine functions
   to_time,     ///< -O2 -march=native, contraction on
 };
 
@@ -135,7 +135,7 @@ struct CompileOptions {
 /// once per build, or once per header of a long program. CompiledHeader::functions is null if the
 /// compiler rejects the flags of the build, or if Eigen is not installed. E704: no compiler. E705:
 /// the compiler rejects the emitted code. E706: no space for files. E709: the compiler fails. E909:
-/// it exceeds limits.seconds of wall-clock time. E705 and E709 quote the compiler.
+/// the compiler exceeds limits.seconds of wall-clock time. E705 and E709 quote the compiler.
 [[nodiscard]] Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model,
                                               const Scene& scene, const Program& program,
                                               const CompileOptions& options);

@@ -226,7 +226,7 @@ struct PlannedRun {
                                              const StepLoops& loops, const PlannedRun& run,
                                              double time);
 
-/// A piece of work for find_costs(): some steps of this length from the start of the model, for one
+/// A piece of work for find_costs(): some steps of `length` from the start of the model, for one
 /// state, or for 256 states in packs. Its parts are the steps of each state.
 [[nodiscard]] TimedWork timed_steps(const CheckedModel& checked, const Program& program,
                                     const StepLoops& loops, bool in_packs, double length);
@@ -244,13 +244,14 @@ struct TradeoffRow {
   Quartiles call_cost = {};  ///< cost of a call with one state, which fills one lane of a pack
   DesignErrors error = {};
   std::string failure = {};  ///< why cost and error are missing; "": they are present
-  /// True: the error is smaller than the error of the reference run, which is given instead.
+  /// True: the error is below the error of the reference run, and `error` is the error of the
+  /// reference run.
   bool is_below_reference = false;
   /// The rank by cost, from 1; 0 if the row failed. All rows whose cost equals the cheapest cost of
   /// the remaining rows get the next rank.
   std::size_t rank = 0;
-  /// True if the worst error is at most 1 and, beyond noise, smaller than the error of every
-  /// earlier row that is on the front or below the reference.
+  /// True if the row is not below the reference, its worst error is at most 1, and this error is,
+  /// beyond noise, smaller than the error of every earlier row on the front or below the reference.
   bool is_on_pareto_front = false;
 };
 
@@ -274,8 +275,8 @@ struct TradeoffTable {
 /// "float, packs, full, fixed"
 [[nodiscard]] std::string name_of(const TradeoffRow& row);
 
-/// The first row with a worst error of at most max_error, that is, the most accurate row of the
-/// cheapest rank with such a row. Null if no row qualifies.
+/// The cheapest row with a worst error of at most `max_error`; if several of these rows have the
+/// same rank, the most accurate. Null if no row qualifies.
 [[nodiscard]] const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error);
 /// cheapest_within() for table.max_error; null if no row qualifies or max_error is not set.
 [[nodiscard]] const TradeoffRow* picked_row(const TradeoffTable& table);

@@ -20,8 +20,8 @@
 
 namespace elgen {
 
-/// Rewrites the `readable` functions of the program as in books. Unchanged are entries whose closed
-/// form is missing or too long, expanded equations, and equations from Routh's function.
+/// Rewrites the `readable` functions of the program as in books. Entries whose closed form is
+/// missing or too long, expanded equations, and equations from Routh's function do not change.
 [[nodiscard]] Program typeset(const CheckedModel& checked, const ClosedForms& forms,
                               Program program);
 
@@ -30,13 +30,14 @@ namespace elgen {
 /// True if some entry has a closed form that is short enough.
 [[nodiscard]] bool has_short_entry(const ClosedFunction& function);
 
-/// The program of elgen/steps.hpp with the summands of each field added to one entry: `functions`
-/// over the definitions of the derivation, `readable` as in books. The function of a velocity has
-/// the fields of BookField.
+/// `derived`, the program of elgen/steps.hpp, with the summands of each field added up to one
+/// entry: `functions` over the definitions of the derivation, `readable` as in books. The function
+/// of a velocity has the fields of BookField.
 ///
-/// A last function is added, with one field per acceleration: its equation, solved for it. The
-/// field has no rows if constraints act, if a closed form is missing, if the equation contains two
-/// other accelerations, or if the equation of the other acceleration contains a third one.
+/// A last function is added, with one field per acceleration: its equation of motion, solved for
+/// it. The field has no rows if the scene expands the equations, if constraints act, if a closed
+/// form is missing or too long, if the equation contains two other accelerations, or if the
+/// equation of the other acceleration contains a third one.
 [[nodiscard]] Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms,
                                     Program derived);
 

@@ -2,7 +2,8 @@
 //
 // Every moving link becomes a frame and a body, every moving joint a coordinate and an input.
 // Numbers keep the digits of the URDF. Shapes, colours and transmissions are omitted without a
-// message. An omission that changes the mechanics is a warning (E822), any other a note (E815).
+// message. For all other elements, warning E822 reports an omission that changes the mechanics,
+// note E815 any other omission.
 #pragma once
 
 #include <string>

@@ -20,8 +20,8 @@ struct ValueField {
   std::vector<std::string> units = {};    ///< of each entry; "" if unknown
 };
 
-/// An output as a function: its arguments, as far as the model has them (inputs always), and its
-/// fields.
+/// An output as a function. `takes` are the kinds of its arguments. Kinds without a leaf in the
+/// model are omitted, except inputs.
 struct ValueFunction {
   OutputRequest output = {};
   std::vector<Opcode> takes = {};
@@ -47,7 +47,8 @@ struct ValueTable {
   int digits = 17;        ///< significant digits, all correct
   std::vector<ValueFunction> functions = {};
   std::vector<ValueRecord> records = {};
-  /// Only for test vectors: states for which Newton's method found no point on the constraints.
+  /// Only for test vectors: number of states for which Newton's method found no point on the
+  /// constraints.
   std::optional<std::size_t> skipped_states = {};
 };
 

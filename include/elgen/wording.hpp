@@ -11,14 +11,14 @@
 
 namespace elgen {
 
-/// Text of the user in back-ticks, on one line: blanks and line ends become one space, invisible
-/// characters become their names, and text longer than 60 characters is cut.
+/// Text of the user in back-ticks, on one line: each run of blanks and line ends becomes one space,
+/// invisible characters become their names, and text longer than 60 characters is cut.
 [[nodiscard]] std::string in_backticks(std::string_view text);
 
 /// The source text of a span in back-ticks.
 [[nodiscard]] std::string in_backticks(const Span& span);
 
-/// Replaces blanks and line ends by one space, and removes them at both ends.
+/// Replaces each run of blanks and line ends by one space, and removes the spaces at both ends.
 [[nodiscard]] std::string one_line(std::string_view text);
 
 /// A path in messages: invisible characters and line ends are written as \x0a.
