@@ -27,12 +27,12 @@ double rounded(const Real& x) {
   return x.is_defined() ? cln::double_approx(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The largest error bound of K, relative to K, with which the K computed in double is used. K is
-/// reported to a tenth of a decimal digit. The bound is larger for long functions, and if
-/// derivatives cancel; then K is computed in Real.
+/// K computed in double is used if its error bound, relative to K, is at most this: K is reported
+/// to a tenth of a decimal digit. Long functions and cancelling derivatives have larger bounds;
+/// then K is computed in Real.
 constexpr double tolerated_error = 1e-4;
 
-/// An upper bound of the error of a product or factor in double by underflow.
+/// An upper bound on the error that underflow causes in a factor or a product in double.
 constexpr double underflow_loss = 1e-300;
 
 /// A derivative, and a bound on its rounding errors in double.

@@ -32,7 +32,7 @@ class Conditioning {
                std::vector<bool> parameters = {});
 
   /// K of an instruction; undefined if a derivative is undefined. K is computed in double, to four
-  /// digits and with an error bound; if the bound is too large, it is computed in Real. Cost: ten
+  /// digits and with an error bound; if the bound is too large, K is computed in Real. Cost: ten
   /// operations of double, and two of Real if needed, for each earlier instruction.
   [[nodiscard]] Real of(std::uint32_t instruction) const;
 

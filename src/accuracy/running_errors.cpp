@@ -44,8 +44,8 @@ Rounding<Number> rounding_of() {
           }};
 }
 
-/// The result of an operation on x and y, with its value and error before underflow. Adds the error
-/// of underflow, and propagates is_lost and underflows of the operands.
+/// `value` and `error` as the result of an operation on x and y. Adds the error of underflow to
+/// `error`, and propagates is_lost and underflows of the operands.
 template <class Number>
 Running<Number> with_rounding(const Number& value, const Number& error, const Running<Number>& x,
                               const Running<Number>& y, const Rounding<Number>& rounding) {
@@ -72,8 +72,8 @@ bool is_accurate(const Running<Number>& x, const Number& scale, const Rounding<N
   return x.error * rounding.roundoff <= scale * share;
 }
 
-/// True if the first-order error of f(x) is accurate: the error of x is small compared with |x|, or
-/// for entire functions with max(|x|, 1).
+/// True if the first-order error of f(x) is accurate. Always true for sine and cosine; otherwise
+/// the error of x must be small compared with |x|, or with max(|x|, 1) for entire functions.
 template <class Number>
 bool is_accurate_argument(const FunctionRow& row, const Running<Number>& x,
                           const Rounding<Number>& rounding) {

@@ -29,7 +29,7 @@ struct Rounding {
   Number underflow;  ///< eta/u
   Number smallest;   ///< the smallest normal number; a smaller result has the error eta
   Number largest;    ///< the largest finite number / 16; a larger value may overflow
-  bool (*is_exact)(const cln::cl_R& value);  ///< true if the scalar can represent it
+  bool (*is_exact)(const cln::cl_R& value);  ///< true if the scalar can represent `value`
 };
 
 /// The constants of Scalar, which is double or float. With Number = double, only of double.
@@ -62,9 +62,9 @@ template <class Number>
 [[nodiscard]] Running<Number> running_leaf(const cln::cl_R& value,
                                            const Rounding<Number>& rounding);
 
-/// True if the rules replace a value by its limit for x -> +-infinity: for exponential functions at
-/// |x| > 2^20, whose values do not differ from the limit in 64 digits. A limit of 0 must not be
-/// used as a divisor. For a function of one argument, `y` is x.
+/// True if the rules replace f(x, y) by its limit for x -> +-infinity: for exponential functions at
+/// |x| > 2^20. A finite limit then equals the value in 64 digits. A limit of 0 must not be used as
+/// a divisor. For a function of one argument, `y` is x.
 [[nodiscard]] bool takes_limit(FunctionId function, const Real& x, const Real& y);
 
 /// Whether leaves are exact or have one rounding error each. With a rounding error of q = 1e6, both
@@ -98,8 +98,8 @@ struct RunningErrorRules {
   [[nodiscard]] Value multiply(const Value& x, const Value& y) const;
   [[nodiscard]] Value divide(const Value& x, const Value& y) const;
   [[nodiscard]] Value square_root(const Value& x) const;
-  /// The result of a function with kinks has the larger error of its operands; `sign` of an
-  /// uncertain value is lost. Functions of one argument ignore y.
+  /// The value and error of f(x, y); functions of one argument ignore y. A function with kinks has
+  /// the larger error of its operands; `sign` of an uncertain value is lost.
   [[nodiscard]] Value call(FunctionId function, const Value& x, const Value& y) const;
 };
 

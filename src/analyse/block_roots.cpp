@@ -34,7 +34,7 @@ constexpr std::size_t most_places = 16;
 /// The highest order of a zero that is recognised.
 constexpr std::uint32_t most_order = 8;
 
-/// The angle in (-pi, pi].
+/// `angle`, shifted by whole turns into (-pi, pi].
 Real wrapped_angle(const Real& angle) { return -turned_above(-angle, -whole_turn() / Real(2)); }
 
 class BlockSearch {
@@ -90,9 +90,9 @@ class BlockSearch {
     return with_entries(system_.residual(), entries);
   }
 
-  /// An equation without coordinates either has no root, or one root without values. It is proved
-  /// to be 0 only for rational values of the parameters; a value that is 0 in 64 digits proves
-  /// nothing.
+  /// The roots of an equation without coordinates: none, or one root without values. The equation
+  /// is proved to be 0 only for rational values of the parameters; a value that is 0 in 64 digits
+  /// proves nothing.
   BlockRoots constant_equation() {
     const Real value = evaluate(system_.program, rows_, start())[0];
     if (value.is_defined() && !is_near(value, Real(), root_digits)) return std::move(result_);
@@ -275,7 +275,8 @@ class BlockSearch {
     places.push_back(std::move(whole));
   }
 
-  /// True if `outer` contains `inner`; with slack, if the boxes intersect or nearly touch.
+  /// True if `outer` contains `inner`; if `slack` is 1, true if the boxes intersect or nearly
+  /// touch.
   static bool holds(const Box& outer, const Box& inner, int slack) {
     for (std::size_t i = 0; i < outer.size(); ++i) {
       const double length = neighbourhood * (inner[i].high - inner[i].low);

@@ -21,7 +21,7 @@ struct RestSystem {
   State state = {};  ///< values of parameters and inputs, start values of coordinates
 
   [[nodiscard]] const Function& residual() const { return program.functions[0]; }
-  /// The form of one equation; none if it exceeds the budget.
+  /// The form of the equation of a velocity; none if the form exceeds the budget.
   [[nodiscard]] const std::optional<Fraction>& row(std::uint32_t velocity) const {
     return forms.functions[0].fields[0].entries[velocity];
   }
@@ -39,14 +39,15 @@ struct BlockRoots {
   std::string_view limit = {};  ///< "boxes" or "enclosures"; empty: no limit was reached
 };
 
-/// E531: a coordinate has no range. The search stops at the limits of boxes and enclosures.
+/// The roots of `block`, or E531 for a coordinate without a range. The search stops at the limits
+/// of boxes and enclosures in `most`.
 [[nodiscard]] Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block,
                                              const Limits& most);
 
-/// The derivative of lowest order of a row by one coordinate that is not 0 at a root. At the root
+/// Of the derivatives of a row by one coordinate, the first that is not 0 at a root. At the root
 /// and the values of the parameters, the row and its derivatives of lower order are exactly 0.
 struct RootOrder {
-  std::uint32_t order = 1;  ///< of the derivative, which is the multiplicity of the root
+  std::uint32_t order = 1;  ///< of the derivative; equals the multiplicity of the root
   Fraction derivative = {};
 };
 [[nodiscard]] std::optional<RootOrder> root_order(RestSystem& system, std::uint32_t row,

@@ -38,7 +38,7 @@ Box middle_of(const Box& box) {
   return result;
 }
 
-/// None if the boxes do not intersect.
+/// The box of all common points; none if the boxes do not intersect.
 std::optional<Box> intersection(const Box& x, const Box& y) {
   Box result;
   for (std::size_t i = 0; i < x.size(); ++i) {

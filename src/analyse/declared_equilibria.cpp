@@ -1,6 +1,6 @@
 // Checks [[equilibrium]] entries by closed forms of the residual and of det(x M - K) at the point.
-// If the forms do not decide, the states of sample_equilibrium() do: inspect() has tested the
-// balance at these states, and frequencies are compared there in 64 digits.
+// If the forms do not decide, an entry is checked at the states of sample_equilibrium(): inspect()
+// has tested the balance at these states, and frequencies are compared in 64 digits.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -171,8 +171,8 @@ class DeclaredEquilibrium {
     return closed_form(forms_, model_, checked_.scene.specialisation.fixed, expression);
   }
 
-  /// Computes the residual, M and K at the point. They remain empty if a coordinate of the point
-  /// has no closed form, and for models with rotations.
+  /// Computes the residual, M and K at the point. All three remain empty if a coordinate of the
+  /// point has no closed form, and for models with rotations.
   void find_forms() {
     const ClosedFunction* const bias = closed(OutputKind::bias);
     const ClosedFunction* const inputs = closed(OutputKind::input_matrix);

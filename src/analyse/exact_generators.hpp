@@ -51,7 +51,7 @@ struct ExactGenerators {
   bool has_root = false;
 };
 
-/// Solves dR + A^T R = 0 for closed forms. None for models with rotations, or if the budget is
+/// Solves dR + A^T R = 0 in closed form. None for models with rotations, or if the budget is
 /// exceeded. Cost: 3 n + 1 derivatives of R, and an elimination over fractions of polynomials.
 [[nodiscard]] std::optional<ExactGenerators> exact_generators(ClosedForms& forms,
                                                               const Model& model,

@@ -28,7 +28,7 @@ bool is_same_angle(const Real& x, const Real& y) {
   return is_near(cos(x), cos(y)) && is_near(sin(x), sin(y));
 }
 
-/// A search for one coordinate; by default for any coordinate.
+/// A search for the leaf `coordinate`; without `coordinate`, for the leaves of all coordinates.
 LeafSearch search_of(const Algebra& algebra, std::optional<std::uint32_t> coordinate) {
   return {algebra, [coordinate](const Atom& leaf) {
             return leaf.leaf == Opcode::coordinate && (!coordinate || leaf.index == *coordinate);
@@ -372,7 +372,7 @@ std::optional<std::vector<CoordinateAtRest>> exact_root(ClosedForms& forms,
   if (!open && is_solved(algebra, rows, replacements_of(unknowns.coordinates, values))) {
     return values;
   }
-  // A root may be a multiple of a quarter turn only at these parameters: asin(tau/(m g l)) = pi/2.
+  // A root may be pi/2 only at these values of the parameters, such as asin(tau/(m g l)).
   if (!open && values.size() == 1) open = 0;
   if (!open) return std::nullopt;
   values[*open] = {};

@@ -30,7 +30,7 @@ namespace elgen {
 /// its denominator.
 [[nodiscard]] Value divisor_of(Algebra& algebra, const Fraction& form);
 
-/// A form as a program of one value; none if it is too long.
+/// A form as a program of one value; none if the form is too long.
 [[nodiscard]] std::optional<Linearised> form_program(const LeafNames& leaves,
                                                      const Algebra& algebra, const Fraction& form);
 

@@ -1,5 +1,5 @@
 // The two values w^2 of a block of two coordinates have one divisor and a common factor in front.
-// If the radicand is a square, they are two formulas without a root.
+// If the radicand is a square, each value has a formula without a root.
 #include "analyse/frequencies.hpp"
 
 #include <cln/integer.h>

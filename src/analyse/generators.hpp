@@ -69,7 +69,7 @@ struct MotionPoint {
   std::vector<Number> residual = {};
 };
 
-/// dR/dq N, dR/dv and dR/da at a point, n x n, row-major; and dR/dt, n entries.
+/// dR/dq N (with dq/dt = N v), dR/dv and dR/da at a point, n x n, row-major; and dR/dt, n entries.
 template <class Number>
 struct ResidualSlopes {
   std::vector<Number> by_position = {};
@@ -104,7 +104,7 @@ std::array<typename Field::Number, axis_count> world_axis(
   return row;
 }
 
-/// The cross product of x and the j-th unit vector: column j of [x]x. x starts at `first`.
+/// Column j of [y]x, the cross product of y and the j-th unit vector; y starts at x[first].
 template <class Field>
 std::array<typename Field::Number, axis_count> cross_with_unit(
     Field& field, const std::vector<typename Field::Number>& x, std::size_t first, std::size_t j) {

@@ -45,7 +45,7 @@ std::vector<Ref> entries_at_rest(const RestRules& rules, const Program& program,
   return entries_of(function, fold<Ref>(rules, program, function));
 }
 
-/// Appends a function with these entries and the shape of the function of this kind in `shapes`.
+/// Appends a function with the entries `expressions`, shaped like the function `kind` in `shapes`.
 void append_function(Program& program, const Program& shapes, OutputKind kind,
                      const Expressions& expressions) {
   Function function = without_instructions(*find_function(shapes, kind));
@@ -53,7 +53,7 @@ void append_function(Program& program, const Program& shapes, OutputKind kind,
   program.functions.push_back(std::move(function));
 }
 
-/// bias - B u at v = 0 over one graph.
+/// bias - B u at v = 0, with all entries in one graph.
 Expressions residual_of(const Program& moving, const std::vector<cln::cl_R>& inputs) {
   Expressions residual;
   const RestRules rules(residual.graph, inputs);

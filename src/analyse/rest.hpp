@@ -21,8 +21,8 @@ struct RestProgram {
   [[nodiscard]] const Function& residual() const { return program.functions[0]; }
 };
 
-/// `moving` has bias, mass_matrix and energy_function, and input_matrix if the model has inputs.
-/// `inputs` are the values of u. E530: an entry has no value at rest.
+/// r, M and W at v = 0 and u = `inputs`. `moving` has bias, mass_matrix and energy_function, and
+/// input_matrix if the model has inputs. E530: an entry has no value at rest.
 [[nodiscard]] Result<RestProgram> rest_program(const Program& moving,
                                                const std::vector<cln::cl_R>& inputs);
 

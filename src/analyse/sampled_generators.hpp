@@ -27,8 +27,8 @@ struct SampledGenerators {
   std::vector<std::vector<cln::cl_R>> rows = {};  ///< conditions at these states
 };
 
-/// Samples random states with the parameters of `resting`. `moving` has the functions of
-/// outputs_of_symmetries. None if too few states have a value. Cost: 3 n + 1 derivatives of the
+/// The generators at random states with the parameters of `resting`; none if too few states have a
+/// value. `moving` has the functions of outputs_of_symmetries. Cost: 3 n + 1 derivatives of the
 /// inverse dynamics at each of (unknowns / n + 4) states, and an elimination.
 [[nodiscard]] std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
                                                                   const Program& moving,

@@ -259,7 +259,8 @@ bool no_entry_satisfies(const Program& moving, OutputKind kind, const Holds& hol
 
 bool holds_coordinates(const Occurrence& entry) { return !entry.coordinates.empty(); }
 
-/// Symmetric elimination in 64 digits. If a pivot is 0, its row and column must be 0.
+/// True if a symmetric matrix is positive semidefinite, by symmetric elimination in 64 digits. If a
+/// pivot is 0, its row and column must be 0.
 bool is_positive_semidefinite(std::vector<cl_R> a, std::size_t n) {
   const cl_R noise = largest_of(a) * power_of_ten(-40);
   for (std::size_t k = 0; k < n; ++k) {

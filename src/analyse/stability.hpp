@@ -15,7 +15,7 @@ struct RestConditions {
   std::size_t free_count = 0;  ///< coordinates in no equation at rest
   /// Leading terms of W along coordinates that are alone in their equation and have K = 0 exactly.
   std::vector<LeadingTerm> degenerate = {};
-  std::vector<bool> is_positive = {};  ///< of the coefficients of `degenerate`
+  std::vector<bool> is_positive = {};  ///< for each coefficient of `degenerate`
 };
 
 /// True if a minimum of W = V0 - T0 decides stability: L does not contain t, D >= 0 at v = 0, no

@@ -129,7 +129,7 @@ bool keeps_lagrangian_at(const Subject& subject, const Algebra& algebra, const G
     balance.add(0, change.velocity[i] * momentum[i]);
     balance.add(0, at.v[i] * slopes[i]);
   }
-  const std::optional<double> figure = balance.figure(size);  // of L = v.p - E
+  const std::optional<double> figure = balance.figure(size);  // |dL| relative to v.p and E
   return figure && *figure < noise;
 }
 
@@ -143,8 +143,8 @@ bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Gene
   });
 }
 
-/// The generator with each unknown as a simple fraction that agrees to 35 digits. Other unknowns
-/// are rounded to six digits, and `is_rounded` is set.
+/// The generator with the numbers as unknowns. A number that equals a simple fraction to 35 digits
+/// becomes the fraction. Any other number is rounded to six digits, and `is_rounded` is set.
 Generator simple_generator(const std::vector<cl_R>& numbers, bool& is_rounded) {
   static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
   static const cl_RA near = power_of_ten(-35);
@@ -348,7 +348,7 @@ class SymmetrySearch {
   const Program& moving_;
   GeneratorClass all_;
   OpenTerms open_values_ = {};
-  std::vector<Fraction> rates_ = {};  ///< dq/dt; empty if it is v
+  std::vector<Fraction> rates_ = {};  ///< dq/dt; empty if dq/dt = v
   std::optional<Value> lagrangian_ = {};
   std::optional<SampledGenerators> sampled_ = {};
   std::vector<SampledGenerators> other_parameters_ = {};  ///< empty if the exact basis is complete

@@ -59,7 +59,7 @@ class Json {
   [[nodiscard]] bool empty() const { return std::get<Array>(value_).empty(); }
   [[nodiscard]] Json& back() { return std::get<Array>(value_).back(); }
 
-  /// The members of an object, or the elements of an array with empty keys.
+  /// The members of an object; for an array, its elements, each with an empty key.
   [[nodiscard]] std::vector<std::pair<std::string_view, const Json*>> items() const;
 
   /// The value as JSON text, on one line if `indent` is -1, else with `indent` blanks per level.

@@ -16,16 +16,16 @@ namespace elgen {
 /// A quoted TOML string with its escapes; hidden characters are replaced by their names.
 [[nodiscard]] std::string toml_string(std::string_view text);
 
-/// The digits of a number, quoted if the integer is too wide for TOML.
+/// The digits of a number, quoted if the number is an integer too wide for TOML.
 [[nodiscard]] std::string toml_number(std::string_view digits);
 
-/// A bare key if TOML allows it, else quoted.
+/// `key` without quotes if TOML allows a bare key, else quoted.
 [[nodiscard]] std::string toml_key(std::string_view key);
 
 /// "[1, 2]"
 [[nodiscard]] std::string toml_list(const std::vector<std::string>& values);
 
-/// Entries "a = 1" become "{ a = 1, b = 2 }".
+/// "{ a = 1, b = 2 }" from the entries "a = 1" and "b = 2".
 [[nodiscard]] std::string toml_inline_table(const std::vector<std::string>& entries);
 
 /// The text as a TOML comment on one line.

@@ -90,7 +90,7 @@ UnitSpelling spell(std::string_view derived, const Unit& rest) {
   return result;
 }
 
-/// False for Hz and rad, which are written 1/s and 1, because a rate in rad/s is not a frequency.
+/// False for Hz, rad and 1. Hz is written 1/s, because a rate in rad/s is not a frequency.
 bool is_written_by_name(const UnitRow& row) {
   return row.name != "Hz" && row.name != "rad" && row.name != "1";
 }

@@ -16,7 +16,7 @@ struct CodePoint {
 /// The code point at `position`, which must be less than the size of `text`.
 [[nodiscard]] CodePoint code_point_at(std::string_view text, std::size_t position);
 
-/// `byte` must be from UTF-8 text.
+/// True for the first byte of a code point. `byte` must be from UTF-8 text.
 [[nodiscard]] constexpr bool starts_code_point(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }
@@ -38,7 +38,7 @@ struct CodePoint {
 /// UTF-8 by question marks.
 [[nodiscard]] std::string visible_text(std::string_view text);
 
-/// Replaces hidden characters of a JSON text by JSON escapes. They can occur only inside strings.
+/// Replaces hidden characters from U+007F on by JSON escapes: JSON has them only inside strings.
 [[nodiscard]] std::string visible_json(std::string_view json);
 
 void append_utf8(std::string& text, char32_t value);

@@ -3,8 +3,9 @@
 //     before    F*sqrt((x - a)^2 + y^2)
 //     after     x near a and -a, x near 0, y near 0
 //
-// Reads the function as nested sums. A term of a sum is a number, or a number times a coordinate,
-// its square, or a root, inverse or function of such a sum. All other terms are opaque.
+// Reads the function as nested sums. A term of a sum is a number, or a number times one factor: a
+// coordinate, the square of a coordinate, or a root, inverse or function of a sum. All other terms
+// are opaque.
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -35,16 +35,16 @@ bool has_float_alone(const Scene& scene) {
   return scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
 }
 
-/// If float is the only scalar, even a loss that is tolerated in double would be most of its
-/// digits.
+/// The loss to tolerate and the cost to accept. If float is the only scalar, a loss that is
+/// tolerated in double would be most of the digits of float.
 LoweringAim aim_of(const Scene& scene, bool has_zeros) {
   if (has_zeros) return {.tolerated = tolerated_loss, .most_quarters = quarters_for_digits};
   return {.tolerated = has_float_alone(scene) ? tolerated_loss : tolerated_loss_in_double,
           .most_quarters = quarters_for_balance};
 }
 
-/// Solvers in float do not split sin(a - b) into sines and cosines of a and b. They divide by small
-/// differences, and the split form cancels: float has too few digits for that.
+/// The sums of angles that may be split. Solvers in float do not split sin(a - b) into sines and
+/// cosines of a and b: solvers divide by small differences, and the split form cancels.
 Splits splits_for(const Scene& scene, const Function& function) {
   const bool matters = has_float_alone(scene) && scene.numerics.prefer != Preference::speed;
   const bool is_whole = matters && output_row(function.kind).solves;
@@ -187,7 +187,7 @@ class FormChooser {
     }
     if (TextErrors* text = is_complete(entries) ? recursive_forms_.errors_of(index) : nullptr) {
       for (std::size_t i = 0; i < entries.size(); ++i) {
-        entries[i]->kept.reset();  // the entry's own function has already chosen
+        entries[i]->kept.reset();  // already decided by the function of the entry
         text->add_rewriting(text->errors_of(entries[i]->compact), i);
       }
     }
@@ -270,7 +270,7 @@ class FormChooser {
     }
   }
 
-  /// If the cheaper form loses more digits, chooses the other form if that is affordable.
+  /// Chooses the dearer form if the cheaper form loses more digits and the dearer is affordable.
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
     const bool is_closed = costs.chosen == Form::closed;

@@ -11,10 +11,10 @@
 
 namespace elgen {
 
-/// None if function `index` of `recursive` is not a total energy, if one of the energies is
-/// missing, or if V has terms with rates, which potential_energy omits. Values of 64 digits at
-/// random points decide the last condition. `chosen` contains the emitted forms of all functions
-/// before `index`.
+/// The sum of the kinetic and potential energy in `chosen`, which has the emitted forms of all
+/// functions before `index`. None if function `index` of `recursive` is not a total energy, if one
+/// of the energies is missing, or if V has terms with rates, which potential_energy omits. Values
+/// of 64 digits at random points decide the last condition.
 [[nodiscard]] std::optional<Function> energy_sum(const Program& recursive, const Program& chosen,
                                                  std::size_t index);
 

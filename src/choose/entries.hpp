@@ -40,8 +40,8 @@ namespace elgen {
 [[nodiscard]] std::optional<ReadableEntries> replace_lossy_entries(const ReadableEntries& entries,
                                                                    double limit);
 
-/// If the readable form of a rewritten entry is less precise than its computed form, pages show the
-/// computed form: readers judge the code by the form they see.
+/// Replaces the readable form of each rewritten entry by the computed form if the readable form is
+/// less precise: readers judge the code by the form on the page.
 void show_computed_forms(ReadableEntries& entries, const Points& points);
 
 /// All entries of a function as instructions, and the index of the first inaccurate entry, if any.
@@ -58,7 +58,7 @@ struct LoweringAim {
   std::size_t most_quarters = 4;                 ///< cost limit in quarters of the cheapest form
 };
 
-/// Lowers all entries over one graph, in their readable or compact forms. Chooses the cheapest
+/// Lowers all entries in one graph, in their readable or compact forms. Chooses the cheapest
 /// accurate form, or a slightly dearer one with a tolerated loss. `shape` names the entries;
 /// `program` receives their constants.
 [[nodiscard]] Lowered lower_jointly(const ReadableEntries& entries, const Function& shape,

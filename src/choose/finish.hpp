@@ -1,5 +1,5 @@
-// finish: the last passes over a function. Algebra must not see their results, since it would
-// simplify them away.
+// finish: the last passes over a function. No algebraic pass may follow, because algebra would
+// simplify the changes away.
 #pragma once
 
 #include "elgen/program.hpp"
@@ -9,7 +9,7 @@ namespace elgen {
 /// The field of forward_dynamics that with_guarded_pivots consumes; it is never emitted.
 inline constexpr std::string_view diagonal_field = "diagonal";
 
-/// Removes `diagonal_field`; other functions are unchanged.
+/// `function` without its field `diagonal_field`, if it has this field.
 [[nodiscard]] Function without_diagonal(Function function);
 
 /// Makes a relative pivot D_i/M_ii NaN if M_ii is 0.

@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// The number of points with nominal parameters, and again of points with scaled parameters.
+/// The number of points with nominal parameters, and the number of points with scaled parameters.
 constexpr std::size_t plain_points = 4;
 constexpr std::size_t most_places = 10;
 constexpr int widest_factor = 3;  ///< parameters are scaled by at most 2^3
@@ -20,7 +20,7 @@ constexpr double unit_of_distance = 0x1p-30;
 constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_distance,
                              107374 * unit_of_distance, 11 * unit_of_distance};
 
-/// If all coordinates move at once: their distances from the first place of each coordinate.
+/// The distances of the coordinates from their first places if all coordinates move at once.
 constexpr double near = distances[2];
 constexpr double nearest = distances[3];
 
@@ -85,7 +85,7 @@ class PointMaker {
   }
 
  private:
-  /// The states of the domain, in turn.
+  /// The next state of the domain; after the last state, the first.
   const Arguments<double>& state() { return domain_.states[next_++ % domain_.states.size()]; }
 
   /// Sets rates, accelerations and inputs to 0. Large ones would hide the digits that a static
@@ -143,8 +143,8 @@ class PointMaker {
                                  [](double entry) { return std::isfinite(entry); });
   }
 
-  /// Remote points reveal two losses. A sum 1 + expm1(u) keeps no digit of a small exp(u). A call
-  /// log1p((a - b)/b) keeps no digit of log(a/b).
+  /// Adds remote points, which reveal two losses. A sum 1 + expm1(u) keeps no digit of a small
+  /// exp(u). A call log1p((a - b)/b) keeps no digit of log(a/b).
   void add_far() {
     const std::vector<bool> is_far = unbounded_arguments(text_, domain_.model);
     if (std::find(is_far.begin(), is_far.end(), true) == is_far.end()) return;

@@ -26,9 +26,9 @@ namespace elgen {
 /// True if a function depends on rates, momenta, reference velocities, accelerations or inputs.
 [[nodiscard]] bool has_motion(const Function& function);
 
-/// `text` is the recursive form of the function. If it depends on no rates, points near `zeros` are
-/// added. Coordinates are computed without libm, so that all machines get the same points. Cost:
-/// one pass over the instructions.
+/// The points at which all forms of a function are compared. `text` is the recursive form. Unless
+/// has_motion(text), points near `zeros` are added. Coordinates are computed without libm, so that
+/// all machines get the same points. Cost: one pass over the instructions.
 [[nodiscard]] Points comparison_points(const Program& program, const Function& text,
                                        const Domain& domain, const SumZeros& zeros = {});
 

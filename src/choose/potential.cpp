@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-/// If all sums stay whole, at most this many of them are tried expanded, one after the other.
+/// The search tries to expand at most this many of the whole sums, one after the other.
 constexpr std::size_t most_expanded_sums = 16;
 
 /// The most instructions of V and its derivatives. The closed forms of longer potentials, such as

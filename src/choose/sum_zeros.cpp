@@ -93,7 +93,7 @@ class ZeroProjection {
     for (Real& x : at_.q) x = Real(cln::cl_float(x.value(), format));
   }
 
-  /// None if the iteration does not converge.
+  /// The coordinates of the state, in doubles; none if the iteration does not converge.
   std::optional<std::vector<double>> zero() {
     const std::size_t count = entry_count(residuals_);
     for (std::size_t round = 0; round < most_rounds && !moving_.empty(); ++round) {
@@ -136,8 +136,8 @@ class ZeroProjection {
     return abs(scale) * sqrt(square);
   }
 
-  /// Near a zero of order m, each step is 1 - 1/m times the previous one. Steps m times as long
-  /// converge as at a simple zero (Schröder 1870).
+  /// Finds the order m of a zero: each step is 1 - 1/m times the previous step. Steps m times as
+  /// long converge as at a simple zero (Schröder 1870).
   void find_multiplicity(const Real& length) {
     const Real ratio = length / last_;
     last_ = length;

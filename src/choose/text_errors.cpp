@@ -33,7 +33,8 @@ bool is_certainly_accurate(const Running<double>& own, const Running<double>& te
          apart <= certainly_equal * unit_roundoff * (own.error + text.error);
 }
 
-/// A rewriting may equal the text on only one side of a branch, so its value is checked too.
+/// True if a rewriting and the text have different values: a rewriting may equal the text on only
+/// one side of a branch.
 bool has_other_value(const Running<Real>& own, const Running<Real>& text) {
   static const Real negligible(power_of_ten(-45));
   const Real scale = own.error + text.error + abs(text.value);
@@ -47,7 +48,7 @@ bool is_inaccurate(const Running<Real>& own, const Running<Real>& text) {
   return own.error.value() > allowed.value();
 }
 
-/// `Number` is Real, or double for rough estimates.
+/// The running errors of the entries of a function. Number is Real, or double for rough errors.
 template <class Number>
 std::vector<Running<Number>> running_entries(const Program& program, const Function& function,
                                              const RunningErrorRules<Number>& rules) {
@@ -60,7 +61,7 @@ std::vector<Running<Real>> exact_entries(const Program& program, const Function&
   return running_entries(program, function, rules);
 }
 
-/// NaN if x is undefined.
+/// x in double; NaN if x is undefined.
 double number_of(const Real& x) {
   return x.is_defined() ? to_double(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }

@@ -24,8 +24,8 @@
 
 namespace elgen {
 
-/// True if loss > max(tolerated, similar_losses * other): the first rewriting loses many more
-/// digits.
+/// True if loss > max(tolerated, similar_losses * other): the form with this loss loses many more
+/// digits than the form with the loss `other`.
 [[nodiscard]] bool loses_more(double loss, double other, double tolerated = tolerated_loss);
 
 /// The magnitude |x| that errors are compared with.

@@ -57,7 +57,7 @@ template <class Number>
   return rows;
 }
 
-/// Null if the row has no entry in this column.
+/// The entry of a row in a column; null if the row has no entry in this column.
 template <class Number>
 [[nodiscard]] const Number* entry_of(const EchelonRow<Number>& row, std::size_t column) {
   const auto at = std::ranges::lower_bound(row, column, {}, &EchelonEntry<Number>::column);
@@ -103,7 +103,7 @@ class Echelon {
   struct Pivot {
     std::size_t row = 0;
     std::size_t column = 0;
-    Number value = {};  ///< before its row is divided by it
+    Number value = {};  ///< the pivot before its row is scaled
   };
 
   /// Eliminates the first `unknowns` columns; the later columns are right-hand sides. Keeps a
@@ -124,7 +124,7 @@ class Echelon {
 
   [[nodiscard]] std::size_t rank() const { return pivots_.size(); }
 
-  /// In column order.
+  /// The pivots in the order of their columns.
   [[nodiscard]] const std::vector<Pivot>& pivots() const { return pivots_; }
 
   /// The row of a pivot without the pivot itself.
@@ -163,7 +163,7 @@ class Echelon {
     return basis;
   }
 
-  /// The matrix must be square.
+  /// The determinant of a square matrix.
   [[nodiscard]] Number determinant() const {
     if (rank() < unknowns_) return field_.integer(0);
     Number product = field_.integer(1);
@@ -261,7 +261,7 @@ struct Operators {
     if constexpr (requires { x.is_defined(); }) return x.is_defined();
     return true;
   }
-  /// False if the type cannot show that x is exactly 0.
+  /// True if x is exactly 0; false if the type cannot show this.
   [[nodiscard]] static bool is_zero(const T& x) {
     if constexpr (std::is_floating_point_v<T>) return x == 0;
     if constexpr (std::is_base_of_v<cln::cl_R, T>) return cln::zerop(x);

@@ -210,7 +210,7 @@ Enclosed EnclosedArithmetic::arc_tangent_2(const EnclosedNumber& y, const Enclos
   return rounded(value, (across.error + along.error) / distance);
 }
 
-/// `function` is log or log1p.
+/// log(x), or log(1 + x) if `function` is log1p.
 Enclosed EnclosedArithmetic::logarithm(FunctionId function, const EnclosedNumber& x) const {
   const EnclosedNumber argument = function == FunctionId::log ? x : sum(x, {1, 0});
   if (is_zero(argument)) return NoValue::undefined;

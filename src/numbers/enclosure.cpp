@@ -286,8 +286,8 @@ Enclosure hypot(const Enclosure& x, const Enclosure& y) {
                 upper_value(std::hypot(width.high, height.high)), joint_definedness(x, y));
 }
 
-/// y must be a single integer. c_k increases with |x| for k < 0 and decreases for k > 2; c_1
-/// decreases up to 4.49. c_2 is half the square of c_1 at x/2.
+/// c_k(x) with k = y, which must be a single integer. c_k increases with |x| for k < 0 and
+/// decreases for k > 2; c_1 decreases up to 4.49. c_2(x) = c_1(x/2)^2/2.
 Enclosure stumpff(const Enclosure& x, const Enclosure& y) {
   constexpr double least_sinc = -0.2172337;
   constexpr double far = 1e150;            // x^2 overflows beyond this

@@ -17,11 +17,11 @@ class MoreDigits {
   /// The sum of all digits that the running computations of this thread requested.
   [[nodiscard]] static unsigned count();
 
-  /// Called by arithmetic for an angle with this many digits before its decimal point.
+  /// Reports that an angle loses `digits` digits, as many as it has before its decimal point.
   static void report_lost(unsigned digits);
 
-  /// Called by arithmetic for an exponential that may hide terms: a term of a sum that is smaller
-  /// than the exponential by this many digits may vanish.
+  /// Reports an exponential that may hide other terms of a sum: terms that are smaller by `digits`
+  /// digits may vanish.
   static void report_hidden(unsigned digits);
 
   /// The largest argument of report_hidden() since the last call of this function.

@@ -71,9 +71,9 @@ std::optional<Scalar> divide_in_hardware(const cln::cl_RA& x) {
   return dividend / static_cast<Scalar>(cln::cl_I_to_long(divisor));
 }
 
-/// |x| rounded, for a float x whose exponent decides how; otherwise none. Far beyond all built-in
-/// types the result is 0 or infinity, because the exact fraction might need more than the memory.
-/// CLN rounds normal doubles.
+/// |x| rounded, for two kinds of floats x; otherwise none. CLN rounds normal doubles. Far beyond
+/// all built-in types the result is 0 or infinity, because the exact fraction might need more than
+/// the memory.
 template <class Scalar>
 std::optional<Scalar> rounded_by_exponent(const cln::cl_R& x) {
   constexpr std::int64_t normal = 1'000;

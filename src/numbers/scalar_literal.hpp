@@ -17,8 +17,8 @@ enum class Fit : std::uint8_t { fits, too_large, too_small };
 
 [[nodiscard]] Fit fit(const cln::cl_R& value, ScalarKind scalar);
 
-/// The shortest decimal that the scalar reads back as its nearest value; 40 digits for long double.
-/// The value must fit.
+/// The shortest decimal that reads back as the number of the scalar type nearest to `value`; 40
+/// digits for long double. The value must fit.
 [[nodiscard]] std::string shortest_literal(const cln::cl_R& value, ScalarKind scalar);
 
 /// Like shortest_literal, but an exact decimal of up to 17 digits is kept. No suffix.

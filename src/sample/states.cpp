@@ -1,5 +1,5 @@
-// Sampled states. The extremes for float are milder than for double, because the range of its
-// exponents is an eighth.
+// Sampled states. The extremes for float are milder than for double, because float has an eighth of
+// the range of exponents.
 #include "sample/states.hpp"
 
 #include <fmt/format.h>
@@ -44,8 +44,8 @@ LeafValues<double> values_of(const StateSpace& space) {
                     nominal_state(space.model, space.scene));
 }
 
-/// True if leaves of the kind are drawn: not parameters, and a kind that only some functions take
-/// only if a function of the program takes it.
+/// True if leaves of this kind are drawn. Parameters are not drawn. A kind that only some functions
+/// take is drawn if a function of the program takes it.
 bool is_drawn(const LeafNames& leaves, Opcode kind) {
   if (kind == Opcode::step) return !leaves.h.empty();
   return kind != Opcode::parameter && is_passed(leaves, kind);
@@ -159,7 +159,7 @@ class Extremes {
     for (std::size_t i = 0; i < values.parameters.size(); i += 2) values.parameters[i] *= ratio;
   }
 
-  /// States with all angles about 1e-15 from 0, pi/2 or pi, where charts are singular: gimbals,
+  /// States with all angles about 1e-15 from 0, pi/2 or pi, at which charts are singular: gimbals,
   /// poles, aligned links.
   void add_singular_charts() {
     for (const double angle : {0.0, pi / 2, pi}) {

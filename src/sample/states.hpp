@@ -108,7 +108,7 @@ class StateSequence {
   /// The model, the scene and the leaf names must outlive this object.
   StateSequence(const StateSpace& space, const Sampling& sampling);
 
-  /// None after the last state.
+  /// The next state; none after the last state.
   [[nodiscard]] std::optional<SampledState<Scalar>> next();
 
  private:

@@ -11,7 +11,7 @@ void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
 /// Reads the key `of` of a [[function]], open or closed, before any expression that names the
 /// function is resolved. E104.
 void read_arguments(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
-/// The other keys of a [[function]]; if it is closed, the expression of its definition.
+/// Reads the unit of a [[function]], and the expression of its sample or of its closure.
 void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
 void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
@@ -26,7 +26,7 @@ void check_plane(Context& context);
 void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// The units of all velocities must have been read.
+/// Reads a [[force]]. The units of all velocities must have been read.
 void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 /// Adds the forces of an input that declares a wrench or a point force (wrench_input.hpp).
 void read_wrench_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t first);
@@ -34,10 +34,11 @@ void read_wrench_input(ValueReader& values, const EntrySyntax& entry, std::uint3
 void read_constraints(Context& context, const std::vector<Instance>& instances);
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// The units of all coordinates and inputs must have been read. E201, E517, E612.
+/// Reads an [[equilibrium]]: E201, E517, E612. The units of all coordinates and inputs must have
+/// been read.
 void read_equilibrium(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// Tables that are not repeated: [model], [define], [gravity], [energy], [outputs].
+/// Reads a table that is not repeated: [model], [define], [gravity], [energy] or [outputs].
 void read_table(Context& context, const EntrySyntax& entry);
 
 /// Unit of the generalised force on a velocity: force times velocity is in W.

@@ -1,4 +1,4 @@
-// Positions, inertias and twists of entries given in the axes of a frame.
+// Positions, inertias and twists that entries state in the axes of a frame.
 #include "check/entries/in_frame.hpp"
 
 #include <algorithm>

@@ -33,8 +33,8 @@ std::optional<std::uint32_t> axes_of(ValueReader& values, const EntrySyntax& ent
   return key == nullptr ? usual : values.frame_or_world(key->value);
 }
 
-/// The components, converted from the axes in which the force is written to the frame `axes`; none:
-/// to world axes.
+/// The components of `force`, converted from the axes `force.axes` to the axes of the frame `axes`
+/// (none: world axes).
 std::vector<ExpressionId> force_in_axes(std::optional<std::uint32_t> axes, const Force& force,
                                         Context& context) {
   NodeBuilder nodes(context, force.span);

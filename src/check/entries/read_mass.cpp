@@ -41,7 +41,7 @@ class BodyReader {
       report_.add(Reason::frame_and_spin, spin->key_span, "a body has `frame` or `spin`, not both");
     }
     frame_ = values_.frame_or_world(frame);
-    // If no vector has set the dimension yet, a single moment of inertia means planar.
+    // If no vector has set the dimension yet, a single moment of inertia means a planar body.
     const KeySyntax* inertia = entry_.find("inertia");
     const std::uint32_t known = values_.context().dimension;
     const bool has_one_moment = inertia != nullptr && (inertia->value.kind != ValueKind::list ||
@@ -97,7 +97,7 @@ class BodyReader {
     if (count == 3) body_.inertia.resize(6, no_expression);
   }
 
-  /// `spin` is an angular velocity; it defines no origin.
+  /// Reports E112: `spin` gives a body an angular velocity, but only `frame` gives it an origin.
   void refuse_origin() {
     report_.add(Reason::inertia_without_origin, entry_.find("inertia_about")->key_span,
                 "a body without `frame` has no origin, so its inertia cannot be about the origin",

@@ -79,7 +79,7 @@ void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& 
   if (coordinate.unit) velocity.unit = *coordinate.unit / *find_unit("s");
 }
 
-/// [J] from the energy 1/2 J v^2.
+/// The unit of the armature J, from the energy 1/2 J v^2.
 std::optional<Unit> armature_unit(const Coordinate& coordinate) {
   if (!coordinate.unit) return std::nullopt;
   const Unit rate = *coordinate.unit / *find_unit("s");

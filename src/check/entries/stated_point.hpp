@@ -11,7 +11,7 @@
 
 namespace elgen {
 
-/// A table of values at a point: which names it accepts, and the error for any other name.
+/// A table of values at a point: the names that the table accepts, and the error for other names.
 struct PointTable {
   Place place = {};  ///< the place of each value
   bool takes_coordinates = true;
@@ -19,7 +19,7 @@ struct PointTable {
   Code error_code = Code::E612;
 };
 
-/// Indices in the Model of the variables that a name denotes: "q" denotes all q[i], "q[2]" one.
+/// Indices in the Model of the variables that a name denotes: "q": all q[i]; "q[2]": only q[2].
 struct Variables {
   std::vector<std::uint32_t> coordinates = {};
   std::vector<std::uint32_t> inputs = {};

@@ -15,7 +15,7 @@
 namespace elgen {
 namespace {
 
-/// How an entry of an array of tables becomes a row of the Model.
+/// An array of tables; `add` appends the row of an entry to the Model.
 struct EntryKind {
   std::string_view entry;
   SymbolKind kind;
@@ -50,7 +50,7 @@ DeclaredNames& namespace_of(Context& context, SymbolKind kind) {
   return kind == SymbolKind::equilibrium ? context.equilibria : context.symbols;
 }
 
-/// The number of components of `at` sets the dimension before any expression is resolved.
+/// Sets the dimension of a point to 2 if `at` has two components, before expressions are resolved.
 void note_dimension(Model& model, const EntrySyntax& entry, std::uint32_t point) {
   const KeySyntax* at = entry.find("at");
   if (at != nullptr && at->value.items.size() == 2) model.points[point].dimension = 2;
@@ -129,7 +129,8 @@ class Expander {
            namespace_of(context_, kind.kind).declare(name, kind.kind, target, context_.report);
   }
 
-  /// Adds the instance of an entry that has declared its own names; false if that failed.
+  /// Adds the instance of an entry that has declared its own names; false after a failed
+  /// declaration.
   bool add_declared(const EntrySyntax& entry, const Scope& scope,
                     const std::optional<std::uint32_t>& target) {
     if (target) {

@@ -1,5 +1,5 @@
-// Open functions: a [[function]] without an expression. A closed function has one, from its own
-// sample or from [functions] of the scene.
+// Open functions: a [[function]] without an expression. A closed function has an expression, from
+// its own sample or from [functions] of the scene.
 //
 //     [[function]] V of ["x", "y"]   ->   the names V, V_1, V_2, V_11, V_12, V_22
 #pragma once
@@ -23,11 +23,12 @@ namespace elgen {
 void read_closures(Context& context, const FileSyntax& model, const FileSyntax* scene,
                    const SceneOptions& options);
 
-/// The closure of a [[function]]; null if it stays open.
+/// The closure of a [[function]]; null if the function stays open.
 [[nodiscard]] const Closure* closure_of(const Context& context, const EntrySyntax& function);
 
 /// Declares the names of the function and of its derivatives. Adds an open function with its values
-/// to the Model, or a definition for a closed function; returns its index. E203, E204, E205, E211.
+/// to the Model, or a definition for a closed function. Returns the index of the open function or
+/// definition; none after E203, E204, E205 or E211.
 [[nodiscard]] std::optional<std::uint32_t> declare_function(Context& context,
                                                             const EntrySyntax& entry,
                                                             const NewName& name);

@@ -32,7 +32,7 @@ inline constexpr std::string_view velocity_equation = "a constraint on velocitie
 /// frames: `a -> b -> a`.
 [[nodiscard]] bool check_cycles(Context& context);
 
-/// E315, E319, E502, E506: each forbidden ingredient, at the node that introduces it.
+/// Reports each forbidden ingredient at the node that introduces it: E315, E319, E502, E506.
 void check_places(Context& context, const std::vector<Traits>& traits);
 
 }  // namespace elgen

@@ -28,7 +28,7 @@ const Resolver::Composite* find_composite(std::string_view name) {
   return found == composites.end() ? nullptr : &*found;
 }
 
-/// Parses each definition once; the definitions of the table have no errors.
+/// The syntax of a definition of the table, parsed at its first use. The table has no errors.
 const ExpressionSyntax& syntax_of(std::string_view definition) {
   static std::map<std::string_view, ExpressionSyntax> read;
   const auto known = read.find(definition);

@@ -16,7 +16,8 @@ constexpr std::string_view energy_function = "energy_function";
 
 std::string_view energy_symbol() { return leaf_row(Opcode::energy).symbol; }
 
-/// A new node for a symbol of this kind; the caller sets index and span. None if it is no number.
+/// A new node for a symbol of this kind; the caller sets index and span. None if symbols of this
+/// kind are no numbers.
 std::optional<Expression> node_for_symbol(SymbolKind kind) {
   const auto leaf = [](Opcode of) { return Expression{.kind = ExpressionKind::leaf, .leaf = of}; };
   const auto name = [](NamedKind of) {

@@ -118,8 +118,8 @@ std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& powe
                .span = power.span});
 }
 
-/// The value of a constant exponent, whose nodes are removed again; none after an error. In x^y^z,
-/// y^z is reported as not constant, but not z.
+/// The value of a constant exponent, whose nodes are removed again; none after an error. For x^y^z,
+/// E311 is reported once: y^z is not constant.
 std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exponent) {
   std::vector<Expression>& arena = context_.model.expressions;
   const std::size_t size = arena.size();

@@ -24,8 +24,8 @@ inline constexpr std::string_view degrees_hint = "angles are in rad: 30 degrees 
 ///     p(x)                      ->   the momentum dL/d(dot(x)), a leaf
 class Resolver {
  public:
-  /// `allowed`: the ingredients that the place allows. If the energy is one of them, `E` is its
-  /// name.
+  /// `allowed`: the ingredients that the place allows. If the place allows the energy, the name `E`
+  /// denotes the energy.
   Resolver(Context& context, Scope& scope, Ingredients allowed = 0)
       : context_(context), scope_(scope), allowed_(allowed) {}
 
@@ -38,8 +38,8 @@ class Resolver {
   std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol,
                                        Code absent = Code::E207);
 
-  /// The declaration of a name of this kind; null after E201. `has_form`: the expression has the
-  /// syntax that such a name needs.
+  /// The declaration of a name of this kind; null after E201. `has_form`: true if `name` has the
+  /// syntax of a name of this kind.
   const DeclaredName* declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,
                                std::string_view shown);
 

@@ -1,4 +1,4 @@
-// Rotations: four names in q, three names in v, and the keys of such a coordinate.
+// Rotations: four names in q, three names in v, and the keys of a [[coordinate]] of this kind.
 #include "check/expressions/rotations.hpp"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const Value
   return result;
 }
 
-/// Scales the quaternion to length 1, as locks do.
+/// Reads the start quaternion and scales it to length 1, as locks do.
 void read_start_value(ValueReader& values, const ValueSyntax& value, const Rotation& rotation) {
   const auto quaternion = constants(values, value, quaternion_size);
   if (!quaternion) return;

@@ -14,7 +14,7 @@ namespace {
 
 Traits leaf(Ingredients ingredients) { return {ingredients, 0, 0, 0, false}; }
 
-/// 0 has no terms, so its lowest degree is the largest possible.
+/// Traits of the number 0. It has no terms, so its lowest degree is the largest possible.
 Traits nothing() {
   Traits traits;
   traits.lowest_rate_degree = not_polynomial;

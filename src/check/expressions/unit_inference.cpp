@@ -151,8 +151,8 @@ class UnitInference {
     return {};
   }
 
-  /// A power in W is the multiplier times a velocity equation, or times d/dt of a position
-  /// equation.
+  /// The unit of the multiplier of an equation r = 0. multiplier * r is in W for a velocity
+  /// equation, and in J for a position equation.
   [[nodiscard]] InferredUnit of_multiplier(const Constraint& constraint) const {
     return quotient(known(constraint.is_position ? "J" : "W"), units_[constraint.value]);
   }
@@ -188,7 +188,7 @@ class UnitInference {
     }
   }
 
-  /// A declared unit overrides the unit of the prescribed function's value.
+  /// The declared unit of a prescribed function; without a declaration, the unit of its value.
   [[nodiscard]] InferredUnit of_prescribed(std::uint32_t index) const {
     const std::optional<Unit>& unit = context_.prescribed_units[index];
     return unit ? known(*unit) : units_[model_.prescribed[index].value];

@@ -43,10 +43,10 @@ struct UnitDeclaration {
 [[nodiscard]] std::optional<UnitDeclaration> unit_declaration(const Model& model,
                                                               ExpressionId expression);
 
-/// E405: the first value without names, and the number of further values without names.
+/// Reports the note E405 at the first value without names, with the number of further values.
 void note_plain_numbers(Context& context);
 
-/// E520: the name of each entry without a unit, at the declaration of the first.
+/// Reports the note E520 at the first entry without a unit, with the names of all these entries.
 void note_missing_units(Context& context);
 
 }  // namespace elgen

@@ -86,14 +86,14 @@ class ValueReader {
   Scope scope_;
 };
 
-/// E405: an angle in rad that looks like degrees; the hint gives the multiple of pi.
+/// Reports E405 for an angle in rad that looks like degrees; the hint gives the multiple of pi.
 void note_degrees(Report& report, const Span& span, const cln::cl_RA& angle);
-/// E405 for a coordinate in rad whose value is more than a turn and a multiple of 5.
+/// Reports E405 for a coordinate in rad whose value is more than a turn and a multiple of 5.
 void note_degrees(Report& report, const Span& span, const Coordinate& coordinate,
                   const std::optional<cln::cl_R>& value);
 
-/// The dimension of most vectors of the file, 2 or 3; 0 if all agree, or if both are equally
-/// frequent.
+/// The dimension of most vectors of the file, 2 or 3; 0 if all vectors have the same dimension, or
+/// if both dimensions are equally frequent.
 [[nodiscard]] std::uint32_t majority_dimension(const FileSyntax& model);
 /// Whether most vectors have two components.
 [[nodiscard]] bool is_planar(const FileSyntax& model);
@@ -132,8 +132,8 @@ std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& 
   return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
-/// The first two of the alternative `keys` that the entry has; null if absent. An entry with two is
-/// wrong.
+/// The first two of the alternative `keys` that the entry has; null if absent. The caller
+/// reports a second key.
 [[nodiscard]] std::array<const KeySyntax*, 2> first_two_keys(
     const EntrySyntax& entry, std::span<const std::string_view> keys);
 

@@ -6,7 +6,7 @@
 //
 // The components are in world axes, or in the axes of the frame that `in` names. In a plane a
 // torque has one component, and a force has two. The order is the same as in the twist of an
-// [[output]] with this frame, so the columns of B are its Jacobian transposed.
+// [[output]] with this frame, so the columns of B are the transposed Jacobian of the twist.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ namespace elgen {
 std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntrySyntax& entry,
                                                   const NewName& name);
 
-/// How many of the inputs are components of the torque, and how many of the force.
+/// The numbers of inputs that are components of the torque and of the force.
 struct WrenchComponents {
   std::uint32_t torque = 0;
   std::uint32_t force = 0;

@@ -25,7 +25,7 @@ constexpr Place conserved_form{"a conserved quantity",
                                place::anything | uses_momentum | uses_energy};
 constexpr Place equation_of_motion{"an equation of motion", place::anything};
 
-/// A field of an output: the first one, or `multipliers`.
+/// A field of an output: the first field, or `multipliers`.
 struct ExpectedField {
   OutputRequest request = {};
   std::string field = {};
@@ -132,7 +132,7 @@ bool check_complete(Expectation& expectation, const Span& span, Report& report) 
 
 class ExpectationReader {
  public:
-  /// `at`: the state of the expected values; none: they hold in all states.
+  /// `at`: the state of the expected values; none if the values hold in all states.
   ExpectationReader(Context& context, const std::optional<StatedState>& at)
       : context_(context), values_(context), at_(at) {}
 
@@ -190,8 +190,8 @@ class ExpectationReader {
     keep(std::move(expectation));
   }
 
-  /// Removes the expected unit of an entry that is a plain number at a state. Such numbers come
-  /// from tables and get no E405.
+  /// If the [[expect]] has a state and the last entry is a plain number, removes its expected unit:
+  /// plain numbers come from tables and get no E405.
   void drop_unit() {
     if (at_ && !context_.roots.empty() && context_.roots.back().is_in_unit_of_place) {
       context_.roots.back().unit.reset();

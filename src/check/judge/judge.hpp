@@ -15,8 +15,8 @@ namespace elgen {
 /// Sets Model::quadratic, uses_time and may_drift.
 void check_mechanics(Context& context, const std::vector<Traits>& traits);
 
-/// One flag per velocity: true if it occurs in T or L or in the motion of a point or body with
-/// mass, or if it has an armature.
+/// One flag per velocity: true if the velocity occurs in T or L or in the motion of a point or body
+/// with mass, or if it has an armature.
 [[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
 
 /// Rewrites sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 as Stumpff functions in equations and
@@ -30,8 +30,8 @@ void check_constraints(Context& context);
 [[nodiscard]] std::optional<StatedState> read_stated_state(Context& context,
                                                            const EntrySyntax& entry);
 
-/// E540: an equation of [[expect]] contains no acceleration, or there are fewer equations than
-/// accelerations.
+/// Reports E540 if an equation of [[expect]] contains no acceleration, or if there are fewer
+/// equations and constraints than accelerations.
 void check_equations(Context& context, const std::vector<Traits>& traits);
 
 /// Resolves every closed form and compares its shape with the output's. Closed forms of sized

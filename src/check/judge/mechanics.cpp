@@ -54,7 +54,8 @@ Expressions expressions_in_equations(const Model& model) {
   return all;
 }
 
-/// True if T or a spin has terms of lower degree in the rates, V depends on rates, or L is given.
+/// True if T has terms below degree 2 in the rates or a spin below degree 1, if V depends on rates,
+/// or if L is given.
 bool energy_may_drift(const Model& model, const std::vector<Traits>& traits) {
   const Energies& e = model.energies;
   const auto lowest = [&](ExpressionId id) { return traits[id].lowest_rate_degree; };
@@ -125,7 +126,7 @@ class MechanicsCheck {
     }
   }
 
-  /// An input acts through `on` or through a force; both would count it twice.
+  /// Reports E112 for an input with `on` in the value of a force: the input would act twice.
   void check_inputs(ExpressionId value) {
     if ((traits_[value].ingredients & uses_input) == 0) return;
     for (const ExpressionId id : reachable_from(model_, {value})) {

@@ -33,7 +33,7 @@ struct VanishingFactor {
   std::optional<ExpressionId> whole = {};
 };
 
-/// The expression behind a name, through nested definitions.
+/// The node itself or, for the name of a definition, its expression, through nested definitions.
 ExpressionId resolve_definition(const Model& model, ExpressionId id) {
   while (is_name(model.expressions[id], NamedKind::definition)) {
     id = model.definitions[model.expressions[id].index].value;
@@ -41,7 +41,7 @@ ExpressionId resolve_definition(const Model& model, ExpressionId id) {
   return id;
 }
 
-/// Leaves and numbers are compared by value, because the arena does not share them.
+/// True if x and y are one node, or equal leaves or numbers, which the arena does not share.
 bool is_same(const Model& model, ExpressionId x, ExpressionId y) {
   const Expression& a = model.expressions[x];
   const Expression& b = model.expressions[y];
@@ -176,8 +176,8 @@ void multiply_series(Product& product, const VanishingFactor& factor) {
   product.add({factor.argument, 1, factor.order});
 }
 
-/// A factor sin(a) or 1 - cos(a), a proportional to the coordinate, with the expression that this
-/// factor has in the product. A factor of the wanted order is preferred.
+/// The expression and form of a factor sin(a) or 1 - cos(a) of the product, if a is proportional to
+/// the coordinate. A factor of the order `wanted` is preferred.
 std::optional<std::pair<ExpressionId, VanishingFactor>> factor_with(const Product& product,
                                                                     std::uint32_t coordinate,
                                                                     int wanted) {

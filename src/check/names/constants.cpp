@@ -30,8 +30,8 @@ ConstantOutcome failure(Code code, std::string message, std::optional<std::size_
 
 ConstantOutcome too_large() { return failure(Code::E914, "is beyond 10^±10000"); }
 
-/// `number` exactly, if the enclosure of x contains it and its error is at most 1e-60 `scale`; x
-/// otherwise.
+/// `number` exactly, if the enclosure of x contains `number` and x.error is at most 1e-60 `scale`;
+/// otherwise x.
 EnclosedNumber snap_to_integer(const EnclosedNumber& x, int number, const cl_R& scale) {
   static const cl_RA known_well = power_of_ten(-60);
   const bool may_be = cln::abs(x.value - number) <= x.error;

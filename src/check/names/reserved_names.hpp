@@ -14,13 +14,13 @@ namespace elgen {
 /// Why the name is reserved ("a C++ keyword"); "" if it is free.
 [[nodiscard]] std::string_view reserved_reason(std::string_view name);
 
-/// The hint "`J` is free": a substitute for a reserved name that is not reserved and does not occur
-/// in the file.
+/// The hint "`J` is free" for the reserved `name`. The substitute, J, is not reserved and does not
+/// occur in the file.
 ///
 ///     I -> J   delta -> delta_1   M_E -> m_e   a__b -> a_b
 [[nodiscard]] std::string free_name_hint(std::string_view name, const Span& span);
 
-/// A letter, then letters, digits and underscores.
+/// True for a letter followed by letters, digits and underscores.
 [[nodiscard]] bool is_well_formed_name(std::string_view name);
 
 /// True if a name of the model or of the emitted code is well-formed and not reserved; false after

@@ -155,7 +155,7 @@ class HeldReader {
     return count == model_.velocities.size();
   }
 
-  /// [J]/[v]; none if the velocity has no unit, so that the momentum is not checked.
+  /// The unit J/[v] of the momentum; none if the velocity has no unit: then no unit is checked.
   [[nodiscard]] std::optional<Unit> unit_of(const Cyclic& cyclic) const {
     const std::optional<Unit>& rate = model_.velocities[cyclic.velocity].unit;
     return rate ? std::optional(*find_unit("J") / *rate) : std::nullopt;

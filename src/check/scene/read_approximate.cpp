@@ -169,7 +169,7 @@ class ApproximationReader {
   Context& context_;
   Model& model_;
   const EntrySyntax& entry_;
-  std::size_t errors_;  ///< before this table is read
+  std::size_t errors_;  ///< number of errors before this table
   Approximation result_ = {};
 };
 

@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// A parameter of the regressor may occur only in the terms of tau: in energies and forces.
+/// True for energies and forces: a parameter of the regressor may occur only in these terms of tau.
 bool is_summed(const Root& root) {
   return root.entity.kind == EntityKind::energy || root.entity.kind == EntityKind::force;
 }

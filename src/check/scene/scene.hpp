@@ -16,8 +16,9 @@ namespace elgen {
 void read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                 Scene& scene);
 
-/// The language of the options overrides the scene's. E204, E205: the namespace. E610: the language
-/// takes one scalar, and the scene requests others. E611: the language does not support a key.
+/// Reads `[emit]`; the language of the options overrides the language of the scene. E112: `files`
+/// lacks `header`. E204, E205: the namespace. E610: the language takes one scalar, and the scene
+/// requests others. E611: the language does not support a key.
 [[nodiscard]] Emission read_emission(Context& context, const FileSyntax* syntax,
                                      const SceneOptions& options, const Scene& scene);
 
@@ -41,22 +42,22 @@ void read_options(const Model& model, const ValueSyntax& entry, OutputRequest& o
 /// constraints.
 void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& output, Report& report);
 
-/// Symplectic methods support neither constraints (E539) nor rotations (E622). Their other
-/// conditions are checked when M and the forces are derived.
+/// Reports symplectic methods in models with constraints (E539) or rotations (E622). Other
+/// conditions of these methods are checked when M and the forces are derived.
 void check_steps(Context& context, const std::vector<OutputRequest>& outputs);
 
 /// Sets Numerics::max_error and the ranges; the ranges of the options come last. E640, E630, E606.
 void read_error_bound(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                       Numerics& numerics);
 
-/// Fills Model::regressed. E602, E649.
+/// Fills Model::affine_parameters. E602, E649.
 void read_regressor(Context& context, const FileSyntax* scene, const FixedParameters& fixed);
 
 /// Velocities for OutputRequest::independent, sorted. E612.
 [[nodiscard]] std::vector<std::uint32_t> read_independent(Context& context,
                                                           const FileSyntax* scene);
 
-/// Fills Model::approximation. E614.
+/// Fills Model::approximation. E614, E633, E635.
 void read_approximation(Context& context, const FileSyntax* scene);
 
 /// --state: sets Coordinate::start_value, Velocity::start_rate and Scene::stated. E606, E612, and
@@ -87,10 +88,10 @@ void mark_wanted_outputs(Model& model, const FileSyntax* scene, const SceneOptio
 /// has values in this model. Fills Scene::shown.
 void add_shown_outputs(Model& model, Scene& scene);
 
-/// The reduced model: functions of time replace the locked coordinates of Model::variant, and 0 the
-/// cyclic coordinates. Its `variant.whole` is the given model. A model without held coordinates is
-/// returned unchanged. The closed forms of [[expect]] and the equilibria are removed, because they
-/// describe the whole model.
+/// The reduced model: functions of time replace the locked coordinates of Model::variant, and 0
+/// replaces the cyclic coordinates. Its `variant.whole` is the given model. A model without held
+/// coordinates is returned unchanged. The closed forms of [[expect]] and the equilibria are
+/// removed, because they describe the whole model.
 [[nodiscard]] Model variant_of(Model whole);
 
 /// Reports E635 if an input, a force or D acts on a cyclic coordinate or contains it, if L is not

@@ -138,7 +138,7 @@ class SceneReader {
     if (step != nullptr) step->step = chosen;
   }
 
-  /// A lock with `reaction = true` adds the output `reaction`.
+  /// Adds the output `reaction` if a lock has `reaction = true`.
   void request_reaction() {
     if (!held_velocities(model_).empty()) {
       request(std::string(output_row(OutputKind::reaction).name),
@@ -146,7 +146,7 @@ class SceneReader {
     }
   }
 
-  /// E603: `dynamics` only repeats other outputs, so the scene needs at least one other output.
+  /// Reports E603 for `dynamics` if the scene requests no output that `dynamics` repeats.
   void check_dynamics() {
     const auto is_member = [](const OutputRequest& output) {
       return is_repeated(output.kind, output.takes);
@@ -227,8 +227,8 @@ class SceneReader {
     }
   }
 
-  /// NAME fixes all elements, NAME[i] one element, "all" every parameter. Without `value`, the
-  /// model's value is used.
+  /// Fixes the parameters that `name` denotes: NAME all elements, NAME[i] one element, "all" every
+  /// parameter. Without `value`, a parameter is fixed at its value in the model.
   void fix_named(const std::string& name, const Span& span, const ValueSyntax* value) {
     const bool fixes_all = name == "all" && value == nullptr;
     std::vector<std::uint32_t> targets(model_.parameters.size());

@@ -1,4 +1,4 @@
-// Which outputs of a model are wanted, and the outputs that an animated page adds to a run.
+// Marks the outputs of a model that are wanted; adds the outputs that an animated page needs.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -15,8 +15,8 @@ namespace elgen {
 
 namespace {
 
-/// Indices of the prescribed functions that replace a held coordinate, its rate and, if any node
-/// names it, its acceleration.
+/// Indices of the prescribed functions that replace a held coordinate, its rate and its
+/// acceleration. The acceleration is replaced only if a node names it.
 struct HeldLeaf {
   std::uint32_t value = 0;
   std::uint32_t rate = 0;
@@ -76,8 +76,8 @@ class VariantBuilder {
   }
 
  private:
-  /// Adds s(t) and ds/dt as prescribed functions. A velocity leaf has no operand that could hold
-  /// ds/dt, so it needs a name.
+  /// Adds s(t) and ds/dt as prescribed functions. ds/dt needs a name, because a velocity leaf has
+  /// no operand that could hold the expression.
   void replace(std::uint32_t index, ExpressionId value, const Span& span) {
     const Coordinate& c = whole_.coordinates[index];
     HeldLeaf& held = replacements_[index];
@@ -138,7 +138,8 @@ class VariantBuilder {
     }
   }
 
-  /// Replaces the rate or acceleration of a held variable. Rotations are locked at constants: 0.
+  /// Replaces the rate or acceleration of a held variable; for a rotation by 0, since rotations are
+  /// locked at constants.
   void rewrite_rate(Expression& node) const {
     const Velocity& velocity = whole_.velocities[node.index];
     if (velocity.rotation) {
