@@ -26,7 +26,7 @@ using Action = std::function<ExitCode(const GlobalOptions&)>;
 #include "cli/commands.def"
 #undef ELGEN_COMMAND
 
-/// When CLI11 parses the command, sets `action` to call `run` with `options`, which CLI11 has
+/// Makes the parse of `command` set `action`, which calls `run` with the `options` that CLI11 has
 /// filled.
 template <class Options>
 void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options>& options,
@@ -36,8 +36,8 @@ void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options
   });
 }
 
-/// An option that may be repeated. Each value becomes a source, so that diagnostics can point into
-/// it.
+/// Adds an option that may be repeated. Each value becomes a source, so that diagnostics can point
+/// into the value.
 inline void add_sources(CLI::App& command, const std::string& name, const std::string& type,
                         std::vector<SourcePointer>& sources, const std::string& doc) {
   const auto read = [&sources](const std::vector<std::string>& values) {
@@ -48,8 +48,8 @@ inline void add_sources(CLI::App& command, const std::string& name, const std::s
       ->allow_extra_args(false);
 }
 
-/// Why the word is no number of this type; "" if it is one. CLI11 itself would replace negative and
-/// too large numbers by the largest number.
+/// The error if `word` is no whole number below 2^64; otherwise "". CLI11 itself would replace
+/// negative and too large numbers by the largest number.
 inline std::string number_error(const std::string& word) {
   std::uint64_t number = 0;
   const char* const end = word.data() + word.size();
@@ -58,7 +58,7 @@ inline std::string number_error(const std::string& word) {
   return is_read ? "" : "`" + word + "` is not a whole number below 2^64";
 }
 
-/// An option with a number; `value` stays empty if the option is missing.
+/// Adds an option with a number; `value` stays empty if the command line lacks the option.
 inline CLI::Option* add_number(CLI::App& command, const char* name, std::optional<double>& value,
                                const char* doc) {
   return command.add_option_function<double>(

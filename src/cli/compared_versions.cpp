@@ -1,5 +1,5 @@
-// Pairs the files of two folders by their paths, and the files of a revision with the working tree.
-// Pairs moved files by the names of their systems.
+// Pairs the files of two folders, or of a revision and the working tree, by their paths. Moved
+// files are paired by the names of their systems.
 #include "cli/compared_versions.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ bool same_text(const SourcePointer& x, const SourcePointer& y) {
   return x->text == y->text;
 }
 
-/// False also if the path is too long, or if it is a circular link.
+/// True for a folder; false, without an exception, for a too long path or a circular link.
 bool is_folder(const fs::path& path) {
   std::error_code error;
   return fs::is_directory(path, error);
@@ -58,7 +58,7 @@ Result<std::vector<std::string>> files_on_disk(const std::string& folder) {
   for (auto at = fs::recursive_directory_iterator(folder, error);
        !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
     last = at->path();
-    // For a broken or circular link this is false, without an error.
+    // is_directory() is false for a broken or circular link; its error code is ignored.
     std::error_code unknown;
     if (at->is_directory(unknown) && is_hidden(last.filename())) at.disable_recursion_pending();
     if (!at->is_regular_file(unknown)) continue;
@@ -91,7 +91,7 @@ VersionReader in_revision(const Revision& revision, const Limits& limits) {
 }
 
 /// The systems (models and scenes) of a folder, and its other TOML files. Paths are relative to the
-/// folder, so that the files of two folders can be paired by them.
+/// folder, so that equal paths pair the files of two folders.
 struct FolderFiles {
   std::set<std::string> systems = {};
   std::set<std::string> others = {};
@@ -114,9 +114,8 @@ bool has_entry(const TomlValue& root, std::string_view key, TomlKind kind) {
   return entry != nullptr && entry->value.kind == kind;
 }
 
-/// Reads the file to find its role. It may be a model with errors in two cases: it has
-/// [[coordinate]] but no table [model]; or it is invalid TOML, but its text contains [model] or
-/// [[coordinate]].
+/// The role of the file at `path`. A file is doubtful in two cases: it has [[coordinate]] but no
+/// table [model]; or it is invalid TOML, but its text contains [model] or [[coordinate]].
 FileRole role_of(const VersionReader& side, const std::string& path) {
   if (path.ends_with(".scene.toml")) return FileRole::system;
   const Result<SourcePointer> source = side.read(path);

@@ -52,7 +52,7 @@ const DiffFormat& output_format(const GlobalOptions& global, const DiffOptions& 
   return *std::ranges::find(formats, name, &DiffFormat::name);
 }
 
-/// Splits each text OLD=NEW.
+/// The renames that the texts OLD=NEW state. E913 if a text lacks "=", OLD or NEW.
 Result<Renames> renames_of(const std::vector<std::string>& texts) {
   Renames renames;
   for (const std::string& text : texts) {
@@ -69,7 +69,7 @@ Result<Renames> renames_of(const std::vector<std::string>& texts) {
   return renames;
 }
 
-/// E913 for each name in --only that is no output of any version; none if no system has changes.
+/// E913 for each name in --only that no version has as output. No error if no system has changes.
 Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options) {
   std::set<std::string> known;
   for (const SystemChange& system : report.systems) {

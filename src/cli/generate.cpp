@@ -48,7 +48,7 @@ struct Job {
   [[nodiscard]] const Scene& scene() const { return products.checked->scene; }
 };
 
-/// Removes warnings and notes that were already reported: scenes repeat those of their model.
+/// Removes warnings and notes that were already reported: a scene repeats the notes of its model.
 Diagnostics without_repetitions(Diagnostics diagnostics, std::set<std::string>& reported) {
   std::erase_if(diagnostics, [&reported](const Diagnostic& diagnostic) {
     const bool is_error = code_row(diagnostic.code).severity == Severity::error;
@@ -134,7 +134,7 @@ std::vector<SourcePointer> sources_of(const Job& job) {
   return sources;
 }
 
-/// E714 if a source changed after it was read: builds would keep code that is newer than the edit.
+/// E714 if a source changed after it was read: builds would then keep the code of the old source.
 Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
   Diagnostics errors;
   for (const Job& job : jobs) {
@@ -149,8 +149,8 @@ Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
   return errors;
 }
 
-/// The source that an existing generated file states, if it is another input that may still
-/// generate files of this name; none otherwise.
+/// The source that the existing file `file.path` states. None if the source is the input of `job`,
+/// or can no longer generate files of the job's name.
 std::optional<std::string> other_source(const GlobalOptions& global, const Job& job,
                                         const std::string& directory, const OutputFile& file) {
   const auto source = source_file(directory, stated_paths(existing_text(file.path).value_or("")));
@@ -287,7 +287,7 @@ std::vector<std::string> sorted_paths_of(const GenerateOptions& options, const J
   return paths;
 }
 
-/// `written`: the paths of all files that changed; null if files are only listed.
+/// The job as JSON. `written`: the paths of all files that changed; null if files are only listed.
 Json json_of(const GenerateOptions& options, const Job& job,
              const std::vector<std::string>* written) {
   Json sources = Json::array();

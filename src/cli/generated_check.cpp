@@ -1,6 +1,6 @@
 // generated_check: compares files byte by byte, in contrast to `elgen diff`, which compares
-// equations. A folder's sidecar states the sources of its files; so files are found that no input
-// generates now.
+// equations. The sidecar of a folder states the sources of its files. A generated file is an orphan
+// if no input generates it now.
 #include "cli/generated_check.hpp"
 
 #include <fmt/format.h>
@@ -89,10 +89,10 @@ class OrphanSearch {
   std::vector<FileDifference> found_ = {};
 };
 
-/// Finds orphans, which are generated files that no input generates now. In the folders of `files`:
-/// generated files that are not among `files`. In other folders below `directory`: the files of
-/// folders whose sidecar names a source that does not exist, or one of `sources`, whose files now
-/// have another name.
+/// Finds orphans, which are generated files that no input generates now. In the folders of `files`,
+/// all other generated files are orphans. In another folder below `directory`, all generated files
+/// are orphans if the sidecar names a source that does not exist, or one of `sources`: this source
+/// now generates files of another name.
 std::vector<FileDifference> orphans(const std::string& directory, const EmittedFiles& files,
                                     const std::vector<SourcePaths>& sources) {
   return OrphanSearch(directory, files, sources)();

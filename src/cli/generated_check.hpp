@@ -20,7 +20,7 @@ struct GeneratedSystems {
 };
 
 /// Prints the files that differ from the generated text; with -v also the first lines of the
-/// difference. Then prints the commands that repair them and that compare the equations. In other
+/// difference. Then prints the commands that repair the files and compare the equations. In other
 /// formats than text, reports E715 for each file.
 [[nodiscard]] ExitCode check_generated(const GlobalOptions& global,
                                        const GeneratedSystems& systems);

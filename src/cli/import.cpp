@@ -95,8 +95,8 @@ std::string between(const std::string& text, std::string_view before, std::strin
   return text.substr(begin, text.find(behind, begin) - begin);
 }
 
-/// The model's text with the names that `stated` has, an imported model: its file may have been
-/// renamed.
+/// The text imported from `source`, with the model name and the file name that the text `stated`
+/// contains, because files may have been renamed. "" if the import fails.
 std::string text_by_names_of(const std::string& stated, const SourcePointer& source,
                              const Limits& limits, ImportOptions options) {
   options.name = between(stated, "[model]\nname        = \"", "\"");

@@ -100,7 +100,7 @@ std::vector<std::string> known_words(const CLI::App& app) {
   return known;
 }
 
-/// The hint to --help, of the command if the command line names one.
+/// The hint "see `elgen COMMAND --help`"; without COMMAND if the command line names no command.
 std::string see_help(const CLI::App& app) {
   const std::vector<CLI::App*> begun = app.get_subcommands();
   const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";
@@ -199,7 +199,7 @@ std::string limits_json() {
   return list.dump(2) + "\n";
 }
 
-/// What `elgen` prints without arguments: examples and all commands.
+/// The help that `elgen` prints without arguments: examples and all commands.
 std::string short_help(const CLI::App& app) {
   std::string text = std::string(examples) + "\n";
   for (const CLI::App* command : app.get_subcommands({})) {
@@ -254,7 +254,7 @@ DiagnosticStyle style_of_mistakes(const std::vector<std::string>& words) {
   return style_of(color.empty() ? "auto" : color, value_of(words, "--format"));
 }
 
-/// E913 for words that are not understood, with a suggestion.
+/// Parses the command line. E913, with a suggestion, for words that are not understood.
 Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   CommandLine line;
   RawOptions raw;
@@ -299,8 +299,8 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   return line;
 }
 
-/// Sets `global` as soon as the options are known, so that the caller can report exceptions in
-/// their format.
+/// Runs the command line. Sets `global` before the command runs, so that the caller can report
+/// exceptions in the requested format.
 ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global) {
   const auto line = read_command_line(words);
   if (!line) {

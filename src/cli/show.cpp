@@ -206,7 +206,7 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
   rows[0].emplace_back("alone");
   columns.push_back({true, 12});
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (!has_equations(output_row(requests[i].kind))) continue;  // it only calls other functions
+    if (!has_equations(output_row(requests[i].kind))) continue;  // steps only call functions
     std::vector<std::string>& row = rows.emplace_back(1, requests[i].name);
     const std::vector<std::string> costs = cost_columns(requests[i], *products.program, full);
     row.insert(row.end(), costs.begin(), costs.end());

@@ -21,8 +21,8 @@ namespace elgen::cli {
 /// Prints the dump, if any, on stdout and the diagnostics on stderr.
 ExitCode report_products(const GlobalOptions& global, const Products& products);
 
-/// True if `path` is a model or scene of this name, or one with errors, whose name is unknown.
-/// False if it cannot be read.
+/// True if `path` is a model or scene of this name, or a model or scene with errors, because its
+/// name is then unknown. False if the file cannot be read.
 [[nodiscard]] bool may_have_name(const GlobalOptions& global, const std::string& path,
                                  const std::string& name);
 

@@ -58,8 +58,8 @@ Diagnostics no_design_within(const TradeoffTable& table, double max_error) {
                              name_of(*nearest), nearest->error.worst)}};
 }
 
-/// Picks the cheapest row within --max-error; E632 if there is none. Appends its scene, which
-/// requires this `max_error`, to `files` if --write-scene is set.
+/// Picks the cheapest row within --max-error; E632 if there is none. If --write-scene is set,
+/// appends the scene of the row to `files`. The scene of an output requires this `max_error`.
 ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
                     const Inputs& inputs, const TradeoffTable& table,
                     std::vector<OutputFile>& files) {
@@ -110,7 +110,7 @@ ExitCode write_results(const GlobalOptions& global, const TradeoffOptions& optio
   return std::max(worst, report(global, written.diagnostics));
 }
 
-/// Measures and shows the stages. The line of progress is cleared before this returns.
+/// Measures the designs or the runs, and shows the stages on a line that is cleared at the end.
 Result<MeasuredTable> measure_with_progress(const GlobalOptions& global,
                                             const TradeoffOptions& options, const Inputs& inputs) {
   const Progress progress(options.input);

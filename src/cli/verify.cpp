@@ -91,8 +91,8 @@ Result<CompiledHeaders> compile_builds(Products& products, const VerifyCommandOp
   });
 }
 
-/// The rows of `max_error`. If the scene expands the model, the exact model is derived for the
-/// comparison.
+/// The certificate rows for `max_error`. If the scene expands the model, derives the exact model
+/// for the comparison.
 Result<std::vector<CertificateRow>> check_promises(const Inputs& inputs, const Products& products,
                                                    const CompiledHeaders& compiled,
                                                    const VerifyOptions& options,

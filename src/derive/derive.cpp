@@ -65,8 +65,8 @@ FieldEquations field_of(std::string_view name, const Vector& entries, std::size_
           static_cast<std::uint32_t>(entries.size() / rows), entries};
 }
 
-/// The fields of an output. If it has several, empty fields are omitted, such as derivatives by u
-/// of a model without inputs. The table of outputs has no row for the field `diagonal`.
+/// The fields of an output. If an output has several fields, its empty fields are omitted, such as
+/// derivatives by u of a model without inputs. The table of outputs lacks the field `diagonal`.
 Fields fields(const Derivation& derivation, const OutputRequest& request, FieldEntries all) {
   if (request.without_pivots) remove_pivots(all);
   if (all.size() == 1) return {{"", request.rows, request.columns, all.front()}};
@@ -181,10 +181,10 @@ std::size_t operations_of(const ex& value) {
   return total;
 }
 
-/// Forward dynamics by the articulated-body algorithm. `is_shorter`: it needs fewer operations than
-/// the factorisation of M, so forward dynamics through M is not derived. articulated_route()
-/// returns none if the algorithm does not apply, or if a pivot is 0: the route through M then
-/// reports the singular M.
+/// Forward dynamics by the articulated-body algorithm. `is_shorter`: the algorithm needs fewer
+/// operations than the factorisation of M, so forward dynamics through M is not derived.
+/// articulated_route() returns none if the algorithm does not apply or exceeds the limit of
+/// definitions, or if a pivot is 0: the route through M then reports the singular M.
 struct ArticulatedRoute {
   EquationsOfMotion equations = {};
   bool is_shorter = false;

@@ -17,7 +17,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// Equations are found by kind and `user`, so `user` distinguishes two outputs of one kind.
+/// A request for an output with `rows` entries. Equations are found by kind and `user`, so `user`
+/// distinguishes two outputs of one kind.
 OutputRequest request_of(OutputKind kind, std::uint32_t user, std::string name, std::size_t rows) {
   OutputRequest request;
   request.kind = kind;

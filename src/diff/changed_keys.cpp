@@ -224,7 +224,7 @@ class KeyComparison {
     return false;
   }
 
-  /// The order in a model determines the order of q, u, multipliers and members of Parameters.
+  /// Compares the orders of coordinates, inputs, constraints and parameters, on which callers rely.
   void compare_orders(const IdentifiedEntries& olds, const IdentifiedEntries& news) {
     if (!prefix_.empty()) return;  // a scene only refers to these names
     for (const char* const kind : {"coordinate", "input", "constraint"}) {

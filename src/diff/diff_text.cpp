@@ -190,7 +190,7 @@ class Summary {
     return label_of(report_, system);
   }
 
-  /// Adds one text per system.
+  /// Adds the text words(system) of each system, all with one label.
   template <class TextOf>
   void for_each(std::string label, const TextOf& words) {
     Section section(lines_, std::move(label));
@@ -265,8 +265,8 @@ class Summary {
     section.count_others("change");
   }
 
-  /// Numbers of operations are shown for all systems or not at all, because a part would look
-  /// complete.
+  /// Adds the changed numbers of operations. Adds nothing if a system lacks its numbers, because
+  /// the lines of the other systems would look complete.
   void add_operations() {
     Section section(lines_, "operations", most(most_operations));
     for (const SystemChange& system : report_.systems) {

@@ -17,7 +17,7 @@
 namespace elgen {
 namespace {
 
-/// Something that callers know by its name or by its position.
+/// An element of an array or a member of Parameters, which callers know by its name or position.
 struct KnownName {
   std::string name = {};
   std::string unit = {};
@@ -32,7 +32,7 @@ std::string unit_text_of(const Entry& entry) {
   return entry.unit_text;
 }
 
-/// The unit is derived, because models do not declare units of f and phi.
+/// The derived unit of f or phi, because models do not declare this unit.
 std::string unit_text_of(const Constraint& constraint) {
   return constraint.unit ? to_string(*constraint.unit) : "";
 }
@@ -252,7 +252,7 @@ void compare_shapes(Changes& changes, const Program& before, const Program& afte
   for (const Function& now : after.functions) {
     const auto old = std::ranges::find(before.functions, now.name, &Function::name);
     const bool is_in_both = old != before.functions.end() && old->kind == now.kind;
-    // The residual depends on how many constraints restrict positions, which no list shows.
+    // The shape of the residual depends on the number of position constraints, which no list shows.
     const bool is_compared =
         output_row(now.kind).of_user || now.kind == OutputKind::constraint_residual;
     if (!is_in_both || !is_compared || has_same_shape(*old, now)) continue;

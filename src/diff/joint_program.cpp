@@ -1,5 +1,5 @@
-// joint_program: joins functions by value numbering, which finds instructions that the function
-// already contains. Matches entries by the names of rows and columns in the output table.
+// joint_program: joins functions by value numbering, which finds instructions that the joint
+// function already contains. Matches entries by the names of rows and columns in the output table.
 #include "diff/joint_program.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Assumption weaker(Assumption x, Assumption y) {
   return x == y ? x : Assumption::nonnegative;
 }
 
-/// Appends the instructions of a function, and returns the indices of its entries.
+/// Appends the instructions of a function to another function; returns the indices of the entries.
 class FunctionCopier {
  public:
   FunctionCopier(const Program& from, const LeafValues<std::uint32_t>& places, Program& to,

@@ -22,7 +22,7 @@ struct JointValues {
 };
 
 /// One function that computes the entries of one output in both versions, with common
-/// subexpressions. `before` and `after`: the instructions of the entries.
+/// subexpressions. `before` and `after`: for each entry, the index of its instruction.
 struct JointFunction {
   Function function = {};
   std::vector<std::uint32_t> before = {};
@@ -62,8 +62,8 @@ struct MatchedEntry {
   std::string unit = {};
 };
 
-/// Matches the entries of two functions, in the order of `after`, then the removed entries. All
-/// entries are added or removed if the other function is empty.
+/// Matches the entries of two functions, in the order of `after`, then the removed entries. If one
+/// function is empty, all entries of the other function are added or removed.
 [[nodiscard]] std::vector<MatchedEntry> matched_entries(const Model& old_model,
                                                         const Function& before,
                                                         const Model& new_model,

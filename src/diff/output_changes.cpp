@@ -62,13 +62,13 @@ std::vector<std::string> closed_texts(const Program& program, const Function& fu
   return texts;
 }
 
-/// Witnesses are selected from the first states; further states may reveal differences at roots and
-/// kinks.
+/// Number of states from which a witness is selected. Further states may reveal differences at
+/// roots and kinks.
 constexpr std::size_t witness_count = 16;
 constexpr std::size_t state_count = zero_sample_count;
 constexpr std::uint64_t seed_of_witnesses = 16;
 
-/// The number that is printed: three significant digits.
+/// x as it is printed, with three significant digits.
 double text_value(double x) { return std::stod(fmt::format("{:.3g}", x)); }
 
 /// Appends the leaves that only the older version has, in the order of `joint`, with their values
@@ -176,8 +176,8 @@ void WitnessStates::explain(const Function& function, const InstructionPair& pai
   }
 }
 
-/// The parameters that `free` does not fix but `fixing` does, at a rational number that equals
-/// their value. Both renames lead to names of the newer version.
+/// The parameters that `fixing` fixes but `free` does not, if the fixed number is rational and is
+/// the value in `free`. Both renames lead to names of the newer version.
 ParameterValues fixed_at_own_value(const CheckedModel& free, const Renames& free_renames,
                                    const CheckedModel& fixing, const Renames& renames) {
   ParameterValues values;

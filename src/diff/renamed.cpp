@@ -31,7 +31,7 @@ void rename(std::vector<KeySyntax>& keys, const std::string& table, const Rename
   }
 }
 
-/// `table`: the path of the value in the key table, needed if the value is a table.
+/// Renames all names in `value`. `table`: the path of `value` in the key table, needed for tables.
 void rename(ValueSyntax& value, const std::string& table, const Renames& renames) {
   // If the value is a single name, its text is renamed, too, because it identifies entries.
   const bool is_name = value.kind == ValueKind::expression &&

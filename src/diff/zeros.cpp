@@ -1,6 +1,7 @@
 // zeros: entries with functions that are not analytic (program/network/analytic.hpp) are sampled
-// twice. First such functions are independent random variables; if the entry is 0 then, it is 0.
-// Then they are computed, which may show that the entry is not 0; otherwise it is undecided.
+// twice. In the first pass, these functions are independent random variables: an entry that is 0 at
+// all points is 0. In the second pass, these functions are computed: an entry that is not 0 at some
+// point is not 0. All other entries are undecided.
 #include "diff/zeros.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ constexpr std::uint64_t seed_of_zeros = 16;
 /// for 4 scales and 2 rules of signs.
 constexpr std::size_t most_tries = 8 * zero_sample_count;
 
-/// What one point shows about an entry; `nothing`: no value, or rounding hides it.
+/// The observation of an entry at one point; `nothing`: no value, or rounding hides the value.
 enum class Seen : std::uint8_t { nothing, zero, other };
 
 class PointDrawer {
@@ -32,8 +33,8 @@ class PointDrawer {
   /// random, not computed.
   std::vector<Seen> operator()(const Function& function, const std::vector<bool>& variables) {
     const std::vector<Running<Real>> values = values_at(next_point(), function, variables);
-    // With random variables a missing value proves nothing, because they may have values that their
-    // computation never gives.
+    // With random variables a missing value proves nothing, because a variable may have a value
+    // that the computation never gives.
     const bool is_computed = std::ranges::count(variables, true) == 0;
     std::vector<Seen> seen;
     for (const std::uint32_t entry : entries_of(function)) {
@@ -44,8 +45,8 @@ class PointDrawer {
     return seen;
   }
 
-  /// Observes all entries at a given point. There a missing value proves nothing, because one of
-  /// two terms may be 0/0.
+  /// Observes all entries at `point`. A missing value proves nothing, because one of two terms may
+  /// be 0/0 at a given point.
   std::vector<Seen> at(const LeafValues<Running<Real>>& point, const Function& function,
                        const std::vector<bool>& variables) {
     const std::vector<Running<Real>> values = values_at(point, function, variables);
@@ -72,7 +73,7 @@ class PointDrawer {
     return values;
   }
 
-  /// True if the value, or an operand of it, was replaced by a limit: 1/exp(-2^21) divides by 0.
+  /// True if the value of `i`, or of an operand, was replaced by a limit, such as exp(-2^21) by 0.
   [[nodiscard]] bool is_limited(const Instruction& i,
                                 const std::vector<Running<Real>>& values) const {
     const std::size_t operands = operand_count(i);
@@ -93,8 +94,8 @@ class PointDrawer {
     return scales[points_ / 2 % scales.size()];
   }
 
-  /// At every second point parameters without an assumption are positive, because most masses and
-  /// lengths must be positive.
+  /// The next random point. At every second point parameters without an assumption are positive,
+  /// because most masses and lengths must be positive.
   LeafValues<Running<Real>> next_point() {
     const Positive positive = points_ % 2 == 0 ? Positive::parameters : Positive::assumed;
     LeafValues<Running<Real>> point = map_leaves([this](const cln::cl_RA& x) { return scaled(x); },

@@ -96,9 +96,9 @@ Diagnostic assembly_error(const Inspected& subject, const std::optional<Assembly
           quotient.empty() ? "give the coordinates a `start` near a pose that exists" : quotient};
 }
 
-/// Poses found from random states. With every second draw, the distance of the states from the
-/// start is halved. Every second draw has the parameters of the start, the others random
-/// parameters.
+/// Poses found from random states. Every second draw has the parameters of the start; the other
+/// draws have random parameters. After every second draw, the distance of later states from the
+/// start is halved.
 std::vector<State> other_poses(const Inspected& subject, const State& start) {
   constexpr unsigned turns = 3;  // seeds that are multiples of 3 draw lengths up to 1
   std::vector<State> poses;
@@ -166,7 +166,7 @@ std::string sum_of_others(const Model& model, const Vector& factors) {
 }
 
 /// E537 for the vanishing combinations at the pose that has the fewest of them, because the other
-/// poses may be dead centres. No error if a pose has none.
+/// poses may be dead centres. No error if a pose has no vanishing combination.
 Diagnostics redundancy_errors(const Model& model, const std::vector<Combinations>& at_poses) {
   const auto fewest =
       std::ranges::min_element(at_poses, {}, [](const Combinations& all) { return all.size(); });

@@ -18,8 +18,8 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   add(inspect_unused(subject));
   add(inspect_left_out(subject));
   add(inspect_constants(subject));
-  // With a constant without a value, the model has no values at sampled states; with a too large
-  // power, its evaluation takes too long.
+  // If a constant has no value, the model has no values at sampled states. If a power is too large,
+  // the evaluation takes too long.
   if (has_errors(all)) return all;
   add(inspect_inertias(subject));
   add(inspect_spins(subject));

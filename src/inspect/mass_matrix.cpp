@@ -6,9 +6,9 @@
 // E501: M is singular at every sampled state: M x = 0, so x is a motion without kinetic energy. The
 // message has the basis of the null space if it is the same at all samples, else its dimension. For
 // outputs that divide by M, E501 is also reported if a diagonal entry is 0 at every sample.
-// E511: M is regular in general, but loses rank at special configurations. They are declared by the
-// `singular` factor of a coordinate. Without it, we try multiples of a right angle for each angle
-// and 0 for each coordinate, with random values of all other coordinates.
+// E511: M is regular in general, but loses rank at special configurations. The `singular` factor of
+// a coordinate declares these configurations. Without a factor, we try multiples of a right angle
+// for each angle and 0 for each coordinate, with random values of all other coordinates.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 namespace elgen {
 namespace {
 
-/// Number of states that are tried. A model without a value at all of them has practically no
-/// domain.
+/// Number of states that are tried. If M has a value at none of these states, the model has
+/// practically no domain.
 constexpr unsigned most_attempts = 8;
 
 /// True if an evaluation with 64 more digits gives the same matrix. With large terms, as in

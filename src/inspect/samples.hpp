@@ -18,7 +18,7 @@ constexpr unsigned zero_samples = 3;
 [[nodiscard]] State sampled_state(const Inspected& subject, unsigned seed);
 
 /// A state and the value of M at this state (row-major). None if a few attempts find no state at
-/// which M has a value.
+/// which M has a value that more digits confirm.
 struct MassSample {
   State state;
   std::vector<cln::cl_R> matrix;

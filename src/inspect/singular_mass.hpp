@@ -78,7 +78,7 @@ namespace elgen {
 
 /// The error for an output that solves with a matrix other than M, if this matrix is singular. The
 /// stage derive passes the row of the zero pivot, and always gets an error. The stage lower passes
-/// no row; if it gets none, the singular matrix is M.
+/// no row; if lower gets no error, the singular matrix is M.
 [[nodiscard]] inline std::optional<Diagnostic> singular_besides_mass(
     const OutputRequest& request, const std::optional<std::size_t>& row, const LeafNames& names) {
   switch (output_row(request.kind).when_singular) {

@@ -237,7 +237,7 @@ Result<Book> book_or_code(const Program& code, const std::function<Book()>& make
   try {
     return make();
   } catch (const std::bad_alloc&) {
-    // Code E915 would omit the page, so the written files would depend on the machine's memory.
+    // E915 would change the forms on the page, so files would depend on the machine's memory.
     throw;
   } catch (const std::exception& mistake) {
     const std::string text = fmt::format("the page shows the forms of code: {}", mistake.what());

@@ -33,14 +33,14 @@ namespace elgen {
                                                              const CheckedModel& checked,
                                                              const Limits& limits);
 
-/// The content of the scene's page; an empty book if the scene has no page. E915 if it could not be
-/// made.
+/// The content of the scene's page; an empty book if the scene has no page. If the page cannot be
+/// made, the forms of code with the note E915.
 [[nodiscard]] Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms,
                                    const Choice& choice, const CheckedModel& checked,
                                    const Limits& limits);
 
-/// make(). If it throws, the page shows the forms of code, with the note E915, because a failing
-/// page must not prevent code. std::bad_alloc is not caught.
+/// The book that `make` returns. If `make` throws, the page shows the forms of `code`, with the
+/// note E915, because a failing page must not prevent code. std::bad_alloc is not caught.
 [[nodiscard]] Result<Book> book_or_code(const Program& code, const std::function<Book()>& make);
 
 /// The derivation step by step, for readers. Its equations are lowered, presented and typeset like

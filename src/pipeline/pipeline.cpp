@@ -86,7 +86,8 @@ Scene inspected_scene(const CheckedModel& checked, const std::vector<Goal>& goal
   return scene;
 }
 
-/// check(), then the oracle computes the values of momenta in `[routh]`, and analyses are refused.
+/// The model that check() returns, with the values of momenta in `[routh]`. Errors of check(),
+/// find_momenta() and refused_analyses().
 Result<CheckedModel> check_inputs(const Syntaxes& syntaxes, const PipelineOptions& options) {
   Result<CheckedModel> result = check(syntaxes.model, syntaxes.scene ? &*syntaxes.scene : nullptr,
                                       options.scene, options.limits);

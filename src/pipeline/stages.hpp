@@ -1,5 +1,5 @@
-// stages: what all stages of a Compilation have in common. A stage runs at most once, after the
-// stages that it needs. Its time is measured, and its errors and exceptions become diagnostics.
+// stages: the stages of a Compilation and their runner. A stage runs at most once, after the stages
+// that it needs. Its time is measured, and its errors and exceptions become diagnostics.
 #pragma once
 
 #include <cln/exception.h>

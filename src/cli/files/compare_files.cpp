@@ -21,7 +21,7 @@ std::vector<std::string> lines(const std::string& text) {
   return result;
 }
 
-/// A unified diff, cut after `diff_lines` lines.
+/// The first `diff_lines` lines of a unified diff, and the number of further lines.
 std::string unified_diff(const std::string& before, const std::string& after) {
   dtl::Diff<std::string> diff(lines(before), lines(after));
   diff.onHuge();

@@ -41,8 +41,8 @@ Diagnostic unreadable(const std::string& path, int error) {
   return unreadable(path, "could not be read: " + std::generic_category().message(error));
 }
 
-/// E111 or E707 if the file does not exist or is no regular file or FIFO. Must precede opening,
-/// because opening a device may block or have effects.
+/// E111 if the file does not exist; E707 if stat() fails, or if the file is neither regular nor a
+/// FIFO. Must precede opening, because opening a device may block or have effects.
 std::optional<Diagnostic> missing_file_error(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) {
@@ -54,7 +54,7 @@ std::optional<Diagnostic> missing_file_error(const std::string& path) {
   return unreadable(path, fmt::format("is {}, not a file", kind));
 }
 
-/// Reads an open file; stops soon after the limit of bytes.
+/// Reads an open file. Stops soon after `limits.file_bytes` bytes, and then returns E901.
 Result<SourcePointer> read_descriptor(const std::string& name, const Descriptor& file,
                                       const Limits& limits) {
   struct stat found {};

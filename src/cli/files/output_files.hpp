@@ -69,10 +69,10 @@ enum class FileState : unsigned char {
 struct FileDifference {
   FileState state = FileState::stale;
   std::string path = {};
-  std::string detail = {};  ///< first lines of a unified diff; for an orphan, its reason
+  std::string detail = {};  ///< first lines of a unified diff; if orphaned, the reason
 };
 
-/// The generated files that are missing or different on disk. Does not search orphans.
+/// The generated files that are missing or different on disk. Does not search for orphans.
 [[nodiscard]] std::vector<FileDifference> compare_files(const std::string& directory,
                                                         const EmittedFiles& files);
 

@@ -10,9 +10,9 @@
 
 namespace elgen::cli {
 
-/// Relative paths if source and output folder are in one git repository, or have a common folder.
-/// The root, the home folder and folders for temporary files do not count as common. Otherwise, and
-/// for standard input, only the file's name, so that generated files reveal no paths of a machine.
+/// The paths of the sources: relative to `directory` if both are in one git repository, or have a
+/// common folder other than the root, the home folder and folders for temporary files. Otherwise,
+/// and for standard input, only the file's name, so that files reveal no paths of a machine.
 [[nodiscard]] SourcePaths source_paths(const Inputs& inputs, const std::string& directory);
 
 /// The path of the scene, or else of the model; none if it is only a file's name.

@@ -22,7 +22,7 @@ struct ListedCommand {
   std::vector<ListedOption> options = {};
 };
 
-/// What `--help` prints.
+/// The global options and the commands, as `--help` lists them.
 struct CommandList {
   std::string doc = {};                    ///< with examples
   std::vector<ListedOption> options = {};  ///< global options

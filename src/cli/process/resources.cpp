@@ -45,7 +45,7 @@ struct FinalMessages {
   std::string memory = {};
 };
 
-/// Never destroyed, because a signal may arrive while the process exits.
+/// The final messages; never destroyed, because a signal may arrive while the process exits.
 FinalMessages& last_words() {
   static FinalMessages& words = *new FinalMessages;
   return words;
@@ -85,8 +85,8 @@ void set_alarm(std::uint64_t seconds) {
   std::abort();
 }
 
-/// Allocation functions for CLN and GMP that throw std::bad_alloc. By default CLN throws another
-/// exception, after which a page would be continued, and GMP, which CLN uses, aborts.
+/// Allocation functions for CLN and GMP that throw std::bad_alloc. By default, GMP aborts, and CLN
+/// throws another exception, which book_or_code() would catch.
 void* allocate(std::size_t size) {
   void* const memory = std::malloc(size);
   return memory == nullptr ? throw std::bad_alloc() : memory;

@@ -10,8 +10,8 @@ namespace elgen::cli {
 
 /// Sets the limits. If processor time exceeds its limit, the process ends with E909 and exit code
 /// 3. If memory exceeds its limit, allocations throw std::bad_alloc. SIGINT, SIGTERM and SIGHUP end
-/// the process with exit code 130, unless they were ignored when it started. In the scope of a
-/// NoInterrupts they are deferred.
+/// the process with exit code 130, unless they were ignored when it started. A NoInterrupts defers
+/// these three signals.
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style);
 
 /// Sets the stage that E909 names; "" for none.

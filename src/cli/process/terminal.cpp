@@ -1,4 +1,4 @@
-// terminal: the system gives the width of a terminal, environment variables its alphabet. A thread
+// terminal: the width comes from the system, the alphabet from environment variables. A thread
 // shows the progress on one line, and clears the line at the end.
 #include "cli/process/terminal.hpp"
 
@@ -29,7 +29,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// The first of the variables that is set decides, as in setlocale(3).
+/// True if the locale is UTF-8. The first variable that is set decides, as in setlocale(3).
 bool is_utf8() {
   for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
     std::string value = variable(name);

@@ -77,8 +77,8 @@ Result<std::string> root_of_tree() {
   return root;
 }
 
-/// For programs of at most this many instructions, choosing forms takes little time; panda7 has 29
-/// 000.
+/// Choosing forms takes little time for programs of at most this many instructions. The model
+/// panda7 has 29 000 instructions.
 constexpr std::size_t most_chosen = 2'000;
 
 /// True if an output is an integration step, which calls functions in their chosen forms.

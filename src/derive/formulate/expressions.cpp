@@ -213,7 +213,7 @@ Translation::Sized Translation::compose(const Expression& expression) {
   }
 }
 
-/// The size is 1 for any arguments, because the value becomes a leaf (open_leaf()).
+/// A call of an open function. The size is 1 for any arguments: the call becomes an open_leaf().
 Translation::Sized Translation::open(const Expression& expression) const {
   const OpenValue& value = model_.open_values[expression.index];
   std::array<ex, most_arguments> x{};

@@ -26,9 +26,9 @@ class Translation {
   [[nodiscard]] GiNaC::ex value(ExpressionId id);
   [[nodiscard]] const Diagnostics& errors() const { return errors_; }
 
-  /// The symbol of a definition of this value, so that expressions that contain it stay small.
+  /// Defines the value under `name`. Returns the symbol, which keeps later expressions small.
   [[nodiscard]] GiNaC::ex named(ExpressionId id, const std::string& name, Entity origin);
-  /// name_x, name_y, name_z
+  /// Defines the three components. Returns the symbols name_x, name_y, name_z.
   [[nodiscard]] ExVector3 vector(const Vector3& values, const std::string& name, Entity origin);
 
  private:

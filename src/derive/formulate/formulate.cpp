@@ -22,7 +22,7 @@ namespace {
 
 const ex one_half = GiNaC::numeric(1, 2);
 
-/// With a positive symbol, GiNaC simplifies sqrt(x^2) to x.
+/// A real symbol; for a positive parameter a positive symbol x, so that sqrt(x^2) becomes x.
 ex symbol_of(const Parameter& parameter, const std::string& name) {
   if (parameter.assumption == Assumption::positive) return GiNaC::possymbol(name);
   return GiNaC::realsymbol(name);
@@ -145,7 +145,7 @@ class Forces {
     lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
   }
 
-  /// The angular velocity w is affine in v, so the generalised force on v_i is torque.dw/dv_i.
+  /// Adds torque.dw/dv_i to the force on each v_i; the angular velocity w is affine in v.
   void add_torque(const Force& force) {
     std::vector<Weighted> work;
     const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {

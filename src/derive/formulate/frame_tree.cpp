@@ -95,9 +95,9 @@ std::optional<std::size_t> single_axis(const ExVector3& x) {
   return axis;
 }
 
-/// A translation along the axis of a turn commutes with the turn, and is moved behind it. Frames
-/// whose axes intersect then share their origin, so a force passed between these frames adds no
-/// moment.
+/// Moves a translation along the axis of the last turn behind this turn, because both commute.
+/// Frames whose axes intersect then share their origin, so a force passed between these frames adds
+/// no moment.
 ///
 ///     before    shift (a, d, 0), turn -pi/2 about x, turn q about z
 ///     after     shift (a, 0, 0), turn -pi/2 about x, turn q about z, shift (0, 0, d)

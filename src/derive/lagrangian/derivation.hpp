@@ -94,7 +94,7 @@ std::vector<Weighted> Derivation::weighted_positions(const Force& force) {
   return result;
 }
 
-/// The terms, all with the same weight.
+/// The terms, each with the weight `weight`.
 [[nodiscard]] std::vector<Weighted> weighted(const Terms& terms, int weight);
 [[nodiscard]] std::vector<Weighted> weighted(const EnergyTerms& terms, int weight);
 

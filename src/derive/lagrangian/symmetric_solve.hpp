@@ -97,7 +97,7 @@ class ConstrainedSolve {
     Vector y;  ///< m, the multipliers
   };
 
-  /// Entries are definitions.
+  /// x and y for the right-hand sides r and s; entries are definitions.
   [[nodiscard]] Solution solve(const Vector& r, const Vector& s);
 
   /// The relative pivots of M by velocity, then the relative pivots of S by constraint.

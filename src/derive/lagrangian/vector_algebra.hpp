@@ -32,7 +32,8 @@ class VectorAlgebra {
     return elgen::define(definitions_, value);
   }
 
-  /// New definitions of components are named name_x, name_y, name_z, unless `name` is empty.
+  /// Defines each component and returns the symbols. New definitions are named name_x, name_y,
+  /// name_z, unless `name` is empty.
   [[nodiscard]] ExVector3 define(const ExVector3& value, const std::string& name = {},
                                  Entity origin = {}) {
     static constexpr const char* axes[] = {"x", "y", "z"};
@@ -50,7 +51,7 @@ class VectorAlgebra {
     return {definitions_, kind, frame};
   }
 
-  /// dx/ds along a direction.
+  /// dx/ds along the direction `along`.
   [[nodiscard]] ExVector3 rate(const ExVector3& x, Tangent& along) {
     return {define(along(x[0])), define(along(x[1])), define(along(x[2]))};
   }

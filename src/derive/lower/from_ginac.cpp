@@ -180,7 +180,8 @@ std::vector<const OutputEquations*> equations_for(const EquationsOfMotion& equat
   return wanted;
 }
 
-/// A field keeps its name; for `dynamics` it gets the name of the repeated output.
+/// Appends the entries of `outputs` to `values`, and returns the fields. A field keeps its name; a
+/// field of `dynamics` gets the name of the repeated output.
 std::vector<Field> import_fields(Importer& importer, const OutputRequest& request,
                                  const std::vector<const OutputEquations*>& outputs,
                                  std::vector<Ref>& values) {

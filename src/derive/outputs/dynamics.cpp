@@ -60,8 +60,8 @@ class Dynamics {
   [[nodiscard]] const ConstrainedSolve& solve() const { return solve_; }
 
  private:
-  /// Separate statements fix the order of definitions; compilers evaluate arguments in different
-  /// orders.
+  /// Factorises M and S. Separate statements fix the order of definitions, because compilers
+  /// evaluate arguments in different orders.
   static ConstrainedSolve solve_of(Derivation& derivation) {
     const Vector mass = mass_matrix(derivation);
     return {derivation, mass, constraint_jacobian(derivation)};
@@ -77,7 +77,7 @@ class Dynamics {
   ConstrainedSolve solve_;
 };
 
-/// Substitutes the solution of the forward dynamics for the leaves a and lambda.
+/// The substitution of `motion`, the solution of the forward dynamics, for the leaves a and lambda.
 Substitution at_motion(Derivation& derivation, const ConstrainedSolve::Solution& motion) {
   Seeds seeds;
   add_seeds(seeds, derivation.symbols.a, motion.x);

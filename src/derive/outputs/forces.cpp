@@ -17,7 +17,7 @@ Vector rates(const Vector& values, Tangent& along) {
   return result;
 }
 
-/// The rate of `momentum` = dL/dv along a motion, plus Hamel's term [w]x dL/dv for angular
+/// The rate of `momentum` = dL/dv along a motion, plus Hamel's term [w]x dL/dw for angular
 /// velocities w.
 Vector momentum_rates(Derivation& derivation, const Vector& momentum, Tangent& along) {
   Vector result = rates(momentum, along);
@@ -89,12 +89,12 @@ TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
   return opposite(tree_of(derivation).wrench_forces(std::ref(force)));
 }
 
-/// Inertial forces and weights of bodies in frames; gravity enters as an acceleration of the base.
+/// Inertial forces minus weights of bodies in frames: the base has the acceleration -gravity.
 TreeForces tree_forces(Derivation& derivation, Tangent& second) {
   return inertial_forces(tree_of(derivation), {derivation.zero_acceleration, second, true});
 }
 
-/// M a + bias; minus B u if the inputs act. `second` differentiates velocities: with
+/// M a + bias - B u; without B u if the inputs are absent. `second` differentiates velocities: with
 /// `zero_acceleration`, a is 0.
 Vector left_side(Derivation& derivation, Tangent& second, InputForces inputs, Bodies bodies) {
   TreeForces forces{inertial_forces_of_masses(derivation, second)};
@@ -230,7 +230,7 @@ Vector position_gradient(Derivation& derivation) {
 
 Vector cyclic_rates(Derivation& derivation) { return derivation.lagrangian.cyclic_rates; }
 
-/// Equations of the Lagrangian in which locked coordinates move, at the locked values.
+/// The rows of the locked coordinates in the equations before locking, at the locked values.
 ///
 ///     before    row of q1: (I1 + I2 + ...)*q1_ddot + ... - tau1
 ///     after     the same with q1 = s(t), q1_dot = ds/dt, q1_ddot = d2s/dt2

@@ -87,7 +87,7 @@ Vector input_matrix(Derivation& derivation) {
 
 namespace {
 
-/// The twist (angular velocity; velocity of the origin), 0 for the world.
+/// The twist (angular velocity; velocity of the origin) of the frame of `output`, 0 for the world.
 Vector twist_of(Derivation& derivation, const TwistOutput& output) {
   if (!output.transform) return Vector(6, 0);
   Tree& tree = tree_of(derivation);

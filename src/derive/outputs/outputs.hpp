@@ -19,11 +19,11 @@ enum class Bodies : unsigned char { all, without_frames };
 /// tau = M a + bias.
 [[nodiscard]] Vector inverse_dynamics(Derivation& derivation);
 
-/// tau; minus B u if the inputs act. Bodies::without_frames omits the inertial forces and weights
-/// of bodies in frames.
+/// tau - B u; tau if the inputs are absent. Bodies::without_frames omits the inertial forces and
+/// weights of bodies in frames.
 [[nodiscard]] Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies);
 
-/// C v + drift + g + dD/dv - Q; minus B u if the inputs act.
+/// C v + drift + g + dD/dv - Q - B u; without B u if the inputs are absent.
 [[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs = InputForces::absent,
                           Bodies bodies = Bodies::all);
 
@@ -177,8 +177,8 @@ struct ConstraintResidual {
 /// A^T lambda.
 [[nodiscard]] Vector constraint_force(Derivation& derivation, const Vector& multipliers);
 
-/// Adds 2 zeta omega r + omega^2 f to `rates_of_rates`. If these are dr/dt, the result is 0 along
-/// the motion. If these are gamma = dr/dt at a = 0, the result is -A a.
+/// `rates_of_rates` + 2 zeta omega r + omega^2 f. Along the motion, this sum is 0 if
+/// `rates_of_rates` is dr/dt, and -A a if `rates_of_rates` is gamma = dr/dt at a = 0.
 [[nodiscard]] Vector stabilised(Derivation& derivation, Vector rates_of_rates);
 
 /// One Newton step onto the constraints, with S = A M^-1 A^T. The position constraints change q to
@@ -242,10 +242,10 @@ struct ForwardDynamics {
 [[nodiscard]] ForwardDynamics forward_dynamics(Derivation& derivation);
 
 /// Forward dynamics that does not form M (tree/articulated.hpp), and the number of operations of
-/// factorising M. Requires bodies in frames; T and V instead of L, quadratic in v; no constraints
-/// and no point masses outside frames; T of [energy] that adds at most a diagonal to M; a value of
-/// tree_joints(); elimination of M from the last velocity (otherwise the pivots would differ). None
-/// if a requirement is not met. If `has_pivots` is false, M_ii is not computed.
+/// factorising M. None unless the model has bodies in frames; T and V instead of L, quadratic in v;
+/// no constraints and no point masses outside frames; a T of [energy] that adds at most a diagonal
+/// to M; a value of tree_joints(); and elimination of M from the last velocity (otherwise pivots
+/// would differ). If `has_pivots` is false, M_ii and the relative pivots are not computed.
 struct ArticulatedDynamics {
   ForwardDynamics solution;
   std::size_t operations_of_factorisation = 0;
@@ -280,8 +280,8 @@ struct ResponseParts {
   Vector rates;               ///< the upper rows of A
 };
 
-/// None if the model has constraints or fewer than min_composed_velocities velocities. Throws
-/// ZeroPivot if an M_ii is 0.
+/// The parts; none if the model has constraints or fewer than min_composed_velocities velocities.
+/// Throws ZeroPivot if an M_ii is 0.
 [[nodiscard]] std::optional<ResponseParts> response_parts(Derivation& derivation);
 
 /// Row-major: A is 2 n_v x 2 n_v, and B is 2 n_v x n_u.
@@ -292,7 +292,7 @@ struct Linearization {
 [[nodiscard]] Linearization linearization(Derivation& derivation);
 
 // Functions of q and of momenta p = M v + b, b = dL/dv at v = 0. Requires L quadratic in v. v is
-// computed from p and substituted in functions of (q, v), so these are not differentiated again.
+// computed from p and substituted in functions of (q, v), so no function is differentiated again.
 // Each function throws ZeroPivot. Goldstein, Poole, Safko, 3rd ed., sec. 8.1.
 //
 //     v = M^-1 (p - b)

@@ -16,8 +16,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// A Lagrangian with the variables, gravity and transforms of another, without bodies, energies and
-/// forces.
+/// A Lagrangian with the variables, gravity and transforms of `all`, but without bodies, energies
+/// and forces.
 Lagrangian kinematics_of(const Lagrangian& all) {
   Lagrangian motion;
   motion.symbols = all.symbols;
@@ -50,7 +50,7 @@ void add_forces(const Lagrangian& all, Lagrangian& to) {
   to.tree.wrenches = all.tree.wrenches;
 }
 
-/// The inverse dynamics of another Lagrangian over the definitions of a derivation.
+/// The inverse dynamics of `other`; new definitions are appended to the list of `derivation`.
 Vector forces_of(Derivation& derivation, Lagrangian other) {
   return derive_with_shared_definitions(derivation, std::move(other), [](Derivation& apart) {
     Vector forces = inverse_dynamics(apart);
@@ -73,8 +73,8 @@ auto* entry_of(List& list, const InertialParameter& parameter) {
   return found == list.end() ? nullptr : &*found;
 }
 
-/// A body on the same transform, for which this parameter is 1 and all other inertial parameters
-/// are 0. A point keeps its position.
+/// A body on the transform of `body`, with `parameter` = 1 and all other inertial parameters 0. A
+/// point keeps its position.
 RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
   RigidBody unit;
   unit.transform = body.transform;

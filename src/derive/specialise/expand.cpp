@@ -4,9 +4,9 @@
 //     after     T = 1/2*m*l^2*v^2,  V = -m*g*l + 1/2*m*g*l*q^2
 //
 // Equations of order k need forces to order k, and T - V and D to order k + 1, jointly in
-// deviations and rates, because the equations contain first derivatives of the energies. For a
-// coordinate that is not small, this derivative loses no order. Its equation has order k + 1, so
-// its force is expanded to k + 1.
+// deviations and rates, because the equations contain first derivatives of the energies. The
+// derivatives by a coordinate that is not small, and by its rate, lose no order. The equation of
+// this coordinate has order k + 1, so its force is expanded to order k + 1.
 #include "derive/specialise/expand.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 //     before    L = 1/2*m*r_dot^2 + 1/2*m*r^2*phi_dot^2 - V(r)        phi at the momentum p_phi
 //     after     R = 1/2*m*r_dot^2 - V(r) - 1/2*p_phi^2/(m*r^2)
 //
-//     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   all at v_c = 0
+//     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - b        with L0 = L and b = dL/dv_c at v_c = 0
 //
 // L does not depend on a cyclic coordinate, so 0 is substituted for it. Source: Goldstein, Poole,
 // Safko, Classical Mechanics, 3rd ed., sec. 8.3.

@@ -5,7 +5,7 @@
 //     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
 //
 // No energy, force or output refers to a definition that became 0, so later stages do not see it.
-// Finally energies and forces are expanded, if the scene asks for it.
+// If the scene requests an expansion, energies and forces are expanded at the end.
 #include "elgen/specialise.hpp"
 
 #include <algorithm>

@@ -29,7 +29,7 @@ void add_masses(Lagrangian& lagrangian, Tangent& velocity) {
   lagrangian.gravity.reset();
 }
 
-/// Adds F.d(dp/dt)/dv to Q: dp/dt is linear in v.
+/// Adds F.d(dp/dt)/dv to Q; dp/dt is affine in v.
 void add_point_forces(Lagrangian& lagrangian, Tangent& velocity) {
   std::vector<Weighted> work;
   for (const PointForce& applied : lagrangian.point_forces) {

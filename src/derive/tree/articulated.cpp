@@ -38,7 +38,7 @@ void accumulate(VectorAlgebra& algebra, const ArticulatedInertia& from, Articula
   }
 }
 
-/// Adds a rigid body: A = I, H = [h]x, M = m 1.
+/// Adds the rigid body `from` to `to`: A += I, H += [h]x, M += m 1.
 void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, ArticulatedInertia& to) {
   for (std::size_t i = 0; i < 6; ++i) {
     to.spin[i] = algebra.define(to.spin[i] + from.inertia[i]);
@@ -50,7 +50,7 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, Articulate
   }
 }
 
-/// Translation by p, with the equations of articulated.hpp.
+/// `c` in the parent frame of a translation by p, by the equations of articulated.hpp.
 ArticulatedInertia shifted(VectorAlgebra& algebra, const ArticulatedInertia& c,
                            const ExVector3& p) {
   ArticulatedInertia result = c;
@@ -208,9 +208,10 @@ class ArticulatedRecursion {
         tree_, [&](const RigidBody& body) { return about_origin(algebra_, body); });
   }
 
-  /// If S has a single non-zero component s, at index k, then row and column k of I - L U^T equal
-  /// J/D times row and column k of I. Computed this way, no difference cancels. If the armature J
-  /// is also 0, that row and column are 0, and component k of p + L e is Q/s.
+  /// Computes I -= L U^T and p += L e for the joint of `velocity`. If S has a single non-zero
+  /// component s, at index k, row and column k of the new I are J/D times row and column k of I, so
+  /// that no difference cancels. If the armature J is also 0, this row and column are 0, and
+  /// component k of the new p is Q/s.
   void eliminate(std::uint32_t velocity) {
     const TreeJoint& joint = joints_[velocity];
     const ex& armature = armatures_[velocity];
@@ -329,7 +330,7 @@ ArticulatedMotion articulated_motion(Tree& tree, const std::vector<TreeJoint>& j
 
 std::size_t operations_of_factorisation(const Tree& tree, const std::vector<TreeJoint>& joints) {
   const auto velocities_of = velocities_on_transforms(tree, joints);
-  std::vector<std::size_t> moving(tree.size(), 0);  // velocities that move the transform
+  std::vector<std::size_t> moving(tree.size(), 0);  // number of velocities that move transform k
   std::size_t total = 0;
   for (std::size_t k = 0; k < tree.size(); ++k) {
     const auto& parent = tree.transform(k).parent;

@@ -17,7 +17,7 @@
 // The velocities of one transform (three for a rotation) are eliminated one by one, the last first.
 // So the D are the pivots of M = L D L^T, eliminated from the last velocity to the first.
 // Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7, with d instead of his
-// accelerations: a0 contains the velocity products, so I is never multiplied by them.
+// accelerations: a0 contains the velocity products, so I is never multiplied by velocity products.
 #pragma once
 
 #include <optional>

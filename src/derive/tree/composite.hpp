@@ -36,7 +36,7 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeI
 [[nodiscard]] Symmetric3 to_parent(Tree& tree, std::size_t transform, const Symmetric3& s);
 [[nodiscard]] ExMatrix3 to_parent(Tree& tree, std::size_t transform, const ExMatrix3& a);
 
-/// Re-expressed in the parent frame of the transform, about its origin.
+/// `c` re-expressed in the parent frame of the transform, about the origin of the parent frame.
 [[nodiscard]] CompositeInertia to_parent(Tree& tree, std::size_t transform,
                                          const CompositeInertia& c);
 
@@ -62,7 +62,7 @@ struct CompositeRate {
 /// to += from, both in the same frame.
 void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate& to);
 
-/// Re-expressed in the parent frame of the transform, about its origin.
+/// `rate` re-expressed in the parent frame of the transform, about the origin of the parent frame.
 [[nodiscard]] CompositeRate to_parent(Tree& tree, std::size_t transform, const CompositeRate& rate);
 
 /// B of each transform's subtree, in the transform's child frame; `twists` by transform.

@@ -1,7 +1,7 @@
-// A column (tree_matrices.hpp) starts in the parent frame of its transform. The axis of a turn has
-// the same components in both frames, and the twist of the parent can replace the twist of the
-// transform. A column of a rotation starts in the child frame, because its axes turn with the
-// transform.
+// A column (tree_matrices.hpp) of a turn or a translation starts in the parent frame of its
+// transform: the axis of a turn has the same components in both frames, and the twist of the parent
+// can replace the twist of the transform. A column of a rotation starts in the child frame, because
+// the axes of a rotation turn with the transform.
 #include <algorithm>
 
 #include "derive/tree/tree_matrices.hpp"

@@ -158,7 +158,7 @@ void accumulate(VectorAlgebra& algebra, const MassMoment& from, MassMoment& to) 
   to.moment = algebra.add(to.moment, from.moment);
 }
 
-/// Re-expressed in the parent frame of the transform, about its origin.
+/// `c` re-expressed in the parent frame of transform `index`, about the origin of the parent frame.
 MassMoment to_parent(Tree& tree, std::size_t index, const MassMoment& c) {
   MassMoment result{c.mass, tree.to_parent(index, c.moment)};
   const TreeTransform& transform = tree.transform(index);
@@ -299,7 +299,7 @@ TreeForces tree_gravity(Tree& tree) {
   VectorAlgebra& algebra = tree.algebra;
   for (std::size_t k = 0; k < tree.size(); ++k) {
     const NameScope weight = tree.name_scope("weight", k);
-    // Minus the weight, and its moment about the origin of the transform.
+    // Minus the weight, and the moment of this force about the origin of the transform.
     SpatialForce lift;
     lift.force = algebra.scaled(-carried[k].mass, g[k]);
     lift.moment = algebra.cross(g[k], carried[k].moment);

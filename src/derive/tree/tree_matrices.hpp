@@ -155,8 +155,8 @@ void add_to_dense(const SparseMatrix& matrix, Vector& entries, std::size_t n);
 [[nodiscard]] bool has_linear_variables(Tree& tree);
 
 /// d tau/dq and d tau/dv of the inertial forces and weights. Requires has_linear_variables().
-/// R1 = v x S and R2 = a x S + v x R1, with v and a of the parent transform. Gravity enters as an
-/// acceleration of the base:
+/// R1 = v x S and R2 = a x S + v x R1, with v and a of the parent transform. The base has the
+/// acceleration -gravity:
 ///
 ///     dtau_k/dq_l = (I_k S_k).R2_l + 2 (B_k^T S_k).R1_l         l an ancestor of k, or k
 ///     dtau_l/dq_k = S_l.(I_k R2_k + 2 B_k R1_k + S_k x* f_k)
