@@ -71,7 +71,7 @@ constexpr std::array ascii_words{AsciiWord{"⋅", "*"},  AsciiWord{"∂", "d"}, 
 
 Block line_of(std::string text) { return {{std::move(text)}, 0}; }
 
-/// The role of a piece, which decides whether a blank follows it.
+/// The role of a piece. The roles of two neighbours decide whether a blank separates them.
 enum class Role : std::uint8_t { none, operand, function, sign, comma, prefix, prose };
 
 /// True for an opening bracket that is printed, as in `(1, 2)`; false for scripts and for `\left.`.
@@ -162,7 +162,7 @@ bool writes_accent_as_call(const Glyphs& glyphs, bool is_unicode) {
   return glyphs.kind == GlyphKind::accent && (!is_unicode || is_word(glyphs.parts[0]));
 }
 
-/// Puts the dots over the first letter.
+/// Puts the dots over the first letter of `base`, or writes dot(base) or ddot(base).
 std::string add_dots(const Glyphs& glyphs, const std::string& base, bool is_unicode) {
   if (base.empty()) return base;
   const bool is_double = glyphs.text == "¨";

@@ -36,7 +36,7 @@ void append_part(Formulas& row, Formula part) {
   }
 }
 
-/// A negative number becomes the negative of a positive number, so that a sum subtracts it.
+/// x; for a negative number, the negative of a positive number, which a sum subtracts.
 Formula as_term(Formula x) {
   const bool is_below = x.kind == FormulaKind::number && cln::minusp(x.number);
   if (is_below) return negative(number_formula(-x.number));

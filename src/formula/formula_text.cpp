@@ -39,7 +39,7 @@ FormulaText number_text(const cln::cl_RA& value) {
   return denominator == 1 ? above : quotient(model_spelling, above, {integer_text(denominator)});
 }
 
-/// The first term keeps its sign. A later negative term is subtracted.
+/// A term of a sum. The first term keeps its sign; a later negative term is subtracted.
 Summand summand(const Formula& term, bool is_first) {
   if (is_first) return {bind_at_least(print_formula(term), Binding::negation)};
   if (term.kind == FormulaKind::negative) return {print_formula(term.parts[0]), true};

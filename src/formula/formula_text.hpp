@@ -29,7 +29,7 @@ struct FormulaText {
   Binding binding = Binding::atom;
 };
 
-/// One term of sum_text(). Unlike the terms of computations it is finished text with a sign.
+/// One term of sum_text(): text that is added or subtracted.
 struct Summand {
   FormulaText term = {};
   bool is_subtracted = false;

@@ -76,7 +76,7 @@ using GlyphRows = std::vector<Glyphs>;
 /// Adds a subscript (place 1) or superscript (place 2) to the last piece of the row.
 void add_script(Glyphs& row, std::size_t place, Glyphs script);
 
-/// Appends the pieces of a row; the first of them gets `has_space_before`.
+/// Appends the pieces of a row; the first piece gets `has_space_before` if `is_apart`.
 void append(Glyphs& row, Glyphs pieces, bool is_apart);
 void append_sign(Glyphs& row, std::string_view sign, bool is_apart);
 
@@ -114,7 +114,7 @@ struct Symbol {
   bool is_long = false;  ///< needs brackets in powers
 };
 
-/// True if words follow without a blank, because they begin with punctuation.
+/// True if `words` begin with punctuation, which follows without a blank.
 [[nodiscard]] bool follows_without_blank(std::string_view words);
 
 }  // namespace elgen

@@ -67,7 +67,7 @@ constexpr std::array command_table{
     CommandRow{"operatorname", "", GlyphKind::function},
 };
 
-/// \sin, \arctan, \ln
+/// True for the commands of functions: \sin, \arctan, \ln.
 bool is_function_command(std::string_view name) {
   return name == "ln" || name.starts_with("arc") || find_function(name) != nullptr;
 }
@@ -134,7 +134,7 @@ class LatexReader {
     return {is_bracket ? GlyphKind::bracket : GlyphKind::sign, std::string(1, c)};
   }
 
-  /// Reads one character, and the characters after it that continue it.
+  /// Reads one character, and all following characters for which `continues` is true.
   std::string read_while(const auto& continues) {
     const std::size_t begin = at_++;
     while (at_ < text_.size() && continues(text_[at_])) ++at_;
@@ -158,7 +158,7 @@ class LatexReader {
     return {is_function_command(name) ? GlyphKind::function : GlyphKind::command, std::move(name)};
   }
 
-  /// Moves the parts, because copies on every level would cost the square of the depth.
+  /// Reads the arguments. Moves parts: copies on each level would cost the square of the depth.
   Glyphs with_arguments(const CommandRow& row, int depth) {
     Glyphs glyphs{row.kind, std::string(row.letter)};
     for (std::size_t i = 0; i < row.parts; ++i) glyphs.parts.push_back(argument(depth));

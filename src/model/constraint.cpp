@@ -1,4 +1,4 @@
-// Constraint: the hint to replace `coincide` by those of its equations that have an effect.
+// Constraint: the hint to replace `coincide` by only the equations that have an effect.
 #include "elgen/constraint.hpp"
 
 #include <fmt/ranges.h>

@@ -13,10 +13,10 @@ namespace elgen {
 inline constexpr std::size_t min_articulated_velocities = 10;
 
 /// True if velocities are eliminated from the last to the first, false if from the first to the
-/// last. The order determines the relative pivots of forward dynamics. It is from the last to the
-/// first if a frame carries at least two other frames, because then branches of the tree cause no
-/// fill-in between them; and if a model with frames has at least min_articulated_velocities
-/// velocities, because the articulated-body algorithm has this order.
+/// last. The order determines the relative pivots of forward dynamics. True if a frame carries at
+/// least two other frames, because then branches of the tree cause no fill-in between them. Also
+/// true if a model with frames has at least min_articulated_velocities velocities, because the
+/// articulated-body algorithm has this order.
 [[nodiscard]] bool eliminates_last_first(const Model& model);
 
 }  // namespace elgen

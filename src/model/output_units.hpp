@@ -23,7 +23,7 @@ struct EntryPlace {
 ///     M_ij   J s^2/(u_i u_j)     forces   J/u_i       B_ij            J/u_i per unit of input j
 ///     C_ij   J s/(u_i u_j)       momenta  J s/u_i     accelerations   u_i/s^2
 ///
-/// None if a unit is not declared or unknown, and for user outputs.
+/// None for user outputs, and if a unit is undeclared or unknown.
 [[nodiscard]] std::optional<Unit> unit_of_entry(const Model& model, const EntryPlace& place);
 
 /// unit_of_entry() as text, with N*m for torques; "" if the unit is unknown.

@@ -30,16 +30,16 @@ struct ShownPlace {
 /// three axes follow (nine expressions).
 [[nodiscard]] std::vector<ExpressionId> rows_of(const Model& model, const ShownPlace& place);
 
-/// A line between two places, given by their indices. If `to` is none, it is the world's origin.
+/// A line between two places, given by their indices; to the world's origin if `to` is none.
 struct ShownLine {
   std::uint32_t from = 0;
   std::optional<std::uint32_t> to = {};
   bool is_spring = false;
 };
 
-/// The lines that `joined_to` declares, a line from each frame to its parent, from each point and
-/// body to the frame in which it is declared, and from all others to the places that occur in their
-/// positions.
+/// The lines that `joined_to` declares; a line from each frame to its parent; a line from each
+/// point or body in a frame to this frame; and lines from each other point or body to the places
+/// that occur in its position.
 [[nodiscard]] std::vector<ShownLine> shown_lines(const Model& model);
 
 /// "places"

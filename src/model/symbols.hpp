@@ -63,7 +63,7 @@ class ModelSymbols {
 [[nodiscard]] Glyphs symbol_of_name(std::string_view name, const std::string& key = {});
 
 /// A LaTeX formula of the output table (see Notation) for a model. Without rotations, <v> and <a>
-/// become dq/dt and d^2q/dt^2, and <N> is omitted, because dq/dt = v. As text, v is always v.
+/// become dq/dt and d^2q/dt^2, and <N> is omitted, because dq/dt = v. The text always has `v`.
 [[nodiscard]] Formula latex_formula(const Model& model, std::string_view latex);
 /// The glyphs of latex_formula().
 [[nodiscard]] Glyphs typed_glyphs(const Model& model, std::string_view latex);

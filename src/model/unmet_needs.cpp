@@ -133,7 +133,7 @@ MaybeUnmet check_closed_functions(const Model& model) {
                    function.span, "left open here"};
 }
 
-/// True if a generalised force acts on a locked coordinate, so that no equation of motion has it.
+/// True for a generalised force on a locked coordinate: no equation of motion contains the force.
 bool is_held(const Model& model, const Force& force) {
   if (model.variant.whole || !force.on) return false;
   return std::ranges::any_of(model.variant.locks,

@@ -57,7 +57,7 @@ const Glyphs* radicand(const Glyphs& row) {
 
 bool is_one(const Glyphs& row) { return row.parts.size() == 1 && row.parts[0].text == "1"; }
 
-/// The first fraction wider than `widest`, including its sign, that `split_fraction` can rewrite.
+/// The first fraction that, with its sign, exceeds `widest` and that split_fraction() can rewrite.
 std::optional<std::size_t> wide_fraction(const Glyphs& row, double widest, const PageShape& shape) {
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     const Glyphs& fraction = row.parts[i];
@@ -186,8 +186,8 @@ Sides wider_of(const Sides& x, const Sides& y) {
   return {std::max(x.left, y.left), std::max(x.right, y.right)};
 }
 
-/// The widths of both sides of an equation. If the right side continues on more lines, or the left
-/// side is broken, each side counts as the full width.
+/// The widths of both sides of an equation. A side that takes several lines counts as the full
+/// width.
 Sides sides_of(const SetEquation& equation, const PageShape& shape) {
   Sides sides;
   for (const Display& display : displays(equation, shape)) {

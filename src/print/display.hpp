@@ -66,11 +66,11 @@ using DisplayBlock = std::vector<Display>;
 /// True if the entries are listed one by one, because their matrix does not fit.
 [[nodiscard]] bool is_listed(const SetEquation& equation, const PageShape& shape = {});
 
-/// True if a list omits entries that are 0.
+/// True if the entries are listed one by one and an entry that is 0 is omitted.
 [[nodiscard]] bool omits_zeros(const SetEquation& equation, const PageShape& shape = {});
 
-/// A matrix in which names replace the wide entries, and a matrix of the wide entries (0
-/// elsewhere). In a symmetric matrix only entries on and above the diagonal have names.
+/// A matrix in which a name replaces each entry that is wider than the name, and the matrix of
+/// these entries (0 elsewhere). In a symmetric matrix, M_21 has the name M_12.
 struct NamedEntries {
   SetEquation matrix = {};
   SetEquation named = {};

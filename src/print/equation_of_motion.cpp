@@ -220,8 +220,8 @@ class NamedFormulas {
     return symbol;
   }
 
-  /// The symbol of component k of a frame: x_F of the origin, R_{12}, omega_x in the axes of the
-  /// world, or Omega_x in the axes of the frame. The superscript F is the name of the frame.
+  /// The symbol of component k of the frame F: x_F for the origin, R_{12}^F, omega_x^F in the axes
+  /// of the world, or Omega_x^F in the axes of the frame.
   [[nodiscard]] static Glyphs component_of_frame(const std::string& frame, std::uint32_t k) {
     if (k >= frame_origin && k < frame_angular_velocity) return component(frame, k % 3);
     const std::string_view letter = k < frame_origin           ? "R"

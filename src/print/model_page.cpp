@@ -50,7 +50,7 @@ std::vector<PageVariable> functions(const Model& model, const Formulas& symbols)
   return list;
 }
 
-/// The expression "pi/10" as typed if `form` is given, because no short number equals its value;
+/// The expression `form` as typed, such as "pi/10", for a value that no short number equals;
 /// otherwise the exact value.
 std::string value_text(const Model& model, const cln::cl_R& value,
                        const std::optional<ExpressionId>& form) {
@@ -97,7 +97,7 @@ std::string title_of(const Function& function) {
   return output_row(function.kind).of_user ? function.name : as_title(function.name);
 }
 
-/// The definition of an output by other outputs; empty if it has none.
+/// The definition of an output by other outputs; empty if the output has no definition.
 Formula definition_by_others(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
   if (!row.definition.empty()) return latex_formula(model, row.definition);
@@ -177,8 +177,8 @@ std::string sentence(const std::string& text) {
   return has_end ? text : text + ".";
 }
 
-/// A sentence on the drift off the constraints, to which a step returns only if it projects; ""
-/// without constraints.
+/// The sentence that a step drifts off the constraints, or that it projects back to the
+/// constraints; "" without constraints.
 std::string drift_of_step(const Model& model, const StepSpec& step) {
   if (model.constraints.empty()) return {};
   return step.projects

@@ -43,7 +43,7 @@ class ScreenDrawing {
 
   [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
 
-  /// Spells "kg*m^2" as "kg m²" in Unicode; in ASCII it is unchanged.
+  /// "kg*m^2" as "kg m²" in Unicode; in ASCII `text` is unchanged.
   [[nodiscard]] std::string unit(const std::string& text) const {
     return is_unicode() ? unit_text(text, " ", small_exponent) : text;
   }
@@ -91,8 +91,8 @@ class Overview : public ScreenDrawing {
     return fmt::format("{} = ({})", name, text);
   }
 
-  /// A matrix that fits the screen. The widest entry is replaced by its width until the matrix
-  /// fits. If it still does not fit, only its size is shown.
+  /// A matrix that fits the screen. The widest entries are replaced by their widths, one after the
+  /// other, until the matrix fits. If the matrix never fits, only its size is shown.
   [[nodiscard]] std::string folded(const SetEquation& equation) const {
     std::vector<Block> cells;
     for (const Glyphs& entry : equation.entries) cells.push_back(draw(entry));

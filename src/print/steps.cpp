@@ -266,7 +266,7 @@ class Outline {
     if (section.equations.empty() && section.doc.empty()) outline_.pop_back();
   }
 
-  /// Noether's theorem for a cyclic coordinate.
+  /// Noether's theorem: L does not contain the coordinate q, so p_q = `slope` is conserved.
   [[nodiscard]] Formula conservation(std::size_t function, const Formula& slope,
                                      const Formula& q) const {
     const bool is_free =

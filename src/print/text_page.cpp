@@ -16,8 +16,8 @@ namespace elgen {
 namespace {
 
 /// Joins functions into one, so that common subexpressions are computed once. Fields keep the order
-/// of the functions. If a marked name is already in use, the name of its function becomes its
-/// prefix.
+/// of the functions. If a marked name is already in use, the name of the function is inserted after
+/// the mark.
 Function joined_functions(const Program& program, const std::vector<std::size_t>& functions) {
   Function all;
   Instructions instructions(all);
@@ -57,7 +57,7 @@ std::string definitions_text(const FunctionEquations& equations) {
   return text;
 }
 
-/// A column of a derivation on one line: "(x, y)". A matrix has one line per entry.
+/// An equation. If `is_tuple`, all entries are on one line: "(x, y)"; else one line per entry.
 std::string equation_text(const PageEquation& equation, bool is_tuple) {
   const std::string left = text_of(equation.left);
   if (equation.entries.size() == 1) {

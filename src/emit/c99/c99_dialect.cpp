@@ -96,7 +96,7 @@ class C99Dialect final : public CompiledDialect {
     return fmt::format("  return {};\n", fmt::join(lines, "\n"));
   }
 
-  /// "  (void)q;" for each unused argument, against warnings of compilers.
+  /// "  (void)q;" for each argument that the body does not use, so that compilers do not warn.
   std::string opening(const Function& function, const UsedNames& used,
                       bool is_part) const override {
     std::vector<std::string_view> names = argument_names_of(function);
@@ -153,8 +153,8 @@ class C99Dialect final : public CompiledDialect {
   }
 
  private:
-  /// A temporary must not hide a name of the header, which begins with the prefix, nor fabs, fabsf,
-  /// sinf, … of <math.h>.
+  /// True for a name that no temporary may hide: a name of the header, which begins with the
+  /// prefix, or fabs, fabsf, sinf, … of <math.h>.
   bool is_reserved(const std::string& name) const override {
     const bool is_float = name.ends_with('f');
     const std::string own = is_float ? name.substr(0, name.size() - 1) : name;

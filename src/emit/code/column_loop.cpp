@@ -100,8 +100,8 @@ class LoopBody {
                                row_offset(start / loop_.count, loop_.count)));
   }
 
-  /// Adds an operand that all columns share, by its name, or as an expression if it has none.
-  /// Returns its index in `body_`.
+  /// Adds the operand `at`, which is the same in all columns, to `body_`: as a name, or as an
+  /// expression if the operand has no name. Returns the index in `body_`.
   std::uint32_t shared(std::uint32_t at) {
     const auto known = shared_.find(at);
     if (known != shared_.end()) return known->second;

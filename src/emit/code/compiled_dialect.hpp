@@ -18,7 +18,7 @@ struct UsedNames {
 
 /// Texts of a loop over columns. One pass of the loop computes one or more columns.
 struct ColumnLoopTexts {
-  std::string opening = {};  ///< its first lines; they define `at`, the first column of a pass
+  std::string opening = {};  ///< first lines; define `at`, the first column of a pass
   std::string value = {};    ///< "const double": declares a value, before its name
   std::string load = {};     ///< function: address of the first number of a pass -> value
   std::string store = {};    ///< procedure: (value, address of the first number)

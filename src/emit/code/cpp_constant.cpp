@@ -62,8 +62,8 @@ std::string literal(const cln::cl_R& value, ScalarKind scalar, std::string_view 
   return scalar_literal(value, scalar) + std::string(suffix);
 }
 
-/// True for rational numbers, pi, square roots of rational numbers, and products of these: a name
-/// can contain all their digits.
+/// True if the name can state the exact value: for rational numbers, pi, square roots of rational
+/// numbers, and products of these.
 bool is_spelled_out(const ConstantForm& form) {
   const auto is_plain = [](const ConstantPart& part) {
     const ConstantForm& inner = part.form;

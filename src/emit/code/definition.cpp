@@ -43,7 +43,7 @@ void add_used_array(const Assign& /*assign*/, UsedNames& /*used*/) {}
 void add_used_array(const SineAndCosine& /*pair*/, UsedNames& /*used*/) {}
 void add_used_array(const Loop& /*loop*/, UsedNames& /*used*/) {}
 
-/// `crosses`: see Sections; empty for a body that is not cut.
+/// True if another part uses one of the instructions (Sections::crosses; empty without parts).
 bool any_crosses(const std::vector<std::uint32_t>& instructions, const std::vector<bool>& crosses) {
   return std::ranges::any_of(instructions,
                              [&](std::uint32_t at) { return at < crosses.size() && crosses[at]; });
@@ -127,7 +127,7 @@ class DefinitionWriter {
             dialect_.opening(function_, used, true) + lines};
   }
 
-  /// A value that another part reads is assigned to a workspace member instead of being declared.
+  /// Writes a statement. A value that another part reads is in the workspace; others are declared.
   [[nodiscard]] std::string written(const Statement& statement,
                                     const std::vector<bool>& crosses) const {
     const bool is_declared = !any_crosses(named_by(statement), crosses);

@@ -54,7 +54,7 @@ class Dialect : public Vocabulary {
   [[nodiscard]] FormulaText call(FunctionId function,
                                  const std::vector<FormulaText>& arguments) const override;
 
-  /// The name of a temporary; an underscore is appended if it would hide another name.
+  /// `name` as the name of a temporary, with an underscore if `name` would hide another name.
   [[nodiscard]] std::string temporary(const std::string& name) const;
 
   [[nodiscard]] virtual BodyRules rules() const { return {}; }
@@ -84,7 +84,7 @@ class Dialect : public Vocabulary {
   [[nodiscard]] std::vector<std::string_view> argument_names_of(const Function& function) const;
 
  private:
-  /// True if the header uses the name itself; arguments and functions are checked separately.
+  /// True if the emitted code itself uses `name`; arguments and functions are checked separately.
   [[nodiscard]] virtual bool is_reserved(const std::string& name) const = 0;
   /// The name with which the language calls a function of the standard library. `name` is the C
   /// name for double.

@@ -1,6 +1,6 @@
-// function_docs: a sentence, the equation, then the entries: as a matrix if it fits the width, else
-// one entry a line. If the entries need more than `longest_listing` lines, a note refers to the
-// sidecar.
+// function_docs: a sentence, the equation, then the entries: as a matrix if the rows fit the width,
+// else one entry per line. If the entries need more than `longest_listing` lines, a note refers to
+// the sidecar.
 #include "emit/code/function_docs.hpp"
 
 #include <fmt/ranges.h>
@@ -123,7 +123,7 @@ Lines listing(const FunctionText& text) {
   return lines;
 }
 
-/// "q1, q2": names of rows that no list of the model contains; "" if the list is too long to help.
+/// "q1, q2": names_without_leaf() of the rows; "" if the list is too long to help.
 std::string rows_text(const Model& model, OutputKind kind, const Field& field) {
   const Extent rows = field_row(kind, field.name).rows;
   const std::string list = fmt::format("{}", fmt::join(names_without_leaf(model, rows), ", "));
@@ -166,8 +166,8 @@ Lines shown_equations(const FunctionText& text) {
   return lines;
 }
 
-/// In languages whose callers choose the scalar type: the note that a function that compares
-/// numbers needs an ordered type.
+/// " Needs an ordered Scalar." if the function compares numbers and the caller chooses the scalar
+/// type; otherwise "".
 std::string ordering_note(const FunctionText& text) {
   if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
   const auto& all = text.function.instructions;

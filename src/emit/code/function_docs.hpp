@@ -28,7 +28,7 @@ struct FunctionText {
   Emission emission = {};
 };
 
-/// The lines to follow `///`: empty, or with a leading space.
+/// The lines of the comment without `///`. Each line is empty or begins with a space.
 [[nodiscard]] std::vector<std::string> function_docs(const FunctionText& text);
 
 /// "Mass matrix, symmetric. 2 x 2, row-major [kg].": the documentation before the equations.

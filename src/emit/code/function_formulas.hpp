@@ -24,10 +24,10 @@ class Vocabulary {
   [[nodiscard]] virtual FormulaText call(FunctionId function,
                                          const std::vector<FormulaText>& arguments) const = 0;
 
-  /// The vocabulary of instructions with `is_inner`; null if this vocabulary writes them too.
+  /// The vocabulary of instructions with `is_inner`; null if there is no other vocabulary.
   [[nodiscard]] virtual const Vocabulary* inner() const { return nullptr; }
-  /// Converts a value to the number type of this vocabulary; the value comes from inner() or from
-  /// the vocabulary whose inner() this is.
+  /// `value` in the number type of this vocabulary. `value` is a formula of inner(), or of the
+  /// vocabulary that has this vocabulary as inner().
   [[nodiscard]] virtual FormulaText convert(const FormulaText& value) const { return value; }
 };
 

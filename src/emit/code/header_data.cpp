@@ -1,4 +1,4 @@
-// header_data: sets the template data in the order in which it appears in a header.
+// header_data: sets the variables of the templates, in the order of the lines of a header.
 #include "emit/code/header_data.hpp"
 
 #include <fmt/format.h>

@@ -22,8 +22,8 @@ void set_regular(TemplateData& data, const EmissionInput& input);
 /// True if a function has a loop over columns.
 [[nodiscard]] bool has_loops(const Program& program);
 
-/// The data of a header. The section `kinks` is present if the program calls sign, min or max, the
-/// section `columns` if it has a loop over columns.
+/// The data of a header. The section `kinks` is present if the program calls sign, min or max; the
+/// section `columns` is present if a function has a loop over columns.
 [[nodiscard]] TemplateData header_data(const EmissionInput& input, const Dialect& dialect);
 
 /// The elements of a declared array as literals. The bounds replace {0} and {1} of `interval`;

@@ -12,8 +12,8 @@
 namespace elgen {
 namespace {
 
-/// Follows operands to named instructions. Every instruction of the loop counts as its first
-/// instruction.
+/// Follows operands to named instructions. Every instruction of the loop counts as the first
+/// instruction of the loop.
 class OperandWalk {
  public:
   OperandWalk(const Function& function, const std::vector<std::string>& names)
@@ -73,15 +73,15 @@ std::uint64_t sort_key(const Statement& statement) {
   return uses.empty() ? 0 : 2 * (std::uint64_t{uses.back()} + 1) + 1;
 }
 
-/// Statements with equal keys keep their order.
+/// The statements by sort_key(). Statements with equal keys keep their order.
 std::multimap<std::uint64_t, Statement> ordered(const std::vector<Statement>& statements) {
   std::multimap<std::uint64_t, Statement> by_place;
   for (const Statement& statement : statements) by_place.emplace(sort_key(statement), statement);
   return by_place;
 }
 
-/// All values of a statement cross if one of them crosses, because the statement writes them
-/// together.
+/// If one value of a statement crosses, marks all values of this statement in `crosses`, because
+/// the statement writes all values together.
 void cross_together(const Sections& cut, std::vector<bool>& crosses) {
   for (const std::vector<Statement>& part : cut.parts) {
     for (const Statement& statement : part) {

@@ -58,7 +58,7 @@ struct Loop {
 };
 
 /// A variant: code that writes or sorts statements needs an overload for each kind, and the
-/// compiler reports a missing one.
+/// compiler reports a missing overload.
 using Statement = std::variant<Assign, SineAndCosine, Entry, LoopOperand, Loop>;
 
 [[nodiscard]] const StatementOperands& operands_of(const Statement& statement);
@@ -69,8 +69,8 @@ using Statement = std::variant<Assign, SineAndCosine, Entry, LoopOperand, Loop>;
 /// `joint`: a single statement computes the sine and the cosine of an angle if both are needed.
 enum class Pairing : std::uint8_t { joint, separate };
 
-/// `names`: one per instruction; "" if it is written out. An entry that the loop computes has the
-/// loop's first instruction as its operand.
+/// The statements of a function. `names`: one per instruction; "" if the instruction is written
+/// out. An entry that the loop computes has the first instruction of the loop as operand.
 [[nodiscard]] std::vector<Statement> statements(const Function& function,
                                                 const std::vector<std::string>& names,
                                                 Pairing pairing, const ColumnLoop& loop = {});

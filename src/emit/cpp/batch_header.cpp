@@ -1,6 +1,6 @@
 // batch_header: functions that apply the main header's functions to arrays of states, from the
-// template cpp/batch.hpp.mustache. Each function loads packs (SIMD vectors of one number of several
-// states), calls the main header and stores the results.
+// template cpp/batch.hpp.mustache. A pack is a SIMD vector: the same number of several states. Each
+// function loads packs, calls the main header and stores the results.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -91,7 +91,7 @@ std::string store_statements(const Function& function) {
   return lines;
 }
 
-/// Calls the function for the states at `at` and stores its values.
+/// The statements that call the function for the pack of states at `at` and store the values.
 std::string statements(const EmissionInput& input, const Function& function) {
   Texts arguments;
   for (const Opcode argument : arguments_of(input.model, function)) {

@@ -64,7 +64,7 @@ std::string part_name(const Function& function, std::size_t part) {
   return fmt::format("{}_part_{}", function.name, part + 1);
 }
 
-/// Omits the name of an argument that the body does not use.
+/// `blank_and_name`; "" if the body does not use the argument.
 std::string name_if_used(const UsedNames& used, std::string_view blank_and_name) {
   return std::string(used.variables.count(blank_and_name.substr(1)) > 0 ? blank_and_name : "");
 }
@@ -196,7 +196,7 @@ class CppDialect : public CompiledDialect {
     return type_of_field(function.kind, function.fields.front());
   }
 
-  /// The prefix of `detail::` in code outside the namespace of the header.
+  /// "::cart_pole::": the qualifier of `detail::` outside the namespace of the header; "" inside.
   virtual std::string_view scope() const { return ""; }
 
   /// Macro before the return type of a function, with a trailing blank.
@@ -237,14 +237,14 @@ class CppDialect : public CompiledDialect {
   }
 };
 
-/// Arguments are references to the caller's memory, without copies. Types state sizes as numbers,
-/// since several arrays of a model can have the same size.
+/// Arguments are references to the memory of the caller, not copies. A type states its size as a
+/// number (Vector<Scalar, 3>), because several arrays of a model can have the same size.
 class EigenDialect final : public CppDialect {
  public:
   using CppDialect::CppDialect;
 
-  /// Double braces initialise an Eigen matrix differently from std::array, so each entry is
-  /// assigned.
+  /// Assigns each entry, because double braces initialise an Eigen matrix differently from
+  /// std::array.
   std::string return_statement(const Function& function, const Function& ordered,
                                const FieldTexts& entries) const override {
     const bool is_plain = !returns_struct(function) && is_number(function, function.fields.front());
@@ -282,7 +282,7 @@ class WideDialect : public CppDialect {
   std::string_view function_macro() const override { return "inline "; }
 };
 
-/// Values of a given type, in a namespace that uses `detail` of the main header.
+/// Functions for the type `scalar` that use `detail` of the main header in `name_space`.
 class TypedDialect : public WideDialect {
  public:
   TypedDialect(const Model& model, const Program& program, std::string_view scalar,

@@ -101,8 +101,8 @@ TemplateData numbers(const Program& program) {
   return list;
 }
 
-/// glibc's sincos, sincosf or sincosl for each scalar of the scene, and for float if the
-/// accelerations are in float. No GPU has long double.
+/// A row with glibc's sincos, sincosf or sincosl for each scalar of the scene, and for float if the
+/// accelerations are in float. sincosl is no device function: no GPU has long double.
 TemplateData sine_cosine_calls(const Numerics& numerics) {
   std::vector<ScalarKind> named = numerics.scalars;
   if (numerics.inner == InnerScalar::single_precision) {
@@ -127,8 +127,8 @@ std::vector<ScalarKind> scalars_if(const Predicate& is_wanted) {
   return scalars;
 }
 
-/// Names of the scalars with in-line sines; tables for these scalars, and for packs if the batch
-/// header has no tables.
+/// The names and tables of the scalars whose sines are computed in line. If packs use the tables of
+/// the main header, every scalar of the scene has a table.
 TemplateData sines_in_line(const EmissionInput& input) {
   const Scene& scene = input.scene;
   const bool has_packs = scene.emission.batch && !has_batch_tables(input.scene, input.program);

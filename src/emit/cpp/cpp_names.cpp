@@ -33,8 +33,8 @@ constexpr std::array<std::string_view, 17> more_names{
     "regressor_names",  "digits_left"};
 constexpr std::array<std::string_view, 5> eigen_names{"eigen", "Eigen", "Argument", "Matrix",
                                                       "Vector"};
-/// Names that are used in the initialisers of Parameters' members, so a member of that name would
-/// hide them.
+/// Names that are used in the initialisers of Parameters' members. A member with the same name
+/// would hide the name.
 constexpr std::array<std::string_view, 5> hidden_by_members{"Parameters", "Scalar", "constant",
                                                             "detail", "std"};
 constexpr std::string_view constant_prefix = "number_";

@@ -105,7 +105,7 @@ std::string name_in_language(LanguageId language, std::string_view name) {
   return std::string(name) + (is_word ? "_" : "");
 }
 
-/// Finds the parameter of each leaf by the leaf's name, which is the parameter's name.
+/// The member for each parameter leaf. A leaf has the same name as its parameter.
 std::vector<ParameterMember> members_of(const Model& model, const LeafNames& leaves) {
   std::unordered_map<std::string_view, const Parameter*> known;
   for (const Parameter& parameter : model.parameters) known.emplace(parameter.name, &parameter);

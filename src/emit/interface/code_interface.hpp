@@ -35,7 +35,7 @@ namespace elgen {
 /// language.
 [[nodiscard]] std::string name_in_language(LanguageId language, std::string_view name);
 
-/// The member of the emitted parameters for a parameter leaf, and the index if it is an array.
+/// The member of the emitted parameters for a parameter leaf. `element`: the index in an array.
 struct ParameterMember {
   std::string name = {};
   std::optional<std::uint32_t> element = {};
@@ -54,8 +54,8 @@ struct ParameterMember {
 /// uses time, and open values if the model has any.
 [[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function);
 
-/// The arguments in a language. If the program reads no parameters, they are omitted, except in
-/// languages in which the type of the parameters selects the scalar.
+/// The arguments in a language. A program that reads no parameters omits the argument p, unless the
+/// type of p selects the scalar in this language.
 [[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function,
                                                const Program& program, LanguageId language);
 
@@ -87,8 +87,8 @@ struct DeclaredArray {
 [[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model,
                                                          const Program& program);
 
-/// True if the instruction is the sine of an angle and the next instruction is its cosine: one call
-/// computes both if the language has it.
+/// True if the instruction `at` is the sine of an angle and the next instruction is the cosine of
+/// the same angle. Some languages compute both in one call.
 [[nodiscard]] bool is_sine_with_cosine(const Function& function, std::size_t at);
 
 /// True if some function has a sine followed by the cosine of the same angle.
@@ -97,8 +97,8 @@ struct DeclaredArray {
 /// True if the function calls `min`, `max`, `sign` or `stumpff`, which need `<` on Scalar.
 [[nodiscard]] bool needs_order(const Function& function);
 
-/// Names of library functions of this arity that the program calls, with sqrt, without sin, cos and
-/// the functions that the code defines itself.
+/// Names of library functions of this arity that the program calls. sqrt is included. sin, cos and
+/// functions that the emitted code defines itself are excluded.
 [[nodiscard]] std::vector<std::string_view> library_calls(const Program& program,
                                                           std::size_t arity);
 
@@ -143,7 +143,7 @@ struct DeclaredArray {
 ///     2 x 3: a b c d e f   ->   3 x 2: a d b e c f
 [[nodiscard]] Function in_storage_order(const Function& function, Storage storage);
 
-/// An output with more entries is not returned by value: it would overflow the stack.
+/// An output with more entries is not returned by value, which would overflow the stack.
 inline constexpr std::size_t largest_returned = 4096;
 [[nodiscard]] bool is_returned(const Function& function);
 

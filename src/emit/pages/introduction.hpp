@@ -11,11 +11,11 @@
 
 namespace elgen {
 
-/// The lines to follow `//`: empty, or with a leading space.
+/// The lines of the comment without `//`. Each line is empty or begins with a space.
 [[nodiscard]] std::vector<std::string> introduction(const Model& model, const Scene& scene,
                                                     const Program& program);
 
-/// A heading, and a line per function; column `definitions` counts its named values.
+/// A heading, and a line per function; column `definitions` counts named values.
 [[nodiscard]] std::vector<std::string> operation_table(const Program& program);
 
 }  // namespace elgen

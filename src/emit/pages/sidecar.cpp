@@ -50,7 +50,7 @@ Json json_list(const Elements& elements, const F& json_of) {
   return list;
 }
 
-/// A name with its unit, if it has one.
+/// {"name": …, "unit": …}, without the key "unit" if `unit` is empty.
 Json named_json(const std::string& name, const std::string& unit) {
   Json json = {{"name", name}};
   if (!unit.empty()) json["unit"] = unit;
@@ -75,7 +75,7 @@ void add_rate(Json& json, const Velocity& velocity) {
   json["start_rate"] = exact_text(velocity.start_rate);
 }
 
-/// Without rotations a coordinate also lists the range and start of its rate.
+/// The coordinates; in models without rotations also the ranges and start values of rates.
 Json coordinates(const Model& model) {
   return json_list(model.coordinates, [&](const Coordinate& coordinate) {
     Json json = named_json(coordinate.name, coordinate.unit_text);

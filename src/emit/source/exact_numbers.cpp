@@ -28,8 +28,8 @@ std::optional<cln::cl_RA> factor_of_pi(const ConstantForm& form) {
   return is_multiple ? std::optional(first.form.number) : std::nullopt;
 }
 
-/// "(1, 10)" or "(1, 2, True)". Integers are written without exponents: with one, the language
-/// would read a float.
+/// "(1, 10)" or "(1, 2, True)". Integers are written without exponents: with an exponent, the
+/// language would read a float.
 std::string fraction(const cln::cl_RA& number, const char* more) {
   return fmt::format("({}, {}{})", integer_text(cln::numerator(number)),
                      integer_text(cln::denominator(number)), more);

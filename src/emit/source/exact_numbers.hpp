@@ -21,12 +21,12 @@
 namespace elgen {
 
 /// Several numbers may round to the same double. The number that equals the double keeps the
-/// literal; if no number equals it, the first number keeps it. The other constants get a name, the
-/// other parameter values an entry "p.m". If an operation has two constants, the second also gets a
-/// name, to prevent constant folding.
+/// literal; if no number equals the double, the first number keeps the literal. Each other constant
+/// gets a name; each other parameter value gets an entry "p.m". If an operation has two constants,
+/// the second also gets a name, to prevent constant folding.
 class ExactNumbers {
  public:
-  /// The lists are empty if the language has no names for numbers.
+  /// named() and entries() are empty if the language has no names for numbers.
   ExactNumbers(const Model& model, const Program& program, const SourceSpelling& spelling);
 
   /// "_number_1": the name of a constant or of its negative; "" if it is written as a literal.
@@ -45,7 +45,7 @@ class ExactNumbers {
     std::string name = {};
   };
 
-  /// Adds a number unless an equal number is known. A fraction then replaces a decimal text.
+  /// Adds a number. If an equal number is known, only replaces its decimal text by a fraction.
   void add(const Constant& constant, bool is_executed);
   void note_folded(const Program& program);
   void name_numbers(const SourceSpelling& spelling);

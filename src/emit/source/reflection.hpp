@@ -1,5 +1,5 @@
-// reflection: lists of a module's functions and numbers, with which another library can evaluate
-// the module, such as numpy through `on(numpy)` in Python.
+// reflection: lists of the functions and numbers of a module. With these lists another library can
+// evaluate the module, for example numpy by `on(numpy)` in Python.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// Functions of the library that the module calls, by their names in that library.
+/// The library functions that the module calls, by their names in the library.
 [[nodiscard]] std::vector<std::string> called_functions(const Program& program,
                                                         const SourceSpelling& spelling);
 

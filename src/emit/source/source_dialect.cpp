@@ -51,9 +51,9 @@ std::string documentation_line(const SourceSpelling& spelling, std::string_view 
   return safe;
 }
 
-/// Every interpreted language must have a name for every C function. If the module defines the
+/// True if every interpreted language has a name for the C function. If the module defines the
 /// function itself, `spelling.used_names` must reserve the name. The assertion fails for a new
-/// function until spellings.def has its rows.
+/// function until spellings.def has rows for the function.
 constexpr bool is_written_everywhere(FunctionId function, std::string_view name) {
   return std::ranges::all_of(spelling_table, [&](const SourceSpelling& spelling) {
     const auto found = function_spelling(spelling, function, name);

@@ -101,8 +101,8 @@ std::set<std::string> names_in_module(const Model& model, const Scene& scene,
   return names;
 }
 
-/// Reports E701 if the language reserves the module's name, or if the module is a class with a
-/// member of this name.
+/// Reports E701 if the language reserves the name of the module, or if the module is a class that
+/// has a member with the same name.
 void check_module_name(const Model& model, const Scene& scene, const Program& program,
                        Diagnostics& diagnostics) {
   const SourceSpelling& spelling = source_spelling(scene.emission.language);
@@ -133,7 +133,7 @@ void check_length(const Scene& scene, const std::string& name, const Span& span,
                    emitted_name.size(), language_row(language).name, longest)});
 }
 
-/// An `exported` module has documentation and lists the names that other modules may import.
+/// The module; if `exported`, with documentation and the list of names for other modules.
 std::string filled_module(const EmissionInput& input, bool exported) {
   TemplateData data = header_data(input, *source_dialect(input.model, input.scene, input.program));
   const LanguageRow& language = language_row(input.scene.emission.language);

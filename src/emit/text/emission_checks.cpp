@@ -1,5 +1,5 @@
-// emission_checks: all languages share the messages. Each value is correctly rounded to each scalar
-// of the scene and checked there.
+// emission_checks: all languages have the same messages. Each value is correctly rounded to each
+// scalar of the scene; the rounded value is checked.
 #include "emit/text/emission_checks.hpp"
 
 #include <fmt/format.h>

@@ -34,8 +34,8 @@ std::optional<int> depth_of_break(std::string_view text, std::size_t space, int 
   return 3 * brackets + (is_product ? 2 : 1);
 }
 
-/// The last of the shallowest breaks in the last two thirds of the first `width` columns. Without
-/// such a break, the last break in the first third; without that, the first break beyond `width`.
+/// The last of the shallowest breaks in the last two thirds of the first `width` columns. Without a
+/// break there, the last break in the first third; without any, the first beyond `width`.
 std::optional<Break> best_break(std::string_view text, std::size_t width) {
   std::optional<Break> best;
   int brackets = 0;

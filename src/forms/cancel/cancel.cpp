@@ -20,7 +20,7 @@ std::vector<bool> flags_at(const Function& function, const Places& places) {
   return result;
 }
 
-/// The `zeros` that are entries or operands of nonzero values.
+/// The instructions in `zeros` that are entries, or operands of instructions outside `zeros`.
 Places outermost_zeros(const Function& function, const Places& zeros) {
   const std::vector<bool> is_zero = flags_at(function, zeros);
   std::vector<bool> used = flags_at(function, entries_of(function));

@@ -1,7 +1,7 @@
 // An analytic function that is 0 at random points is 0. There are three precautions. Values that
 // are not analytic become independent variables (program/network/analytic.hpp). Nothing is
 // concluded if 64 digits hide a difference (1 - tanh(500), 1 + 1e-70 - 1). A point says nothing
-// about the operands of a value that is undefined there.
+// about the operands of a value that is undefined at this point.
 #include "forms/cancel/vanishing.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ bool is_below(const Real& x, const Real& y, const Real& share) {
 Number random_value(const cln::cl_RA& value) { return running_leaf(value, rounding<double>()); }
 
 /// For each instruction: true for a call of a function with kinks, which may be 0 in a whole
-/// region. A random number replaces its value. Roots are not marked; their values are computed.
+/// region. A random number replaces the value of the call. Roots are not marked, but computed.
 std::vector<bool> kinks(const Function& function) {
   std::vector<bool> result;
   for (const Instruction& i : function.instructions) {
@@ -37,7 +37,7 @@ std::vector<bool> kinks(const Function& function) {
 }
 
 /// True if 20 digits are lost: the smaller term of a sum disappears in the larger one, a function
-/// hardly depends on its argument, or it depends so much that its own digits are wrong.
+/// hardly depends on its argument, or so strongly that its value has no correct digit.
 bool hides_digits(const Instruction& i, const Values& values, const Number& x) {
   static const Real hidden(power_of_ten(-20));
   if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
@@ -51,7 +51,7 @@ bool hides_digits(const Instruction& i, const Values& values, const Number& x) {
          (is_below(x.error - abs(x.value), x.value, hidden) || is_below(x.value, x.error, hidden));
 }
 
-/// True if `noise`, the error that a vanishing value may hide, is below 1e-20 of the operands.
+/// True if `noise`, the largest |x| that counts as 0, is at most 1e-20 of the largest operand.
 bool has_small_noise(const Instruction& i, const Values& values, const Real& noise) {
   static const Real hidden(power_of_ten(-20));
   Real terms = abs(values[i.a].value);
@@ -59,7 +59,7 @@ bool has_small_noise(const Instruction& i, const Values& values, const Real& noi
   return is_below(noise, terms, hidden);
 }
 
-/// Replaces x, the value of the instruction, by exactly 0 if it vanishes. Marks it as lost if 64
+/// Replaces x, the value of the instruction, by exactly 0 if it vanishes. Marks x as lost if 64
 /// digits do not decide.
 Number round_to_zero(const Instruction& i, const Values& values, Number x) {
   static const Real vanished(power_of_ten(-40));

@@ -14,10 +14,9 @@ namespace elgen {
 [[nodiscard]] std::vector<std::uint32_t> vanishing(const Program& program,
                                                    const Function& function);
 
-/// For each entry, in the order of the fields: true if it vanishes at all other random points,
-/// which are `zero_sample_count` with the first. Random numbers replace values that are not
-/// analytic (program/network/analytic.hpp). An entry that vanishes at all points is 0 at every
-/// state.
+/// For each entry, in the order of the fields: true if the entry vanishes at the other
+/// `zero_sample_count` - 1 random points. Random numbers replace values that are not analytic
+/// (program/network/analytic.hpp). An entry that vanishes at all points is 0 at every state.
 [[nodiscard]] std::vector<bool> vanishing_elsewhere(const Program& program,
                                                     const Function& function);
 

@@ -35,8 +35,8 @@ std::size_t hash_of(const Atom& atom) {
   return hash;
 }
 
-/// The angles of the exponentials in x, each preceded by its half if all its exponents are even.
-/// Only one of an angle and its negative is listed.
+/// The angles of the exponentials in x. The half of an angle precedes the angle if all exponents
+/// are even. Of an angle and its negative, only one is listed.
 std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
   std::vector<Monomial> angles;
   const auto add = [&](const Monomial& angle) {

@@ -1,7 +1,7 @@
 // Arithmetic: field operations and functions on closed forms over one algebra, within a budget.
 //
-// A Value is none if an operand is none, if the budget is used up, or if it is undefined (division
-// by zero). Atoms are identified by the canonical forms of their arguments.
+// A Value is none if an operand is none, if the budget is used up, or if the result is undefined
+// (division by zero). Atoms are identified by the canonical forms of their arguments.
 #pragma once
 
 #include "elgen/closed_forms.hpp"
@@ -12,7 +12,7 @@ namespace elgen {
 using Value = std::optional<Fraction>;
 
 /// The atom of an exponential is e^(i m/12), with m a monomial of the angle. Therefore e^(i m/2),
-/// e^(i m/3) and e^(i m/4) are integer powers of it.
+/// e^(i m/3) and e^(i m/4) are integer powers of the atom.
 inline constexpr int angle_parts = 12;
 
 [[nodiscard]] Fraction fraction_of(const Polynomial& numerator);
@@ -35,7 +35,7 @@ class Arithmetic {
   [[nodiscard]] Value divide(const Value& x, const Value& y);
   [[nodiscard]] Value power(const Value& x, std::int32_t exponent);
   [[nodiscard]] Value square_root(const Value& x);
-  /// A function of one argument ignores y.
+  /// The value of `function` at (x, y). A function of one argument ignores y.
   [[nodiscard]] Value call(FunctionId function, const Value& x, const Value& y);
 
   [[nodiscard]] Value leaf(Opcode leaf, std::uint32_t index);

@@ -31,7 +31,7 @@ std::optional<cl_RA> rational_number(const Fraction& x) {
   return x.denominator.empty() ? rational_value(x.numerator) : std::nullopt;
 }
 
-/// True if negating x makes its leading coefficient positive.
+/// True if the real part of the leading coefficient (the imaginary part if that is 0) is negative.
 bool has_negative_lead(const Fraction& x) {
   if (x.numerator.empty()) return false;
   const Gaussian& lead = x.numerator.rbegin()->second;

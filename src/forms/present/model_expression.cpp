@@ -21,7 +21,7 @@ class ModelExpressions {
   ModelExpressions(Arithmetic& arithmetic, const Model& model, const FixedParameters& fixed)
       : arithmetic_(arithmetic), model_(model), fixed_(fixed), known_(model.expressions.size()) {}
 
-  /// An explicit stack replaces recursion, since expressions may be nested deeply.
+  /// The closed form of `wanted`. A stack replaces recursion, since expressions may nest deeply.
   Value operator()(ExpressionId wanted) {
     if (known_[wanted].done) return known_[wanted].form;
     std::vector<ExpressionId> pending{wanted};
@@ -44,8 +44,8 @@ class ModelExpressions {
     Value form = {};
   };
 
-  /// The expressions to be converted first: the operands, or, for a fixed parameter, the expression
-  /// of its value if it has one.
+  /// The expressions to be converted first: the operands. For a fixed parameter: the expression of
+  /// the value, if the value has an expression.
   [[nodiscard]] std::vector<ExpressionId> dependencies_of(ExpressionId id) const {
     const Expression& e = model_.expressions[id];
     if (!is_leaf(e, Opcode::parameter)) return references(model_, id);

@@ -9,7 +9,7 @@ namespace elgen {
 [[nodiscard]] Monomial power(const Monomial& x, std::int32_t exponent);
 
 [[nodiscard]] Gaussian product(const Gaussian& x, const Gaussian& y);
-/// x must not be 0.
+/// 1/x; x must not be 0.
 [[nodiscard]] Gaussian reciprocal(const Gaussian& x);
 [[nodiscard]] bool is_zero(const Gaussian& x);
 
@@ -25,12 +25,12 @@ void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& c
 }
 
 [[nodiscard]] Polynomial constant(const cln::cl_RA& value);
-/// Cost: the number of terms of both.
+/// x + y. Cost: x.size() + y.size() comparisons of monomials.
 [[nodiscard]] Polynomial sum(const Polynomial& x, const Polynomial& y);
 /// x * coefficient * monomial
 [[nodiscard]] Polynomial scaled(const Polynomial& x, const Gaussian& coefficient,
                                 const Monomial& monomial = {});
-/// Cost: x.size() * y.size() products of terms.
+/// x y. Cost: x.size() * y.size() products of terms.
 [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y);
 
 /// x / y if y divides x, by long division from the leading term; otherwise none. y must have at
@@ -60,7 +60,7 @@ void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
 /// None if x is not a square.
 [[nodiscard]] std::optional<Polynomial> square_root(const Polynomial& x);
 
-/// 0 if the monomial does not contain the atom.
+/// The exponent of `atom` in `monomial`; 0 if `monomial` does not contain the atom.
 [[nodiscard]] std::int32_t exponent_of(const Monomial& monomial, AtomId atom);
 
 /// The coefficients of x as a polynomial in `atom`, by exponent.
@@ -74,11 +74,11 @@ struct AtomRange {
   std::size_t terms = 0;  ///< number of terms with the atom
 };
 
-/// In ascending order of atoms.
+/// The range of each atom in x, in ascending order of atoms.
 [[nodiscard]] std::vector<AtomRange> exponents_of(const Polynomial& x);
 
 /// The product of all atoms, each to its least exponent in x if that is not 0. After division by
-/// it, x has neither divisors nor a power common to all terms.
+/// this product, x has neither divisors nor a power common to all terms.
 [[nodiscard]] Monomial common_powers(const Polynomial& x);
 
 /// The product of all atoms except exponentials, each to its least exponent if that is negative.
@@ -89,7 +89,7 @@ struct AtomRange {
 
 [[nodiscard]] bool holds_exponentials(const Algebra& algebra, const Polynomial& sum);
 
-/// Ascending, without duplicates.
+/// The atoms in `sum`, ascending, without duplicates.
 [[nodiscard]] std::vector<AtomId> atoms_of(const Polynomial& sum);
 
 /// A product of atoms as powers * e^(i angle).

@@ -3,7 +3,7 @@
 //     0 = sin theta   1 = multiply 0 0   2 = cos theta   3 = multiply 2 2   4 = add 1 3   ->   1
 //
 // If the program `whole_sums` lists sums that may stay unexpanded ("whole"), every value has two
-// forms: one fully expanded, by which these sums are recognised, and one in which they stay
+// forms: one fully expanded, by which these sums are recognised, and one in which these sums stay
 // unexpanded.
 #include <algorithm>
 #include <memory>
@@ -142,8 +142,8 @@ class WholeArithmetic {
  private:
   static PlainAndWhole same_in_both(const Value& x) { return {x, x}; }
 
-  /// If x is a rational multiple of a whole sum, x.whole becomes this multiple. Otherwise it
-  /// becomes x.plain if that has fewer terms.
+  /// If x is a rational multiple of a whole sum, x.whole becomes this multiple. Otherwise x.whole
+  /// becomes x.plain if x.plain has fewer terms.
   PlainAndWhole shorter(PlainAndWhole x) {
     if (!x.plain || x.plain->numerator.empty()) return same_in_both(x.plain);
     for (std::uint32_t i = 0; i < sums_.size(); ++i) {

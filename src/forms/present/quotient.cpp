@@ -1,5 +1,5 @@
 // Exact division of sparse sums by a heap of products (M. Monagan, R. Pearce: Sparse polynomial
-// division using a heap, 2011). It stops as soon as no exact quotient is possible.
+// division using a heap, 2011). The division stops as soon as no exact quotient is possible.
 #include <algorithm>
 #include <utility>
 
@@ -41,9 +41,9 @@ bool is_inside(const Monomial& monomial, const Box& box) {
   return factor == monomial.end();
 }
 
-/// The products of each term of x with each term of another sum, in descending order: the heap
-/// holds the next product of every term of x. Terms may be added to the other sum during the
-/// division, each below all earlier ones.
+/// The products of each term of x, the sum in [first, last), with each term of another sum, in
+/// descending order. The heap holds the next product of every term of x. Terms may be added to the
+/// other sum during the division, each below all earlier terms.
 class ProductHeap {
  public:
   ProductHeap(Polynomial::const_iterator first, Polynomial::const_iterator last)
@@ -77,7 +77,7 @@ class ProductHeap {
   struct Head {
     const Polynomial::value_type* term = nullptr;  ///< term of x
     std::size_t next = 0;                          ///< index in the other sum
-    Monomial monomial = {};                        ///< of the product of both
+    Monomial monomial = {};                        ///< of *term times other_[next]
   };
 
   void push(Head& head) {

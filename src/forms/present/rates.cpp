@@ -181,7 +181,7 @@ class Rates {
   std::map<AtomId, Value> known_;
 };
 
-/// A component of 1/2 e (0, w), the product of the quaternion e and the angular velocity w.
+/// The rate of one component of the quaternion e: de/dt = 1/2 e (0, w), with angular velocity w.
 Value quaternion_rate(Arithmetic& arithmetic, const Rotation& rotation, std::uint32_t coordinate) {
   struct Product {
     std::uint32_t component;

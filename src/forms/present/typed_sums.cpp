@@ -20,8 +20,8 @@ bool takes_angle(FunctionId function) {
   return is_circular(function) || function == FunctionId::tan;
 }
 
-/// Finds the sums with a coordinate or t in squares, roots, denominators and arguments of
-/// functions.
+/// Finds the sums that contain a coordinate or t and are factors of a square, a radicand, a
+/// denominator or an argument of a function.
 class SumSearch {
  public:
   explicit SumSearch(const Function& function)

@@ -55,7 +55,7 @@ struct TooLongForABook : std::length_error {
 };
 
 /// The most operations of an entry, and the most factors of a typed sum, if common subexpressions
-/// are written out. For nested functions this number doubles with each level.
+/// are written out. Each level of nested functions doubles the number of operations.
 inline constexpr std::size_t longest_entry_of_a_book = 5'000;
 
 /// The rank of sums that are not typed in the model.

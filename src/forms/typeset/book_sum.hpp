@@ -83,10 +83,10 @@ void divide(BookProduct& product, const BookProduct& by, std::int32_t exponent =
 
 void append(BookSum& to, BookSum from);
 
-/// Multiplies by the powers of the sine and cosine of an angle.
+/// Multiplies `product` by `power`, a power of the sine and a power of the cosine of one angle.
 void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power);
 
-/// Divides by the largest number that leaves integer coefficients and a positive first term.
+/// Divides `sum` by the largest number that leaves integer coefficients and a positive first term.
 /// Returns this number.
 [[nodiscard]] cln::cl_RA take_number(BookSum& sum);
 

@@ -115,7 +115,7 @@ BookSum Arranger::group_by_kind(const MixedSum& sum) {
 
 /// m (a + b) + c, if m is the parameter that most terms, but not all, contain.
 std::optional<BookSum> Arranger::collect_by_parameter(const MixedSum& sum) {
-  std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // all numbers have one place
+  std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // numbers share one place
   for (const RealTerm& term : sum) {
     for (const AtomPower& power : term.powers) {
       const FactorPlace place = atom_factor(power).place;

@@ -27,7 +27,7 @@ class Equations {
   Equations(Algebra& algebra, Arranger& arranger)
       : algebra_(algebra), arithmetic_(algebra), arranger_(arranger) {}
 
-  /// None if a closed form is missing.
+  /// The row in the closed forms of `function`; none if a closed form is missing.
   [[nodiscard]] std::optional<EquationRow> row(const ClosedFunction& function);
 
   /// Arranges each summand separately; empty if all summands add up to 0.

@@ -13,7 +13,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// A sum with more factors is written by its name if a definition of the model has its value.
+/// A sum with more factors is written as a name if a definition of the model has the same value.
 constexpr std::size_t longest_unnamed_sum = 12;
 
 bool is_root_of(const Algebra& algebra, const BookFactor& factor, const Polynomial& radicand) {
@@ -36,8 +36,8 @@ void Arranger::multiply(BookProduct& product, const Monomial& powers) const {
   for (const AtomPower& power : powers) add_factor(product, atom_factor(power));
 }
 
-/// A sum of parameters has the place of its first parameter, as in (m1 + m2) g l, unless that is g,
-/// as in m R (g - R Omega^2).
+/// The place of a sum. A sum of parameters has the place of its first parameter, as in
+/// (m1 + m2) g l, unless this parameter is g, as in m R (g - R Omega^2).
 FactorPlace Arranger::place_of_sum(const BookSum& sum, std::uint32_t rank) const {
   BookFactor first;
   first.kind = BookFactorKind::sum;  // sums of numbers have no parameter

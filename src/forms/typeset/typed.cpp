@@ -161,7 +161,7 @@ std::vector<std::vector<std::uint32_t>> factors_of(const Model& model, const Exp
   return factors;
 }
 
-/// Reorders parameters as in typed products. The first product with a pair of parameters decides.
+/// Reorders parameters as in typed products. The first product with a pair decides its order.
 class ProductOrder {
  public:
   explicit ProductOrder(std::vector<std::uint32_t> declared)
@@ -192,8 +192,8 @@ class ProductOrder {
     const auto at = std::ranges::find(order_, first);
     const auto other = std::ranges::find(order_, second);
     if (at < other) return;
-    // The order stays if a typed product requires a parameter between both to follow `second` or to
-    // precede `first`.
+    // The order stays if typed products require a parameter between `second` and `first` to follow
+    // `second` or to precede `first`.
     const bool is_bound = std::any_of(other, at, [&](std::uint32_t between) {
       return is_known_[second * order_.size() + between] ||
              is_known_[between * order_.size() + first];

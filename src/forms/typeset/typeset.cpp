@@ -21,7 +21,7 @@ bool is_written_out(const Function& function) {
   });
 }
 
-/// `like` with new fields; without fields if an entry is too long to be read.
+/// `like` with the fields that `write` adds; without fields if an entry is too long to be read.
 template <class Write>
 Function written(const Function& like, const Write& write) {
   Function result = without_body(like);
@@ -52,16 +52,16 @@ const Fraction& readable_form(const std::optional<Fraction>& form) {
   return *form;
 }
 
-/// True for an output of forces. It is set like an equation: collected by rates, without common
+/// True for an output of forces, which is set like an equation: collected by rates, without common
 /// factors.
 bool is_sum_of_forces(OutputKind kind) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   return fields.size() == 1 && fields.front().type == "Forces<Scalar>";
 }
 
-/// The closed form of field number `place`, if that is its name; otherwise of the first field with
-/// this name. The places differ because fields that readers do not see are missing. Some fields
-/// have no name.
+/// The closed form of field number `place` if this field is called `name`, otherwise of the first
+/// field called `name`. The numbers differ if fields that readers do not see are missing. Some
+/// fields have no name.
 const ClosedField& closed_field(const std::vector<ClosedField>& fields, std::size_t place,
                                 const std::string& name) {
   if (place < fields.size() && fields[place].name == name) return fields[place];
@@ -186,7 +186,7 @@ class Typesetter {
     return write.copied(known, known.fields[field].entries[entry]);
   }
 
-  /// None if the entry is too long.
+  /// Writes an entry and returns its instruction; none if the entry is too long.
   static std::optional<std::uint32_t> entry_of(BookWriter& write,
                                                const std::optional<Fraction>& form, OutputKind kind,
                                                std::uint32_t row) {

@@ -173,7 +173,7 @@ std::uint32_t BookWriter::trigonometric(FunctionId function, const Monomial& ang
   return instructions_.add({.opcode = Opcode::call, .function = function, .a = this->angle(angle)});
 }
 
-/// Writes the sum of exponent/divisor * argument.
+/// Writes the angle of a monomial: the sum of exponent/divisor * argument over its exponentials.
 std::uint32_t BookWriter::angle(const Monomial& parts) {
   const auto known = angles_.find(parts);
   if (known != angles_.end()) return known->second;
@@ -188,7 +188,7 @@ std::uint32_t BookWriter::angle(const Monomial& parts) {
   return angles_.emplace(parts, (*this)(positive_first(std::move(sum)))).first->second;
 }
 
-/// The argument of an exponential; a multiple of a prescribed function is written with its name.
+/// The argument of an exponential; a multiple of a prescribed function is written by name.
 BookSum BookWriter::angle_term(const Fraction& argument) {
   for (std::uint32_t i = 0; i < typed_.prescribed.size(); ++i) {
     const Polynomial& value = typed_.prescribed[i];

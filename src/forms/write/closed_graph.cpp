@@ -207,7 +207,7 @@ class ClosedGraph {
     return copy_value(graph_, from_program(sums, sum, entries_of(sum)));
   }
 
-  /// Memoised: arguments nest, and several atoms have the same argument.
+  /// The arguments of an atom, memoised because arguments nest and an atom occurs in many terms.
   const std::vector<Ref>& arguments_of(AtomId id) {
     const auto known = arguments_.find(id);
     if (known != arguments_.end()) return known->second;

@@ -33,7 +33,7 @@ struct Layout {
 ///     (a sqrt(r) + b r)/r^2   ->   a sqrt(r)/r^2,   b/r
 [[nodiscard]] std::vector<Fraction> split_by_roots(const Algebra& algebra, const Fraction& form);
 
-/// None if a sum of the form has more than `most` terms.
+/// `form` as a value of `graph`; none if a sum in `form` has more than `most` terms.
 [[nodiscard]] std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra,
                                               const Fraction& form, Layout layout,
                                               std::size_t most);

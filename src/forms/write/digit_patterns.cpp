@@ -25,7 +25,7 @@ DigitPattern read_row(Graph& graph, const DigitRow& row) {
   for (const Ref term : is_sum ? reader.terms_of(from.node) : std::vector<Ref>{from}) {
     pattern.terms.push_back(reader.scaled(with_sign(term, is_sum && from.negative)));
   }
-  // The number of calls; 0 if a factor is not a call.
+  // The number of calls if all factors are calls; otherwise 0.
   const auto calls = [&graph](const ScaledTerm& term) {
     const auto count = std::ranges::count_if(term.factors, [&graph](const Operand& factor) {
       return graph.node(factor.node).kind == NodeKind::call;

@@ -45,8 +45,8 @@ class RowWriter : protected GraphTerms {
   RewriteOptions keeping_;
 
  private:
-  /// Substitutes the letters in a pattern. If `is_kept`, sums in it are rewritten too, except in
-  /// divisors.
+  /// Substitutes the letters in a pattern. If `is_kept`, sums in the result are rewritten too,
+  /// except in divisors.
   Ref substitute_letters(Ref pattern, const Letters& letters, bool is_kept) {
     const Node& node = digit_patterns().graph.node(pattern.node);
     if (node.kind == NodeKind::leaf) return with_sign(*letters[node.index], pattern.negative);
@@ -117,8 +117,8 @@ class RowMatcher : protected RowWriter {
     return found;
   }
 
-  /// Matches a^n or sqrt(a) and sets the letter; false if the value is not an n-th power or not a
-  /// root.
+  /// Matches `value` with the pattern a^n or sqrt(a) and sets the letter a. False if `value` is not
+  /// an n-th power (for a^n) or not a root (for sqrt(a)).
   bool match_root(const Operand& pattern, const ScaledTerm& value, Letters& letters) {
     std::optional<Ref>& letter = letters[*letter_of(pattern.node)];
     if (digit_patterns().graph.node(pattern.node).kind == NodeKind::leaf) {
@@ -234,7 +234,7 @@ class RowsOfSum : RowMatcher {
     return false;
   }
 
-  /// Finds the remaining terms of the row; false if one is missing or the condition fails.
+  /// Finds the remaining terms of the row; false if a term is missing or the condition fails.
   bool complete(const DigitPattern& row, Match& match) {
     if (match.places.size() == row.terms.size()) return holds(row.condition, match.letters);
     const ScaledTerm& pattern = row.terms[match.places.size()];
@@ -311,7 +311,7 @@ class RowsOfSum : RowMatcher {
     return true;
   }
 
-  /// Replaces the terms at `places` by one term.
+  /// Replaces the terms at `places` by `term`.
   void replace_terms(Ref term, std::vector<std::size_t> places) {
     terms_[places.front()] = term;
     places.erase(places.begin());

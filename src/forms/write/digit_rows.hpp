@@ -47,7 +47,7 @@ struct DigitPatterns {
 
 [[nodiscard]] const DigitPatterns& digit_patterns();
 
-/// The letter in a pattern: the node itself or the operand of a call or root; none for numbers.
+/// The index of the letter in a pattern: a letter, or a call or root of a letter; none for numbers.
 [[nodiscard]] std::optional<std::size_t> letter_of(NodeId pattern);
 
 /// The functions that a term calls, as a bit set.

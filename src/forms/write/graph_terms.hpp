@@ -25,7 +25,7 @@ struct ScaledTerm {
   return {call.operands[0].node, call.operands[0].weight < 0};
 }
 
-/// Keeps a reference to `graph`.
+/// Splits and builds sums and products of `graph`; keeps a reference to `graph`.
 class GraphTerms {
  public:
   static constexpr std::size_t most_written_out = 30;
@@ -40,7 +40,7 @@ class GraphTerms {
   Ref sum(const std::vector<Ref>& values);
   /// The terms of sum().
   std::vector<Ref> parts_of(const std::vector<Ref>& values);
-  /// The sum, with squares of sums expanded if the result has no more terms:
+  /// sum(), but with squares of sums expanded if the expanded sum is not longer:
   ///
   ///     (R + x)^2 - R^2   ->   2 R x + x^2
   Ref short_sum(const std::vector<Ref>& values);
@@ -70,8 +70,8 @@ class GraphTerms {
   /// True if a term contains only parameters. The sum then does not vanish when all its other terms
   /// vanish, so it may be a divisor.
   [[nodiscard]] bool has_parameter_term(Ref value) const;
-  /// True if the value contains a function with branches, or a root of anything but a number. It
-  /// may then vanish on one side of a branch, as |x| - x does.
+  /// True if the value contains a function with branches, or a root of a value that is not
+  /// constant. The value may then vanish on one side of a branch, as |x| - x does.
   [[nodiscard]] bool has_branches(Ref value) const;
 
  protected:

@@ -1,4 +1,4 @@
-// homogeneous_terms: sums of sines and cosines that do not cancel when one of them is 1.
+// homogeneous_terms: sums in which nothing cancels when a sine or cosine is 1.
 //
 //     A + (C - A) cos(x)^2   ->   A sin(x)^2 + C cos(x)^2        1 - cos(x)   ->   2 sin(x/2)^2
 //
@@ -45,7 +45,7 @@ Factors factors_of(const Algebra& algebra, const Polynomial& sum) {
       factor.directions[direction(angle)][common_divisor(angle)] = coefficient;
     }
   }
-  // If there is only one direction, the constant is stored as its multiple 0.
+  // If there is only one direction, the constant is stored as multiple 0 of this direction.
   for (auto& [powers, factor] : factors) {
     if (factor.directions.size() != 1 || cln::zerop(factor.constant)) continue;
     factor.directions.begin()->second[0] = {factor.constant / 2, 0};
@@ -113,7 +113,7 @@ std::optional<RealTerm> product_of_sinusoids(const Monomial& powers, const Facto
   if (!x || !y || x->is_sine != y->is_sine) return std::nullopt;
   const bool is_difference = x->coefficient == -y->coefficient;
   if (!is_difference && x->coefficient != y->coefficient) return std::nullopt;
-  // None if half an angle is not a multiple of the unit of angles.
+  // None if (x + y)/2 or (x - y)/2 is not a multiple of the unit of angles.
   const auto sum = square_root(product(x->angle, y->angle));
   const auto difference = square_root(product(x->angle, power(y->angle, -1)));
   if (!sum || !difference) return std::nullopt;

@@ -46,8 +46,8 @@ class Conjugates : GraphTerms {
            });
   }
 
-  /// None if the numerator has branches: numerator and divisor may then vanish together on one
-  /// side, as in sqrt(x^2) + x.
+  /// (root^2 - rest^2)/(root - rest). None if the numerator is too long, or if the numerator and
+  /// the divisor may vanish together: on one side of a branch, as in sqrt(x^2) + x.
   std::optional<Ref> conjugate(Ref root, Ref rest) {
     // A number with the same sign as the root does not cancel the root.
     if (graph_.is_rational(rest.node) && rest.negative == root.negative) return std::nullopt;
@@ -149,11 +149,10 @@ class SumRewriter : GraphTerms {
     return graph_.sum({log_a, -logarithm(b).value_or(call(FunctionId::log, b))});
   }
 
-  /// Replaces a triangle (replace_triangle) in the expanded terms, for example in
+  /// Replaces a triangle (replace_triangle) in the expanded terms; none if there is no triangle.
+  /// In this example b is a sum:
   ///
   ///     a (a - 2 b cos(c)) + b^2
-  ///
-  /// with a sum b. None if there is no triangle.
   std::optional<Ref> triangle_in(const std::vector<Ref>& terms) {
     std::vector<Ref> all = parts_of(terms);
     const bool is_found = replace_triangle(graph_, keeping_, all);

@@ -37,8 +37,8 @@ struct RewriteOptions {
 /// Rewrites one sum in its graph; none if nothing is rewritten.
 [[nodiscard]] std::optional<Ref> rewrite_sum(Graph& graph, RewriteOptions keeping, Ref value);
 
-/// Replaces calls that other calls in the expressions give without cancellation; none if there are
-/// no such calls:
+/// Replaces calls that other calls in the expressions give without cancellation; none if no call
+/// can be replaced:
 ///
 ///     expm1(a), exp(a)                 exp(a) = 1 + expm1(a)
 ///     sin(a/2), sin(a), cos(a)         sin(a) = 2 sin(a/2) cos(a/2), cos(a) = 1 - 2 sin(a/2)^2

@@ -17,7 +17,7 @@ class TriangleSearch : GraphTerms {
  public:
   TriangleSearch(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
 
-  /// Replaces three terms that form a triangle by one; false if no three terms do.
+  /// Replaces three terms that form a triangle by one term; false if there is no triangle.
   bool replace_one(std::vector<Ref>& terms) {
     std::vector<ScaledTerm> parts;
     for (const Ref term : terms) parts.push_back(scaled(term));
@@ -67,7 +67,8 @@ class TriangleSearch : GraphTerms {
     return first.coefficient * second.coefficient * 4 == mixed.coefficient * mixed.coefficient;
   }
 
-  /// `mixed` is -2 C a b or +2 C a b. With +, the cosine of c/2 replaces the sine.
+  /// C a^2 + C b^2 + `mixed` cos(c) as one term; none if it is no triangle. `mixed`: -2 C a b, or
+  /// +2 C a b with the cosine of c/2 in place of the sine.
   std::optional<Ref> combine_triangle(ScaledTerm first, ScaledTerm second, const ScaledTerm& mixed,
                                       Ref angle) {
     const cl_RA common = first.coefficient;

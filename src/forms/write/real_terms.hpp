@@ -61,8 +61,8 @@ struct RealTerm {
   }
 };
 
-/// The lengths that written_length() adds for a call, and for a multiple of an angle. They make
-/// sin(2*x)/2 no shorter than sin(x)*cos(x), whose factors also occur elsewhere. With
+/// The lengths that written_length() adds for a call, and for a multiple of an angle. These lengths
+/// make sin(2*x)/2 no shorter than sin(x)*cos(x), whose factors also occur elsewhere. With
 /// multiple_length = 0 the code of models/ is 4 % dearer, with 2 it is 2.5 % dearer; with 20 the
 /// entries are 3 % longer.
 inline constexpr std::size_t call_length = 2;
@@ -90,7 +90,7 @@ inline constexpr std::size_t multiple_length = 5;
                                                                      const Polynomial& sum,
                                                                      std::size_t most);
 
-/// The power of e^(i x/12) that equals e^(i x).
+/// The exponent k for which (e^(i x/12))^k = e^(i x).
 inline constexpr std::int32_t whole_angle = 12;
 
 /// The greatest common divisor of the exponents; 0 if `angle` is empty.

@@ -29,7 +29,7 @@ class Lengths {
   [[nodiscard]] std::size_t of(NodeId id) const { return lengths_[id]; }
 
  private:
-  /// All constant operands of a node count as one number.
+  /// The written length of a node, whose constant operands together count as one number.
   [[nodiscard]] std::size_t length(NodeId id) const {
     if (graph_.is_constant(id)) return 0;
     const Node& node = graph_.node(id);
@@ -88,8 +88,8 @@ Collected collected(const Expressions& expressions, std::size_t terms, Grouping 
   return result;
 }
 
-/// Sums longer than this many times the shortest are not collected. In models/, sums ten times
-/// longer never become the shortest; without sums up to twice as long, five pages change.
+/// Sums longer than this many times the shortest sum are not collected. With 10 the same forms of
+/// models/ become the shortest; with 1 five pages change.
 constexpr std::size_t most_length_ratio = 2;
 
 struct Written {
@@ -108,9 +108,9 @@ std::optional<Written> written(const Algebra& algebra, const Fraction& form, Lay
   return result;
 }
 
-/// Longer sums are collected in a single grouping, by rates, and in the shortest trigonometric
-/// form, to save time. With 20 the entries of models/ are 1.6 % longer and code is 0.6 % dearer.
-/// With 80 they are 0.3 % shorter, code is the same, and generation takes 8 % longer.
+/// Longer sums get one grouping, by rates or else by coordinates, and the shortest trigonometric
+/// form. With 20 the entries of models/ are 1.6 % longer and code is 0.6 % dearer. With 80 entries
+/// are 0.3 % shorter, code is the same, and generation takes 8 % longer.
 constexpr std::size_t always_compared = 40;
 
 /// The groupings that can change the form: a grouping by rates needs rates in its terms.
@@ -195,8 +195,8 @@ Real admitted_error(const Running<Real>& x) {
   return max(x.error * recounted, abs(x.value) * always);
 }
 
-/// The most operations of a derived entry, written over the leaves. Longer ones are never the
-/// shortest rewriting: 1000 gives the same pages for models/; 20 makes some longer.
+/// The most operations of a derived entry, written over the leaves. Longer entries are never the
+/// shortest rewriting: with 1000 the pages of models/ are the same; with 20 some pages are longer.
 constexpr std::size_t longest_derived = 60;
 
 /// The shortest rewriting that is as precise as `judge`, the readable form.

@@ -2,11 +2,11 @@
 // form.
 //
 // Candidates are written in multiple angles, or with sin^2 replaced by cos^2 or the reverse, each
-// with common factors collected. The entry as derived is a candidate if it is short and loses no
-// digits, since it has no terms that cancel on paper. The shortest form has the fewest signs and
-// calls; on a tie the earlier one. A form collected by rates, or by rates and coordinates, as in
-// textbooks, is preferred if it is little longer. Readers judge the code by the readable form, so a
-// shorter form is emitted only if it is as precise as the readable form.
+// with common factors collected. The entry as derived has no terms that cancel on paper; it is a
+// candidate if it is short and loses no digits. The shortest form has the fewest signs and calls;
+// on a tie the earlier form is chosen. A form collected by rates, or by rates and coordinates, as
+// in textbooks, is preferred if it is little longer. Readers judge the code by the readable form,
+// so a shorter form is emitted only if it is as precise as the readable form.
 #pragma once
 
 #include <optional>
@@ -26,12 +26,12 @@ inline constexpr std::size_t most_terms = 400;
 /// One rewriting of a value, with common factors collected.
 struct Collected {
   Expressions expressions = {};
-  std::size_t terms = 0;  ///< equal for groupings of the same terms, which have the same errors
+  std::size_t terms = 0;  ///< number of the trigonometric form; all its groupings have equal errors
   std::size_t length = 0;
   std::size_t weighted_length = 0;  ///< length times the weight of its grouping
 };
 
-/// The signs and calls of the only value.
+/// Signs and exponents of the only value, plus call_length and multiple_length (real_terms.hpp).
 [[nodiscard]] std::size_t written_length(const Expressions& expressions);
 
 /// A closed form in multiple angles, by sines and by cosines; empty if it exceeds most_terms.
@@ -50,10 +50,10 @@ struct Rewritings {
 [[nodiscard]] std::vector<Collected> precise_rewritings(const Algebra& algebra,
                                                         const Fraction& form);
 
-/// True if the error of `rewriting` is at most three times the error of `reference`, or at most 8
-/// |x|, which is always accepted. Errors are first-order running errors. They are compared at all
-/// points at which `reference` has a value x; false if there is no such point. The factor three
-/// admits every reordering of a sum, which at most doubles its error, but no cancellation.
+/// True if the error of `rewriting` is at most max(3 E, 8 |x|) at every point at which `reference`
+/// has a value x with error E. False if `reference` has no value at any point. Errors are
+/// first-order running errors, in units of rounding. The factor 3 admits every reordering of a sum,
+/// which at most doubles the error, but no cancellation.
 [[nodiscard]] bool is_as_precise(const Expressions& rewriting, const Expressions& reference,
                                  const Points& points, Leaves leaves);
 
@@ -70,8 +70,8 @@ struct ReadableForm {
 
 using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< entries of all fields
 
-/// The shortest candidate becomes the readable form. The shortest candidate that is as precise as
-/// the readable form becomes the compact form. None without candidates. `derived` may be null.
+/// `readable` is the candidate of least weighted length; `compact` is the shortest candidate that
+/// is as precise as `readable`. None without candidates. `derived` may be null.
 [[nodiscard]] std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
                                                    const Collected* derived, const Points& points);
 

@@ -200,7 +200,7 @@ class SquareFree : GraphTerms {
     return graph_.product(powers);
   }
 
-  /// Factors the terms whose only variable is `atom`; the other terms are added unchanged.
+  /// Factors the terms in `atom` and in factors with a parameter term; adds other terms unchanged.
   std::optional<Ref> factor_group(const Polynomial& all, AtomId atom) {
     Polynomial group;
     Polynomial others;

@@ -39,7 +39,7 @@ Formula held_momenta(const CheckedModel& checked) {
 
 }  // namespace
 
-/// A form is printed as a function with one entry, so that it looks like an entry of an output.
+/// Prints a form as a function of one entry, so that the formula looks like an entry of an output.
 std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
                                  const std::optional<Fraction>& form) {
   if (!form) return std::nullopt;
