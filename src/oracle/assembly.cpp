@@ -22,14 +22,14 @@ using cln::cl_R;
 constexpr unsigned most_newton_steps = 60;
 constexpr unsigned most_halvings = 10;
 
-/// A row is dependent if its component orthogonal to the earlier rows, divided by its length, is
-/// below this.
+/// A row is dependent if the length of its component orthogonal to the earlier rows is at most this
+/// share of the length of the row.
 const cl_R& dependent_share() {
   static const cl_R share = power_of_ten(-12);
   return share;
 }
 
-/// Relative tolerance for "constraint satisfied".
+/// The tolerance of is_met(), relative to 1 + the largest coordinate or rate.
 const cl_R& met_share() {
   static const cl_R share = power_of_ten(-60);
   return share;
@@ -40,8 +40,8 @@ cl_R length_of(const Direction& row) {
   return cln::zerop(square) ? cl_R(0) : real_power(square, cln::cl_RA(1) / 2);
 }
 
-/// The rows that are linearly independent of earlier rows, by the Gram-Schmidt method. Entries of
-/// `fixed` velocities count as 0.
+/// The rows that are linearly independent of earlier rows, by the Gram-Schmidt method. The entries
+/// of a row at `fixed` velocities count as 0.
 LinearisedConstraints independent_rows(const LinearisedConstraints& all,
                                        const std::vector<bool>& fixed) {
   LinearisedConstraints kept;
@@ -88,8 +88,8 @@ std::vector<cl_R> scales_of(const LinearisedConstraints& shortage) {
   return lengths;
 }
 
-/// True if all errors are within the tolerance, which is relative to the largest entry of `at`: the
-/// coordinates or rates that Newton's method solves for.
+/// True if every error is at most met_share() * (1 + max |at_i|). `at` holds the coordinates or the
+/// rates that Newton's method corrects.
 bool is_met(const LinearisedConstraints& shortage, const std::vector<cl_R>& at) {
   const std::vector<cl_R> lengths = scales_of(shortage);
   const cl_R share = met_share() * (1 + largest_of(at));
@@ -99,8 +99,8 @@ bool is_met(const LinearisedConstraints& shortage, const std::vector<cl_R>& at) 
   return true;
 }
 
-/// The sum of squares of errors. `left` has at least one residual per length; further entries are
-/// ignored.
+/// The sum of (left_k / lengths_k)^2 over all entries of `lengths`. `left` may have further
+/// entries, which are ignored.
 cl_R squared_error(const std::vector<cl_R>& left, const std::vector<cl_R>& lengths) {
   cl_R sum = 0;
   for (std::size_t k = 0; k < lengths.size(); ++k) {

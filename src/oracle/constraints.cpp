@@ -37,8 +37,8 @@ Jet stabilised_acceleration(Evaluation& at, const Constraint& constraint) {
   return result + omega * omega * at.value(constraint.value);
 }
 
-/// The motion displaced along w: in position for position constraints, else in velocity. The
-/// constraint's derivative along this displacement is its entry of A w.
+/// `motion`, displaced along w: in position for a position constraint, in velocity for a velocity
+/// constraint. The derivative of `constraint` along w is the entry of A w for `constraint`.
 Motion displaced_motion(const Model& model, const Constraint& constraint, Motion motion,
                         const Direction& w) {
   if (constraint.is_position) {
@@ -65,7 +65,7 @@ Direction jacobian_row(const Model& model, const Constraint& constraint, const M
   return row;
 }
 
-/// The value of `of` for every constraint, at a = 0.
+/// `of` evaluated at a = 0, one value per constraint.
 Values at_zero_acceleration(const Model& model, const State& state,
                             Jet (*of)(Evaluation& at, const Constraint& constraint)) {
   Motion motion = motion_of(state);
@@ -96,8 +96,8 @@ Values row_scales(const Values& matrix, std::size_t rows) {
   return scales;
 }
 
-/// Solves a square system whose last column is the right side. Pivots are relative to `scales`.
-/// Throws OutsideDomain if the system is singular.
+/// Solves a square system whose last column is the right side. Throws OutsideDomain if the system
+/// is singular: pivots are compared with `scales`, one scale per row.
 Values eliminated(const Values& matrix, const Values& scales) {
   const std::size_t n = scales.size();
   if (std::ranges::any_of(scales, [](const cl_R& scale) { return cln::zerop(scale); })) {
@@ -133,7 +133,7 @@ Values column_of(const Values& matrix, std::size_t column, std::size_t columns) 
   return result;
 }
 
-/// Solves A x = s for the dependent entries of x; the independent entries are given.
+/// `x` with the dependent entries solved from A x = s; the `independent` entries are kept.
 Values solve_dependent(const std::vector<std::uint32_t>& independent, const Values& jacobian,
                        const Values& x, const Values& s) {
   const std::size_t n = x.size();
@@ -335,7 +335,7 @@ Values completed(const Model& model, const std::vector<std::uint32_t>& independe
   return values;
 }
 
-/// Minimises |P (tau - B u)| in the M^-1 norm, P the projection onto the free motions: P r = M x
+/// u minimises |P (tau - B u)| in the M^-1 norm, P the projection onto the free motions: P r = M x
 /// with M x = r + A^T y, A x = 0. The normal equations are B^T x = 0 for r = tau - B u.
 Values constrained_inverse(const Model& model, const State& state) {
   Mechanics at(model, state);

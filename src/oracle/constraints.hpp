@@ -31,13 +31,13 @@ namespace elgen::oracle {
 
 /// gamma + 2 zeta omega r + omega^2 f, one entry per constraint.
 [[nodiscard]] std::vector<cln::cl_R> stabilised_bias(const Model& model, const State& state);
-/// Derivative of A a + gamma + 2 zeta omega r + omega^2 f along a change of position and velocity,
+/// Derivative of A a + gamma + 2 zeta omega r + omega^2 f along `along`, a displacement of q and v,
 /// at constant a.
 [[nodiscard]] std::vector<cln::cl_R> stabilised_slope(const Model& model, const State& state,
                                                       const Displacement& along,
                                                       const Direction& a);
 
-/// Derivative of w.A^T lambda along the displacement x of q, at constant lambda.
+/// Derivative of w.A^T lambda along the displacement x of q, at constant lambda = `multipliers`.
 [[nodiscard]] cln::cl_R constraint_force_slope(const Model& model, const State& state,
                                                const Direction& w, const Direction& x,
                                                const std::vector<cln::cl_R>& multipliers);
@@ -63,8 +63,8 @@ struct ConstrainedSystem {
 /// M and A at a state.
 [[nodiscard]] ConstrainedSystem constrained_system(Mechanics& at);
 
-/// Returns solve_constrained(); without constraints solve_mass(), which eliminates in the model's
-/// order.
+/// solve_constrained() of the system with right sides r and s. Without constraints x is from
+/// solve_mass(), which eliminates in the model's order, and y is empty.
 [[nodiscard]] ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system,
                                          const std::vector<cln::cl_R>& r,
                                          const std::vector<cln::cl_R>& s);
@@ -72,11 +72,11 @@ struct ConstrainedSystem {
 /// x = a and y = lambda at the state.
 [[nodiscard]] ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system);
 
-/// Linearised constraints: a direction x with A x = s makes f (positions) or r (all) 0 to first
-/// order.
+/// Linearised constraints A x = s. To first order, a displacement x of the positions makes f = 0,
+/// or a change x of the rates makes r = 0.
 struct LinearisedConstraints {
   std::vector<Direction> rows = {};  ///< rows of A
-  std::vector<cln::cl_R> s = {};     ///< -f or -r
+  std::vector<cln::cl_R> s = {};     ///< -f of positions, or -r of rates
 };
 [[nodiscard]] LinearisedConstraints linearised_positions(const Model& model, const State& state);
 [[nodiscard]] LinearisedConstraints linearised_rates(const Model& model, const State& state);

@@ -39,7 +39,7 @@ Values force_slopes(Mechanics& at, const ConstrainedMotion& motion, const Displa
   return values;
 }
 
-/// Writes column j of a row-major matrix with this number of columns.
+/// Writes `column` to column j of `matrix`, which is row-major with `columns` columns.
 void put_column(const Values& column, std::size_t j, std::size_t columns, Values& matrix) {
   for (std::size_t i = 0; i < column.size(); ++i) matrix[i * columns + j] = column[i];
 }
@@ -69,8 +69,8 @@ Values state_derivatives(Mechanics& at, const ConstrainedSystem& system,
   return matrix;
 }
 
-/// w.(da/dx) along a displacement: y.dc - z.dr with M z = w + A^T y, A z = 0. r = M a + bias - B u
-/// - A^T lambda, c = A a + stabilised bias.
+/// w.(derivative of a along `along`) = y.dc - z.dr with M z = w + A^T y, A z = 0, and with
+/// r = M a + bias - B u - A^T lambda, c = A a + stabilised bias.
 cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& along) {
   const ConstrainedSystem system = constrained_system(at);
   const ConstrainedMotion motion = constrained_motion(at, system);
@@ -160,8 +160,8 @@ Values state_matrices(Mechanics& at) {
   return values;
 }
 
-/// w.A y (field 0) or w.B y (field 1). w has position components, then velocity components; so has
-/// y for A.
+/// w.A y (field 0) or w.B y (field 1). w has position components, then velocity components. For A,
+/// y has the same order.
 cl_R state_contraction(Mechanics& at, const Contraction& by) {
   const auto middle = static_cast<std::ptrdiff_t>(at.size());
   const Direction w_position(by.w.begin(), by.w.begin() + middle);

@@ -67,8 +67,8 @@ Jet armature_energy(Evaluation& at) {
   return sum;
 }
 
-/// The value of an expression with all terms of its sums and factors made positive. Rounding errors
-/// are relative to it even if sums cancel. The recursion is as deep as the expression.
+/// The value of an expression with all terms of sums and all factors made positive: the scale of
+/// rounding errors, even if sums cancel. The recursion is as deep as the expression.
 Jet magnitude(Evaluation& at, ExpressionId id) {
   const Expression& e = at.model().expressions[id];
   Jet result;
@@ -195,7 +195,7 @@ Jet potential_magnitude(Evaluation& at) {
 
 Jet lagrangian(Evaluation& at) {
   if (has_routhian(at.model())) return routhian(at);
-  const Jet kinetic = kinetic_energy(at);  // first: its rates memoise values that V needs
+  const Jet kinetic = kinetic_energy(at);  // first: the rates in T memoise values that V needs
   return value_or_zero(at, at.model().energies.L) + kinetic - potential_energy(at);
 }
 

@@ -4,10 +4,10 @@
 //     V = [energy].V - sum m gravity.p
 //     L = T - V, or [energy].L (+ armatures) if the file gives L
 //
-// With [routh] the Routhian R of the whole model replaces L. Its terms dL/dv_c and M_cc, for the
-// cyclic velocities v_c, are coefficients of two further generators:
+// With [routh] the Routhian R of the whole model replaces L. The coefficients of two further
+// generators are dL/dv_c and M_cc = d2L/dv_c2 for the cyclic velocities v_c:
 //
-//     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   all at v_c = 0
+//     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   L0, dL/dv_c and M_cc at v_c = 0
 #pragma once
 
 #include <vector>

@@ -48,7 +48,7 @@ bool Evaluation::is_known(ExpressionId id, unsigned time_order) const {
   return known_[id] && known_[id]->time_order >= time_order;
 }
 
-/// Uses no recursion, because chains of names may have thousands of links.
+/// The value of `root`. Uses no recursion, because chains of names may have thousands of links.
 Jet Evaluation::evaluate(ExpressionId root, unsigned time_order) {
   struct Wanted {
     ExpressionId id = 0;

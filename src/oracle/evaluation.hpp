@@ -1,4 +1,4 @@
-// Evaluation: values of expressions and their time derivatives along the motion, on jets. Values
+// Evaluation: values of expressions and their time derivatives along the motion, as jets. Values
 // are computed on demand, with their operands.
 //
 // The time uses the generators e_1, e_2, ... after the first 8. With s = e_1 + ... + e_k (k the

@@ -26,7 +26,7 @@ std::optional<Generators> product_of(Generators x, Generators y) {
   return static_cast<Generators>(product);
 }
 
-/// Newton's r <- r (2 - y r) doubles the number of correct powers of s.
+/// 1 / y by Newton's r <- r (2 - y r), which doubles the number of correct powers of s.
 Jet graded_reciprocal(const Jet& y) {
   Jet r = quotient(1, y.real());
   if (y.lowest_grade() == 0) return r;
@@ -34,7 +34,7 @@ Jet graded_reciprocal(const Jet& y) {
   return r;
 }
 
-/// 1 / (y0 + y1 e) = r - r^2 y1 e with r = 1 / y0.
+/// 1 / y, one generator e after another: 1 / (y0 + y1 e) = r - r^2 y1 e with r = 1 / y0.
 Jet reciprocal(const Jet& y) {
   const Generators support = y.support();
   Jet result;

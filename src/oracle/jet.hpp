@@ -6,7 +6,7 @@
 // f(x + w e_0 + y e_1) is the second derivative of f in the directions w and y, exactly. Absent
 // terms are exact zeros and take no part in any operation.
 //
-// One further symbol s keeps its powers. They have grades, which add in products, and terms of
+// One further symbol s has powers. A power of s has a grade; grades add in products, and terms of
 // grade 256 or more vanish. If s has grade 64, s^3 is the last power, and the coefficients of 1, s,
 // s^2, s^3 in f(x + y s) are the Taylor coefficients.
 //
@@ -19,10 +19,10 @@
 // j! times the part of f(x0 + x1(s)) of degree j in x1.
 //
 // With x = 0 + e, x^2 has no terms. Therefore a jet also stores the generators on which it depends,
-// and the lowest power of them with which it may deviate from its real part. sqrt(x^2) deviates
-// from 0 with power 1: it has a kink at 0, and its derivatives are unknown coefficients. Reading an
-// unknown coefficient throws OutsideDomain; a product with an exact zero, as in sqrt(x^2)^2, drops
-// it.
+// and its order: the lowest power of these generators with which the jet may deviate from its real
+// part. sqrt(x^2) deviates from 0 with power 1: it has a kink at 0, and its derivatives are unknown
+// coefficients. Reading an unknown coefficient throws OutsideDomain; a product with an exact zero,
+// as in sqrt(x^2)^2, drops it.
 #pragma once
 #include <cln/rational.h>
 #include <cln/real.h>
@@ -118,11 +118,11 @@ class Jet {
   friend Jet operator*(const Jet& x, const Jet& y);
   /// OutsideDomain if the real part of y is zero.
   friend Jet operator/(const Jet& x, const Jet& y);
-  /// True if all coefficients are equal and the same coefficients are exact.
+  /// True if x and y have the same coefficients (exact in both or in neither), moving() and order.
   friend bool is_same(const Jet& x, const Jet& y);
 
  private:
-  /// The terms whose generators among `of` are exactly these, divided by these generators.
+  /// The terms that contain, among the generators `of`, exactly `exactly`; divided by `exactly`.
   [[nodiscard]] Jet part(Generators of, Generators exactly) const;
   void add(Generators generators, const cln::cl_R& coefficient);
   void add_unknown(Generators generators);

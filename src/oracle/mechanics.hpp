@@ -64,7 +64,7 @@ struct Displacement {
 ///
 ///     q0 + s (q - q0),  s v,  s a,  u0 + s (u - u0)       for small quantities, others unchanged
 ///
-/// which is the joint expansion in all deviations. The oracle thus writes down no term of it.
+/// The result equals the joint expansion in all deviations; no formula for its terms is needed.
 struct ExpansionPoint {
   unsigned order = 1;
   std::vector<std::optional<cln::cl_R>> q = {};
@@ -120,7 +120,7 @@ class Mechanics {
   [[nodiscard]] cln::cl_R inverse_dynamics(const Direction& w, const Direction& a);
 
   /// Derivative of w.(M a + bias - B u) along `along`, a displacement of q and v; u = `inputs`. For
-  /// a rotation, its part x is a rotation vector in body axes.
+  /// a rotation, `along.x` is a rotation vector in body axes.
   [[nodiscard]] cln::cl_R residual_slope(const Direction& w, const Displacement& along,
                                          const Direction& a, const Direction& inputs);
 
@@ -154,7 +154,7 @@ class Mechanics {
  private:
   using Energy = Jet (*)(Evaluation& at);
 
-  /// `quantity` at a motion, or its expansion to `order` if the scene expands it.
+  /// `quantity` at a motion, or its expansion to `order` if the scene expands the model.
   template <class Quantity>
   Jet expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
   Jet energy_at(Energy energy, const Motion& motion);

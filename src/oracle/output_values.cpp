@@ -80,8 +80,8 @@ bool has_reference(const OutputQuery& of) {
   return output_row(of.output.kind).takes.has_any(Opcode::reference);
 }
 
-/// Y, then rest. `rest` is the force at zero parameters. Column k of Y is the force at the k-th
-/// unit vector of parameters, minus rest.
+/// Y, then rest. `rest` is the force if all parameters are 0. Column k of Y is the force if
+/// parameter k is 1 and all others are 0, minus rest.
 Values regressor_entries(const OutputQuery& of) {
   const std::size_t n = of.state.v.size();
   const std::size_t count = extent_of(of.model, Extent::inertial);
@@ -125,7 +125,7 @@ State state_from_momenta(const OutputQuery& of) {
   return state;
 }
 
-/// M^-1, column by column.
+/// M^-1, n x n row-major, by one solve per column.
 Values inverse_of_mass(Mechanics& at) {
   const std::size_t n = at.size();
   const Values mass = at.mass_matrix();
@@ -171,7 +171,7 @@ Values canonical_rates(const OutputQuery& of) {
   return values;
 }
 
-/// w.x for the field `by.field`, a column.
+/// w.x for the column x of field `by.field`.
 template <Values (*values)(const OutputQuery&)>
 cl_R contracted_field(const OutputQuery& of, const Contraction& by) {
   const Values all = values(of);

@@ -35,8 +35,8 @@ namespace elgen::oracle {
                                          const State& state, const Contraction& by);
 
 // Derivatives of the dynamics, from derivatives of w.(M a + bias - B u) along displacements;
-// forward dynamics also needs a solve with M. Each output has two functions: one returns all
-// entries, one field after another, the other the contraction w.X y of one field.
+// forward dynamics also needs a solve with M. Each output has a function for all its entries, field
+// by field, and a function for the contraction w.X y of one field.
 
 /// Derivatives of accelerations and multipliers along a change of state and inputs.
 [[nodiscard]] ConstrainedMotion motion_slope(Mechanics& at, const Displacement& along,

@@ -22,8 +22,8 @@ using cln::cl_RA;
 /// exp() of a larger number is far beyond every scalar type, and CLN would need minutes for it.
 const cl_R largest_exponent = 1'000'000;
 
-/// For |x| beyond this, tanh(x) is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x), and exp(-4)
-/// < 0.1.
+/// For |x| beyond this, tanh(x) is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x). Each
+/// further digit adds 2 to the bound on |x|, and exp(-4) < 0.1.
 cl_R tanh_saturation() { return 200 + 2 * MoreDigits::count(); }
 
 /// A binary exponent. Larger angles throw BeyondReach; 2^20000 exceeds every built-in scalar.
@@ -54,7 +54,7 @@ cl_R rounded(const cl_R& x) {
 }
 
 /// Reports |x| as the number of digits that e^x may hide in a sum. e^x is 10^(0.43 x), so even the
-/// square of e^x hides fewer than x digits.
+/// square of e^x hides fewer than |x| digits.
 void hide_exponential(const cl_R& x) {
   const cl_R size = cln::min(cln::abs(x), largest_exponent);
   MoreDigits::report_hidden(cln::cl_I_to_uint(cln::ceiling1(size)));
@@ -244,7 +244,7 @@ cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {
   return entry != known_.end() ? entry->second : compute_and_store(function, x, y);
 }
 
-/// Sine and cosine are computed together, because the derivative of one is the other.
+/// Computes and stores a value; sine and cosine together: the derivative of one is the other.
 cl_R RealFunctions::compute_and_store(FunctionId function, const cl_R& x, const cl_R& y) {
   if (!is_circular(function)) {
     return known_[Call{function, x, y}] = rounded(uncached_value(function, x, y));

@@ -22,8 +22,8 @@
 namespace elgen::oracle {
 
 /// Decimal digits of all floats. The oracle's results have at least 60 correct digits, or more
-/// inside with_digits(); the other 35 are a reserve for cancellation. For comparison, 1e-8 rad from
-/// a singular chart textbook expressions lose 16 digits.
+/// inside with_digits(); the other 35 are a reserve for cancellation. For comparison, textbook
+/// expressions lose 16 digits at 1e-8 rad from a singular chart.
 inline constexpr unsigned working_digits = 95;
 
 /// The quantity is undefined at this state: division by zero, or a root or logarithm of a negative
@@ -72,7 +72,7 @@ class RealFunctions {
   std::map<Call, cln::cl_R> known_ = {};
 };
 
-/// The computed value; empty if CLN or the oracle throws because it does not exist.
+/// The computed value; empty if CLN or the oracle throws because the value does not exist.
 template <class Computation>
 auto attempt(const Computation& computation) -> std::optional<decltype(computation())> {
   try {

@@ -59,7 +59,7 @@ std::vector<cl_R> normalized(const Model& model, std::vector<cl_R> q) {
 
 namespace elgen {
 
-/// e = (1 - p.p, 2 p) / (1 + p.p), p the last three components of e
+/// Sets e = (1 - p.p, 2 p) / (1 + p.p), with p the last three components of the given e.
 void make_unit_quaternions(const Model& model, State& state) {
   for (const Rotation& rotation : model.rotations) {
     cln::cl_R* e = &state.q[rotation.first_coordinate];

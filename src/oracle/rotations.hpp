@@ -1,4 +1,4 @@
-// Rotations on jets: unit quaternions and their rates.
+// Rotations as unit quaternions with jets as components, and their rates.
 #pragma once
 
 #include <array>

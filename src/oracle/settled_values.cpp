@@ -7,8 +7,8 @@
 // under the same condition, or at the last look: with 155 digits log(exp(x)) - x wrongly gives -x
 // at x = 1e-300.
 //
-// Irrational numbers of a state, such as pi, have 100 digits. A value that shrinks if they get more
-// digits, such as sin(pi), is 0.
+// Irrational numbers of a state, such as pi, have 100 digits. A value such as sin(pi) counts as 0
+// if it is far larger with these numbers rounded to 60 digits.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -42,7 +42,7 @@ State lengthened(const State& state, unsigned digits) {
 }
 
 /// |decimal exponent| of a float; of a rational, the larger exponent of numerator and denominator:
-/// 100 for 1 + 1e-100. Cancellation may remove all other digits.
+/// 100 for 1 + 1e-100. Cancellation may remove this many digits.
 double size_in_digits(const cl_R& x) {
   if (!is_rational(x)) return std::abs(decimal_exponent(x));
   const auto r = cln::the<cln::cl_RA>(x);
@@ -59,7 +59,7 @@ const cl_R& share_of_a_zero() {
   return share;
 }
 
-/// The floats of a state with fewer digits; empty if all of its numbers are rational.
+/// The state with its floats rounded to 60 digits; empty if all of its numbers are rational.
 std::optional<State> rounded(const State& state) {
   static const cln::float_format_t format = cln::float_format(digits_of_rounded_state);
   bool has_floats = false;

@@ -16,7 +16,7 @@ namespace {
 
 using cln::cl_R;
 
-/// A pivot counts as zero if its ratio to the diagonal entry of M is smaller.
+/// A pivot D_i counts as zero if |D_i / M_ii| is below this.
 const cl_R& least_pivot_share() {
   static const cl_R share = cln::expt(cl_R(10), -75);
   return share;
@@ -28,7 +28,7 @@ cl_R pivot_share(const cl_R& pivot, const cl_R& diagonal) {
   return share;
 }
 
-/// Replaces the lower triangle by L and the diagonal by D; returns the relative pivots D_i / M_ii.
+/// Replaces the lower triangle of `m` by L and the diagonal by D; returns the pivots D_i / M_ii.
 std::vector<cl_R> factorise(std::vector<cl_R>& m, std::size_t n) {
   std::vector<cl_R> shares;
   for (std::size_t i = 0; i < n; ++i) {

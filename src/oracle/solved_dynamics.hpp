@@ -16,8 +16,8 @@ struct Solution {
   std::vector<cln::cl_R> relative_pivots = {};  ///< D_i / M_ii, in (0, 1] if M is positive definite
 };
 
-/// `matrix` is n x n, row-major; only its lower triangle is read. OutsideDomain if |D_i / M_ii| of
-/// a pivot is below 1e-75.
+/// Solves M x = `right_side` for M = `matrix`, n x n row-major; only the lower triangle is read.
+/// OutsideDomain if |D_i / M_ii| of a pivot is below 1e-75.
 [[nodiscard]] Solution solve_symmetric(std::vector<cln::cl_R> matrix,
                                        const std::vector<cln::cl_R>& right_side);
 

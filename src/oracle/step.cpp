@@ -142,7 +142,7 @@ constexpr StepState (OracleStepper::*methods[])() = {
 #undef ELGEN_STEP_METHOD
 };
 
-/// Converts to floats with enough digits for differences of 10^-digits.
+/// The state in floats, with enough digits for differences over 10^-`digits`.
 State extended(const State& state, unsigned digits) {
   const cln::float_format_t format = cln::float_format(150 + 3 * digits);
   return map_leaves([&](const cl_R& x) { return cl_R(cln::cl_float(x, format)); }, state);
@@ -180,8 +180,8 @@ Values velocity_components(const Model& model, const Values& q, const Values& dq
   return result;
 }
 
-/// Steps that start from the states `start` + size * `along`, and the derivative of their ends by
-/// size.
+/// Steps that start from the states `start` + size * `along`, and the derivative of the end states
+/// by size.
 class StepLine {
  public:
   StepLine(const Model& model, const OutputRequest& output, State start, const Direction& along)

@@ -77,7 +77,7 @@ Direction& acceleration_of(MotionChange& change) { return change.a; }
 Direction& inputs_of(MotionChange& change) { return change.inputs; }
 
 /// One field of the derivatives: dy/dq along N, dy/dv, dy/da or dy/du. dy/da is empty if the output
-/// uses the motion, whose acceleration is no argument.
+/// uses the motion, because a is then no argument.
 Values derivative_of_user(const OutputQuery& of, std::size_t field) {
   constexpr std::size_t acceleration = 2;
   constexpr std::array parts{position_of, velocity_of, acceleration_of, inputs_of};

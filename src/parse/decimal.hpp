@@ -18,7 +18,7 @@ struct NumberExtent {
   bool well_formed = true;
 };
 
-/// The number at `begin`, which is a digit or a point: `12`, `0.5`, `1e-3`. It is malformed if
+/// The extent of the number at `begin`, a digit or a point: `12`, `0.5`, `1e-3`. It is malformed if
 /// characters that cannot follow a number follow it directly: `1.2.3`, `1_000`, `0x10`, `1e`.
 [[nodiscard]] NumberExtent number_extent(std::string_view text, std::size_t begin);
 
@@ -38,7 +38,7 @@ struct DecimalParts {
   bool negative_exponent = false;
 };
 
-/// `text` must be a well-formed number without a sign; underscores are skipped.
+/// The parts of `text`, a well-formed number; a leading sign and underscores are skipped.
 [[nodiscard]] DecimalParts decimal_parts(std::string_view text);
 
 [[nodiscard]] std::optional<ExceededLimit> find_exceeded_limit(const DecimalParts& parts,
@@ -47,8 +47,8 @@ struct DecimalParts {
 /// The value of a number within the limits.
 [[nodiscard]] cln::cl_RA decimal_value(const DecimalParts& parts);
 
-/// The shortest literal of a finite decimal: `0.1`, `1e-400`, `-5`. Any other number, such as 1/3,
-/// is a quotient.
+/// `value` as an exact literal if it is a finite decimal: `0.1`, `-5`, and `1e-400` beyond 30
+/// places. Any other number, such as 1/3, as a quotient.
 [[nodiscard]] std::string decimal_text(const cln::cl_RA& value);
 
 }  // namespace elgen

@@ -38,7 +38,7 @@ class StringDecoder {
       if (escapes_ && here() == '\\') {
         read_escape();
       } else if (here() == '\r') {
-        ++position_;  // a line end is decoded as one line feed, also \r\n
+        ++position_;  // \r\n is decoded as one line feed
       } else {
         copy_byte();
       }
@@ -89,7 +89,7 @@ class StringDecoder {
     position_ += digits;
   }
 
-  /// \" and \\ decode to the character itself.
+  /// The character of the escape \`letter`: a control character, or `letter` itself for \" and \\.
   static char plain_escape(char letter) {
     const std::size_t at = std::string_view("btnfre").find(letter);
     return at == std::string_view::npos ? letter : "\b\t\n\f\r\x1b"[at];

@@ -63,8 +63,8 @@ class EntryReader {
     return row == rows_.end() ? nullptr : &*row;
   }
 
-  /// No top-level key of the format has a table as its value, so an entry with a table is an
-  /// unknown table, not an unknown key.
+  /// True if `entry`, which has no row, has a table as its value. No top-level key has a table as
+  /// its value, so `entry` is an unknown table, not an unknown key.
   [[nodiscard]] bool is_unknown_table(const TomlEntry& entry) const {
     return entry.value.kind == TomlKind::table || is_array_of_tables(entry.value);
   }

@@ -5,7 +5,7 @@
 
 namespace elgen {
 
-/// The rows of one kind of file, with the entry names of the file.
+/// The rows of the entry table for one kind of file; scene entries without the prefix "scene.".
 [[nodiscard]] std::vector<EntryRow> entry_rows_of(FileKind kind);
 
 /// The name of the row's entry in the key table: "scene.outputs".

@@ -129,8 +129,8 @@ Step ExpressionParser::product() {
   return node(SyntaxKind::multiply, star, std::move(factors));
 }
 
-/// Checks the depth: a/b/c nests to the left, and the recursive descent does not count these
-/// levels.
+/// The node numerator / denominator; none if it is too deep: a/b/c nests to the left, and the
+/// recursive descent does not count these levels.
 Step ExpressionParser::quotient(const Token& token, Subtree numerator, Subtree denominator) {
   std::deque<Subtree> operands;
   operands.push_back(std::move(numerator));
@@ -261,8 +261,8 @@ Step ExpressionParser::parse_brackets() {
   return inner;
 }
 
-/// A sum or product of one operand is the operand itself. The operands are in a deque, because a
-/// growing vector would copy subtrees.
+/// The node of `kind`; a sum or product of one operand is the operand itself. The operands are in a
+/// deque, because a growing vector would copy subtrees.
 Subtree ExpressionParser::node(SyntaxKind kind, const Token& token,
                                std::deque<Subtree> operands) const {
   const bool chain = kind == SyntaxKind::add || kind == SyntaxKind::multiply;

@@ -78,7 +78,7 @@ Json expression_schema() {
   return schema;
 }
 
-/// Schema of a list of `count` expressions, or of any number if `count` is 0.
+/// Schema of a list of `count` expressions; if `count` is 0, of a list of any length.
 Json expressions_schema(std::size_t count = 0) {
   Json schema = list_schema(expression_schema());
   if (count == 0) return schema;

@@ -30,7 +30,7 @@ struct KeyPart {
 
 using SplitParts = std::vector<KeyPart>;
 
-/// A kind of text with several parts: its names in messages, and the error if it cannot be split.
+/// A kind of text with several parts: the names in messages, and the error for any other text.
 struct SplitText {
   std::string_view noun;
   std::string_view expected;
@@ -150,7 +150,7 @@ void report_unknown(const TomlEntry& key, const TableContext& table, FileReading
                  suggestion(key.key, candidates));
 }
 
-/// Hint: the first line of every file, or the words of a choice.
+/// The hint for a missing key: the first line of every file, or the words of a choice; else "".
 std::string hint_of_missing(const KeyRow& row) {
   if (row.key == "format") return "a file starts with `format = 1`";
   const std::vector<std::string_view> words = choice_words(row);
@@ -281,7 +281,7 @@ std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const Ta
     }
   }
   // An unsupported key may be meant in place of a required key, so missing keys are reported only
-  // without such a key.
+  // if all keys are supported.
   if (all_supported) report_missing(entries, table, reading);
   return result;
 }

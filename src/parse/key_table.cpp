@@ -1,7 +1,7 @@
 // The key table: every entry and key of model and scene files, the type of its value, and whether
 // this version supports it. The reader, its messages and the documentation use these rows. Defaults
-// and details are rows of *_key_texts.def. These are in this folder because src/base has no access
-// to keys.
+// and details are rows of *_key_texts.def. The .def files are in this folder, because src/base has
+// no access to keys.
 #include <algorithm>
 #include <array>
 #include <utility>

@@ -5,15 +5,15 @@
 
 namespace elgen {
 
-/// The current token is no operand, but an operand is expected: E302, E301, or the lexer's error.
+/// The error if an operand is expected, but not found: E302, E301, or the lexer's error.
 [[nodiscard]] Diagnostic missing_operand(const Lexer& tokens);
 
-/// An operand is complete, and the current token can neither continue nor end the expression. E303:
-/// two operands without an operator; E306: a decimal comma; E304: a bracket that was never opened;
-/// E301, or the lexer's error.
+/// The error if an operand is complete, but the current token can neither continue nor end the
+/// expression. E303: two operands without an operator; E306: a decimal comma; E304: a bracket that
+/// was never opened; E301, or the lexer's error.
 [[nodiscard]] Diagnostic misplaced_token(const Lexer& tokens);
 
-/// The current token does not close `opened`: E304, or the error of misplaced_token().
+/// The error if the current token does not close `opened`: E304, or misplaced_token().
 [[nodiscard]] Diagnostic unclosed_bracket(const Lexer& tokens, const Token& opened);
 
 }  // namespace elgen

@@ -1,6 +1,6 @@
 // Converts TOML text to TomlValue: toml++ parses, then every value is re-read at its span. toml++
 // sorts tables by key, so entries are sorted back into file order. Keys that would overflow the
-// stack of toml++ are found before it parses. Each of its errors gets a hint on the probable
+// stack of toml++ are found before toml++ parses. Each error of toml++ gets a hint on the probable
 // mistake.
 #include "parse/toml_document.hpp"
 
@@ -139,8 +139,8 @@ Span redefinition_span(const SourceText& source, std::uint32_t offset) {
   return end < offset && key.begin < key.end ? key : character_at(source, offset);
 }
 
-/// An earlier line in the same table that defines the same key; none if no line begins with the
-/// key.
+/// The span of `key` in the last earlier line that defines `key` in the same table; none if no
+/// earlier line begins with `key`.
 std::optional<Span> first_definition(const SourceText& source, const Span& key) {
   const std::string_view name = covered_text(key);
   std::optional<Span> found;
@@ -185,7 +185,7 @@ bool is_unquoted_value(std::string_view description) {
          contains(description, "could not determine value type");
 }
 
-/// Whether the text of a token is a decimal number as TOML writes it: `-1_000`, `+0.5e-3`.
+/// True if the text of a token is a decimal number as TOML writes it: `-1_000`, `+0.5e-3`.
 bool is_decimal_token(std::string_view token) {
   const std::size_t sign = token.substr(0, 1) == "+" || token.substr(0, 1) == "-" ? 1 : 0;
   const std::string_view digits = token.substr(sign);
@@ -196,8 +196,8 @@ bool is_decimal_token(std::string_view token) {
          digits.find_first_not_of(characters) == std::string_view::npos;
 }
 
-/// `description` is toml++'s message, `offset` its byte. E101, or E109 for a decimal outside TOML's
-/// range.
+/// The error for toml++'s message `description` at the byte `offset`: E109 for a decimal outside
+/// TOML's range, else E101.
 Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
                       std::string_view description) {
   const Span word = word_at(source, offset);

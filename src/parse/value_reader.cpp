@@ -151,7 +151,7 @@ void report_ci_command(const DecodedText& text, FileReading& reading) {
                  "GitHub reads a text that begins with `::` as a command");
 }
 
-/// A number without quotes, with its sign.
+/// Reads a number without quotes, with its sign, into `result`.
 void read_number(const TomlValue& value, ValueSyntax& result, FileReading& reading) {
   const std::string& text = value.text.text;
   const bool negative = text[0] == '-';

@@ -14,13 +14,13 @@ struct FileReading {
   void report(Code code, const Span& span, std::string message, std::string hint = {});
 };
 
-/// A number or a string as an expression; E104 for any other type, E3xx and E9xx of the expression.
+/// A number or a string as an expression; E104, E109 for other types; E3xx, E9xx of the expression.
 [[nodiscard]] ValueSyntax read_expression_value(const TomlValue& value, FileReading& reading);
 
-/// A string as a name with or without an index; E104, E205.
+/// A string as a name with or without an index; E104, E109, E205, or E3xx and E9xx of the parser.
 [[nodiscard]] ValueSyntax read_name(const TomlValue& value, FileReading& reading);
 
-/// A list of `count` expressions, of any length if `count` is 0; E104.
+/// A list of `count` expressions (0: any number); E104, E109, and the errors of the expressions.
 [[nodiscard]] ValueSyntax read_list(const TomlValue& value, std::size_t count,
                                     FileReading& reading);
 
@@ -42,7 +42,7 @@ void report_wrong_type(const TomlValue& value, std::string_view expected, FileRe
 /// Moves the parsed expression, if any, to `expression`, and its diagnostics to `reading`.
 void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, FileReading& reading);
 
-/// A value of `kind` with the span of `value`, for strings without the quotes.
+/// A value of `kind` with the text of `value` and its span, without the quotes of a string.
 [[nodiscard]] ValueSyntax empty_value(const TomlValue& value, ValueKind kind);
 
 }  // namespace elgen

@@ -26,7 +26,7 @@ std::string assumption_line(std::string_view word, const LeafNames& leaves, Assu
   return list_line(word, names);
 }
 
-/// Spaces are removed, because a constant is one word of its line.
+/// The text of a constant without spaces, because a constant is one word of its line.
 std::string constant_text(const Constant& constant) {
   std::string text = text_of(constant.form);
   std::erase(text, ' ');

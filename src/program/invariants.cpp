@@ -67,18 +67,20 @@ std::string broken_field(const Function& function) {
   return "";
 }
 
-/// True if the operand is the previous repetition's, shifted by one length. If the previous operand
-/// lies before the repetitions, this operand may be any value before the repetitions.
+/// True if the operand `now` is `before`, the same operand in the previous repetition, plus
+/// `length`. If `before` lies before the repetitions, `now` may be any value before the
+/// repetitions.
 bool is_shifted(std::uint32_t before, std::uint32_t now, std::size_t first, std::uint32_t length) {
   return before < first ? now < first : now == before + length;
 }
 
-/// Operations that the compiler's vector types support.
+/// True for operations that the compiler's vector types support.
 bool is_arithmetic(const Instruction& instruction) {
   return instruction.opcode != Opcode::call && instruction.opcode != Opcode::square_root;
 }
 
-/// Operands precede their users, so operands of the first repetition lie in it or before it.
+/// The first fault of the repetitions; "" if there is none. Operands precede their users, so
+/// operands of the first repetition lie in it or before it.
 std::string broken_repetition(const Function& function) {
   const auto& [length, count] = function.repeated;
   const std::size_t size = std::size_t{length} * count;

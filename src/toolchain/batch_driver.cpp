@@ -1,8 +1,8 @@
-// batch_driver: the driver of the batch header, which is called with one state. The driver makes a
-// batch of two and a half packs, with the state at each place in turn, so that it is computed in
-// full packs and in the remainder. The other states of the batch have other numbers, so that a
-// wrong stride reads or writes a wrong number. If an entry's bits at some place differ from its
-// bits at the first place, the entry is NaN.
+// batch_driver: the driver of the batch header. The driver is called with one state and makes a
+// batch of two and a half packs, with the state at each place in turn, so that the state is
+// computed in full packs and in the remainder. The other states of the batch have other numbers, so
+// that a wrong stride reads or writes a wrong number. If an entry's bits at some place differ from
+// its bits at the first place, the entry is NaN.
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"

@@ -85,8 +85,8 @@ std::size_t scalars_in(const LoadedFunction& function) {
   return (function.in_double != nullptr ? 1U : 0U) + (function.in_float != nullptr ? 1U : 0U);
 }
 
-/// `library`: the object of the driver's unit; null if the compiler does not accept the flags of
-/// the build.
+/// The header of a driver; `library` is the object of the driver's unit, or null if the compiler
+/// does not accept the flags of the build.
 Result<CompiledHeader> header_of(const Driver& driver, Build build,
                                  const std::shared_ptr<const Library>& library,
                                  const DriverInput& input) {
@@ -111,8 +111,8 @@ Result<CompiledHeader> header_of(const Driver& driver, Build build,
   return header;
 }
 
-/// Sets the declared numbers to the values that the library returns; false if it lacks the
-/// function.
+/// Sets the declared numbers to the values that the library returns; false if the library lacks the
+/// function `declarations_symbol`.
 bool read_declared(const Library& library, std::vector<DeclaredNumber>& numbers) {
   const auto give = library.find<void (*)(double*)>(declarations_symbol);
   if (give == nullptr) return false;

@@ -1,4 +1,4 @@
-// compile_timed: compiles and loads the timing driver, and keeps the states as its arrays.
+// compile_timed: compiles and loads the timing driver, and keeps the states as the driver's arrays.
 // compile_steps: compiles and loads the loops over a step.
 #include <algorithm>
 #include <utility>

@@ -142,8 +142,8 @@ class DeclarationText {
     }
   }
 
-  /// Adds the constants with which packs reduce angles, and the coefficients of their polynomials.
-  /// In sampled results a wrong last digit would rarely show.
+  /// Adds the constants of the angle reduction and of the polynomials in functions of packs. In
+  /// sampled results a wrong last digit would rarely show.
   void add_trigonometry(ScalarKind scalar) {
     const std::string table = fmt::format("Trigonometry<{}>::", name_of(scalar));
     const Numerics& numerics = input_.scene.numerics;

@@ -121,7 +121,6 @@ inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 
 // Drivers for timing: loops that call an emitted function for arrays of states, one state at a time
 // or in packs; and loops that call an emitted step.
-// an emitted step in loops.
 
 /// In every array, number k of state i has the index k * count + i.
 template <class Scalar>

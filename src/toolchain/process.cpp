@@ -39,7 +39,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-/// The environment of this process; $TMPDIR is replaced by `temporary` unless it is empty.
+/// The environment of this process, with $TMPDIR = `temporary` unless `temporary` is empty.
 std::vector<std::string> variables_with(const std::string& temporary) {
   constexpr std::string_view name = "TMPDIR=";
   std::vector<std::string> variables;
@@ -131,8 +131,7 @@ Ending wait_for(Child& child, std::vector<Stream>& streams, const Descriptor& si
   return child.ending();
 }
 
-/// Runs a command. The first stream gets stdout, the last stream stderr; with a single stream it
-/// gets both.
+/// Runs a command. The first stream gets stdout, the last stream stderr. A single stream gets both.
 ProcessResult run_with(std::vector<Stream> streams, const std::vector<std::string>& command,
                        std::uint64_t seconds, const std::string& temporary,
                        std::string_view input = {}) {
@@ -201,8 +200,8 @@ std::string ending_text(Ending ending, int status, std::uint64_t seconds) {
   if (ending == Ending::not_started) return "could not be run";
   if (ending == Ending::out_of_time) return fmt::format("has not ended within {} s", seconds);
   if (ending != Ending::signalled) return fmt::format("exits {}", status);
-  // Its text is English, because the locale is always "C". glibc's sigabbrev_np does not exist
-  // elsewhere.
+  // The text of strsignal is English, because the locale is always "C". glibc's sigabbrev_np does
+  // not exist elsewhere.
   return fmt::format("was ended by signal {} ({})", status - 128, ::strsignal(status - 128));
 }
 

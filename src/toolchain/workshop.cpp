@@ -1,6 +1,6 @@
 // workshop: makes temporary directories by mkdtemp under $TMPDIR or /tmp. The destructor removes
-// them recursively. If removal fails, this is not reported, because nothing depends on it. If
-// memory is exhausted during removal, it is tried again. Files have the same relative paths as in
+// them recursively. A failed removal is not reported, because nothing depends on the removal. If
+// memory is exhausted, the removal is tried a second time. Files have the same relative paths as in
 // the output folder.
 #include "toolchain/workshop.hpp"
 

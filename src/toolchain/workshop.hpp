@@ -41,8 +41,8 @@ struct Compiler {
                                            const std::filesystem::path& source,
                                            const std::filesystem::path& object);
 
-/// True if the compiler accepts the flags of the build for a function of one line, together with
-/// the library that the source needs, if this is installed.
+/// True if the compiler accepts the flags of the build for a probe: a function of one line, with
+/// the header that the source needs, if this header is installed.
 [[nodiscard]] bool takes_probe(const Compiler& compiler, Build build,
                                const std::filesystem::path& directory, const Source& source);
 

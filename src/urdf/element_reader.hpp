@@ -20,12 +20,12 @@ class ElementReader {
   /// The text of an attribute; E803 if it is absent or empty.
   Text required_text(std::string_view name);
 
-  /// The value of an attribute; none if it is absent, and after E804 if it is no number.
+  /// The value of an attribute; none if it is absent, or after E804, E805, E903 or E904.
   std::optional<FileNumber> number(std::string_view name);
   std::optional<FileNumber> required_number(std::string_view name);
 
-  /// Reads three numbers. E804: no number; E805: not three. If the attribute is absent or wrong,
-  /// returns false and keeps `vector` unchanged.
+  /// Reads three numbers. E804: no number; E805: not three; E903, E904: limits. If the attribute is
+  /// absent or wrong, returns false and keeps `vector` unchanged.
   bool vector(std::string_view name, Vector& vector);
 
   /// Calls `read` for the first child of this name, if any, then reports the content that `read`

@@ -1,5 +1,5 @@
 // Coordinates get their names first, then frames. If a joint and its link have the same name, the
-// joint therefore keeps it.
+// joint therefore keeps the name.
 #include "urdf/glossary.hpp"
 
 #include <fmt/ranges.h>

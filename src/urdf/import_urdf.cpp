@@ -19,7 +19,8 @@ void append(Diagnostics& to, const Diagnostics& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// A robot with a single link, or with fixed joints only, becomes a free body.
+/// The tree after adding a floating joint above the root: because no joint moves (E818), or because
+/// the user asks for it; E821 if the robot floats already.
 Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked_for,
                                Diagnostics& found) {
   const Text& root = robot.links[tree.root].name;

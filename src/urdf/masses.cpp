@@ -74,9 +74,9 @@ bool are_zero(const auto& numbers) {
 }
 
 /// Finds whether a link, with the links fixed to it, has inertia about an axis through its origin.
-/// It has none if all its mass is in points on the axis. Mass behind a moving joint counts as
-/// inertia, because it may leave the axis; so does mass behind a fixed joint that is rotated or off
-/// the axis.
+/// The link has none if all mass is in points on the axis. Mass behind a moving joint counts as
+/// inertia, because it may leave the axis. Mass behind a fixed joint that is rotated or off the
+/// axis counts, too.
 class InertiaAbout {
  public:
   InertiaAbout(const Robot& robot, const LinkTree& tree, std::size_t axis)
@@ -125,8 +125,8 @@ bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& plana
   return is_rotor_alone || about.has(planar.child);
 }
 
-/// `has_mass`: the joint moves mass. `has_mass_without_joint`: it moves mass with no other moving
-/// joint in between.
+/// `has_mass`: the joint moves mass. `has_mass_without_joint`: the joint moves mass with no other
+/// moving joint between the joint and the mass.
 struct MovedMass {
   bool has_mass = false;
   bool has_mass_without_joint = false;

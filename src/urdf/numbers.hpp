@@ -26,7 +26,7 @@ inline constexpr std::string_view xacro_remedy =
     "expand the file first: `xacro FILE > robot.urdf`, in ROS 2 `ros2 run xacro xacro FILE > "
     "robot.urdf`";
 
-/// xacro_remedy if the text contains a macro of xacro, "$(arg x)" or "${pi/2}"; "" otherwise.
+/// xacro_remedy if the text of `span` has a macro of xacro, "$(arg x)" or "${pi/2}"; else "".
 [[nodiscard]] std::string remedy_of(const Span& span);
 
 /// True for "inf", "-Infinity", "nan".

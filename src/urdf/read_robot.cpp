@@ -184,7 +184,7 @@ void read_axis(ElementReader& reader, Joint& joint, RobotReading& reading) {
 
 constexpr const char* no_limit = "the model omits this limit";
 
-/// Limits do not affect the equations, so an invalid limit is dropped with E814.
+/// The bound `name`; an invalid bound is dropped with E814, because no equation contains limits.
 std::optional<FileNumber> read_bound(ElementReader& limit, std::string_view name, bool is_signed,
                                      Diagnostics& found) {
   const Text text = limit.text(name);
@@ -236,8 +236,8 @@ void warn_of_dynamics(ElementReader& reader, const Joint& joint, Diagnostics& fo
   });
 }
 
-/// E815 for `<mimic>` in a fixed joint. It remains in robots whose gripper joints were changed to
-/// fixed.
+/// E815 for `<mimic>` in a fixed joint. `<mimic>` remains in robots whose gripper joints were
+/// changed to fixed.
 void note_mimic_of_fixed(ElementReader& reader, RobotReading& reading) {
   for (const Element* mimic : reader.children("mimic")) {
     reading.found.push_back({Code::E815, mimic->span,

@@ -51,7 +51,7 @@ enum class JointType : unsigned char { revolute, continuous, prismatic, fixed, f
 
 [[nodiscard]] std::string_view type_word(JointType type);
 
-/// Revolute, continuous and prismatic joints.
+/// True for revolute, continuous and prismatic joints.
 [[nodiscard]] bool has_one_coordinate(JointType type);
 
 struct JointLimit {
@@ -120,8 +120,8 @@ struct RobotReading {
   std::string file = {};  ///< the name of the file; empty: the source's name
 };
 
-/// Reads a `<robot>`. Errors and warnings: E802 to E806, E811, E813, E814, E822; notes: E815.
-/// Missing values keep their defaults.
+/// Reads a `<robot>`. Errors and warnings: E108, E802 to E806, E811, E813, E814, E822, E903, E904;
+/// notes: E815. Missing values keep their defaults.
 [[nodiscard]] Robot read_robot(const Element& root, RobotReading& reading);
 
 }  // namespace elgen::urdf

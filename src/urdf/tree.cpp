@@ -166,7 +166,7 @@ class TreeBuilder {
     if (left != reached.end()) report_loop(static_cast<std::size_t>(left - reached.begin()));
   }
 
-  /// Walks upwards from a link that is not connected to a root; the path ends in a loop.
+  /// Reports E809 for the loop of joints above `link`, which is not connected to a root.
   void report_loop(std::size_t link) {
     std::set<std::size_t> seen;
     while (seen.insert(link).second) link = parent_of(link);

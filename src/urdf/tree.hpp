@@ -33,7 +33,7 @@ struct LinkTree {
   }
 };
 
-/// Returns errors if the links form no tree (E807 to E809) or a mimicked joint is invalid (E812).
+/// Returns errors if the links form no tree (E803, E807 to E809) or a mimic is invalid (E812).
 [[nodiscard]] Result<LinkTree> make_tree(const Robot& robot);
 
 /// Reports missing or misplaced masses and impossible inertias (E508, E810, E816, E817), and E803

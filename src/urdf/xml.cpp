@@ -70,8 +70,7 @@ std::size_t skip_piece(std::string_view text, std::size_t position, std::string_
   return end == std::string_view::npos ? text.size() : end + closing.size();
 }
 
-/// The position of the first attribute beyond most_attributes in an element; none if all elements
-/// have fewer.
+/// The position of the first attribute beyond most_attributes in an element, if there is one.
 std::optional<std::size_t> find_element_with_too_many_attributes(std::string_view text) {
   std::size_t attributes = 0;
   bool is_inside = false;
@@ -128,8 +127,8 @@ class ElementCopier {
     return span_at(source_, static_cast<std::size_t>(name - start_), std::string_view(name).size());
   }
 
-  /// Entities and line ends may be longer in the source than in the value, so the span ends at the
-  /// closing quote.
+  /// The span of an attribute's value, up to the closing quote: entities and line ends may be
+  /// longer in the source than in the value.
   [[nodiscard]] Span value_span(const char* value) const {
     const auto begin = static_cast<std::size_t>(value - start_);
     const std::size_t end = source_.text.find(source_.text[begin - 1], begin);

@@ -60,8 +60,8 @@ Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
   }
 }
 
-/// The value of a form, computed with this many digits. Unknown if an error bound overflows, as it
-/// does for a form that no precision decides.
+/// The value of a form, computed with `digits` digits; unknown if an error bound overflows. The
+/// bound overflows for a form that no precision decides.
 Enclosed value_with(const ConstantForm& form, int digits) {
   try {
     return value_of(form, EnclosedArithmetic(digits));

@@ -10,11 +10,11 @@ namespace elgen {
 struct Conservation {
   std::vector<std::uint32_t> momenta = {};  ///< indices of velocities, never of angular velocities
   bool is_forced = false;                   ///< an input, a force or dissipation acts
-  bool has_time = false;                    ///< E or a momentum contains t, and so does L
+  bool has_time = false;                    ///< E or a momentum contains t, and thus L contains t
 };
 
-/// `has_inputs`: inputs act on the system. If `needs_proof` is false, a zero found only by sampling
-/// is accepted as 0, and an output that the program does not have is 0.
+/// The constant momenta and the causes of energy change. `has_inputs`: inputs act on the system. If
+/// `needs_proof` is false, zeros found only by sampling and missing outputs count as 0.
 [[nodiscard]] Conservation find_conservation(const Model& model, const Program& program,
                                              bool has_inputs, bool needs_proof);
 

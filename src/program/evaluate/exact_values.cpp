@@ -18,7 +18,7 @@ std::vector<Real> from_oracle(const Subject& subject, const State& state, Output
   return values;
 }
 
-/// Undefined if any value is undefined.
+/// max |x| over `values`; undefined if any value is undefined.
 Real largest_magnitude(const std::vector<Real>& values) {
   Real largest;
   for (const Real& value : values) largest = max(largest, abs(value));
@@ -63,7 +63,7 @@ std::vector<Real> ExactValues::slopes(OutputKind kind, const Arguments<Real>& di
   return result;
 }
 
-/// The direction, with the tangents of the values of functions without expression:
+/// `direction`, with the tangents of the values of functions without expression:
 /// df = sum_i f_i dx_i, f_i = df/dx_i.
 Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
   const Model& model = subject_.model;

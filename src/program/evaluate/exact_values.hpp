@@ -43,7 +43,7 @@ class ExactValues {
   /// dq/dt with these velocities: N(q) v.
   [[nodiscard]] std::vector<Real> coordinate_rates(const std::vector<Real>& v) const;
 
-  /// d2q/dt2 at the state's velocities if they are constant: 0 except for quaternions.
+  /// d2q/dt2 if the velocities of the state stay constant: 0 except for quaternions.
   [[nodiscard]] std::vector<Real> coasting_accelerations() const;
 
   /// 1e-20 of the largest intermediate value. Smaller differences are rounding errors.

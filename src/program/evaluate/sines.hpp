@@ -60,8 +60,8 @@ enum class SineArithmetic : std::uint8_t { packs, numbers };
 [[nodiscard]] cln::cl_RA sine_error(const Numerics& numerics, SineArithmetic arithmetic,
                                     ScalarKind scalar);
 
-/// True if functions of numbers compute sines inline: for float and double, whatever scalar the
-/// scene names, unless the scene asks for the library.
+/// True if functions of numbers compute sines inline: `scalar` is float or double, and the scene
+/// does not ask for the library.
 [[nodiscard]] bool has_sines_in_line(const Scene& scene, ScalarKind scalar);
 
 /// A constant of the algorithm: "domain", "inverse", "shift", "part_1", "sine_3", "cosine_4".

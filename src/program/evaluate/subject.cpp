@@ -42,7 +42,7 @@ std::string changed_parameters(const Subject& subject, const State& state, bool 
   std::string text;
   for (std::size_t i = 0; i < actual.size(); ++i) {
     const double scale = std::max(std::abs(nominal[i]), std::abs(actual[i]));
-    // A nominal value rounded to float has not changed.
+    // Rounding a nominal value to float does not count as a change.
     if (std::abs(actual[i] - nominal[i]) <= 1e-6 * scale) continue;
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", subject.model.parameters[i].name,
                         number_text(state.parameters[i], exactly));
@@ -80,7 +80,7 @@ State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
   }
   // Quaternions have length 1 only up to rounding. If the length is not 1, the two sides of a
   // comparison may legitimately differ. After scaling, which changes the arguments by a few
-  // roundings, they must agree.
+  // roundings, the two sides must agree.
   scale_to_length_one(subject.model, state);
   return state;
 }

@@ -37,7 +37,7 @@ template <class Scalar>
 /// The values as numbers; none if a value is undefined.
 [[nodiscard]] OracleValues defined_values(const std::vector<Real>& values);
 
-/// Null if the program has no function of this kind.
+/// The function of this kind; null if the program has none.
 [[nodiscard]] const Function* find_function(const Program& program, OutputKind kind,
                                             std::uint32_t user = 0);
 
@@ -50,7 +50,7 @@ template <class Scalar>
 /// nominal value; lists end after 8 numbers.
 [[nodiscard]] std::string describe(const Subject& subject, const State& state);
 
-/// The same with 17 digits for every number, and with complete lists.
+/// describe() with 17 digits for every number, and with complete lists.
 [[nodiscard]] std::string describe_exactly(const Subject& subject, const State& state);
 
 /// Six significant digits of an exact number; three, with a power of ten, if double cannot hold it.

@@ -49,8 +49,7 @@ Combination plus(Combination x, const Combination& y, int sign) {
   return x;
 }
 
-/// The argument of a sine or cosine as a linear combination of nodes; other types of sums also have
-/// products of powers as terms.
+/// An argument of a sine or cosine, and its terms: a linear combination of nodes that are no sums.
 struct AngleTerms {
   NodeId argument = 0;
   Combination terms = {};
@@ -150,7 +149,7 @@ class AngleSums {
   }
 
  private:
-  /// An argument in the new graph, built on demand, because it may come later in the old graph.
+  /// The argument `id` in the new graph, built on demand: `id` may come later in the old graph.
   Ref argument(Graph& graph, const RebuildStep& step, NodeId id) {
     if (is_built_[id]) return arguments_[id];
     for (const Operand& operand : step.old_graph.node(id).operands) {

@@ -23,7 +23,7 @@ namespace elgen {
 /// digits.
 enum class Splits : std::uint8_t { sums, sums_and_differences };
 
-/// None if no angle is a sum or difference of other angles.
+/// The expressions with the selected angles expanded; none if no angle can be split.
 [[nodiscard]] std::optional<Expressions> expand_angle_sums(
     const Expressions& expressions, Splits which = Splits::sums_and_differences);
 

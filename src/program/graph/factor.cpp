@@ -13,14 +13,14 @@ namespace {
 constexpr std::size_t maximal_terms = 400;
 
 /// A term as a sign and powers, from which common factors are divided out. A rational number is not
-/// divisible. Unlike a ScaledTerm it has no separate coefficient.
+/// divisible. Unlike a ScaledTerm, a FactoredTerm has no separate coefficient.
 struct FactoredTerm {
   bool negative = false;
   std::vector<Power> factors = {};
   bool is_divisible = false;
 };
 
-/// Keeps each base once, so that dividing by a factor changes one exponent.
+/// Multiplies `term` by factor^exponent. Each base occurs once, so divide() changes one exponent.
 void multiply(FactoredTerm& term, NodeId factor, std::int32_t exponent) {
   const auto known = std::find_if(term.factors.begin(), term.factors.end(),
                                   [&](const Power& power) { return power.base.node == factor; });
@@ -157,9 +157,9 @@ class FlattenRule {
   }
 
  private:
-  /// True if the operands of this operand move into its user. It must have the kind of its user, in
-  /// the old and in the new graph. It must be used once, or be a product while `all_products` is
-  /// selected.
+  /// True if the operands of `operand` move into its user. `operand` and its user must have the
+  /// same kind, in the old and in the new graph. `operand` must be used once; with `all_products`,
+  /// a product may be used more often.
   bool is_spliced(const Graph& graph, const RebuildStep& step, const Operand& operand) const {
     const NodeKind kind = step.old_graph.node(step.old_node).kind;
     const bool is_wanted = uses_[operand.node] == 1 ||

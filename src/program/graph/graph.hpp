@@ -86,7 +86,7 @@ class Graph {
   Ref pi();
   Ref leaf(Opcode leaf, std::uint32_t index);
   Ref sum(const std::vector<Ref>& terms);
-  /// A base with a negative exponent must not be the number 0.
+  /// The product of all powers. A base with a negative exponent must not be the number 0.
   Ref product(const std::vector<Power>& powers);
   Ref square_root(Ref radicand);
   Ref call(FunctionId function, std::vector<Ref> arguments);
@@ -113,7 +113,7 @@ class Graph {
   [[nodiscard]] ConstantForm form_of(NodeId id) const;
   [[nodiscard]] ConstantForm form_of(Ref value) const;
 
-  /// The total order; strict, the same in every process.
+  /// True if x precedes y in the total order, which is strict and the same in every process.
   [[nodiscard]] bool less(NodeId x, NodeId y) const { return compare(x, y) < 0; }
 
  private:

@@ -13,8 +13,8 @@
 
 namespace elgen {
 
-/// Keeps the sums and products of the text: a bracket is a separate node. Names are coordinates.
-/// None if the text contains anything but numbers, pi, functions and coordinates.
+/// The value of `text`; a bracket stays a separate node, names are coordinates. None for another
+/// name, a syntax error, a power or divisor of 0, and an exponent that is no integer up to 1e6.
 [[nodiscard]] std::optional<Ref> read_value(Graph& graph, const std::string& text,
                                             const std::vector<std::string>& coordinates,
                                             const Limits& limits = {});

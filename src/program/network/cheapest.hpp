@@ -15,11 +15,11 @@
 
 namespace elgen {
 
-/// Factors twice and flattens sums in between: the first pass splits sums, whose terms can then
-/// meet in one sum and be factored again.
+/// `flat`, factored, flattened and factored again: factoring splits sums, whose terms can then meet
+/// in one sum.
 [[nodiscard]] Expressions factored(const Expressions& flat);
 
-/// A form, and its cost as instructions.
+/// A form, and the cost() of its instructions.
 struct CostedNetwork {
   Network network = {};
   std::size_t cost = 0;

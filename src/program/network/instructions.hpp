@@ -15,8 +15,8 @@ class Instructions {
     }
   }
 
-  /// The index of the instruction. If the function already contains an equal instruction, its
-  /// index.
+  /// The index of the instruction, which is appended unless the function already contains an equal
+  /// instruction.
   std::uint32_t add(const Instruction& instruction) {
     const auto next = static_cast<std::uint32_t>(function_.instructions.size());
     const auto [known, is_new] = known_.emplace(instruction, next);

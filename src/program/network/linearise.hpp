@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// The same function without instructions; its entries are numbered as values of a network.
+/// `function` without instructions; its entries become 0, 1, 2, ...: indices of network values.
 [[nodiscard]] Function without_instructions(const Function& function);
 
 /// Sets instructions and names of `function`. Entries of its fields change from indices into

@@ -12,8 +12,8 @@
 namespace elgen {
 namespace {
 
-/// Equal values differ by rounding, about 1e-15. The probability that two of ten thousand different
-/// values are this near is 1e-4.
+/// Relative tolerance. Equal values differ by rounding, about 1e-15. The probability that two of
+/// ten thousand different values agree within 1e-12 is 1e-4.
 constexpr double rounding = 1e-12;
 
 struct PortableRules : interpreter::NumberRules<double> {

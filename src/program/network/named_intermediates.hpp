@@ -18,7 +18,7 @@ namespace elgen {
 /// Magnitude of a value at random leaves -> its name, and true if the value is negative.
 using NamedIntermediates = std::map<double, std::pair<std::string, bool>>;
 
-/// `names` has one name for each value of `told`. If values are equal, the first name is kept.
+/// The values of `told` and their names, one name per value. Of equal values the first is kept.
 [[nodiscard]] NamedIntermediates named_intermediates(const Expressions& told,
                                                      const std::vector<std::string>& names,
                                                      const LeafNames& leaves);

@@ -23,7 +23,7 @@ constexpr std::uint32_t largest_joined = 64;
 /// The operands of a sum or product: operands with leaves, and all constants as one number.
 struct Operands {
   std::vector<Operand> rest = {};
-  std::optional<NodeId> constant = {};  ///< the operation of that number
+  std::optional<NodeId> constant = {};  ///< the operation of the number
   bool is_negative = false;             ///< the constant is negative
 };
 
@@ -70,7 +70,7 @@ class Operations {
     return it->second;
   }
 
-  /// True if this is a sum with at most one exact coefficient, so that scaling it costs no digits:
+  /// True if `sum` is a sum with at most one exact coefficient, so that scaling it costs no digits:
   /// x - y keeps digits that 0.7 x - 0.7 y loses.
   bool can_scale_sum(NodeId sum) const {
     const auto is_exact = [this](Ref term) {

@@ -39,7 +39,7 @@ OperandName quotient(const OperandName& a, const OperandName& b) {
   return is_plain ? joined(a, "_over_", b, End::divisor) : OperandName{};
 }
 
-/// None for sin(a) - b: sin_a_minus_b reads as sin(a - b).
+/// "a_minus_b"; none if a ends with a call or b is a sum: sin_a_minus_b reads as sin(a - b).
 OperandName difference(const OperandName& a, const OperandName& b) {
   const bool reads_otherwise = a.end == End::call || b.end == End::sum;
   return reads_otherwise ? OperandName{} : joined(a, "_minus_", b, End::sum);

@@ -28,7 +28,7 @@
 namespace elgen {
 namespace {
 
-/// Longer expressions are split, so that a line stays readable.
+/// Expressions with more operations are split, so that a line stays readable.
 constexpr std::size_t longest_expression = 12;
 constexpr std::size_t longest_name = 40;
 /// The longest name that fits on a line of 100 columns.
@@ -44,7 +44,7 @@ constexpr std::array<std::string_view, 16> reserved_names{
     "co_await",     "co_yield",     "co_return",        "wchar_t",    "char8_t", "char16_t",
     "thread_local", "dynamic_cast", "reinterpret_cast", "size_t"};
 
-/// Names such as "M_E" or "INT_MAX", without lower-case letters.
+/// True for names without lower-case letters, such as "M_E" or "INT_MAX".
 bool is_like_macro(const std::string& name) {
   return std::ranges::none_of(name, [](char c) { return c >= 'a' && c <= 'z'; });
 }
@@ -303,7 +303,7 @@ class TemporaryNamer {
   std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< functions called with each angle
   const std::vector<std::uint64_t> hashes_;
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
-  std::vector<std::string> own_;                  ///< names of the first two kinds at the top
+  std::vector<std::string> own_;                  ///< names of the first two kinds listed above
   std::vector<OperandName> spellings_;
 };
 

@@ -1,5 +1,5 @@
-// compose_outputs: calls the parts twice: first M and forces, then the derivatives at the resulting
-// accelerations.
+// compose_outputs: calls the parts, first for M and the forces, then for the derivatives at the
+// resulting accelerations.
 #include "elgen/compose.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Places row_of(const ValueMatrix& matrix, std::size_t row) {
 
 class Derivatives {
  public:
-  /// `parts` must outlive this, and must not be a function of the program.
+  /// `parts` must outlive this object, and must not be a function of `program`.
   Derivatives(Program& program, const Function& parts)
       : program_(program),
         parts_(parts),

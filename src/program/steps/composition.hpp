@@ -51,25 +51,25 @@ class Composition {
   /// x + c y
   [[nodiscard]] Places add_scaled(const Places& x, std::uint32_t c, const Places& y);
 
-  /// The entries of a field of `callee`, a function of `from`, at a point. `is_inner` marks its
-  /// operations, see Instruction::is_inner.
+  /// The entries of a field of `callee`, a function of `from`, at a point. `is_inner` marks the
+  /// copied operations, see Instruction::is_inner.
   [[nodiscard]] Places call(const Program& from, const Function& callee, const Field& field,
                             const CallPoint& at, bool is_inner = false);
 
   using Body = std::function<Places(Composition&, const Places&)>;
   /// Applies `body` to each column. Columns with few zeros become the repetitions of the function
   /// (Function::repeated), and no instruction may follow them. A column that needs at most two
-  /// thirds of the operations is composed without repetition; so are all columns if fewer than 16
-  /// need more.
+  /// thirds of the operations is composed without repetition. If fewer than 16 columns need more,
+  /// all columns are composed without repetition.
   ///
   ///     r -> r/d   of   (0 = q), (1 = v)   ->   3 = divide 0 2   4 = divide 1 2
   [[nodiscard]] std::vector<Places> repeat(const std::vector<Places>& columns, const Body& body);
 
   /// Names values "theta_2", if they are computed (not leaves or constants) and have no name yet.
   void name(const Places& values, Opcode kind, std::uint32_t number);
-  /// Names a value `name`, under the same condition.
+  /// Names a value `name`, if it is computed and has no name yet.
   void name(std::uint32_t value, const std::string& name);
-  /// Names values "reduced_theta", under the same condition.
+  /// Names computed values without a name: "reduced_theta" for the prefix "reduced_".
   void name(const Places& values, const std::string& prefix);
 
  private:
@@ -78,8 +78,8 @@ class Composition {
   [[nodiscard]] bool is_zero(std::uint32_t place) const;
   [[nodiscard]] bool is_one(std::uint32_t place) const;
   [[nodiscard]] std::uint32_t add(const Instruction& instruction);
-  /// The columns for which the body needs more than two thirds of `length` instructions; none if
-  /// there are fewer than 16.
+  /// The columns for which `body` needs more than two thirds of `length` instructions; none if
+  /// there are fewer than 16 of these columns.
   [[nodiscard]] std::vector<std::size_t> long_columns(const std::vector<Places>& columns,
                                                       const Body& body, std::size_t length) const;
 
@@ -107,7 +107,7 @@ class MassFactorisation {
     return back_substitute(compose_, forward_substitute(compose_, r));
   }
 
-  /// Solves for every column r (Composition::repeat).
+  /// x with M x = r for every column r, by Composition::repeat.
   [[nodiscard]] std::vector<Places> solve_columns(const std::vector<Places>& columns) const;
 
  private:
@@ -116,7 +116,7 @@ class MassFactorisation {
 
   Composition& compose_;
   Places order_;
-  std::vector<Places> lower_ = {};  ///< L below its diagonal, by order
+  std::vector<Places> lower_ = {};  ///< L below its diagonal, rows in order_
   Places reciprocals_ = {};         ///< 1 / D
 };
 

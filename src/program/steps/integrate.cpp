@@ -52,7 +52,7 @@ bool carries_tangents(const Model& model, const OutputRequest& step) {
          model.rotations.empty() && model.velocities.size() < min_composed_velocities;
 }
 
-/// A and B from their columns. If `columns` is empty, differentiates the instructions of the step.
+/// A and B from their columns; if `columns` is empty, from derivatives of the step's instructions.
 Function derivatives(const Model& model, const Program& calls, Function function,
                      std::vector<Places> columns, Program& program) {
   if (columns.empty()) {
@@ -98,7 +98,7 @@ std::vector<OutputKind> called_kinds(const OutputRequest& step) {
   return {OutputKind::forward_dynamics, OutputKind::coordinate_rates};
 }
 
-/// Projects a state at the time t + h onto the constraints.
+/// Projects `moved`, the state at the time t + h, onto the constraints.
 void project(const StepContext& step, NextState& moved) {
   CallPoint at{.q = moved.q, .v = moved.v, .t = step.time_at(1), .number = projected_suffix};
   step.name(at);

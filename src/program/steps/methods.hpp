@@ -11,7 +11,7 @@ namespace elgen {
 /// The inputs of composing a step.
 struct StepContext {
   /// `the_calls` contains the outputs that outputs_for_step returns for `request`. All arguments
-  /// must outlive this.
+  /// must outlive this object.
   StepContext(const CheckedModel& checked, const OutputRequest& request, const Program& the_calls,
               Composition& composition);
 
@@ -44,10 +44,10 @@ struct NextState {
   std::vector<Places> columns = {};  ///< d(q, v) along each direction of q, v, u; may be empty
 };
 
-/// The columns of A and B of x(t + h) = Phi(x, u) about a state, x = (dq, v). Appends them to
-/// `step`, which has the coordinates and rates of Phi. They are the exact derivatives of its
-/// instructions, including iterations and scalings of quaternions. `calls` needs coordinate_rates
-/// if the model has rotations. Cost: about one step per column.
+/// The columns of A = dPhi/dx, then of B = dPhi/du, for x(t + h) = Phi(x, u), x = (dq, v): exact
+/// derivatives of the instructions of `step`, including iterations and scalings of quaternions.
+/// Appends to the function of `compose`, which must begin with these instructions. `calls` needs
+/// coordinate_rates if the model has rotations. Cost: about one step per column.
 [[nodiscard]] std::vector<Places> step_columns(const Model& model, const Program& calls,
                                                const Function& step, Composition& compose);
 
