@@ -74,8 +74,8 @@ std::vector<double> running_errors(const Subject& subject, const Function& funct
 }
 
 /// The number of entries with other bits whose difference exceeds `most` u of the field's largest
-/// entry and `most` times the entry's running error. If the code threw an exception, `given` is
-/// empty; this agrees with values that are not all finite.
+/// entry and `most` times the entry's running error. `given` is empty if the code threw an
+/// exception; an empty `given` agrees with `expected` if not all expected values are finite.
 template <class Scalar>
 std::size_t differing_entries(const Function& function, const std::vector<Scalar>& given,
                               const std::vector<Scalar>& expected,
@@ -121,7 +121,7 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
                             const Function& function,
                             const std::vector<SampledState<Scalar>>& states,
                             const std::vector<std::vector<Scalar>>& values) {
-  // A batch processes such a function state by state, with the scalar sine and cosine.
+  // A batch evaluates a needs_order() function state by state, with the scalar sine and cosine.
   const bool in_packs = compiled.in_packs && !needs_order(function);
   const Sines<Scalar> sines(subject.scene,
                             in_packs ? SineArithmetic::packs : SineArithmetic::numbers);

@@ -19,8 +19,8 @@
 namespace elgen {
 namespace {
 
-/// The default effort: `samples` random states and all extremes. If work_of_state() times the
-/// number of states exceeds `work`, fewer states are used, at least one.
+/// The default effort: `samples` random states, all extremes, and states near zeros of sums. If
+/// work_of_state() times the number of states exceeds `work`, fewer states are used, at least one.
 struct Effort {
   std::size_t samples;
   std::size_t work;
@@ -159,8 +159,8 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
   return rows;
 }
 
-/// The compiled functions of the header for single states, as users compile it; in the wider scalar
-/// if `is_wide`. Null if there is no such code, or if it lacks the scalar.
+/// The functions for single states, compiled as users compile them; in the wider scalar if
+/// `is_wide`. Null if there is no such code, or if the code lacks `scalar`.
 const CompiledModel* users_code(const CompiledHeaders& compiled, bool is_wide, ScalarKind scalar) {
   for (const CompiledHeader& header : compiled) {
     const bool is_sought = !header.in_packs && header.is_wide == is_wide;
@@ -197,7 +197,7 @@ std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHea
   return rows;
 }
 
-/// Projections save time if states are few or velocities are many.
+/// Projections, to save time, if `options.quick` or if velocities are many; otherwise entries.
 Comparison comparison_for(const Model& model, const VerifyOptions& options) {
   const bool is_large = model.velocities.size() >= projected_velocities;
   return options.quick || is_large ? Comparison::projections : Comparison::entries;

@@ -11,7 +11,7 @@
 
 namespace elgen {
 
-/// The opening tag, a white background, and the title of the plot in the top 30 pixels.
+/// The opening of an SVG: the tag, a white background, and `title` in the top 30 pixels.
 [[nodiscard]] inline std::string svg_start(double width, double height, const std::string& title) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
@@ -27,7 +27,7 @@ namespace elgen {
       x2, y2);
 }
 
-/// `anchor`: which part of the text is at x: "start", "middle" or "end".
+/// The SVG of a text at (x, y). `anchor`: the part of the text at x, "start", "middle" or "end".
 [[nodiscard]] inline std::string svg_label(double x, double y, const char* anchor,
                                            const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
@@ -52,8 +52,7 @@ struct ChartAxis {
   std::vector<ChartTick> ticks = {};
   std::string title = {};  ///< of the x axis; "": it has neither title nor labels
 
-  /// The position of a number on the axis: 0 at the low end, 1 at the high end. Numbers beyond an
-  /// end are drawn at this end.
+  /// The position of a number on the axis: 0 at or below the low end, 1 at or above the high end.
   [[nodiscard]] double part(double number) const {
     return (std::clamp(number, low, high) - low) / (high - low);
   }
@@ -71,8 +70,8 @@ struct Chart {
   [[nodiscard]] double x_of(double number) const { return left + width * x.part(number); }
   [[nodiscard]] double y_of(double number) const { return top + height * (1 - y.part(number)); }
 
-  /// A line at each tick. Labels and title of the x axis are below the chart, labels of the y axis
-  /// left of it.
+  /// The SVG of a line at each tick. Labels and title of the x axis are below the chart; labels of
+  /// the y axis are left of the chart.
   [[nodiscard]] std::string grid() const {
     const double bottom = top + height;
     std::string svg;

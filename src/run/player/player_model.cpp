@@ -42,8 +42,8 @@ Json velocities_json(const Model& model, const LeafNames& leaves) {
   return list;
 }
 
-/// For each input with a law: its index and its limits. A law that is constant along a run is not
-/// clamped, so its limits are the largest doubles.
+/// [index, low, high] of each input with a law. Without limits, low and high are minus and plus the
+/// largest double; also for a law that is constant along a run, because this law is not clamped.
 Json laws_json(const CheckedModel& checked) {
   const Model& model = checked.model;
   constexpr double most = std::numeric_limits<double>::max();
@@ -143,8 +143,8 @@ void add_places(Json& json, const Model& model) {
   json["up"] = up_axis(model);
 }
 
-/// The values of the coordinates: "theta = 3.14159". Coordinates for which any value is at rest are
-/// omitted.
+/// The values of the coordinates: "theta = 3.14159". Omits coordinates that are at rest at any
+/// value.
 std::string rest_point_label(const Model& model, const RestPoint& point) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
@@ -156,7 +156,7 @@ std::string rest_point_label(const Model& model, const RestPoint& point) {
   return parts.empty() ? "anywhere" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// A start at rest, displaced from the equilibrium by 0.1 of the mode's shape.
+/// A start at rest: the equilibrium `point` plus 0.1 times the shape of `mode`.
 ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode& mode) {
   constexpr double part = 0.1;
   const double omega = std::sqrt(to_double(mode.omega_squared));
@@ -168,8 +168,8 @@ ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode
   return start;
 }
 
-/// Simulated seconds per second: 1 if the run takes 2 to 60 s; otherwise the whole run is shown in
-/// 20 s.
+/// Simulated seconds per real second: 1 if the run takes 2 to 60 s; otherwise the pace that shows
+/// the whole run in 20 s.
 double pace_of(const SimulationOptions& options) {
   constexpr double shortest = 2;
   constexpr double longest = 60;

@@ -17,8 +17,8 @@ struct ShownStart {
   std::vector<double> q = {};
 };
 
-/// Equilibria; and equilibria displaced by 0.1 along a normal mode with omega^2 > 0, except for
-/// models with rotations. At most 12 starts.
+/// The equilibria. For models without rotations, also each equilibrium plus 0.1 times the shape of
+/// each normal mode with omega^2 > 0. At most 12 starts.
 [[nodiscard]] std::vector<ShownStart> shown_starts(const Model& model, const Products& read);
 
 /// Names, units, starts, places, laws and equilibria as JSON. `<` is escaped, because the JSON is

@@ -46,8 +46,8 @@ TemplateData calls_data(const CheckedModel& checked, const Program& program) {
   });
 }
 
-/// In s: three years. With the default step, a ten-thousandth of the run, the motion is not visible
-/// in a longer run.
+/// In s: three years. In a longer run, the default step (1e-4 of the run) is longer than 1e4 s and
+/// does not show the motion.
 constexpr double longest_time = 1e8;
 
 /// A browser computes about 1e5 steps per second, so more steps would take minutes.

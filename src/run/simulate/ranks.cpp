@@ -12,9 +12,9 @@
 namespace elgen {
 namespace {
 
-/// A pivot that falls below 1e-8 of its largest value has lost half of the 16 digits of a double.
-/// Then rounding errors dominate the projection onto the constraints, which changes the energy: at
-/// 1e-11 by about 1e-9 of it.
+/// A pivot below 1e-8 of its largest value has lost half of the 16 digits of a double. Then
+/// rounding errors dominate the projection onto the constraints, and the projection changes the
+/// energy. At a ratio of 1e-11, the change is about 1e-9 of the energy.
 constexpr double smallest_share = 1e-8;
 
 /// A cosine. If a row turns by more than 120 degrees in one step, the step has no correct digit,
@@ -94,8 +94,8 @@ std::string RankWatch::name(std::size_t i) const {
   return fmt::format("`{}` in M", leaf_text(system_.leaves(), Opcode::velocity, velocity));
 }
 
-/// Describes the loss of rank; "" if both ranks are full. D_i is only checked for a change of sign,
-/// because it may be small without a loss of rank: m r^2 of an orbit near its centre is.
+/// Describes the loss of rank; "" if both ranks are full. D_i is checked only for a change of sign,
+/// because D_i may become small without a loss of rank: m r^2 of an orbit near its centre.
 std::string RankWatch::loss_text(const Numbers& pivots_before, const Numbers& rows_before) const {
   const std::size_t n = system_.velocities();
   const std::size_t both = pivots_.size() - n;

@@ -123,8 +123,9 @@ double Recorder::energy_scale() const {
   return largest_kinetic_ + (highest_potential_ - lowest_potential_);
 }
 
-/// With a symmetric method the energy oscillates about a constant, so the mean of the first tenth
-/// of the run is compared with the mean of the last tenth.
+/// E648 if the drift exceeds 1 % of the energy scale. With a symmetric method the energy
+/// oscillates; then the drift is the mean of the last tenth of the run minus the mean of the first
+/// tenth.
 void Recorder::check_energy_drift(Trajectory& trajectory) {
   const Drift& drift = trajectory.energy;
   const bool is_symmetric = step_of_run(options_).has_value();
@@ -183,9 +184,9 @@ std::string_view Recorder::energy_name() const {
   return system_.does_work() ? "E - E0 - work" : "E - E0";
 }
 
-/// Adds to `allowed_` by how much this step may change E - work: by its error in each number, and
-/// by the rounding error of E. The change does not grow later, because the exact motion conserves E
-/// - work.
+/// Adds to `allowed_` the change of E - work that this step may cause: by the error of each number,
+/// and by the rounding error of E. Later steps do not enlarge this change, because the exact motion
+/// conserves E - work. E648 if |E - E0 - work| exceeds `allowed_`.
 void Recorder::check_energy_step(const TrajectorySample& sample, double energy) {
   const std::size_t work = sample.state.size() - 1;
   const auto error = [&](std::size_t i) {

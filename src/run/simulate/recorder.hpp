@@ -35,7 +35,7 @@ class DriftMeter {
   /// The largest magnitude so far.
   [[nodiscard]] double scale() const { return scale_; }
 
-  /// The drift divided by the largest magnitude, or undivided if this is 0.
+  /// The drift divided by the largest magnitude; undivided if the largest magnitude is 0.
   [[nodiscard]] Drift drift(std::string name, std::string measure) const;
 
  private:
@@ -61,18 +61,18 @@ class Recorder {
   /// Adds a sample. E624 if a number is not finite; the error names the last finite state.
   [[nodiscard]] Diagnostics add(const TrajectorySample& sample);
 
-  /// E624 at the last sample: `why` the run ends, an additional observation (`besides`), and the
-  /// remedy as hint.
+  /// E624 at the last sample: `why` the run ends, then the additional observation `besides`; the
+  /// hint is `remedy`.
   [[nodiscard]] Diagnostic end_diagnostic(std::string_view why, std::string_view besides,
                                           std::string_view remedy) const;
 
-  /// Moves the rows and drifts into `trajectory`. Returns warnings E648: with adapted steps, if E -
-  /// E0 - work exceeds what the tolerance allows; with steps of one length, if this energy or an
-  /// entry of `conserved` drifts by more than 1 % of its scale.
+  /// Moves the rows and drifts into `trajectory`. Returns the warnings E648: with adapted steps, if
+  /// |E - E0 - work| exceeds `allowed_`; with steps of one length, if E - E0 - work or an entry of
+  /// `conserved` drifts by more than 1 % of its scale.
   Diagnostics finish(Trajectory& trajectory) &&;
 
  private:
-  /// The multipliers belong to sample.inputs; the system may already hold later inputs.
+  /// The numbers of a row. Multipliers belong to sample.inputs; the system may hold later inputs.
   [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
   [[nodiscard]] std::string_view energy_name() const;
   void check_energy_step(const TrajectorySample& sample, double energy);

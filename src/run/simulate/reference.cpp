@@ -104,7 +104,8 @@ bool record_state(const Values& state, ReferenceEnd& end) {
   return std::ranges::all_of(end.last, [](double x) { return std::isfinite(x); });
 }
 
-/// E624 if the run does not reach its end, or if M or A loses its rank.
+/// The final state of a run, and the largest magnitude of each number along the run. E624 if the
+/// run does not reach its end, or if M or A loses its rank.
 template <class Scalar>
 Result<ReferenceEnd> integrate(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
   using Values = std::vector<Scalar>;

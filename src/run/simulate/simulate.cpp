@@ -124,7 +124,7 @@ class Run {
     system_.hold(current_.state.data(), system_.v_of(current_.state), current_.t);
   }
 
-  /// Records the samples of the block; this time is not counted.
+  /// Records the samples of the block. `elapsed_` excludes the time of the recording.
   Diagnostics flush() {
     elapsed_ += Clock::now() - resumed_;
     Diagnostics wrong;
@@ -312,7 +312,7 @@ std::string outputs_of_run(const Model& model) {
   return names;
 }
 
-/// Checks the model first, because the list of outputs depends on it.
+/// The products for a run. The pipeline runs twice: the checked model determines the outputs.
 Products derive_for_run(const Inputs& inputs, PipelineOptions options,
                         const std::optional<StepSpec>& step) {
   PipelineOptions first = options;
@@ -364,7 +364,7 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
     trajectory->method += fmt::format(" of order {}", *options.order);
   }
   trajectory->title = checked.model.title;
-  // A run with a `step` method evaluates its program; it is never compiled.
+  // For a method with a `step`, `compiled` is null: the program is evaluated, never compiled.
   trajectory->timed_code = compiled == nullptr ? "in the evaluator" : "of the emitted C++";
   trajectory->from = options.from;
   trajectory->columns = std::move(columns);

@@ -22,10 +22,10 @@ constexpr double top = 60;
 constexpr double bottom = 46;
 constexpr double right = 20;
 
-/// A curve smaller than this fraction shows rounding errors, not the motion. E is a sum of
-/// products, each rounded to at most 1.1e-16 of |T| + |V|, and a run adds up some hundred errors. A
-/// coordinate that should be 0 is a difference of coordinates, which may be as large as the largest
-/// coordinate of the same unit.
+/// A curve smaller than this fraction of its scale shows rounding errors, not the motion. The scale
+/// of E is |T| + |V|: each product in E is rounded to 1.1e-16 of |T| + |V|, and a run adds up some
+/// hundred errors. The scale of a coordinate is the largest coordinate of the same unit: a
+/// coordinate that should be 0 is a difference of coordinates of this size.
 constexpr double rounding = 1e-13;
 
 /// Steps are accurate to 1e-9 of each number, so a smaller relative change shows no motion.
@@ -76,8 +76,8 @@ struct PlotSpan {
 
   [[nodiscard]] double width() const { return high - low; }
   [[nodiscard]] double size() const { return std::max(std::abs(low), std::abs(high)); }
-  /// The margin beyond both ends. If the numbers change by noise only, it is much wider than the
-  /// changes, so that the line looks flat.
+  /// The margin beyond both ends. If the numbers change by noise only, the margin is much larger
+  /// than the changes, so that the line looks flat.
   [[nodiscard]] double margin(double noise) const {
     if (size() <= noise) return noise > 0 ? 10 * noise : 1;
     return width() > std::max(smallest_change * size(), noise) ? width() / 25 : size() / 10;

@@ -22,7 +22,7 @@ class KinkWatch {
   /// evaluation of all arguments.
   [[nodiscard]] std::vector<int> sides(const Numbers& state, double t);
 
-  /// The velocity, if the arguments depend on no other variable; none otherwise.
+  /// The velocity, if it is the only variable in the arguments of `kink`; otherwise none.
   [[nodiscard]] std::optional<std::size_t> rate_of(std::size_t kink) const {
     return kinks_[kink].rate;
   }

@@ -97,7 +97,7 @@ struct MethodRow {
   std::string_view name;
   std::uint32_t order;  ///< of the method itself, without composition of steps
   StepKind step;
-  std::optional<StepMethod> program;  ///< the `step` that it runs; none: it integrates dv/dt
+  std::optional<StepMethod> program;  ///< the `step` of the method; none if it integrates dv/dt
   std::unique_ptr<Stepper> (*make)(System& system, const StepRule& rule);
 };
 

@@ -42,10 +42,10 @@ RatePlace next_place(RatePlace place, double share, double acceleration) {
   return share < 0 ? RatePlace::above : share > 1 ? RatePlace::below : place;
 }
 
-/// The place of each rate. Held: 0 <= s <= 1. Above: s = 0 and a >= 0. Below: s = 1 and a <= 0. The
-/// first rate that violates its condition changes its place, until no rate does. Murty,
-/// Mathematical Programming 5 (1973) 213: this ends if W is a P-matrix, as B M^-1 B^T is. Empty if
-/// it does not end.
+/// The place of each rate. Held: 0 <= s <= 1. Above: s = 0 and a >= 0. Below: s = 1 and a <= 0. In
+/// each turn, the first rate that violates its condition changes its place. The turns end if W is a
+/// P-matrix, such as B M^-1 B^T (Murty, Mathematical Programming 5 (1973) 213). Empty if the turns
+/// do not end, or if the equations of shares_of() are singular.
 std::vector<RatePlace> places_of(const Numbers& a, const Numbers& w) {
   const std::size_t n = a.size();
   const std::size_t most_turns = 1000;  // no system of 20 rates needed as many
@@ -156,8 +156,8 @@ double Pieces::kink_rate(std::size_t kink, Numbers from, const Numbers& to, doub
   return std::abs(high) < side_distance(0) ? 0 : high;
 }
 
-/// True if only this component of the force jumps at the kink, and if the force is larger below the
-/// kink than above. Damping changes forces over this distance by far less than 1e-6 of the jump.
+/// True if only component held.rate of the force jumps at the kink, and is larger below than above.
+/// Damping changes forces over side_distance() by far less than 1e-6 of the jump.
 bool Pieces::can_hold(const HeldRate& held, Numbers state, double t) const {
   const auto forces = [&](double rate) {
     system_.v_of(state)[held.rate] = rate;

@@ -56,8 +56,8 @@ class Pieces {
   struct Response {
     Numbers above = {};
     std::vector<Numbers> changes = {};
-    Numbers accelerations = {};         ///< by held rate, all above
-    Numbers acceleration_changes = {};  ///< n x n, row-major: of held rate i if rate k is below
+    Numbers accelerations = {};         ///< a_i(all above), by held rate
+    Numbers acceleration_changes = {};  ///< n x n, row-major: a_i(k below) - a_i(all above)
   };
 
   [[nodiscard]] Response response(const Numbers& state, double t,

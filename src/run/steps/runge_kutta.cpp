@@ -26,7 +26,7 @@ auto rates_of(Source& source) {
   };
 }
 
-/// If the method reuses the rates at the end of the last step, it computes them again.
+/// Discards the rates at the end of the last step, if the method would reuse them in the next step.
 template <class Steps>
 void discard_rates(Steps& steps) {
   if constexpr (requires { steps.reset(); }) steps.reset();
@@ -149,7 +149,7 @@ class AdaptedSteps final : public Stepper {
     }
   }
 
-  /// Leaves the piece by a step of Euler's method, so short that everything else hardly changes.
+  /// Leaves the piece by a step of Euler's method, so short that the state hardly changes.
   bool cross_kink(Numbers& state) {
     before_ = state;
     Numbers slope(state.size());

@@ -8,7 +8,7 @@
 namespace elgen {
 namespace {
 
-/// An implicit step counts as solved if its residual is at most this fraction of the sum |p|.
+/// An implicit step is solved if sum |residual| is at most this fraction of sum |p| at both ends.
 constexpr double largest_residual = 1e-3;
 
 class StepProgram {

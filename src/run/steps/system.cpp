@@ -93,7 +93,7 @@ System::System(const CheckedModel& checked, const Program& program, const Compil
   for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
 }
 
-/// `conserved` holds for the exact model only, so an expansion of the model checks no such entries.
+/// Adds `conserved` entries; none for an expansion, because they hold for the exact model only.
 void System::add_conserved(const Expectation& expectation) {
   if (!expectation.is_conserved() || model_.approximation) return;
   for (std::size_t i = 0; i < expectation.entries.size(); ++i) {

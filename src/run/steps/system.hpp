@@ -68,8 +68,8 @@ struct InputLaw {
 
 class System {
  public:
-  /// Calls the functions of `compiled`; evaluates the program if it is null or lacks a function. If
-  /// `projects`, restore() also projects states onto the constraints.
+  /// Calls the functions of `compiled`; evaluates the program if `compiled` is null or lacks a
+  /// function. If `projects`, restore() also projects states onto the constraints.
   System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
          bool projects = true);
   System(const System&) = delete;
@@ -94,10 +94,10 @@ class System {
   /// The start of the model with normalised quaternions, and work 0.
   [[nodiscard]] Numbers start();
 
-  /// Inputs keep their present values, the laws at this state, until the next hold().
+  /// Sets the inputs to the laws at this state, and keeps these values until the next hold().
   void hold(const double* q, const double* v, double t);
   [[nodiscard]] bool holds_inputs() const { return is_held_; }
-  /// The values of the laws at wrapped angles, clamped to `limits`; 0 for inputs without a law.
+  /// The held inputs, or else the laws at wrapped angles, clamped to `limits`; 0 without a law.
   [[nodiscard]] const Numbers& inputs(const double* q, const double* v, double t);
   /// q as rows show it: angles with `wrap` in (-pi, pi].
   [[nodiscard]] const Numbers& displayed_position(const double* q);
@@ -112,7 +112,7 @@ class System {
   }
 
   /// The result of the program's `step` of length h: q, v, and the residual of an implicit method.
-  /// The inputs are those at `state`.
+  /// The inputs have their values at `state`.
   [[nodiscard]] const Numbers& step_result(const Numbers& state, double t, double h);
 
   void acceleration(const double* q, const double* v, double t, double* a);
@@ -121,7 +121,7 @@ class System {
   [[nodiscard]] std::span<const double> relative_pivots() const {
     return {solution_.data() + first_pivot_, velocities() + model_.constraints.size()};
   }
-  /// lambda, by constraint, for these inputs.
+  /// lambda, by constraint, for `inputs`.
   [[nodiscard]] std::span<const double> multipliers(const double* q, const double* v, double t,
                                                     const Numbers& inputs);
   void coordinate_rates(const double* q, const double* v, double* rates);

@@ -47,8 +47,8 @@ class DesignRuns {
   DesignRuns(const DesignRequest& request, const OutputBase& base, const BenchProcess& process)
       : request_(request), base_(base), process_(process) {}
 
-  /// The scene of the design as a key. For derivation_key(), it is equal for designs with the same
-  /// derivation.
+  /// The scene of `design` as a text, used as a key. Two designs with the same derivation have the
+  /// same key_of(derivation_key(design)).
   [[nodiscard]] std::string key_of(const Design& design) const {
     return scene_text(base_.base(), design, request_.inputs.model->path);
   }
@@ -99,7 +99,7 @@ class DesignRuns {
     return products;
   }
 
-  /// The numerics of the design's scene; its scalar is appended to `scalars`.
+  /// The numerics of the design's scene, for `scalars` followed by the design's scalar.
   Numerics numerics_of(const Design& design, std::vector<ScalarKind> scalars) {
     Numerics numerics = run(design, Goal::check).checked->scene.numerics;
     scalars.push_back(design.scalar);

@@ -19,9 +19,9 @@ struct PromisedCode {
   const CompiledModel* functions;
 };
 
-/// The compiled headers to check. Headers with the same results in other argument types are
-/// skipped; builds with contraction have other results. If the scene has a wider inner scalar, only
-/// headers in this scalar are checked.
+/// The compiled headers to check: as written, and as users compile them, because contraction
+/// changes results. Headers in other argument types are skipped, because their results are the
+/// same. If the scene has a wider inner scalar, only headers in this scalar are checked.
 std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
   const bool has_wide = std::ranges::any_of(compiled, &CompiledHeader::is_wide);
   std::vector<PromisedCode> codes;
@@ -36,8 +36,8 @@ std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
   return codes;
 }
 
-/// The values, entry by entry over all states. Empty if the code lacks the function; NaN at states
-/// at which it throws an exception.
+/// Entry k at state i is at [k * states.size() + i]; NaN if the function throws an exception. Empty
+/// if `code` lacks the function, or if the function throws at all states.
 template <class Scalar>
 std::vector<double> values_of(const CompiledModel& code, const Function& function,
                               const std::vector<Arguments<double>>& states) {

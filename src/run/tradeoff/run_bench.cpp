@@ -127,8 +127,8 @@ class RunBench {
     if (is_new) at->second = compile_step(step);
   }
 
-  /// If the method does not suit the system, or its function is too long, the table has a sentence
-  /// instead of rows.
+  /// The compiled step. If the method does not suit the system, or if the function is too long, the
+  /// result has no rows, and `refusals_` gets a sentence.
   StepCode compile_step(const StepSpec& step) {
     Products products = derived(step);
     if (!products.program) {
@@ -205,9 +205,9 @@ class RunBench {
   const RunRequest& request_;
   double time_;
   const BenchProcess& process_;
-  Products exact_ = {};  ///< of the equations without a step; its model has the assembled start
+  Products exact_ = {};  ///< derived without a step; the model has the assembled start
   ReferenceRun reference_ = {};
-  double uncertainty_ = 0;  ///< relative error of the reference; at least the one of rounding
+  double uncertainty_ = 0;  ///< relative error of the reference; at least u = 2^-53
   std::map<StepSpec, StepCode> codes_ = {};
   TradeoffTable table_ = {};
   std::vector<std::size_t> steps_ = {};     ///< steps of a run, by row

@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// The expression as a TOML integer if it is one, otherwise as a string.
+/// `text` without quotes if it is an integer of up to 18 digits, otherwise as a TOML string.
 std::string expression_text(const std::string& text) {
   constexpr std::size_t most_digits = 18;
   const bool is_integer = !text.empty() && text.size() <= most_digits &&
@@ -48,7 +48,7 @@ std::string value_text(const ValueSyntax& value) {
   return {};
 }
 
-/// The text without all characters that cannot occur in a name: "1e7" for "1e-7".
+/// The text without the characters that cannot occur in a name: "1e7" for "1e-7".
 std::string word_of(std::string text) {
   std::erase_if(text, [](char c) { return !is_word_character(c); });
   return text;
@@ -152,8 +152,8 @@ class DesignText {
                         : base_.checked.scene.outputs.front().name;
   }
 
-  /// "true" to request the output `projected`, which runs of constrained models call after each
-  /// step; otherwise "".
+  /// The value of `projected`: "true" if the design has a step and the model has constraints,
+  /// because runs project after each step; otherwise "".
   [[nodiscard]] std::string projected() const {
     return design_.step && !base_.checked.model.constraints.empty() ? "true" : "";
   }
@@ -195,8 +195,8 @@ class DesignText {
     return toml_inline_table(values);
   }
 
-  /// The lines of `[approximate]`: the design's order, or else the scene's; the scene's expansion
-  /// point, or else the start.
+  /// The lines of `[approximate]`; none if the design is exact. The order is the design's,
+  /// otherwise the scene's. The expansion point is the scene's, otherwise the start.
   [[nodiscard]] Lines approximation() const {
     if (design_.order == exact_design.order) return {};
     const bool is_expanded = !design_.order.empty();

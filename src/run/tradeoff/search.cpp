@@ -20,7 +20,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t states_of_a_climb = 100;  ///< one climb per 100 states, from the worst
+constexpr std::size_t states_of_a_climb = 100;  ///< one climb per 100 states, from the worst states
 constexpr std::size_t searched_per_state = 20;
 constexpr std::size_t fewest_sweeps = 8;
 constexpr std::size_t most_sweeps = 400;
@@ -96,7 +96,7 @@ class ErrorSearch {
   }
 
  private:
-  /// `exact`: the exact entries at a state; none if an entry is undefined.
+  /// The errors at `states`, relative to the entries exact(state); 0 if exact(state) is none.
   template <class Exact>
   [[nodiscard]] std::vector<double> errors(const std::vector<Arguments<double>>& states,
                                            const Exact& exact) const {
@@ -109,8 +109,8 @@ class ErrorSearch {
     return found;
   }
 
-  /// The errors relative to the program in long double, which is 2048 times as precise as double on
-  /// some machines.
+  /// The errors relative to the program in long double. On some machines, long double is 2048 times
+  /// as precise as double.
   [[nodiscard]] std::vector<double> errors_at(const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {
       auto arguments = map_leaves([](double x) { return static_cast<long double>(x); }, state);
@@ -146,7 +146,7 @@ class ErrorSearch {
     return states;
   }
 
-  /// Moves every leaf in the direction in which the error grew when only this leaf changed.
+  /// The state of `climb`, each leaf moved in the direction in which it alone increased the error.
   [[nodiscard]] Arguments<double> joint_state(const Climb& climb, const Arguments<double>* near,
                                               const double* errors) const {
     Arguments<double> state = climb.state;

@@ -107,7 +107,7 @@ class TradeoffPlot {
   [[nodiscard]] double x_of(const TradeoffRow& row) const {
     return chart_.x_of(std::log10(row.cost.median));
   }
-  /// An error of 0 is drawn at the bottom.
+  /// The y of a mark; the bottom of the chart if the error is 0.
   [[nodiscard]] double y_of(const TradeoffRow& row) const {
     return chart_.y_of(std::log10(row.error.worst));
   }
@@ -141,8 +141,8 @@ class TradeoffPlot {
     return outlines[static_cast<std::size_t>(at) % outlines.size()];
   }
 
-  /// Marks with similar costs are often close, so their numbers alternate between upper left and
-  /// lower right, which the line of the Pareto front does not touch.
+  /// The number of mark i, at the upper left or the lower right in turn, because marks with similar
+  /// costs are often close. The line of the Pareto front touches neither place.
   [[nodiscard]] std::string number(std::size_t i) const {
     const bool is_left = i % 2 == 0;
     return svg_label(x_of(*rows_[i]) + (is_left ? -radius : radius),

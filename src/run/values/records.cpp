@@ -1,5 +1,5 @@
-// Records: the fields of each output by the output table, and stable values: all of their digits
-// are correct.
+// Makes tables of values: the fields of each output from the output table, and the oracle's values
+// with correct digits only.
 #include "run/values/records.hpp"
 
 #include <fmt/format.h>

@@ -12,8 +12,8 @@ namespace elgen {
 /// outputs.
 [[nodiscard]] ValueTable table_of(const CheckedModel& checked, int digits);
 
-/// E521 if the output is undefined at the state, or if the largest number of digits does not decide
-/// its values.
+/// The values of table.functions[function] at `state`. E521 if the output is undefined at the
+/// state, or if the largest number of digits does not decide its values.
 [[nodiscard]] Result<ValueRecord> record_at(const ValueTable& table, std::size_t function,
                                             std::string place, const State& state);
 

@@ -39,7 +39,7 @@ State start_of(const Subject& subject) {
 VectorState state_number(const Subject& subject, std::size_t number, Sampler& draw) {
   if (number == 0) return {"start", start_of(subject)};
   const bool varies = number % 3 == 0;
-  const std::size_t turn = varies ? 3 * (1 + number / 3) : 0;  // multiples of 3: rates of order 1
+  const std::size_t turn = varies ? 3 * (1 + number / 3) : 0;  // turn mod 3 = 0: rates up to 1
   State state = drawn_state(subject.model, subject.scene, draw, turn);
   state.h = cln::abs(draw.number()) / 10;
   if (varies) return {"parameters", std::move(state)};

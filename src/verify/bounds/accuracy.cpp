@@ -23,7 +23,7 @@ struct FieldRecord {
   std::vector<double> errors = {};  ///< at nominal states
   std::size_t compared = 0;         ///< number of compared states
   std::map<Obstacle, std::size_t> skipped = {};
-  std::size_t skipped_inside = 0;  ///< nominal states that were skipped, in double
+  std::size_t skipped_inside = 0;  ///< skipped nominal states; 0 in float
   std::string mistake = {};        ///< the first mistake
   std::string mistake_at = {};
 };

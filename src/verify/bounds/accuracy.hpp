@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// Options of the visits to all states.
+/// The options of visit_all() and check_accuracy().
 struct AccuracyOptions {
   VisitOptions visit = {};
   /// Called at each step with a text such as "accuracy in double, state 3 of 36".
@@ -38,7 +38,7 @@ void visit_all(const Subject& subject, const std::vector<SampledState<Scalar>>& 
 /// One row per field of each output; one row for code as users compile it, and one for code in a
 /// wider scalar, if `options.visit` has such code; one row per output for its lost digits, if they
 /// are measured at some state. A row fails at a state in four cases:
-///     the exact value differs from the oracle's by more than 1e-50 (E + |x*|)
+///     the exact value differs from the oracle's by more than agrees_with_oracle() permits
 ///     the state is nominal, and the exact value is undefined although the oracle has a value
 ///     the rounded value is not finite
 ///     the error of compiled code exceeds most_of_users or most_of_wide

@@ -15,7 +15,7 @@ enum class Regime : std::uint8_t {
   undefined,        ///< an intermediate has no value (1/0, sqrt(-1))
   overflow,         ///< an exact intermediate, or its rounding, exceeds max/16 of the scalar
   ill_conditioned,  ///< a divisor, radicand or argument is uncertain by > 1/1000: E is no bound
-  unsettled,        ///< 1000 digits do not decide if the exact value equals the oracle's
+  unsettled,        ///< no run with more digits decides if the exact value equals the oracle's
 };
 
 /// The worse of both; from the worst: undefined, overflow, ill_conditioned, unsettled, regular.

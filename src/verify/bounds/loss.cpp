@@ -123,7 +123,7 @@ bool Losses::knows_angles() const {
   return true;
 }
 
-/// Computes solved columns only if the loss of some entry may exceed negligible_loss.
+/// The groups of a field: single entries, and solved columns if a loss may exceed negligible_loss.
 auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
                     const std::vector<Real>& exact) -> std::vector<Group> {
   std::vector<double> most;
@@ -150,8 +150,8 @@ auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
   return result;
 }
 
-/// The loss of a group, in u R. None if R is 0: exact values have 60 correct digits of E, so a
-/// smaller R is a rounding error.
+/// The loss of a group in u R, or group.most if this bound is negligible; 0 if R is undefined. None
+/// if R is at most 1e-45 of E, because such an R may be a rounding error of the exact values.
 std::optional<double> Losses::figure_of(const FieldPlace& place, const ExactRun& run,
                                         const Group& group, const std::vector<Real>& errors,
                                         const std::vector<Real>& exact) {

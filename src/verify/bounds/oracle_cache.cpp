@@ -55,7 +55,7 @@ cln::cl_R OracleCache::force() {
   cln::cl_R largest = 0;
   for (const OutputKind kind :
        {OutputKind::velocity_force, OutputKind::gravity, OutputKind::bias}) {
-    // An output exists if the model has it, even if the scene does not request it.
+    // The oracle has each output of the model, even if the scene does not request the output.
     const OutputRequest request = request_of(subject_.model, kind, 0);
     if (!is_available(subject_.model, request)) continue;
     const OracleValues& entries = values(request);

@@ -53,7 +53,7 @@ class OracleCache {
 /// the number is undefined.
 [[nodiscard]] bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning);
 
-/// True if agrees() holds with 0, oracle.energy() or oracle.rounding_scale() as `drowning`.
+/// True if agrees() holds with `drowning` = 0, oracle.energy() or oracle.rounding_scale().
 [[nodiscard]] bool agrees_with_oracle(const Running<Real>& number, const cln::cl_R& truth,
                                       OracleCache& oracle);
 

@@ -81,8 +81,8 @@ class Projection {
   }
   [[nodiscard]] const FieldRow& row() const { return place_.row(); }
 
-  /// sum over i, j of w_i x_ij y_j; i runs over the entries of w only, j over the entries of y (if
-  /// it is empty, y = 1).
+  /// sum over i, j of w_i x_ij y_j, i below the size of w, j below the size of y. An empty y stands
+  /// for y = 1.
   [[nodiscard]] Running<Real> contracted(const Contraction& by) const {
     Running<Real> sum;
     const std::size_t columns = by.y.empty() ? 1 : by.y.size();
@@ -143,7 +143,7 @@ class Projection {
     for (std::size_t i = 0; i < pivots->size(); ++i) {
       const Real truth((*pivots)[i]);
       // The scale of rounding errors is 1, because a pivot is relative to a diagonal entry. The
-      // pivots of an indefinite M have any magnitude.
+      // error |truth| is for an indefinite M, whose pivots have any magnitude.
       if (agrees({entry(i).value, abs(truth)}, truth, Real(1))) continue;
       return mismatch("a relative pivot", entry(i).value, (*pivots)[i]);
     }

@@ -11,15 +11,15 @@ namespace elgen {
 
 /// Contracts the exact entries of a field with random directions w, y, and compares the number with
 /// the oracle's, to 50 digits relative to sum |w_i y_j| E_ij, E_ij the running error of entry ij.
-/// The result has an empty text if they agree, or if the oracle has no value. An undefined entry of
-/// the program is a mismatch if the oracle has a value. Solutions are inserted into the equation
-/// that they solve:
+/// The result has an empty text if the numbers agree, or if the oracle has no value. An undefined
+/// entry of the program is a mismatch if the oracle has a value. Without constraints, solutions are
+/// inserted into the equation that they solve:
 ///
-///     every other field:            w.x or w.X y
 ///     accelerations a:              w.(M a + bias) = w.B u
-///     their derivatives X:          w.M (X y) = -w.(slope of M a + bias - B u along y)
-///     their derivatives by inputs:  w.M (X y) = w.B y
+///     derivatives X of a by u:      w.M (X y) = w.B y
+///     other derivatives X of a:     w.M (X y) = -w.(slope of M a + bias - B u along y)
 ///     relative pivots:              not contracted; each pivot is compared
+///     all other fields:             w.x or w.X y
 [[nodiscard]] Mismatch compare_projection(const Subject& subject, const FieldPlace& place,
                                           const ExactRun& run, OracleCache& oracle, Sampler& draw);
 

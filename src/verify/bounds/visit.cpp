@@ -61,8 +61,8 @@ Mismatch mismatch(std::size_t entry, const Real& value, const Real& truth) {
           value, truth};
 }
 
-/// The function whose only field is the one that the given field of `dynamics` repeats; null if
-/// there is none.
+/// The function that the field `place` of `dynamics` repeats, if this function has a single field;
+/// otherwise null.
 const Function* repeated_function(const Program& program, const FieldPlace& place) {
   if (!output_row(place.function->kind).is_summary) return nullptr;
   const auto found = std::ranges::find(program.functions, place.field().name, &Function::name);
@@ -230,8 +230,8 @@ CodeFinding Visit<Scalar>::compare_wide_code(const FieldPlace& place) const {
   });
 }
 
-/// True if float, as the inner scalar, holds all values: it has a smaller range than double and
-/// rounds the arguments.
+/// False if the inner scalar is float, and some value in float is undefined, too large, too small
+/// or ill-conditioned.
 template <class Scalar>
 bool Visit<Scalar>::fits_inner_scalar() {
   in_float_.clear();
@@ -242,7 +242,7 @@ bool Visit<Scalar>::fits_inner_scalar() {
          std::ranges::none_of(run.entries, &Running<Real>::underflows);
 }
 
-/// Exact values have 60 digits of E, so smaller values and errors count as 0. Errors after an
+/// Values and errors below 1e-45 E count as 0, because exact values are rounded. Errors after an
 /// underflow count as 0, too. NaN and infinity lose all digits if the exact value is defined.
 template <class Scalar>
 std::optional<Loss> Visit<Scalar>::measured_loss(const FieldPlace& place) {

@@ -63,7 +63,6 @@ struct Finding {
 /// The states at which losses are measured.
 enum class LossStates : std::uint8_t { nowhere, inside_ranges, everywhere };
 
-/// The options of a visit.
 struct VisitOptions {
   Comparison comparison = Comparison::entries;
   LossStates loss_states = LossStates::nowhere;  ///< states at which losses are measured
@@ -83,8 +82,8 @@ class Visit {
 
   /// Compares one field. `draw` gives the directions of projections. Consecutive fields of one
   /// function share a run. If exact values differ, program and oracle run again with twice the
-  /// digits, up to 1000. If two such runs confirm the difference, it is a mistake; otherwise the
-  /// regime is `unsettled`.
+  /// digits, up to 1024, or 256 with irrational constants. A difference that two such runs confirm
+  /// is a mistake; a difference that no run decides has the regime `unsettled`.
   [[nodiscard]] Finding look_at(const FieldPlace& place, Sampler& draw);
 
  private:
@@ -105,14 +104,14 @@ class Visit {
                                               std::size_t first, std::string_view name);
   [[nodiscard]] bool has_finite_values(const FieldPlace& place) const;
   void measure(const FieldPlace& place, Finding& finding) const;
-  /// The largest error of `values`, and the entry if the error exceeds `most`. `reference_of(i)`:
-  /// the reference value of entry i, and the scale s of its error, which is divided by u s.
+  /// The largest error of `values` in u s, and an entry with an error above `most`.
+  /// `reference_of(i)` returns the reference value of entry i, and the scale s of its error.
   template <class Reference>
   [[nodiscard]] CodeFinding compare_code(const FieldPlace& place, const std::vector<Scalar>& values,
                                          double most, const Reference& reference_of) const;
   [[nodiscard]] CodeFinding compare_users_code(const FieldPlace& place) const;
   [[nodiscard]] CodeFinding compare_wide_code(const FieldPlace& place) const;
-  /// True if the inner scalar can hold all intermediate values. Fills `in_float_` if it is float.
+  /// True if the inner scalar can hold all intermediate values. Fills `in_float_` for inner float.
   bool fits_inner_scalar();
   /// The loss of a field; none if an entry has no exact value.
   [[nodiscard]] std::optional<Loss> measured_loss(const FieldPlace& place);

@@ -92,8 +92,8 @@ class FindingsFile {
 };
 
 /// True if the output is compared at this sample. The oracle's derivatives of the dynamics cost n
-/// times as much as all other outputs together, so with more than three velocities they are
-/// compared at every sixteenth sample.
+/// times as much as all other outputs together. With Comparison::entries and more than three
+/// velocities, these derivatives are compared at every sixteenth sample.
 bool is_due(OutputKind kind, std::size_t velocities, std::size_t sample, Comparison comparison) {
   const bool is_costly = comparison == Comparison::entries && velocities > 3;
   return !is_costly || !output_row(kind).differentiates || sample % 16 == 0;

@@ -53,7 +53,7 @@ Convention identity(const Model& model) {
   return {"", identity(n), identity(n), std::vector<int>(n), identity(model.inputs.size())};
 }
 
-/// First `b`, then `a`.
+/// The convention that applies `b` first, then `a`.
 Convention compose_conventions(const Convention& a, const Convention& b) {
   std::vector<int> half_turns = a.half_turns;
   for (std::size_t i = 0; i < half_turns.size(); ++i) {
@@ -91,8 +91,8 @@ std::vector<std::vector<Convention>> choices(const Model& model) {
   return all;
 }
 
-/// Two conventions: each angle relative to the previous angle; each angle absolute, the sum of our
-/// angles up to it.
+/// Adds two conventions: each angle relative to the previous angle; each angle absolute, the sum of
+/// our angles up to this angle.
 void add_relative_angles(const Model& model, std::vector<Convention>& all) {
   Convention relative = identity(model);
   relative.name = "each of its angles is relative to the previous angle";

@@ -37,8 +37,8 @@ struct Convention {
 };
 
 /// The conventions that are tried: another sign or zero of one coordinate or input; relative or
-/// absolute angles; other orders of up to three coordinates; then pairs of the first kind. For
-/// models with rotations, only the signs of inputs.
+/// absolute angles; other orders of up to three coordinates; then pairs of signs or zeros. With
+/// rotations or more than 16 coordinates, only the signs of inputs.
 [[nodiscard]] std::vector<Convention> conventions(const Model& model);
 
 /// Converts a state from their convention to ours.

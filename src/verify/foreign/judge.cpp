@@ -53,7 +53,7 @@ RealNumbers part_of(const RealNumbers& values, std::size_t first, std::size_t si
   return {begin, begin + static_cast<std::ptrdiff_t>(size)};
 }
 
-/// True if a field has only rounding errors: terms of up to 1e30 that cancel in 64 digits.
+/// True if a field may be pure rounding error: terms up to 1e30 cancel to below 1e-30 in 64 digits.
 bool may_be_rounding(const RealNumbers& largest) {
   return std::ranges::any_of(largest,
                              [](const cl_R& x) { return !cln::zerop(x) && x < power_of_ten(-30); });
@@ -230,8 +230,9 @@ bool ForeignComparison::has_all_answers(const ForeignAnswers& answers, const Sta
   return false;
 }
 
-/// Errors are relative to the largest entry of the field at the state, or to 1e-6 of its largest
-/// entry at all states if this is larger: terms that cancel exactly leave 1e-16 of the largest.
+/// Compares the answers with the oracle. Errors are relative to the largest entry of the field at
+/// the state, or to 1e-6 of its largest entry at all states, whichever is larger: terms that cancel
+/// exactly leave 1e-16 of the largest term.
 void ForeignComparison::compare(const ForeignAnswers& answers) {
   least_scales_.assign(fields_.size(), 0);
   for (std::size_t i = 0; i < states_.values.size(); ++i) {
@@ -282,8 +283,8 @@ std::string ForeignComparison::wrong_situations() const {
   return "wrong only if parameters are varied; agrees at the parameters of the file";
 }
 
-/// Names the parameters that the code ignores. `changed`: the parameters whose values differ from
-/// those of the first state; each has one state, after the compared states.
+/// Names the parameters that the code ignores. State i after the compared states differs from the
+/// first state in parameter changed[i] only.
 std::string ForeignComparison::ignored_parameters(const ForeignAnswers& answers,
                                                   const States& states,
                                                   const std::vector<std::uint32_t>& changed) const {
@@ -302,8 +303,8 @@ std::string ForeignComparison::ignored_parameters(const ForeignAnswers& answers,
   return names.empty() ? "" : fmt::format("ignores {}", fmt::join(names, ", "));
 }
 
-/// If all entries at all states have the same quotient to the oracle's: this quotient in words. The
-/// cause may be another unit, sign, length or inertia.
+/// The quotient of the answers by the oracle's values, in words; "" if the quotients of entries or
+/// states differ. The cause may be another unit, sign, length or inertia.
 std::string ForeignComparison::factor() const {
   const ForeignSample& first = samples_.front();
   const auto largest = std::ranges::max_element(first.truth, std::ranges::less(),
@@ -345,7 +346,7 @@ LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outpu
   return leaves;
 }
 
-/// If no state was compared, row.worst describes the answers.
+/// E717. row.worst describes the largest error or, if no state was compared, the answers.
 Diagnostic disagreement(const Model& model, const CertificateRow& row) {
   const std::string name = in_backticks(row.subject);
   const std::string found = fmt::format("{}", fmt::join(row.findings, "; "));

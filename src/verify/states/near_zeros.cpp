@@ -150,7 +150,7 @@ class NearZeros {
     }
   }
 
-  /// x plus `distance` times max(|x|, min(1, half the range)); minus if that leaves the range.
+  /// x + d, or x - d if x + d leaves the range; d = `distance` max(|x|, min(1, half the range)).
   static double nearby_value(double x, double distance, const Range& range) {
     const double change =
         distance * std::max(std::abs(x), std::min(1.0, range.high / 2 - range.low / 2));

@@ -9,7 +9,6 @@
 //     written  n/(a + 2 b)                    in the denominator the term 4*b has 1/2 of its factor
 //
 // Products that differ only in sines and cosines count as one term.
-// Sines and cosines with equal powers of all other factors form one term.
 #pragma once
 
 #include <map>
@@ -29,17 +28,17 @@ using TermsByPowers = std::map<Monomial, Polynomial, MonomialLess>;
 
 struct DifferingTerms {
   std::size_t count = 0;
-  /// Right terms that are written with another factor; the key is the written over the right
-  /// factor.
+  /// Right terms that are written with another factor; the key is the written factor divided by the
+  /// right factor.
   std::map<cln::cl_RA, Fraction> multiples = {};
   Fraction missing = {};
   Fraction surplus = {};
   bool of_denominator = false;  ///< the terms are terms of the denominator
 };
 
-/// The differing terms over a common denominator. If they do not occur in the forms as written, and
-/// the numerators are multiples of each other, the differing terms of the denominators. None
-/// otherwise, or if the budget is exceeded.
+/// The differing terms over a common denominator, if they occur in the forms as written. Otherwise
+/// the differing terms of the denominators, if the numerators are multiples of each other.
+/// Otherwise none; also none if the budget is exceeded.
 [[nodiscard]] std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& right,
                                                             const Fraction& written);
 

@@ -1,6 +1,6 @@
 // Proves expectations if possible. Otherwise compares them to 45 digits at 64 random points, and at
-// more points if these lie on one side of a kink only. Then the row says "sampled", because this is
-// no proof.
+// more points if the 64 lie on one side of a kink only. The row of a compared expectation says
+// "sampled", because a comparison is no proof.
 #include "verify/structure/expectations.hpp"
 
 #include <fmt/format.h>
@@ -316,7 +316,7 @@ void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proo
   }
 }
 
-/// The accelerated states of the first `states` for which the motion exists.
+/// motion_at(), for the first states_of_rank of `states` at which the motion exists.
 std::vector<State> first_motions(const Model& model, const std::vector<State>& states) {
   std::vector<State> motions;
   for (std::size_t i = 0; i < states.size() && motions.size() < states_of_rank; ++i) {
@@ -328,7 +328,7 @@ std::vector<State> first_motions(const Model& model, const std::vector<State>& s
 void check(ExpectationReport& report, const Expectation& expectation, Proofs& proofs,
            const SamplingStates& all) {
   const Subject& subject = proofs.subject();
-  std::optional<std::vector<SampledPoint>> points;  // for the first entry that is not proved
+  std::optional<std::vector<SampledPoint>> points;  // set at the first entry without a proof
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const ExpectedEntry entry{expectation, index, subject};
     if (proofs.holds(expectation, index)) {

@@ -49,7 +49,7 @@ Arguments<Real> unit_rate(const ExactValues& at, std::size_t i) {
   return direction;
 }
 
-/// The derivatives of an energy along the directions of all velocities.
+/// The derivatives of `energy` along direction(at, i), for each velocity i.
 Values gradient(const ExactValues& at, K energy,
                 Arguments<Real> (*direction)(const ExactValues&, std::size_t)) {
   Values slopes;

@@ -41,7 +41,7 @@ struct BalanceTerms {
 /// The balance of all terms; the first element determines the number of entries.
 [[nodiscard]] Balance balance_of(const std::vector<BalanceTerms>& all);
 
-/// The displacement along velocity i at unit rate.
+/// The direction along q in which v_i = 1 and all other velocities are 0.
 [[nodiscard]] Arguments<Real> unit_position(const ExactValues& at, std::size_t i);
 
 }  // namespace elgen

@@ -41,7 +41,7 @@ Values twist(const Values& pose, const Values& along, const Values& rate, bool i
   return terms;
 }
 
-/// The columns are the axes in which the twist is expressed: the frame's, or the world's.
+/// A matrix whose first three columns are the axes of the twist: the frame's, or the world's.
 Values axes_of(const Values& pose, bool in_world) {
   if (!in_world) return pose;
   Values world(axes * columns);

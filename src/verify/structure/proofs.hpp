@@ -17,9 +17,9 @@ class Proofs {
   /// If `forms` is null, nothing is proved.
   Proofs(const Subject& subject, ClosedForms* forms) : subject_(subject), forms_(forms) {}
 
-  /// True if a proof is found, with the usual forms or with forms for proofs. An entry of an output
-  /// equals the derived one; a `conserved` entry is constant along the motion at u = 0; an equation
-  /// holds along the motion. False proves nothing.
+  /// True if the entry is proved, with the usual forms or with forms for proofs: the entry of an
+  /// output equals the derived entry; a `conserved` entry is constant along the motion at u = 0; an
+  /// equation holds along the motion. False proves nothing.
   [[nodiscard]] bool holds(const Expectation& expectation, std::size_t entry);
 
   /// The closed form of an entry as written in the file, and as derived. None if there is no closed
@@ -28,8 +28,8 @@ class Proofs {
   [[nodiscard]] std::optional<Fraction> derived(const Expectation& expectation,
                                                 std::size_t entry) const;
 
-  /// The closed forms of the first field of an output; none if an entry has none or relies on
-  /// sampled zeros.
+  /// The closed forms of the first field of an output; none if an entry has no closed form or
+  /// relies on sampled zeros.
   [[nodiscard]] std::optional<std::vector<Fraction>> entries(OutputKind kind) const;
 
   /// The form, with the accelerations of the motion inserted; none if they have no closed form.
@@ -39,8 +39,8 @@ class Proofs {
   [[nodiscard]] std::optional<Fraction> free_rate(const Fraction& form) const;
 
   [[nodiscard]] const Subject& subject() const { return subject_; }
-  /// The forms for proofs, which contain quotients. Null if no proof has needed them so far, or if
-  /// they contain powers of exponentials, which no author typed.
+  /// The forms for proofs, which contain quotients. Null if no proof has needed these forms so far,
+  /// or if they contain powers of exponentials, because no author types such powers.
   [[nodiscard]] ClosedForms* quotients();
   /// Null if there are no forms.
   [[nodiscard]] Algebra* algebra() const { return forms_ == nullptr ? nullptr : &forms_->algebra; }

@@ -11,12 +11,12 @@
 
 namespace elgen {
 
-/// In which terms left - right differs from the nearest right form, the one with the fewest
-/// differing terms. Right forms are f times a row of M a + bias - B u, f free of velocities,
-/// accelerations and inputs; and the form with the same accelerations that vanishes along the
-/// motion. "compared with row theta of the equations of motion, times 1/(m*l^2): the term
-/// g*sin(theta)/l has the opposite sign". "" if there are no closed forms, if the model has
-/// constraints, or if too many terms differ.
+/// In which terms `equation`, left - right, differs from the nearest right form, the right form
+/// with the fewest differing terms. Right forms: f times a row of M a + bias - B u, f free of
+/// velocities, accelerations and inputs; and `equation` minus its value along the motion. "compared
+/// with row theta of the equations of motion, times 1/(m*l^2): the term g*sin(theta)/l has the
+/// opposite sign". If too many terms differ: "left - right is m*g along the motion". "" if this
+/// text is too long, if there are no closed forms, or if the model has constraints.
 [[nodiscard]] std::string difference_from_motion(const Proofs& proofs, const Fraction& equation);
 
 /// In which term the form differs from a quantity that is constant at u = 0: "compared with a
@@ -24,9 +24,9 @@ namespace elgen {
 /// term's factor makes the form constant, or if it contains momenta.
 [[nodiscard]] std::string difference_from_conserved(const Proofs& proofs, const Fraction& written);
 
-/// Adds a row for the rank of d(left - right)/da together with the rows of A, at states with the
-/// accelerations of the motion. E540 if the rank is less than the number of velocities, or if
-/// another acceleration also satisfies all equations.
+/// Adds a row for the rank of d(left - right)/da together with the rows of A, at `motions`, states
+/// with the accelerations of the motion. E540 if the rank is less than the number of velocities, or
+/// if another acceleration also satisfies all equations.
 void check_rank(ExpectationReport& report, const Expectation& equations, const Subject& subject,
                 const std::vector<State>& motions);
 

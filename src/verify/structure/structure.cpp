@@ -34,7 +34,7 @@ CertificateRow row_of(const Function& function, std::string_view check, std::str
   return row;
 }
 
-/// Adds figure(point) of all points; points without a figure count as skipped.
+/// The tally of figure(point) over all points; a point without a figure counts as skipped.
 template <class Figure>
 Tally tally_of(std::vector<ExactValues>& points, const Figure& figure) {
   Tally tally;
